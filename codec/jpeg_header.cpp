@@ -73,6 +73,28 @@ std::vector<JpegSegment> segments_of(std::span<const std::byte> jpeg, const Jpeg
     return out;
 }
 
+double quantization_of(std::span<const std::byte> jpeg) {
+    constexpr int tables = 0xdb;
+    constexpr double mean_of_annex_k = 57.625;
+    for (std::size_t at = 2; at + 4 <= jpeg.size();) {
+        const int marker = byte_at(jpeg, at + 1);
+        const auto length = std::size_t(word_at(jpeg, at + 2));
+        if (byte_at(jpeg, at) != 0xff || marker == start_of_scan || length < 2 ||
+            length > jpeg.size() - at - 2)
+            break;
+        const auto segment = jpeg.subspan(at + 2, length);
+        at += 2 + length;
+        if (marker != tables || length < 3 || (byte_at(segment, 2) & 15) != 0) continue;
+        const bool words = byte_at(segment, 2) >> 4;
+        if (length < 3 + (words ? 128 : 64)) break;
+        double sum = 0;
+        for (std::size_t i = 0; i < 64; ++i)
+            sum += words ? word_at(segment, 3 + 2 * i) : byte_at(segment, 3 + i);
+        return sum / 64 / mean_of_annex_k;
+    }
+    return 0;
+}
+
 std::vector<std::byte> resized_header(std::span<const std::byte> jpeg, const JpegHeader& header, int width,
                                       int height) {
     std::vector<std::byte> out(jpeg.begin(), jpeg.begin() + std::ptrdiff_t(header.bytes));

@@ -1,10 +1,13 @@
 #include "pipeline/package/tile_levels.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "codec/byte_planes.h"
 #include "codec/depth_values.h"
 #include "codec/jpeg_cells.h"
+#include "codec/jpeg_header.h"
 #include "codec/jpeg_pixels.h"
 #include "pipeline/photos/cut_tile.h"
 #include "scene/halve.h"
@@ -48,9 +51,9 @@ void add_jpeg(std::span<const std::byte> rgba, int width, int height, int qualit
 }
 
 /// False if a tile cannot have this form.
-bool add_tile(std::span<const std::byte> texels, int width, int height, CodedBlocks& out) {
+bool add_tile(std::span<const std::byte> texels, int width, int height, int quality, CodedBlocks& out) {
     if (out.form == Form::jpeg) {
-        add_jpeg(texels, width, height, color_quality, out);
+        add_jpeg(texels, width, height, quality, out);
         return true;
     }
     const auto block = out.form == Form::depth ? codec::encode_depth(texels, width, height)
@@ -60,16 +63,25 @@ bool add_tile(std::span<const std::byte> texels, int width, int height, CodedBlo
 }
 
 bool write_coded_tiles(PackageWriter& writer, Type type, std::uint32_t photo, std::uint32_t level,
-                       std::span<const std::byte> texels, const Level& size) {
+                       std::span<const std::byte> texels, const Level& size, int quality) {
     CodedBlocks blocks{.form = form_for(type, texels)};
     for (std::size_t tile = 0; tile < std::size_t(size.tiles()); ++tile) {
         const TilePart part = inner_part(size, tile);
-        if (!add_tile(cut_inner_part(texels, size, tile), part.width(), part.height(), blocks)) return false;
+        if (!add_tile(cut_inner_part(texels, size, tile), part.width(), part.height(), quality, blocks))
+            return false;
     }
     return writer.write_coded(type, photo, level, blocks);
 }
 
 }  // namespace
+
+int level_quality(std::span<const std::byte> jpeg, std::uint32_t level) {
+    if (level == 0) return color_quality;  // once more than its own
+    const double coarse = std::ldexp(codec::quantization_of(jpeg), -int(level));
+    // As libjpeg scales its tables.
+    const double quality = coarse < 1 ? 100 - 50 * coarse : 50 / coarse;
+    return std::clamp(int(std::lround(quality)), 1, color_quality);
+}
 
 bool write_own_jpeg(PackageWriter& writer, std::uint32_t photo, std::span<const std::byte> jpeg) {
     if (!writer.compact(Type::tiles, photo, 0)) return false;
@@ -91,8 +103,9 @@ void write_thumbnail(PackageWriter& writer, std::uint32_t photo, std::span<const
 }
 
 void write_tiles(PackageWriter& writer, package::Type type, std::uint32_t photo, std::uint32_t level,
-                 std::span<const std::byte> texels, const Level& size) {
-    if (writer.compact(type, photo, level) && write_coded_tiles(writer, type, photo, level, texels, size))
+                 std::span<const std::byte> texels, const Level& size, int quality) {
+    if (writer.compact(type, photo, level) &&
+        write_coded_tiles(writer, type, photo, level, texels, size, quality))
         return;
     writer.write_blocks(type, photo, level, [&](std::size_t number, std::span<std::byte> tile) {
         cut_tile(texels, size, number, tile);
@@ -100,7 +113,7 @@ void write_tiles(PackageWriter& writer, package::Type type, std::uint32_t photo,
 }
 
 RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint32_t level,
-                    const RgbaImage& image) {
+                    const RgbaImage& image, int quality) {
     const auto texels = std::as_bytes(std::span(image.rgba));
     if (!writer.compact(Type::tiles, photo, level) || !is_opaque(texels)) return image;
     const Level size{image.width, image.height};
@@ -108,8 +121,8 @@ RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint3
     std::vector<std::byte> decoded;
     for (std::size_t tile = 0; tile < std::size_t(size.tiles()); ++tile) {
         const TilePart part = inner_part(size, tile);
-        const auto jpeg = codec::encode_jpeg(cut_inner_part(texels, size, tile), part.width(), part.height(),
-                                             color_quality);
+        const auto jpeg =
+            codec::encode_jpeg(cut_inner_part(texels, size, tile), part.width(), part.height(), quality);
         decoded.resize(4 * std::size_t(part.width()) * std::size_t(part.height()));
         if (!codec::decode_jpeg(jpeg, part.width(), part.height(), decoded))
             throw std::logic_error("libjpeg-turbo cannot read what it wrote");

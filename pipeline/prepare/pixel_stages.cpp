@@ -81,7 +81,8 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
         if (l == std::uint32_t(mask_level) && !opaque)
             coarse.valid = job.at.lens ? validity(as_pinhole(job, level, mask_level)) : validity(level);
         const bool own = l == 0 && !jpeg.empty();
-        if (l == sampled) coarse.samples = own ? level : as_stored(writer, i, l, level);
+        if (l == sampled)
+            coarse.samples = own ? level : as_stored(writer, i, l, level, level_quality(jpeg, l));
         if (l > sampled && l <= std::uint32_t(sample_level)) coarse.samples = halve(coarse.samples);
         if (l == std::uint32_t(sample_level)) {
             if (job.at.lens && missing[Stage::samples])
@@ -89,7 +90,8 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
             found.set_value(std::move(coarse));
         }
         if (l < r.levels && missing[Stage::tiles] && !(own && write_own_jpeg(writer, i, jpeg)))
-            write_tiles(writer, Type::tiles, i, l, bytes_of(level.rgba), {level.width, level.height});
+            write_tiles(writer, Type::tiles, i, l, bytes_of(level.rgba), {level.width, level.height},
+                        level_quality(jpeg, l));
         RgbaImage next = halve(level);
         // The coarsest level that still has the thumbnail's detail is the cheapest to reduce.
         const int wanted = int(std::max(r.thumbnail_width, r.thumbnail_height));

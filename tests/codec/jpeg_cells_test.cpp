@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "codec/jpeg_header.h"
 #include "codec/jpeg_pixels.h"
 
 using namespace vantage::codec;
@@ -165,5 +166,21 @@ TEST(JpegCells, DamagedBytesAreRefusedOrDecodedButDoNoHarm) {
             grid->cells() != cells->ends.size())
             continue;
         decode_cells(damaged.header, *grid, part, cells_in(damaged), pixels);
+    }
+}
+
+TEST(JpegHeader, TellsHowCoarselyLuminanceIsRounded) {
+    for (const int quality : {40, 60, 75, 88, 95})
+        for (const int flags : {0, TJFLAG_PROGRESSIVE}) {
+            const double scale = quality < 50 ? 50.0 / quality : 2 - quality / 50.0;
+            EXPECT_NEAR(quantization_of(jpeg_of(64, 48, {TJSAMP_420, flags}, quality)), scale,
+                        0.01 + 0.01 * scale)
+                << quality;
+        }
+    EXPECT_EQ(quantization_of({}), 0);
+    const Bytes jpeg = jpeg_of(64, 48, {TJSAMP_420, 0}, 88);
+    for (std::size_t n = 0; n < 200; ++n) {  // cut short
+        const double found = quantization_of(std::span(jpeg).first(n));
+        EXPECT_TRUE(found == 0 || std::abs(found - 0.24) < 0.01) << n;
     }
 }
