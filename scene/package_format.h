@@ -9,7 +9,7 @@ namespace vantage::package {
 
 inline constexpr char magic[8] = {'V', 'A', 'N', 'T', 'A', 'G', 'E', '\n'};
 inline constexpr char part_magic[8] = {'V', 'N', 'T', 'G', 'P', 'A', 'R', 'T'};  ///< while in preparation
-inline constexpr std::uint32_t version = 5;
+inline constexpr std::uint32_t version = 6;
 inline constexpr std::uint64_t alignment = 4096;  ///< of every raw chunk and its blocks
 constexpr std::uint64_t aligned(std::uint64_t n) { return (n + alignment - 1) / alignment * alignment; }
 inline constexpr std::uint64_t coded_alignment = 8;  ///< of every other chunk
@@ -103,6 +103,14 @@ struct SceneRecord {
     double border_width;       ///< pixels of a photo 3072 wide at which the border mask is 255
     std::uint64_t effects;     ///< bit i: Effect i is on
     std::uint64_t scalar_layers;
+    double up[3]{0, 0, 1};  ///< unit vector
+    double shade[3]{};      ///< linear light beside the model in the median photo; 0, 0, 0: not known
+    /// The view that the player opens: from the place of a photo toward a point relative to the origin. With
+    /// another number than that of a photo, all of the model.
+    std::uint64_t first_photo = ~0ull;
+    double first_target[3]{};
+    double first_fov = 45;    ///< of what is to be in the frame: vertical, in degrees
+    double first_aspect = 1;  ///< its width over its height
 };
 
 enum PhotoFlags : std::uint32_t {
@@ -262,7 +270,7 @@ static_assert(sizeof(PointNode) == 40 && sizeof(PackedPoint) == 12 &&
               point_block * sizeof(PackedPoint) % alignment == 0);
 static_assert(sizeof(PhotoState) == 344 && std::is_trivially_copyable_v<PhotoState>);
 static_assert(sizeof(BandRecord) == 64 && sizeof(LensRecord) == 104);
-static_assert(sizeof(CoverageRecord) == 12 && sizeof(SampleRecord) == 8 && sizeof(SceneRecord) == 136 &&
+static_assert(sizeof(CoverageRecord) == 12 && sizeof(SampleRecord) == 8 && sizeof(SceneRecord) == 232 &&
               sizeof(PhotoRecord) % 8 == 0);
 static_assert(sizeof(RegistrationRecord) == 128 && sizeof(PoseWithoutRecord) == 104 &&
               sizeof(PairRecord) == 56 + 6 * pair_columns * pair_rows);

@@ -55,6 +55,23 @@ const char* flaw_of(const package::PhotoRecord& p) {
     return nullptr;
 }
 
+/// Why the scene's record is unusable; null if it is valid.
+const char* flaw_of(const package::SceneRecord& s) {
+    const auto within = [](const auto& values, double low, double high) {
+        return std::ranges::all_of(values, [&](double v) { return v >= low && v <= high; });
+    };
+    for (int i = 0; i < 3; ++i)
+        if (!std::isfinite(s.origin[i]) || !(s.bounds_min[i] <= s.bounds_max[i]))
+            return "origin or bounds are not finite";
+    if (std::abs(Eigen::Vector3d(s.up).norm() - 1) > 1e-6) return "up is not of length 1";
+    if (!within(s.shade, 0, 1)) return "shade is out of range";
+    constexpr double farthest = 1e300;
+    if (!within(s.first_target, -farthest, farthest) || !(s.first_fov > 0.01 && s.first_fov < 179) ||
+        !(s.first_aspect > 1e-3 && s.first_aspect < 1e3))
+        return "first view is out of range";
+    return nullptr;
+}
+
 /// That a photo may belong to: 1 without BAND.
 std::uint64_t number_of_bands(const DirectoryEntry* chunk) {
     return chunk ? chunk->head_length / sizeof(package::BandRecord) : 1;
@@ -428,9 +445,7 @@ package::SceneRecord PackageReader::checked_scene() const {
     if (records.size() != 1) map_->damaged(Defect::invalid_record, "SCEN: expected one record");
     const package::SceneRecord s = records[0];
     map_->keep_lengths();
-    for (int i = 0; i < 3; ++i)
-        if (!std::isfinite(s.origin[i]) || !(s.bounds_min[i] <= s.bounds_max[i]))
-            map_->damaged(Defect::invalid_record, "SCEN: origin or bounds are not finite");
+    if (const char* flaw = flaw_of(s)) map_->damaged(Defect::invalid_record, std::string("SCEN: ") + flaw);
     for (const Type type : {Type::photos, Type::positions, Type::normals, Type::indices, Type::clusters}) {
         const ChunkRow& row = chunk_row(type);
         const DirectoryEntry* e = find(type);

@@ -10,6 +10,7 @@
 #include "pipeline/prepare/joined_bands.h"
 #include "pipeline/prepare/moved_photo.h"
 #include "pipeline/prepare/registration_reuse.h"
+#include "pipeline/presentation/up_direction.h"
 #include "pipeline/refine/folds.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/surroundings/find_surroundings.h"
@@ -75,6 +76,12 @@ void write_results(const FinishInput& in, const Agreement& agreement, PhotoTable
     package::SceneRecord scene = in.scene;
     for (const EffectDecision& d : decisions)
         if (d.on) scene.effects |= effect_bit(d.effect);
+    std::ranges::copy(agreement.up, scene.up);
+    std::ranges::copy(agreement.shade, scene.shade);
+    scene.first_photo = agreement.first.photo;
+    std::ranges::copy(agreement.first.target, scene.first_target);
+    scene.first_fov = agreement.first.fov;
+    scene.first_aspect = agreement.first.aspect;
     const std::string meta = with_results(in.meta, decisions, agreement.registration.warnings);
     for (std::size_t i = 0; i < photos.records.size(); ++i) seal(photos.states[i], photos.records[i]);
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(meta)));
@@ -97,23 +104,25 @@ PackageReader open_part(const FinishInput& in) {
     return PackageReader(part_of(in.out), PackageReader::Expect::part);
 }
 
-EffectDecision add_surroundings(const FinishInput& in, Samples samples, const ColorRefinement& colors,
-                                std::span<const package::PhotoRecord> photos) {
+Surroundings add_surroundings(const FinishInput& in, Samples samples, const ColorRefinement& colors,
+                              std::span<const package::PhotoRecord> photos, KindOfScan kind) {
     if (points_only(in.scene))
-        return decide(Effect::surroundings, EffectChoice::automatic, 0, "the scene has points only");
+        return {
+            decide(Effect::surroundings, EffectChoice::automatic, 0, "the scene has points only"), {}, {}};
     const Traced traced(in.geometry.trace, "surroundings");
     const PackageReader part = open_part(in);
-    const Surroundings found = find_surroundings({.package = part,
-                                                  .photos = photos,
-                                                  .samples = samples,
-                                                  .discs = in.geometry.discs,
-                                                  .lens = colors.lens,
-                                                  .colors = colors.fit,
-                                                  .choice = choice_of(in.choices, Effect::surroundings),
-                                                  .judge = in.judge,
-                                                  .threads = in.threads});
+    Surroundings found = find_surroundings({.package = part,
+                                            .photos = photos,
+                                            .samples = samples,
+                                            .discs = in.geometry.discs,
+                                            .lens = colors.lens,
+                                            .colors = colors.fit,
+                                            .kind = kind,
+                                            .choice = choice_of(in.choices, Effect::surroundings),
+                                            .judge = in.judge,
+                                            .threads = in.threads});
     if (found.decision.on) in.geometry.writer.append(Type::surroundings, found.chunk);
-    return found.decision;
+    return found;
 }
 
 /// The colors of each band's photos.
@@ -136,10 +145,10 @@ std::vector<BandColors> fit_bands(const FinishInput& in, const PhotoSamples& sam
 struct BandAgreement {
     ColorRefinement colors;
     Consensus consensus;
-    EffectDecision surroundings;  ///< of the first band
+    Surroundings surroundings;  ///< of the first band
 };
 BandAgreement agree(const FinishInput& in, const PackageReader& part, BandColors of,
-                    std::span<const SurfaceDisc> discs, std::vector<std::uint32_t> lens,
+                    std::span<const SurfaceDisc> discs, std::vector<std::uint32_t> lens, KindOfScan kind,
                     PhotoTables& photos) {
     BandAgreement out;
     const Folds folds({part, photos.records, of.samples, discs, in.geometry.border_width, in.threads});
@@ -150,7 +159,7 @@ BandAgreement agree(const FinishInput& in, const PackageReader& part, BandColors
         apply_colors(out.colors, photos.records);
     }
     out.consensus = find_consensus(in, part, folds, out.colors, photos);
-    if (of.band == 0) out.surroundings = add_surroundings(in, of.samples, out.colors, photos.records);
+    if (of.band == 0) out.surroundings = add_surroundings(in, of.samples, out.colors, photos.records, kind);
     return out;
 }
 
@@ -163,18 +172,38 @@ void agree_by_band(const FinishInput& in, const PackageReader& part, std::vector
     for (BandColors& of : colors) {
         const std::uint32_t band = of.band;
         PhotoTables own{records_of_band(photos.records, band), photos.states};
-        BandAgreement found = agree(in, part, std::move(of), discs, {lens.begin(), lens.end()}, own);
+        BandAgreement found =
+            agree(in, part, std::move(of), discs, {lens.begin(), lens.end()}, out.kind, own);
         for (std::size_t i = 0; i < photos.records.size(); ++i)
             if (photos.records[i].band == band) {
                 photos.records[i] = own.records[i];
                 photos.states[i] = own.states[i];
             }
-        if (band == 0) out.surroundings = std::move(found.surroundings);
+        if (band == 0) {
+            out.surroundings = std::move(found.surroundings.decision);
+            out.shade = found.surroundings.shade;
+        }
         refined.push_back(std::move(found.colors));
         consensus.push_back(std::move(found.consensus));
     }
     out.colors = joined(std::move(refined), photos.records, in.bands);
     out.consensus = joined(std::move(consensus), photos.records, in.bands);
+}
+
+/// Which way is up, what kind of scan it is, and what to show first.
+void present(Samples samples, std::span<const SurfaceDisc> discs,
+             std::span<const package::PhotoRecord> photos, Agreement& out) {
+    std::vector<Pose> poses, with_pixels;
+    std::vector<std::span<const package::SampleRecord>> of;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        poses.push_back(cam_from_origin(photos[i]));
+        if (!photos[i].levels) continue;
+        with_pixels.push_back(poses.back());
+        of.push_back(samples[i]);
+    }
+    out.up = up_direction(with_pixels.empty() ? poses : with_pixels, discs);
+    out.kind = kind_of_scan(with_pixels, of, discs, out.up);
+    out.first = first_view(photos, samples, discs, out.up, out.kind);
 }
 
 /// What there is to say about no photos.
@@ -217,6 +246,7 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
         colors = fit_bands(in, samples, given, lens);
     }
     const std::vector<SurfaceDisc> discs = thinned(in.geometry.discs, samples.step);
+    present(samples.spans(), discs, photos.records, out);
     agree_by_band(in, part, std::move(colors), discs, lens, photos, out);
     write_results(in, out, photos);
     return out;

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -7,6 +8,7 @@
 
 #include "pipeline/prepare/geometry_stages.h"
 #include "pipeline/prepare/photo_tables.h"
+#include "pipeline/presentation/first_view.h"
 #include "pipeline/refine/color_agreement.h"
 #include "pipeline/refine/registration.h"
 #include "pipeline/run/progress.h"
@@ -41,6 +43,10 @@ struct Agreement {
     ColorRefinement colors;
     Consensus consensus;
     EffectDecision surroundings;
+    std::array<double, 3> shade{};  ///< see Surroundings
+    Eigen::Vector3d up{0, 0, 1};
+    KindOfScan kind = KindOfScan::front;
+    FirstView first{};
 };
 
 /// Determines cameras, colors and consensus from all photos and finishes the package: writes META, SCEN,

@@ -8,7 +8,6 @@
 #include <span>
 #include <thread>
 
-#include "pipeline/reports/up_axis.h"
 #include "pipeline/run/for_each_photo.h"
 #include "scene/opaque_part.h"
 #include "values/main_box.h"
@@ -24,6 +23,18 @@ const std::array<CoverageClass, 5> coverage_classes{{{"no photo", {196, 48, 40}}
                                                      {"five or more", {46, 125, 110}}}};
 
 namespace {
+
+/// An axis of the world, and which way along it is up.
+struct UpAxis {
+    int axis = 2;   ///< 0, 1, 2: x, y, z
+    int sign = +1;  ///< -1: the axis points down
+};
+
+UpAxis up_axis(const Eigen::Vector3d& up) {
+    Eigen::Index axis = 0;
+    up.cwiseAbs().maxCoeff(&axis);
+    return {int(axis), up[axis] < 0 ? -1 : 1};
+}
 
 std::size_t class_of(unsigned photos) { return photos < 3 ? photos : photos < 5 ? 3 : 4; }
 
@@ -241,7 +252,7 @@ std::vector<CoveragePicture> coverage_pictures(const PackageReader& package,
                                                const std::vector<unsigned>& photos, int size) {
     if (photos.empty()) return {};
     const Geometry g(package);
-    const UpAxis up = up_axis(package.photos());
+    const UpAxis up = up_axis(up_of(package.scene()));
     const std::vector<Canvas> canvases = draw(g, views(g, up, size));
     const std::vector<Side> all = sides(up);
     std::vector<CoveragePicture> pictures(all.size());

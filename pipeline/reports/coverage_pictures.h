@@ -24,7 +24,7 @@ struct CoveragePicture {
     std::string from;  ///< the side it is seen from: "+x", "-x", ..., "above (+z)", "below (-z)"
     RgbaImage image;
 };
-/// The model seen along its axes from all six sides, upright (see up_axis), in parallel projection, colored
+/// The model seen along its axes from all six sides, upright, in parallel projection, colored
 /// by the number of photos that see it; `size` is the longer side in pixels. The sides come before above and
 /// below.
 std::vector<CoveragePicture> coverage_pictures(const PackageReader& package,

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "pipeline/surroundings/depth_smoothing.h"
-#include "pipeline/surroundings/down_direction.h"
 #include "pipeline/surroundings/refine_depths.h"
 #include "pipeline/surroundings/view_sample.h"
 #include "pipeline/surroundings/walls_beyond.h"

@@ -12,6 +12,7 @@
 #include "pipeline/surroundings/judge_surroundings.h"
 #include "scene/surroundings.h"
 #include "values/bytes_of.h"
+#include "values/quantile.h"
 #include "values/srgb.h"
 
 namespace vantage {
@@ -32,6 +33,19 @@ double open_share(std::span<const CoarseView> views) {
     std::size_t pixels = 0, open = 0;
     for (const CoarseView& v : views) pixels += v.pixels, open += v.open;
     return pixels ? double(open) / double(pixels) : 0;
+}
+
+/// The median per channel of what the mesh leaves open.
+std::array<double, 3> shade_beside(std::span<const CoarseView> views) {
+    std::array<std::vector<float>, 3> channels;
+    for (const CoarseView& v : views)
+        for (std::size_t at = 0; at < v.ln.size(); at += 3) {
+            const Eigen::Array3f light = linear_of(v.ln[at]);
+            for (int c = 0; c < 3 && v.is_open(at); ++c) channels[std::size_t(c)].push_back(light[c]);
+        }
+    std::array<double, 3> out{};
+    for (std::size_t c = 0; c < 3; ++c) out[c] = std::clamp(quantile(channels[c], 0.5), 0.0, 1.0);
+    return out;
 }
 
 /// The decision before any photo is left out.
@@ -97,14 +111,14 @@ std::vector<std::byte> chunk_of(const SurroundingsInput& in, const Backdrop& bac
 
 Surroundings find_surroundings(const SurroundingsInput& in) {
     if (in.choice == EffectChoice::off)
-        return {decide(Effect::surroundings, in.choice, 0, "not measured"), {}};
+        return {decide(Effect::surroundings, in.choice, 0, "not measured"), {}, {}};
     const PhotoColors colors = colors_of(in.colors, in.lens);
     const CoarseViews some{
         read_coarse_views(in.package, in.photos, spread_photos(in.photos, most_surrounding_views), colors,
                           in.threads),
         colors};
     const MeshPlanes mesh = mesh_planes(in.discs, some.views);
-    Surroundings out{first_decision(in, some.views), {}};
+    Surroundings out{first_decision(in, some.views), {}, shade_beside(some.views)};
     if (!out.decision.on) return out;
     // In the meantime, because most scenes with something to show keep it.
     std::future<Backdrop> estimate =

@@ -1,10 +1,12 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "agreement/color_fit.h"
 #include "agreement/surface_discs.h"
+#include "pipeline/presentation/kind_of_scan.h"
 #include "scene/effects.h"
 #include "scene/package_reader.h"
 
@@ -21,6 +23,7 @@ struct SurroundingsInput {
     std::span<const SurfaceDisc> discs;
     std::span<const std::uint32_t> lens;  ///< per photo
     const ColorFit& colors;
+    KindOfScan kind = KindOfScan::front;
     EffectChoice choice = EffectChoice::automatic;
     bool judge = true;
     unsigned threads = 0;
@@ -30,6 +33,7 @@ struct SurroundingsInput {
 struct Surroundings {
     EffectDecision decision;
     std::vector<std::byte> chunk;
+    std::array<double, 3> shade{};  ///< linear light beside the model, median; 0 if it is not known
 };
 
 /// Decides whether the photos show surroundings that the mesh lacks, and estimates them. Throws

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "pipeline/surroundings/down_direction.h"
+#include "pipeline/presentation/up_direction.h"
 #include "pipeline/surroundings/planes.h"
 #include "pipeline/surroundings/view_sample.h"
 
@@ -114,6 +114,12 @@ double lowest_camera(std::span<const CoarseView> views, const Eigen::Vector3d& d
     double lowest = -std::numeric_limits<double>::infinity();
     for (const CoarseView& v : views) lowest = std::max(lowest, down.dot(v.pose.center()));
     return lowest;
+}
+
+Eigen::Vector3d down_direction(std::span<const CoarseView> views) {
+    std::vector<Pose> poses;
+    for (const CoarseView& v : views) poses.push_back(v.pose);
+    return -up_of_cameras(poses).up;
 }
 
 Eigen::Vector3d down_direction(std::span<const CoarseView> views, const MeshPlanes& mesh) {

@@ -3,7 +3,7 @@
 #include <iterator>
 #include <random>
 
-#include "pipeline/surroundings/down_direction.h"
+#include "pipeline/presentation/up_direction.h"
 #include "pipeline/surroundings/planes.h"
 #include "values/principal_axes.h"
 
@@ -125,7 +125,7 @@ MeshPlanes mesh_planes(std::span<const Disc> discs, std::span<const CoarseView> 
     MeshPlanes out;
     out.largest = largest_planes(usable, thick);
     const Eigen::Vector3d held = down_direction(views);
-    out.down = down_direction(discs, held);
+    if (const auto up = up_of_surface(discs, -held)) out.down = -*up;
     out.floor = out.down ? level_floor(usable, *out.down, lowest_camera(views, *out.down), thick)
                          : floor_among(out.largest, views, held);
     return out;

@@ -36,7 +36,8 @@ MeshPlanes mesh_planes(std::span<const SurfaceDisc> discs, std::span<const Coars
 /// How far down the lowest camera is; -inf without views.
 double lowest_camera(std::span<const CoarseView> views, const Eigen::Vector3d& down);
 
-/// What is down according to the mesh, or else to the photos.
+/// What is down according to the photos, and according to the mesh or else to them.
+Eigen::Vector3d down_direction(std::span<const CoarseView> views);
 Eigen::Vector3d down_direction(std::span<const CoarseView> views, const MeshPlanes& mesh);
 
 /// The mesh's floor continued, or else the plane below the cameras on which what the mesh leaves open agrees

@@ -82,7 +82,7 @@ Navigation between(const Navigation& a, const Navigation& b, double share) {
 std::vector<Navigation> recorded_stops(const std::string& file, const PackageReader& package,
                                        double distance) {
     std::vector<Navigation> stops;
-    const Eigen::Vector3d up = mean_up(package.photos());
+    const Eigen::Vector3d up = up_of(package.scene());
     for (const Shot& shot : read_path(file, package, {1280, 720}))
         stops.push_back(stand_at(shot.view, up, distance));
     return stops;
@@ -90,7 +90,7 @@ std::vector<Navigation> recorded_stops(const std::string& file, const PackageRea
 
 std::vector<KeyView> path_keys(const std::string& file, const PackageReader& package, double seconds) {
     std::vector<KeyView> keys;
-    const Eigen::Vector3d up = mean_up(package.photos());
+    const Eigen::Vector3d up = up_of(package.scene());
     for (const Shot& shot : read_path(file, package, {1280, 720}))
         keys.push_back(
             {stand_at(shot.view, up, shot.distance), shot.at.value_or(double(keys.size()) * seconds)});
@@ -110,7 +110,7 @@ CameraPath recorded_path(const std::string& file, const PackageReader& package, 
 }
 
 std::vector<Navigation> photo_stops(const PackageReader& package, std::span<const std::uint32_t> photos) {
-    const Eigen::Vector3d up = mean_up(package.photos());
+    const Eigen::Vector3d up = up_of(package.scene());
     std::vector<Navigation> stops;
     for (const std::uint32_t p : photos)
         if (package.photos()[p].levels > 0) stops.push_back(stand_at(package.photos()[p], up));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/first_photo.h"
 #include "scene/package_reader.h"
 
 namespace vantage {
@@ -71,8 +72,19 @@ Navigation stand_beside(const package::SceneRecord& scene, const Eigen::Vector3d
 
 Navigation home_of(const PackageReader& package, std::uint32_t photo) {
     const auto photos = package.photos();
-    const Eigen::Vector3d up = mean_up(photos);
+    const Eigen::Vector3d up = up_of(package.scene());
     return photo < photos.size() ? stand_at(photos[photo], up) : stand_before(package.scene(), up);
+}
+
+Navigation first_view(const PackageReader& package, std::uint32_t band) {
+    const package::SceneRecord& scene = package.scene();
+    const std::uint32_t photo = first_photo(package, band);
+    if (photo != scene.first_photo) return home_of(package, photo);
+    const Eigen::Vector3d up = up_of(scene), eye = cam_from_origin(package.photos()[photo]).center(),
+                          target(scene.first_target);
+    if (!((target - eye).norm() > 0)) return home_of(package, photo);
+    const View view = view_towards(eye, target, up, scene.first_fov, 1, 1);
+    return {eye, target, up, view.cam_from_origin.R, scene.first_fov, scene.first_aspect};
 }
 
 void look(Navigation& n, double right, double down) {

@@ -108,7 +108,7 @@ std::pair<View, double> parse_view_and_distance(const std::string& text, const P
     const Eigen::Vector3d eye(v[0], v[1], v[2]), target(v[3], v[4], v[5]);
     const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
     return {
-        view_towards(eye - origin, target - origin, mean_up(package.photos()), v[6], size.width, size.height),
+        view_towards(eye - origin, target - origin, up_of(package.scene()), v[6], size.width, size.height),
         (target - eye).norm()};
 }
 

@@ -4,17 +4,20 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/first_photo.h"
+
 namespace vantage {
 namespace {
 
 using std::numbers::pi;
 
-/// The horizontal direction, from the middle of the model, in which most cameras are.
-Eigen::Vector3d side_of_photos(const PackageReader& package, const Eigen::Vector3d& up) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const package::PhotoRecord& p : package.photos()) sum += cam_from_origin(p).center().normalized();
-    sum -= sum.dot(up) * up;
-    return sum.norm() > 1e-3 ? sum.normalized() : up.unitOrthogonal();
+/// The horizontal direction, from the middle of the model, in which the first view is; without photos, any.
+Eigen::Vector3d side_of_first_view(const PackageReader& package, const Eigen::Vector3d& up) {
+    const std::uint32_t photo = first_photo(package);
+    if (photo >= package.photos().size()) return up.unitOrthogonal();
+    const Eigen::Vector3d eye = cam_from_origin(package.photos()[photo]).center(),
+                          level = eye - eye.dot(up) * up;
+    return level.norm() > 1e-3 * eye.norm() ? level.normalized() : up.unitOrthogonal();
 }
 
 /// A cylinder around the up direction through the origin.
@@ -57,12 +60,12 @@ double distance_to_see(const Cylinder& c, double elevation, double width, double
 
 Navigation framed(const PackageReader& package, double aspect) {
     constexpr double fov = 30, margin = 1.06, elevation = 20 * pi / 180;
-    const Eigen::Vector3d up = mean_up(package.photos());
+    const Eigen::Vector3d up = up_of(package.scene());
     const double half_height = std::tan(fov / 2 * pi / 180) / margin;
     const double distance =
         distance_to_see(cylinder_around(package.scene(), up), elevation, half_height * aspect, half_height);
     const Eigen::Vector3d eye =
-        distance * (std::cos(elevation) * side_of_photos(package, up) + std::sin(elevation) * up);
+        distance * (std::cos(elevation) * side_of_first_view(package, up) + std::sin(elevation) * up);
     const Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     return {eye, middle, up, view_towards(eye, middle, up, fov, 1, 1).cam_from_origin.R, fov};
 }

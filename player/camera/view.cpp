@@ -102,13 +102,6 @@ Eigen::Matrix4d clip_from_origin(const View& view, const Eigen::Vector2d& range)
     return clip * cam;
 }
 
-Eigen::Vector3d mean_up(std::span<const package::PhotoRecord> photos) {
-    if (photos.empty()) return Eigen::Vector3d::UnitZ();
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const package::PhotoRecord& p : photos) sum -= cam_from_origin(p).R.row(1).transpose();
-    return sum.norm() > 1e-6 ? sum.normalized() : Eigen::Vector3d::UnitY();
-}
-
 Eigen::Matrix3d pixels_from_pixels(const Intrinsics& to, const Eigen::Matrix3d& to_R, const View& from) {
     const auto matrix = [](const Intrinsics& k) {
         Eigen::Matrix3d m;

@@ -81,7 +81,4 @@ View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, con
 /// The homography from pixels of one view to those of another from the same position.
 Eigen::Matrix3d pixels_from_pixels(const Intrinsics& to, const Eigen::Matrix3d& to_R, const View& from);
 
-/// Mean of the photos' up directions; +y if they cancel out, +z if there are none, as in laser scans.
-Eigen::Vector3d mean_up(std::span<const package::PhotoRecord> photos);
-
 }  // namespace vantage

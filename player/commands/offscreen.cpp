@@ -100,7 +100,7 @@ Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader
                     RenderSettings settings, std::span<const std::uint32_t> photos, const ShowOptions& o) {
     const FrameSize size = o.output.size.empty() ? FrameSize{4096, 2048} : parse_size(o.output.size);
     const int side = o.pictures.samples ? o.pictures.samples : 1;
-    const Panorama middle = panorama_at(shot.view, survey_up(package.photos()), size);
+    const Panorama middle = panorama_at(shot.view, up_of(package.scene()), size);
     if (o.stereo.mode == StereoMode::off) return take_panorama(scene, middle, settings, photos, side);
     settings.every_tile = false;  // hundreds of views read nearly the same ones
     const StereoPanorama panorama =

@@ -42,7 +42,7 @@ HeadsetScene::HeadsetScene(const PackageReader& package, const std::vector<Scene
       objects_(renderer_, objects, memory_budget(o.memory)),
       session_(session),
       origin_(Eigen::Map<const Eigen::Vector3d>(package.scene().origin)),
-      up_(survey_up(package.photos())),
+      up_(up_of(package.scene())),
       unit_meters_(unit_meters(package, o.headset.unit_meters)),
       fps_(o.window.fps),
       controls_(o.window.controls),

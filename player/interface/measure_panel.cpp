@@ -65,7 +65,7 @@ MeasurePanel::MeasurePanel(const PackageReader& package)
 /// Another window may have changed the file since the mode was left.
 void MeasurePanel::begin(Session& s, double now) {
     active_ = true;
-    survey_.up = survey_up(package_->photos());
+    survey_.up = up_of(package_->scene());
     try {
         survey_ = file_.read(Survey{.up = survey_.up});
     } catch (const Error& e) {

@@ -22,7 +22,7 @@ double fitting_pixel(double longer_side) { return round_up(std::max(longer_side 
 
 /// The rectangle that the model covers on the plane, in the input's unit.
 Eigen::Vector2d size_on(const std::string& plane, const PackageReader& package) {
-    return extent_on(parse_plane(plane, survey_up(package.photos())), package.scene()).sizes();
+    return extent_on(parse_plane(plane, up_of(package.scene())), package.scene()).sizes();
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ void side_views_menu(Controls& c, Session& s, const PackageReader& package, doub
                               {marked("From the top"), "top"}};
     for (const auto& [label, plane] : sides) {
         if (!c.menu_item(label, "")) continue;
-        const PicturePlane side = parse_plane(plane, survey_up(package.photos()));
+        const PicturePlane side = parse_plane(plane, up_of(package.scene()));
         s.flight = Session::Flight{
             {s.camera, stand_beside(package.scene(), side.right, side.up, s.camera.up)}, now, 0.7};
     }

@@ -11,7 +11,7 @@
 #include "player/objects/object_set.h"
 #include "player/options/frame_goal.h"
 #include "player/render/pace.h"
-#include "scene/middle_photo.h"
+#include "scene/first_photo.h"
 
 namespace vantage {
 namespace {
@@ -92,9 +92,8 @@ CameraPath path_named(const std::string& name, const PackageReader& package, con
                       int repeat) {
     const int frames = o.minutes > 0 ? 1 << 20 : o.frames;
     if (std::filesystem::is_regular_file(name)) return recorded_path(name, package, frames);
-    const auto photos = package.photos();
     const std::uint32_t band = band_settings(package, o.blending.bands).shown,
-                        first = o.package.photos.empty() ? middle_photo(photos, band)
+                        first = o.package.photos.empty() ? first_photo(package, band)
                                                          : named_photos(package, o.package.photos).front();
     return scripted_path(name, home_of(package, first), frames, unsigned(repeat) + 1);
 }

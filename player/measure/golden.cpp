@@ -30,7 +30,7 @@ std::vector<Navigation> stands_of(const PackageReader& package, std::uint32_t ba
 }  // namespace
 
 void write_default_views(const std::filesystem::path& file, const PackageReader& package) {
-    const Eigen::Vector3d up = mean_up(package.photos());
+    const Eigen::Vector3d up = up_of(package.scene());
     const std::vector<Band> bands = read_bands(package);
     std::vector<Navigation> views;
     std::vector<std::string> names;

@@ -73,6 +73,7 @@ RenderSettings render_settings(const PackageReader& package, const BlendingOptio
     RenderSettings r = o.render;
     r.weights.fov_normalization = effect_on(package.scene(), Effect::fov_normalization);
     r.bands = band_settings(package, o.bands);
+    r.background = background_of(package.scene());
     r.photos = o.photos >= 0 ? o.photos : (purpose == Purpose::pictures ? 0 : window_photos);
     if (!o.exposure.empty()) r.exposure = named_photos(package, {o.exposure}).front();
     const bool fills_frame =

@@ -26,7 +26,7 @@ std::size_t frame_count(double seconds, double frame_rate) {
 }
 
 Navigation turntable_start(const PackageReader& package, const ShowOptions& o, FrameSize size) {
-    const Eigen::Vector3d up = mean_up(package.photos());
+    const Eigen::Vector3d up = up_of(package.scene());
     if (!o.pictures.view.empty()) {
         const auto [view, distance] = parse_view_and_distance(o.pictures.view, package, size);
         return stand_at(view, up, distance);

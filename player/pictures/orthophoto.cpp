@@ -129,7 +129,7 @@ std::size_t draw_orthophoto(Renderer& renderer, const Orthophoto& o, const Rende
 
 int run_orthophoto(const PackageReader& package, const OrthophotoOptions& o) {
     const RenderSettings settings = orthophoto_settings(package, o);
-    const PicturePlane plane = parse_plane(o.plane, survey_up(package.photos()));
+    const PicturePlane plane = parse_plane(o.plane, up_of(package.scene()));
     const Orthophoto picture = orthophoto_of(
         plane, o.extent.empty() ? extent_on(plane, package.scene()) : parse_extent(o.extent), o.resolution);
     const Files files = output_files(package, o);

@@ -1,5 +1,10 @@
 #include "player/render/render_settings.h"
 
+#include <Eigen/Core>
+#include <algorithm>
+
+#include "scene/package_reader.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -31,6 +36,19 @@ LayerLegend layer_legend(const ValueLayer& layer, const LayerSettings& s) {
     const ColorMap map = chosen_map(s.map, whole.low, whole.high);
     if (s.range) return {map, *s.range};
     return {map, whole_range(layer, map == ColorMap::coolwarm && !s.logarithmic, s.logarithmic)};
+}
+
+Background background_of(const package::SceneRecord& scene) {
+    constexpr float darkest = 0.02f, brightest = 0.5f, gray = 0.6f, top = 0.7f;
+    const Eigen::Array3f shade = Eigen::Map<const Eigen::Array3d>(scene.shade).cast<float>();
+    const float light = (shade * Eigen::Array3f(0.2126f, 0.7152f, 0.0722f)).sum();
+    if (effect_on(scene, Effect::surroundings) || !(light > 0)) return {};
+    const Eigen::Array3f calm =
+        (gray * light + (1 - gray) * shade) * (std::clamp(light, darkest, brightest) / light);
+    Background out;
+    Eigen::Map<Eigen::Array3f>(out.bottom.data()) = calm;
+    Eigen::Map<Eigen::Array3f>(out.top.data()) = top * calm;
+    return out;
 }
 
 }  // namespace vantage

@@ -116,6 +116,9 @@ struct Background {
     bool operator==(const Background&) const = default;
 };
 
+/// Of a scene without surroundings: calm, in the shade that its photos show beside the model.
+Background background_of(const package::SceneRecord& scene);
+
 /// How the bare surface is drawn for two eyes. The pictures are the same.
 enum class EyeSurfaces {
     automatic,   ///< at once if the graphics card can; on a software rasterizer overlapped; else in turn

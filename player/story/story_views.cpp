@@ -14,7 +14,7 @@ constexpr double degrees = 180 / std::numbers::pi;
 }  // namespace
 
 InputAxes input_axes(const PackageReader& package) {
-    return {Eigen::Map<const Eigen::Vector3d>(package.scene().origin), mean_up(package.photos())};
+    return {Eigen::Map<const Eigen::Vector3d>(package.scene().origin), up_of(package.scene())};
 }
 
 Navigation camera_at(const StoryView& view, const InputAxes& axes) {

@@ -1,15 +1,12 @@
 #include "player/survey/survey.h"
 
 #include <cmath>
-#include <numbers>
 
-#include "player/camera/view.h"
 #include "player/survey/number_text.h"
 
 namespace vantage {
 namespace {
 
-constexpr double near_axis = 10 * std::numbers::pi / 180;  // radians
 constexpr int all_digits = 12;
 
 std::string number_or_nothing(const std::optional<double>& value) {
@@ -33,14 +30,6 @@ std::string points_text(const Measurement& m) {
 }
 
 }  // namespace
-
-Eigen::Vector3d survey_up(std::span<const package::PhotoRecord> photos) {
-    const Eigen::Vector3d mean = mean_up(photos);
-    Eigen::Index axis = 0;
-    mean.cwiseAbs().maxCoeff(&axis);
-    if (std::abs(mean[axis]) < std::cos(near_axis)) return mean;
-    return Eigen::Vector3d::Unit(axis) * std::copysign(1.0, mean[axis]);
-}
 
 std::string direction_text(const Eigen::Vector3d& d) {
     for (int axis = 0; axis < 3; ++axis)

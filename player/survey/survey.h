@@ -17,10 +17,6 @@ struct Survey {
     std::vector<Measurement> measurements{};
 };
 
-/// The axis of the input's coordinates that is up, if the photos' mean up direction is within 10 degrees of
-/// one: photos are rarely held level on average. Otherwise that mean.
-Eigen::Vector3d survey_up(std::span<const package::PhotoRecord> photos);
-
 /// "+z", or the direction's three numbers.
 std::string direction_text(const Eigen::Vector3d& direction);
 

@@ -152,7 +152,7 @@ void next(Enum& value) {
 
 /// Flies to the next photo with pixels on the right, or on the left (`by` -1).
 void fly_on(Session& s, const PlanScene& scene, int by, double now) {
-    const std::vector<std::uint32_t> order = photos_around(scene.photos, mean_up(scene.photos));
+    const std::vector<std::uint32_t> order = photos_around(scene.photos, s.camera.up);
     const int count = int(order.size()), here = int(std::ranges::find(order, s.standing_at) - order.begin());
     for (int i = 1; i <= count; ++i) {
         const std::uint32_t photo = order[std::size_t((here + by * i % count + count) % count)];

@@ -7,7 +7,7 @@
 #include "player/survey/photo_errors.h"
 #include "scene/bands.h"
 #include "scene/error.h"
-#include "scene/middle_photo.h"
+#include "scene/first_photo.h"
 #include "scene/point_cloud.h"
 #include "values/translation.h"
 
@@ -66,12 +66,12 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     s.settings.points = point_settings(o.points);
     s.lamp_follows = o.light.lamp.empty();
     s.settings.bands = chosen_bands(package, o, remembered);
-    const auto named =
-        o.package.photos.empty()
-            ? std::vector<std::uint32_t>{middle_photo(package.photos(), s.settings.bands.shown)}
-            : named_photos(package, o.package.photos);
-    s.standing_at = s.settings.compare_photo = named.front();
-    s.camera = home_of(package, s.standing_at);
+    const std::uint32_t band = s.settings.bands.shown;
+    const bool any = o.package.photos.empty();
+    const std::uint32_t photo =
+        any ? first_photo(package, band) : named_photos(package, o.package.photos).front();
+    s.standing_at = s.settings.compare_photo = photo < package.photos().size() ? photo : 0;
+    s.camera = any ? first_view(package, band) : home_of(package, photo);
     if (!o.pictures.view.empty()) {
         const auto [view, distance] = parse_view_and_distance(o.pictures.view, package, {1280, 720});
         s.camera = stand_at(view, s.camera.up, distance);
@@ -88,7 +88,8 @@ void begin_in_scene(Session& s, const PackageReader& package, const ToldStory& t
     const bool view_given = !o.package.photos.empty() || !o.pictures.view.empty();
     if (const auto opening = opening_of(told); opening && !view_given)
         s.camera = s.home = s.earlier.last = *opening;
-    s.settings.background = told.story.background ? background_of(*told.story.background) : Background{};
+    s.settings.background =
+        told.story.background ? background_of(*told.story.background) : background_of(package.scene());
 }
 
 }  // namespace vantage

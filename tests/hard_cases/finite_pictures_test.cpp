@@ -21,7 +21,7 @@ struct Named {
 class FinitePictures : public PreparedScene {
   protected:
     std::vector<Named> views() const {
-        const Eigen::Vector3d up = mean_up(package->photos());
+        const Eigen::Vector3d up = up_of(package->scene());
         const auto towards = [&](const Eigen::Vector3d& eye, const Eigen::Vector3d& target, double fov = 60) {
             return view_towards(eye, target, up, fov, 48, 36);
         };

@@ -53,7 +53,7 @@ class PreparedScene : public TemporaryFolder {
         const Eigen::Vector3d eye = (cam_from_origin(package->photos()[a]).center() +
                                      cam_from_origin(package->photos()[b]).center()) /
                                     2;
-        return view_towards(eye, {0, 0, 0}, mean_up(package->photos()), fov, width, height);
+        return view_towards(eye, {0, 0, 0}, up_of(package->scene()), fov, width, height);
     }
 };
 

@@ -116,8 +116,8 @@ TEST_F(PointScenes, LookLikeTheMeshWithTheSamePhotos) {
     const Eigen::Vector3d moved = Eigen::Map<const Eigen::Vector3d>(mesh.scene().origin) -
                                   Eigen::Map<const Eigen::Vector3d>(cloud.scene().origin);
     for (const double beside : {0.0, 0.5}) {
-        const Navigation there = between(stand_at(mesh.photos()[1], mean_up(mesh.photos())),
-                                         stand_at(mesh.photos()[2], mean_up(mesh.photos())), beside);
+        const Navigation there = between(stand_at(mesh.photos()[1], up_of(mesh.scene())),
+                                         stand_at(mesh.photos()[2], up_of(mesh.scene())), beside);
         const View view = view_of(there, 320, 240);
         View same_view = view;
         same_view.cam_from_origin.t -= view.cam_from_origin.R * moved;

@@ -58,8 +58,8 @@ class SmoothnessOfFlights : public TemporaryFolder {
         const PackageReader package(file);
         const gl::HeadlessContext context(gl::Debug::on);
         const std::vector<Navigation> path =
-            in_steps({stand_at(package.photos()[from], mean_up(package.photos())),
-                      stand_at(package.photos()[to], mean_up(package.photos()))},
+            in_steps({stand_at(package.photos()[from], up_of(package.scene())),
+                      stand_at(package.photos()[to], up_of(package.scene()))},
                      2 * std::numbers::pi / 180);
         std::vector<ShownStep> shown;
         return fly_in_steps(package, o, path, size, shown);
@@ -70,7 +70,7 @@ class SmoothnessOfFlights : public TemporaryFolder {
         const gl::HeadlessContext context(gl::Debug::on);
         Renderer renderer(package, {});
         const View view =
-            view_of(stand_at(package.photos()[photo], mean_up(package.photos())), size.width, size.height);
+            view_of(stand_at(package.photos()[photo], up_of(package.scene())), size.width, size.height);
         std::vector<std::uint32_t> photos(package.photos().size());
         std::iota(photos.begin(), photos.end(), 0u);
         const Picture p = take_picture(renderer, view, {}, photos, 1);

@@ -91,7 +91,7 @@ double detail(const Picture& a) {
 
 TEST_F(Video, TurntableGoesAroundTheTargetAndIsTheSameEachTime) {
     const PackageReader reader(file);
-    const Eigen::Vector3d up = mean_up(reader.photos()), eye(5, -9, 3), target(0.5, 0, 0);
+    const Eigen::Vector3d up = up_of(reader.scene()), eye(5, -9, 3), target(0.5, 0, 0);
     const std::string turn = "--turntable --seconds 0.4 --frame-rate 10 --view " + view_option(eye, target);
     const Outcome made = play(turn + " -o frames");
     ASSERT_EQ(made.code, 0) << made.err;

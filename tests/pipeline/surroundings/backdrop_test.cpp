@@ -7,7 +7,6 @@
 #include <random>
 #include <set>
 
-#include "pipeline/surroundings/down_direction.h"
 #include "pipeline/surroundings/walls_beyond.h"
 #include "tests/pipeline/surroundings/yard.h"
 
@@ -49,13 +48,6 @@ ByContent compare(const Backdrop& b, const std::vector<CoarseView>& views) {
 
 double degrees_from_down(const Eigen::Vector3d& direction) {
     return std::acos(std::clamp(-direction.z(), -1.0, 1.0)) * 180 / std::numbers::pi;
-}
-
-/// Turns the camera about its own axis, given in camera space.
-void turn(CoarseView& v, const Eigen::Vector3d& axis, double degrees) {
-    const Eigen::Matrix3d by(Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis));
-    v.pose.R = by * v.pose.R;
-    v.pose.t = by * v.pose.t;
 }
 
 /// Discs of a wall through the origin, 4 by 4.
@@ -133,29 +125,6 @@ TEST(GroundPlane, IsFoundFromWhatPhotosShowOfIt) {
     EXPECT_LT(std::acos(std::clamp(-ground->normal.z(), -1.0, 1.0)), 1.0 * std::numbers::pi / 180);
     const double above = ground->height - ground->normal.dot(Eigen::Vector3d(0, -6, 1.6));
     EXPECT_NEAR(above, 1.6, 0.05);
-}
-
-TEST(DownDirection, IsThatOfWallsWhereCamerasWereNotHeldLevel) {
-    std::vector<CoarseView> views = yard::photos();
-    views.resize(3);  // which look much the same way
-    double roll = 3;
-    for (CoarseView& v : views) turn(v, Eigen::Vector3d::UnitZ(), roll += 1);
-    const Eigen::Vector3d held = down_direction(views);
-    ASSERT_GT(degrees_from_down(held), 3) << "rows alone mislead";
-    const auto down = down_direction(house(0, 0.02), held);
-    ASSERT_TRUE(down);
-    EXPECT_LT(degrees_from_down(*down), 0.3);
-}
-
-TEST(DownDirection, IsHeldAlongTheOnlyWallAndUnknownWithoutWalls) {
-    const Eigen::Vector3d held = Eigen::Vector3d(0.02, 0.1, -1).normalized();
-    const auto down = down_direction(wall(Eigen::Vector3f::UnitY(), 400), held);
-    ASSERT_TRUE(down);
-    EXPECT_NEAR(down->y(), 0, 1e-3) << "parallel to the wall";
-    EXPECT_NEAR(down->x(), held.x(), 2e-3) << "as held";
-    std::vector<SurfaceDisc> ball;
-    for (const Eigen::Vector3f& n : direction_sphere(3).directions) ball.push_back({n, n, 0.1f});
-    EXPECT_FALSE(down_direction(ball, held));
 }
 
 TEST(GroundPlane, ContinuesTheFloorOfAMeshWithWalls) {

@@ -80,7 +80,8 @@ std::vector<Measurement> measure_path(const BenchScene& scene) {
     const PackageReader package(scene.package);
     const PlanScene plans = make_plan_scene(package);
     const auto photos = package.photos();
-    const CameraPath path = scripted_path("orbit", stand_at(photos[photos.size() / 2], mean_up(photos)), 90);
+    const CameraPath path =
+        scripted_path("orbit", stand_at(photos[photos.size() / 2], up_of(package.scene())), 90);
     std::vector<Measurement> out;
     for (const auto& c : choices)
         for (const int n : {1, 4, 8})

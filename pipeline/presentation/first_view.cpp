@@ -1,0 +1,190 @@
+#include "pipeline/presentation/first_view.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "scene/package_reader.h"
+#include "values/principal_axes.h"
+#include "values/quantile.h"
+
+namespace vantage {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double filled = 0.75;                 ///< of the frame's height or width
+constexpr double least_fov = 8, most_fov = 70;  ///< degrees
+constexpr double nearby = 25 * degree;          ///< photos that keep another company
+constexpr double tolerated_roll = 15 * degree, usual_height = 40 * degree;
+constexpr double usual_distance = 0.5;  ///< of ln(distance / median)
+constexpr int cells = 24;               ///< of the model's longest side, for its roughness
+
+/// How much there is to see at each disc: how its neighbors' directions and colors vary.
+std::vector<double> detail_of(Samples samples, std::span<const SurfaceDisc> discs) {
+    struct Cell {
+        Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
+        double count = 0, light = 0, squares = 0, colored = 0, detail = 0;
+    };
+    Eigen::AlignedBox3f box;
+    for (const SurfaceDisc& d : discs) box.extend(d.center);
+    const float size = std::max(box.sizes().maxCoeff() / cells, 1e-30f);
+    std::map<std::tuple<int, int, int>, Cell> grid;
+    const auto cell_of = [&](const SurfaceDisc& d) -> Cell& {
+        const Eigen::Vector3f at = (d.center - box.min()) / size;
+        return grid[{int(at.x()), int(at.y()), int(at.z())}];
+    };
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        Cell& cell = cell_of(discs[i]);
+        const Vector3d n = discs[i].normal.cast<double>();
+        cell.normals += n * n.transpose();
+        ++cell.count;
+        for (const auto& of : samples)
+            if (i < of.size() && shown(of[i])) {
+                const double light =
+                    std::sqrt((of[i].linear[0] + 2.0 * of[i].linear[1] + of[i].linear[2]) / 4 / 65535);
+                cell.light += light, cell.squares += light * light, ++cell.colored;
+                break;
+            }
+    }
+    const auto worth = [](const Cell& cell) {
+        // The share of the normals that is not along their main direction.
+        const double bent = 1 - principal_axes(cell.normals).values[2] / std::max(cell.normals.trace(), 1e-9);
+        const double n = std::max(cell.colored, 1.0), mean = cell.light / n;
+        return 0.05 + bent + 2 * std::sqrt(std::max(cell.squares / n - mean * mean, 0.0));
+    };
+    for (auto& [place, cell] : grid) cell.detail = worth(cell);
+    std::vector<double> out;
+    for (const SurfaceDisc& d : discs) out.push_back(cell_of(d).detail);
+    return out;
+}
+
+/// A photo that may be the first.
+struct Candidate {
+    std::uint32_t photo;
+    Pose pose;
+    double detail = 0;    ///< that it shows
+    Vector3d from;        ///< the direction from the model's middle, of length 1
+    double distance = 0;  ///< to the surface that it sees
+    double height = 0;    ///< radians above the horizon, of the place
+};
+
+std::vector<Candidate> candidates(std::span<const package::PhotoRecord> photos, Samples samples,
+                                  std::span<const SurfaceDisc> discs, const Vector3d& up) {
+    const std::vector<double> detail = detail_of(samples, discs);
+    Vector3d middle = Vector3d::Zero();
+    for (const SurfaceDisc& d : discs) middle += d.center.cast<double>() / double(discs.size());
+    std::vector<Candidate> out;
+    for (std::uint32_t p = 0; p < photos.size(); ++p) {
+        if (!photos[p].levels || photos[p].band || p >= samples.size() || samples[p].empty()) continue;
+        Candidate c{p, cam_from_origin(photos[p]), 0, {}, photos[p].seen_distance, 0};
+        c.from = (c.pose.center() - middle).normalized();
+        c.height = std::asin(std::clamp(c.from.dot(up), -1.0, 1.0));
+        for (std::size_t d = 0; d < std::min(discs.size(), samples[p].size()); ++d)
+            if (shown(samples[p][d])) {
+                const Vector3d toward = (c.pose.center() - discs[d].center.cast<double>()).normalized();
+                c.detail += detail[d] * std::abs(toward.dot(discs[d].normal.cast<double>()));
+            }
+        if (c.detail > 0 && c.distance > 0) out.push_back(c);
+    }
+    return out;
+}
+
+double bell(double x, double width) { return std::exp(-x * x / (width * width)); }
+
+const Candidate& best_of(const std::vector<Candidate>& all, const Vector3d& up) {
+    std::vector<double> distances, heights;
+    for (const Candidate& c : all) distances.push_back(c.distance), heights.push_back(c.height);
+    const double distance = quantile(distances, 0.5), height = std::clamp(quantile(heights, 0.5), -0.2, 0.6);
+    const auto score = [&](const Candidate& c) {
+        double company = 0;
+        for (const Candidate& o : all)
+            company += bell(std::acos(std::clamp(c.from.dot(o.from), -1.0, 1.0)), nearby);
+        const double roll = std::asin(std::clamp(Vector3d(c.pose.R.row(0)).dot(up), -1.0, 1.0));
+        return c.detail * std::sqrt(company) * bell(std::log(c.distance / distance), usual_distance) *
+               (0.3 + 0.7 * bell(roll, tolerated_roll)) * bell(c.height - height, usual_height);
+    };
+    return *std::ranges::max_element(all, {}, score);
+}
+
+/// What lies from `low` to `high` of points seen in a direction, as tangents to both sides of it.
+struct Extent {
+    double low, high;
+    double middle() const { return (low + high) / 2; }
+    double half() const { return (high - low) / 2; }
+};
+
+Extent extent_of(std::vector<double> tangents, double radius) {
+    return {quantile(tangents, 0.01) - radius, quantile(tangents, 0.99) + radius};
+}
+
+/// Turned and zoomed to the middles of discs.
+void frame(FirstView& view, const Vector3d& eye, const Vector3d& up, std::span<const Vector3d> points,
+           double radius) {
+    double distance = 0;
+    for (const Vector3d& p : points) distance += (p - eye).norm() / double(points.size());
+    Vector3d ahead = Vector3d::Zero();
+    for (const Vector3d& p : points) ahead += (p - eye).normalized();
+    for (int round = 0; round < 4; ++round) {
+        ahead.normalize();
+        Vector3d right = ahead.cross(up);
+        if (!(right.norm() > 1e-6)) right = ahead.unitOrthogonal();
+        right.normalize();
+        const Vector3d down = ahead.cross(right);
+        std::vector<double> x, y;
+        for (const Vector3d& p : points)
+            if (const double z = (p - eye).dot(ahead); z > 1e-6 * distance)
+                x.push_back((p - eye).dot(right) / z), y.push_back((p - eye).dot(down) / z);
+        if (x.empty() || !(distance > 0)) return;
+        const Extent wide = extent_of(std::move(x), radius / distance),
+                     high = extent_of(std::move(y), radius / distance);
+        view.target = eye + distance * ahead;
+        const double half = std::max(high.half(), 1e-3);
+        view.aspect = std::clamp(wide.half() / half, 0.1, 10.0);
+        view.fov = std::clamp(2 * std::atan(half / filled) / degree, least_fov, most_fov);
+        ahead += wide.middle() * right + high.middle() * down;
+    }
+}
+
+/// As the photo shows it.
+void frame_as(FirstView& view, const package::PhotoRecord& photo) {
+    const Pose pose = cam_from_origin(photo);
+    const double distance =
+        photo.seen_distance > 0 ? photo.seen_distance : std::max(1e-6, pose.center().norm());
+    view.target = pose.center() + distance * pose.direction();
+    view.fov = std::clamp(2 * std::atan(photo.height / (2 * photo.fy)) / degree, least_fov, 150.0);
+    view.aspect = std::clamp(double(photo.width) / photo.height, 0.1, 10.0);
+}
+
+}  // namespace
+
+FirstView first_view(std::span<const package::PhotoRecord> photos, Samples samples,
+                     std::span<const SurfaceDisc> discs, const Vector3d& up, KindOfScan kind) {
+    FirstView view{.photo = photos.size()};
+    for (std::size_t p = photos.size(); p-- > 0;)
+        if (photos[p].levels && !photos[p].band) view.photo = p;
+    if (view.photo == photos.size()) return view;
+    const std::vector<Candidate> all = candidates(photos, samples, discs, up);
+    if (!all.empty()) view.photo = best_of(all, up).photo;
+    frame_as(view, photos[view.photo]);
+    if (all.empty() || kind == KindOfScan::inside) return view;
+    std::vector<Vector3d> points;
+    for (std::size_t d = 0; d < discs.size(); ++d) {
+        const auto shows = [&](std::size_t p) { return d < samples[p].size() && shown(samples[p][d]); };
+        bool part = shows(view.photo);
+        for (std::size_t p = 0; kind == KindOfScan::object && !part && p < samples.size(); ++p)
+            part = shows(p);
+        if (part) points.push_back(discs[d].center.cast<double>());
+    }
+    frame(view, cam_from_origin(photos[view.photo]).center(), up, points,
+          points.empty() ? 0 : discs[0].radius);
+    return view;
+}
+
+}  // namespace vantage
