@@ -8,7 +8,6 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t fewest_pixels = 200;
 constexpr double max_loss = 0.75;    ///< dB, of any photo
 constexpr double negligible = 0.01;  ///< dB, of the mean
 constexpr double fewer_seams = 0.9;  ///< of the seams without the effect

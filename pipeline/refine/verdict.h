@@ -15,7 +15,10 @@ struct JudgedPhoto {
     JudgeScore without, with;
 };
 
-/// Summarizes photos of at least 200 scored pixels; no photos: all 0. `noise` is the standard error of the
+/// Photos with fewer scored pixels are not counted.
+inline constexpr std::size_t fewest_pixels = 200;
+
+/// Summarizes photos of at least `fewest_pixels`; no photos: all 0. `noise` is the standard error of the
 /// mean if chance made as many photos gain as lose, by as much: where one wrong camera is mended, few photos
 /// gain much and none loses, and the spread of the gains is not noise.
 Judgment summarize(std::span<const JudgedPhoto> photos);

@@ -67,7 +67,10 @@ EffectDecision judged(const SurroundingsInput& in, const CoarseViews& some, cons
     d.judgment = j.gain;
     d.evidence += "; " + sentence(j.gain);
     if (j.gain.photos >= min_judged_photos) d.evidence += " over a plain color";
-    if (const std::string objection = j.objection(); !objection.empty()) {
+    if (j.agreed)
+        d.evidence += fmt::format("; of what one color does not explain, other photos explain {:.0f} %",
+                                  100 * std::max(*j.agreed, 0.0));
+    if (const std::string objection = j.objection(in.kind); !objection.empty()) {
         d.evidence += "; " + objection;
         if (!d.forced) d.on = false;
     }

@@ -1,10 +1,12 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "agreement/color_fit.h"
+#include "pipeline/presentation/kind_of_scan.h"
 #include "pipeline/surroundings/backdrop.h"
 #include "scene/effects.h"
 #include "scene/package_reader.h"
@@ -18,8 +20,13 @@ struct SurroundingsJudgment {
     /// the backdrop: the background moves with the camera, as behind a turntable.
     double with_camera = 0;
     double plain = 0;  ///< share of the compared pixels in photos that one color predicts to 30 dB
-    /// Why there is nothing to show; empty if there is.
-    std::string objection() const;
+    /// Of the pixels that one color does not predict within 25 codes, the share that the backdrop does, in
+    /// the median photo; negative if it predicts fewer than the color. Nothing if fewer than three photos can
+    /// be compared.
+    std::optional<double> agreed{};
+    /// Why there is nothing to show; empty if there is. Around an object, which is moved between series of
+    /// photos or turned, more must agree.
+    std::string objection(KindOfScan kind) const;
 };
 
 /// Leaves out at most `most` of the views in turn; backdrop and gains are found without them.

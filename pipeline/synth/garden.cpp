@@ -72,13 +72,17 @@ void railings(ModelBuilder& b, const SynthSpec& spec) {
 
 }  // namespace
 
+void add_garden(ModelBuilder& b, const SynthSpec::Garden& garden) {
+    lawn(b, garden.radius);
+    if (garden.hill > 0) hill(b, garden);
+    b.model.clouds = true;
+}
+
 SynthModel build_world(const SynthSpec& spec) {
     ModelBuilder b{build_model(spec), 0};
     if (!(spec.garden.radius > 0)) return std::move(b.model);
-    lawn(b, spec.garden.radius);
-    if (spec.garden.hill > 0) hill(b, spec.garden);
+    add_garden(b, spec.garden);
     if (spec.garden.railing > 0) railings(b, spec);
-    b.model.clouds = true;
     return std::move(b.model);
 }
 

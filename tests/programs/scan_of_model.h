@@ -18,15 +18,21 @@ namespace vantage {
 /// What a photo shows at a pixel beside the model.
 using BesideModel = std::function<std::array<std::uint8_t, 3>(int x, int y)>;
 
-/// Writes a scan of this model, with one ray per pixel of its photos, into a folder.
+/// Writes a scan of this model, with one ray per pixel of its photos, into a folder. Photos show the model,
+/// or one of `worlds`: equal parts of the photos each, in order.
 inline void write_scan(const std::filesystem::path& folder, const SynthModel& model,
-                       const std::vector<Camera>& cameras, const BesideModel& beside = {}) {
+                       const std::vector<Camera>& cameras, const BesideModel& beside = {},
+                       const std::vector<SynthModel>& worlds = {}) {
     std::filesystem::create_directories(folder / "images");
     const RayScene rays(model.mesh);
     std::vector<NamedCamera> photos;
+    std::vector<RayScene> rays_of_worlds;
+    for (const SynthModel& w : worlds) rays_of_worlds.emplace_back(w.mesh);
     for (const Camera& camera : cameras) {
+        const std::size_t w = photos.size() * worlds.size() / cameras.size();
         photos.push_back({"photo" + std::to_string(photos.size()) + ".png", camera});
-        std::vector<std::uint8_t> rgb = cast_photo(model, rays, camera, 1);
+        std::vector<std::uint8_t> rgb = worlds.empty() ? cast_photo(model, rays, camera, 1)
+                                                       : cast_photo(worlds[w], rays_of_worlds[w], camera, 1);
         const std::vector<float> z = cast_depth(rays, camera);
         const int width = camera.intrinsics.width;
         for (std::size_t i = 0; i < z.size() && beside; ++i)

@@ -21,7 +21,7 @@ SurroundingsJudgment judge(std::vector<CoarseView> views) {
 
 TEST(SurroundingsJudgment, AYardIsPredictedByItsPhotos) {
     const SurroundingsJudgment j = judge(yard::photos());
-    EXPECT_EQ(j.objection(), "");
+    EXPECT_EQ(j.objection(KindOfScan::object), "");
     EXPECT_GT(j.gain.gain, 3);
 }
 
@@ -30,7 +30,8 @@ TEST(SurroundingsJudgment, ABackgroundThatMovesWithTheCameraIsATurntables) {
         judge(yard::photos([](const auto&, const auto&, const Eigen::Vector2d& pixel) {
             return Eigen::Array3f::Constant(float(yard::texture(pixel.x() / 12, pixel.y() / 12)));
         }));
-    EXPECT_NE(j.objection().find("moves with the camera"), std::string::npos) << j.objection();
+    EXPECT_NE(j.objection(KindOfScan::object).find("moves with the camera"), std::string::npos)
+        << j.objection(KindOfScan::object);
 }
 
 TEST(SurroundingsJudgment, APlainBackgroundIsLeftAlone) {
@@ -38,5 +39,5 @@ TEST(SurroundingsJudgment, APlainBackgroundIsLeftAlone) {
         judge(yard::photos([](const auto&, const auto&, const Eigen::Vector2d& pixel) {
             return Eigen::Array3f::Constant(float(0.7 + 0.01 * std::sin(pixel.x())));
         }));
-    EXPECT_EQ(j.objection(), "the background is plain");
+    EXPECT_EQ(j.objection(KindOfScan::object), "the background is plain");
 }
