@@ -170,6 +170,19 @@ class PoseChoice {
     PoseChoice(const RegistrationInput& in, Registration& out)
         : out_(out), judge_(in.judge && !out.decision.forced), in_(in) {}
 
+    /// Whether the cells of the pairs, which have been measured anyway, leave hope for a fit of these photos
+    /// (none: of all); else says why not.
+    bool may_help(const CellDisplacements& cells, std::span<const std::uint32_t> photos,
+                  const std::string& of) {
+        constexpr double hopeless = 0.85;
+        const LeftByPoses left = left_by_poses(in_, cells, photos);
+        if (!(left.before > 0) || left.after < hopeless * left.before) return true;
+        reject(fmt::format(
+            "{} would leave {:.2f} of {:.2f} px, so that the mesh or the lens is the likely cause", of,
+            left.after, left.before));
+        return false;
+    }
+
     /// Whether a trial hints that the solution of a fit would be better; else says why not.
     bool promises(const PoseSolution& trial, const std::string& of) {
         constexpr double promising = 0.75;
@@ -244,8 +257,10 @@ class PoseChoice {
 };
 
 /// Fits all cameras, unless a trial with a few of many that overlap shows that it would not help.
-void choose_all(const RegistrationInput& in, Registration& out, PoseChoice& choice) {
+void choose_all(const RegistrationInput& in, const CellDisplacements& cells, Registration& out,
+                PoseChoice& choice) {
     constexpr std::size_t few = 8;
+    if (!choice.may_help(cells, {}, "moving all cameras")) return;
     const std::vector<std::uint32_t> some = overlapping(out.pairs, few);
     const auto all = std::size_t(std::ranges::count_if(in.samples, [](const auto& s) { return !s.empty(); }));
     if (all > 2 * few && some.size() == few) {
@@ -265,13 +280,15 @@ void choose_all(const RegistrationInput& in, Registration& out, PoseChoice& choi
 
 }  // namespace
 
-void choose_poses(const RegistrationInput& in, const SystematicErrors& errors, Registration& out) {
+void choose_poses(const RegistrationInput& in, const CellDisplacements& cells, const SystematicErrors& errors,
+                  Registration& out) {
     PoseChoice choice(in, out);
     std::vector<std::uint32_t> stay;
     for (const LensError& e : errors.lenses) stay.insert(stay.end(), e.photos.begin(), e.photos.end());
     const std::vector<std::uint32_t> odd = odd_photos(in, out.pairs, stay);
     if (const std::string what = fmt::format("moving {} of the cameras", odd.size());
-        !odd.empty() && choice.promises(PoseRounds(in, Effort::trial).fit_some(odd), what))
+        !odd.empty() && choice.may_help(cells, odd, what) &&
+        choice.promises(PoseRounds(in, Effort::trial).fit_some(odd), what))
         choice.consider(choice.rounds().fit_some(odd), what, Moved::odd_ones);
     if (!stay.empty()) {
         out.decision.evidence += "; poses would hide the lens's error: cameras stay";
@@ -279,7 +296,7 @@ void choose_poses(const RegistrationInput& in, const SystematicErrors& errors, R
         choice.consider(choice.rounds().moved_together(errors.common, errors.uncertainty),
                         "moving them together", Moved::together);
     } else if (odd.empty() || !choice.any() || disagreement(in, pairs_without(out.pairs, odd)) > 1) {
-        choose_all(in, out, choice);
+        choose_all(in, cells, out, choice);
     }
     choice.finish();
 }

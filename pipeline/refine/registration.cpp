@@ -150,7 +150,8 @@ Registration register_photos(const RegistrationInput& in, EffectChoice choice) {
         return out;
     }
     const bool flat = is_flat(in);
-    const SystematicErrors errors = flat ? SystematicErrors{} : systematic_errors(in, out.pairs);
+    const CellDisplacements cells = flat ? CellDisplacements{} : cell_displacements(in, out.pairs);
+    const SystematicErrors errors = systematic_errors(in, cells);
     for (const LensError& e : errors.lenses) out.warnings.push_back(e.words);
     std::string found;
     const double measured = disagreement(in, out.pairs, &found);
@@ -165,7 +166,7 @@ Registration register_photos(const RegistrationInput& in, EffectChoice choice) {
         out.decision.evidence += "; no camera was moved, because a flat surface does not determine them";
         return out;
     }
-    choose_poses(in, errors, out);
+    choose_poses(in, cells, errors, out);
     return out;
 }
 

@@ -10,7 +10,6 @@
 #include <optional>
 
 #include "agreement/color_fit.h"
-#include "pipeline/refine/cell_displacements.h"
 #include "pipeline/run/for_each_photo.h"
 #include "values/quantile.h"
 
@@ -35,9 +34,10 @@ constexpr double converged_step = 1e-4;  ///< px
 /// What is fitted.
 struct Model {
     bool poses = false, lenses = true, frame = true;
+    std::vector<bool> moving{};  ///< with `poses`: the photos whose cameras move; empty: all
     std::optional<std::uint32_t> without_focal{}, without_rows{};  ///< of a lens
 };
-constexpr Model poses_only{.poses = true, .lenses = false, .frame = false};
+const Model poses_only{.poses = true, .lenses = false, .frame = false};
 
 /// Whether a cell takes part.
 using Used = std::function<bool(const PairCells&, const CellDisplacement&)>;
@@ -64,20 +64,26 @@ class SystematicFit {
         }
         return x;
     }
-    /// Mean of ln(1 + |residual|^2) over cells that are held out of the fit, one half after the other.
-    double held_out_cost(const Model& model, const Used& used) const {
-        double sum = 0, weight = 0;
+    /// Visits cells that are held out of the fit, one half after the other, and what is left of their
+    /// displacement.
+    template <class Visit>
+    void each_held_out(const Model& model, const Used& used, const Visit& visit) const {
         for (const bool half : {false, true}) {
             const VectorXd x = solve(model, [=](const auto&, const auto& c) { return c.odd != half; });
             for (const PairCells& p : cells_.pairs) {
                 const Columns columns = columns_of(model, p);
-                for (const CellDisplacement& c : p.cells) {
-                    if (c.odd != half || !used(p, c)) continue;
-                    sum += c.weight * std::log1p(residual(c, columns, jacobian(c, columns), x).squaredNorm());
-                    weight += c.weight;
-                }
+                for (const CellDisplacement& c : p.cells)
+                    if (c.odd == half && used(p, c)) visit(c, residual(c, columns, jacobian(c, columns), x));
             }
         }
+    }
+    /// Their mean of ln(1 + |residual|^2).
+    double held_out_cost(const Model& model, const Used& used) const {
+        double sum = 0, weight = 0;
+        each_held_out(model, used, [&](const CellDisplacement& c, const Vector2d& left) {
+            sum += c.weight * std::log1p(left.squaredNorm());
+            weight += c.weight;
+        });
         return weight > 0 ? sum / weight : 0;
     }
 
@@ -94,7 +100,9 @@ class SystematicFit {
     Columns columns_of(const Model& m, const PairCells& p) const {
         Columns out;
         const auto add = [&](int cell, int all) { out.of_cell.push_back(cell), out.of_all.push_back(all); };
-        for (int i = 0; i < 12 && m.poses; ++i) add(i, int(6 * (i < 6 ? p.a : p.b)) + i % 6);
+        for (int i = 0; i < 12 && m.poses; ++i)
+            if (const std::uint32_t photo = i < 6 ? p.a : p.b; m.moving.empty() || m.moving[photo])
+                add(i, int(6 * photo) + i % 6);
         for (int i = 0; i < 6 && m.lenses; ++i) {
             const std::uint32_t lens = lens_[i < 3 ? p.a : p.b];
             if ((i % 3 == 0 ? m.without_focal : m.without_rows) != lens) add(12 + i, lens_at(lens) + i % 3);
@@ -162,8 +170,8 @@ class SystematicFit {
 /// The errors of one scene.
 class ErrorSearch {
   public:
-    ErrorSearch(const RegistrationInput& in, std::span<const PairRecord> pairs)
-        : in_(in), cells_(cell_displacements(in, pairs)), fit_(cells_, lenses_of(in.photos)) {
+    ErrorSearch(const RegistrationInput& in, const CellDisplacements& cells)
+        : in_(in), cells_(cells), fit_(cells, lenses_of(in.photos)) {
         if (cells_.frame_unit == 0) return;
         all_ = fit_.solve({}, any_cell);
         groups_ = std::min(std::uint32_t(in.photos.size()), std::uint32_t(max_groups));
@@ -275,7 +283,7 @@ class ErrorSearch {
     }
 
     const RegistrationInput& in_;
-    CellDisplacements cells_;
+    const CellDisplacements& cells_;
     SystematicFit fit_;
     std::uint32_t groups_ = 0;
     VectorXd all_;
@@ -284,8 +292,25 @@ class ErrorSearch {
 
 }  // namespace
 
-SystematicErrors systematic_errors(const RegistrationInput& in, std::span<const PairRecord> pairs) {
-    return ErrorSearch(in, pairs).result();
+SystematicErrors systematic_errors(const RegistrationInput& in, const CellDisplacements& cells) {
+    return ErrorSearch(in, cells).result();
+}
+
+LeftByPoses left_by_poses(const RegistrationInput& in, const CellDisplacements& cells,
+                          std::span<const std::uint32_t> photos) {
+    Model model = poses_only;
+    model.moving.assign(in.photos.size(), photos.empty());
+    for (const std::uint32_t i : photos) model.moving[i] = true;
+    const auto moves = [&](const PairCells& p, const CellDisplacement&) {
+        return model.moving[p.a] || model.moving[p.b];
+    };
+    std::vector<double> before, after;
+    SystematicFit(cells, lenses_of(in.photos))
+        .each_held_out(model, moves, [&](const CellDisplacement& c, const Vector2d& left) {
+            before.push_back(c.moved.norm());
+            after.push_back(left.norm());
+        });
+    return {quantile(std::move(before), 0.5), quantile(std::move(after), 0.5)};
 }
 
 }  // namespace vantage

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/refine/common_motion.h"
+#include "pipeline/refine/cell_displacements.h"
 #include "pipeline/refine/registration.h"
 
 namespace vantage {
@@ -32,7 +32,16 @@ struct SystematicErrors {
 /// standard error (jackknife over photos) and by 1 px (a lens) or photos by 0.5 px from each other (all
 /// cameras); if cells that were held out of the fit are displaced less with it; and, for lenses, if poses
 /// alone do not explain them better. A displaced mesh shows as a motion of all cameras; other errors of the
-/// mesh are not explained by few numbers. Throws Error(damaged).
-SystematicErrors systematic_errors(const RegistrationInput& in, std::span<const package::PairRecord> pairs);
+/// mesh are not explained by few numbers.
+SystematicErrors systematic_errors(const RegistrationInput& in, const CellDisplacements& cells);
+
+/// What remains of the displacement of cells if the cameras of `photos` move each on its own: their median
+/// without the motions and with them, in px, of pairs with one of the photos; half of the cells, as on a
+/// checkerboard, is held out of the fit, one half after the other. 0, 0 without cells.
+struct LeftByPoses {
+    double before, after;
+};
+LeftByPoses left_by_poses(const RegistrationInput& in, const CellDisplacements& cells,
+                          std::span<const std::uint32_t> photos);
 
 }  // namespace vantage
