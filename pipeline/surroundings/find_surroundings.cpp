@@ -123,9 +123,10 @@ Surroundings find_surroundings(const SurroundingsInput& in) {
     const MeshPlanes mesh = mesh_planes(in.discs, some.views);
     Surroundings out{first_decision(in, some.views), {}, shade_beside(some.views)};
     if (!out.decision.on) return out;
-    // In the meantime, because most scenes with something to show keep it.
+    // In the meantime where most scenes with something to show keep it: not around objects.
     std::future<Backdrop> estimate =
-        std::async(std::launch::async, [&] { return estimate_backdrop(some.views, mesh, {}, in.threads); });
+        std::async(in.kind == KindOfScan::object ? std::launch::deferred : std::launch::async,
+                   [&] { return estimate_backdrop(some.views, mesh, {}, in.threads); });
     if (in.judge) out.decision = judged(in, some, mesh, std::move(out.decision));
     if (!out.decision.on) return out;
     const Backdrop backdrop = estimate.get();
