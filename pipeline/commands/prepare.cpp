@@ -1,7 +1,6 @@
 #include "pipeline/prepare/prepare.h"
 
 #include <fmt/format.h>
-#include <malloc.h>
 
 #include <algorithm>
 #include <chrono>
@@ -33,6 +32,7 @@
 #include "scene/damaged_package.h"
 #include "scene/error.h"
 #include "scene/part_file.h"
+#include "values/large_pages.h"
 #include "values/parse_number.h"
 
 namespace vantage {
@@ -197,9 +197,7 @@ ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& setting
     const unsigned threads = settings.memory > 0 ? 1 : std::min(2u, threads_of(settings));
     warn_of_upside_down(scene, threads);
     ConventionTrials trials = settle_convention(scene, settings.convention, threads);
-#ifdef __GLIBC__
-    ::malloc_trim(0);  // what was freed would count as the program's own
-#endif
+    if (settings.memory > 0) give_back_freed_memory();  // else it would count as the program's own
     return trials;
 }
 

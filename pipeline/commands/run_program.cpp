@@ -1,12 +1,7 @@
 #include "pipeline/commands/run_program.h"
 
 #include <csignal>
-#include <cstdlib>  // defines __GLIBC__
 #include <new>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 #include <opencv2/core.hpp>
 
 #include "cli/command.h"
@@ -17,16 +12,6 @@
 
 namespace vantage {
 namespace {
-
-/// Makes glibc reuse one photo's buffers for the next: returned to the system, they would have to be mapped
-/// and zeroed again, page by page.
-void keep_freed_memory() {
-#ifdef __GLIBC__
-    ::mallopt(M_ARENA_MAX, 1);
-    ::mallopt(M_MMAP_THRESHOLD, 1 << 30);
-    ::mallopt(M_TRIM_THRESHOLD, 2147483647);
-#endif
-}
 
 int run_verb(int argc, char** argv) {
     const Command program(
@@ -49,7 +34,6 @@ int run_verb(int argc, char** argv) {
 }  // namespace
 
 int run_program(int argc, char** argv) {
-    keep_freed_memory();
     // Photos are divided among our own threads. OpenCV's would compete with them, and its pool waits forever
     // for a thread that the system refuses to start.
     cv::setNumThreads(1);
