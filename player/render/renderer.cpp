@@ -107,7 +107,8 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
     : package_(&package),
       budget_(budget),
       scene_(make_plan_scene(package)),
-      store_(package, budget.ring),
+      // In software, a frame's uploads are done when the next one begins.
+      store_(package, gl::current_device().software ? budget.ring / 2 : budget.ring),
       passes_(package, scene_, store_),
       tiles_(scene_, store_, passes_),
       resolve_program_(make_resolve_program({})),
@@ -174,7 +175,9 @@ void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
         transparent_ && settings.transparency != Transparency::off && scene_.has_surroundings();
     const std::size_t eyes = eyes_.size();
     const std::size_t surfaces = may_have_own_surfaces(settings) ? eyes : 1;
-    const bool fits = targets_.room == room && targets_.samples.size() == eyes &&
+    // A first picture, which may be coarse, does not wait for the memory of those that follow.
+    const FrameSize made = settings.wait_for_base ? frame : room;
+    const bool fits = targets_.room == made && targets_.samples.size() == eyes &&
                       targets_.surfaces.size() >= surfaces && (store_.has_coordinates() || !coordinates) &&
                       (!points_ || points_->placed() || !placed) &&
                       (!transparent_ || transparent_->mode() == settings.transparency);
@@ -195,8 +198,8 @@ void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
         graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
         store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
         graphics_budget_ = std::max(graphics_budget_, others + store_.residency().layout().bytes());
-        targets_ = make_frame_targets(room, eyes, surfaces);
-        if (filling_) filling_->fit(width, height);
+        targets_ = make_frame_targets(made, eyes, surfaces);
+        if (filling_) filling_->fit(made.width, made.height);
         if (points_) points_->fit(targets_, placed);
         if (transparent_) transparent_->fit(targets_, settings.transparency);
     }

@@ -10,7 +10,7 @@ using shader::tile_texels;
 
 namespace {
 
-constexpr std::uint32_t first_layers = 16;
+constexpr std::uint32_t first_layers = 4;
 
 }  // namespace
 
