@@ -38,17 +38,16 @@ double pixels(const PhotoInput& photo) { return double(photo.decoded.width) * ph
 
 /// For one thread of a 2023 server; machine_speed() scales them. Measured as in docs/measurements.md, "Cost
 /// by number of triangles".
-constexpr double seconds_per_pixel = 8e-9, seconds_per_undistorted_pixel = 45e-9,
-                 seconds_per_triangle = 0.16e-6;
+constexpr double seconds_per_pixel = 17e-9, seconds_per_lens_pixel = 2e-9, seconds_per_triangle = 0.16e-6;
 /// Of decoding.
 constexpr double seconds_per_jpeg_pixel = 5e-9, seconds_per_other_pixel = 35e-9;
 /// Of a package on a disk, which is flushed at the end.
 constexpr double seconds_per_written_byte = 2e-9;
 /// Of comparing photos; more for each of the first, because few are left out to judge effects.
-constexpr double seconds_per_photo = 0.012, seconds_per_judged = 0.07;
+constexpr double seconds_per_photo = 0.02, seconds_per_judged = 0.02;
 constexpr std::size_t most_judged = 12;
 /// Of surroundings.
-constexpr double seconds_per_swept = 0.07;
+constexpr double seconds_per_swept = 0.03;
 /// Views of the surroundings, depths by direction, their costs and what they say to each other, at most.
 constexpr std::uint64_t surroundings_memory = 50'000'000;
 /// Shorter runs tell too little about the speed.
@@ -59,9 +58,9 @@ double photo_seconds(const PhotoInput& photo, const package::SceneRecord& model)
     const double kept = double(photo.camera.intrinsics.width) * photo.camera.intrinsics.height;
     const std::string extension = lower_extension(photo.file);
     const bool jpeg = extension == ".jpg" || extension == ".jpeg";
-    const bool undistorted = photo.camera.lens.distorts() && effect_on(model, Effect::undistortion);
+    const bool lens = photo.camera.lens.distorts() && effect_on(model, Effect::undistortion);
     return pixels(photo) * (jpeg ? seconds_per_jpeg_pixel : seconds_per_other_pixel) +
-           kept * (seconds_per_pixel + (undistorted ? seconds_per_undistorted_pixel : 0)) +
+           kept * (seconds_per_pixel + (lens ? seconds_per_lens_pixel : 0)) +
            double(model.triangles) * seconds_per_triangle;
 }
 
