@@ -33,6 +33,8 @@ nlohmann::json describe_package(const PackageReader& reader) {
         out["photos"] = nlohmann::json::array();
     }
     out["origin"] = s.origin;
+    out["up"] = s.up;
+    if (s.first_photo < reader.photos().size()) out["first_photo"] = reader.photos()[s.first_photo].name;
     const std::vector<Band> bands = read_bands(reader);
     for (const Band& band : bands)
         if (bands.size() > 1) out["bands"].push_back(band.name);
@@ -71,8 +73,10 @@ void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
         j.contains("points") ? fmt::format("{} point{}", count("points"), count("points") == 1 ? "" : "s")
                              : fmt::format("{} vertices, {} triangles in {} clusters", count("vertices"),
                                            count("triangles"), count("clusters"));
-    fmt::print("{}\n{}, {} photos, {:.1f} MB\n\neffects\n", j["tool"].get<std::string>(), shape,
-               j["photos"].size(), double(count("bytes")) / 1e6);
+    fmt::print(
+        "{}\n{}, {} photos, {:.1f} MB\nup is {:.3g}{}\n\neffects\n", j["tool"].get<std::string>(), shape,
+        j["photos"].size(), double(count("bytes")) / 1e6, fmt::join(j["up"].get<std::vector<double>>(), " "),
+        j.contains("first_photo") ? "; opens at the place of " + j["first_photo"].get<std::string>() : "");
     for (const auto& e : j["effects"])
         fmt::print("  {:<18} {:<4}{} {}\n", e["name"].get<std::string>(), e["on"].get<bool>() ? "on" : "off",
                    e["forced"].get<bool>() ? "(forced)" : "", e["evidence"].get<std::string>());
