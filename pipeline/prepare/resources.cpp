@@ -8,6 +8,9 @@
 #include <fstream>
 #include <string>
 #include <thread>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "pipeline/input/identity_cache.h"
 #include "pipeline/package/disk_space.h"
@@ -32,6 +35,24 @@ std::uint64_t status_bytes(const char* key) {
         if (line.starts_with(key))
             return std::strtoull(line.c_str() + std::string(key).size(), nullptr, 10) * 1024;
     return 0;
+}
+
+/// Resident memory of the heap that is free, and will be used again.
+std::uint64_t freed_in_heap() {
+#ifdef __GLIBC__
+    std::ifstream in("/proc/self/smaps");
+    std::uint64_t heap = 0;
+    bool inside = false;
+    for (std::string line; std::getline(in, line);) {
+        if (const std::size_t colon = line.find(':'); line.find('-') < colon)
+            inside = line.ends_with("[heap]");
+        if (inside && line.starts_with("Rss:")) heap += std::strtoull(line.c_str() + 4, nullptr, 10) * 1024;
+    }
+    const std::uint64_t used = ::mallinfo2().uordblks;
+    return heap > used ? heap - used : 0;
+#else
+    return 0;
+#endif
 }
 
 double pixels(const PhotoInput& photo) { return double(photo.decoded.width) * photo.decoded.height; }
@@ -153,7 +174,10 @@ std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl) {
     return std::uint64_t(18e6 + (opengl ? 160e6 + 150.0 * double(model.triangles) : 0));
 }
 
-std::uint64_t memory_now() { return status_bytes("VmRSS:"); }
+std::uint64_t memory_now() {
+    const std::uint64_t resident = status_bytes("VmRSS:");
+    return resident - std::min(resident, freed_in_heap());
+}
 std::uint64_t memory_peak() { return status_bytes("VmHWM:"); }
 
 unsigned threads_of(const PrepareSettings& settings) {

@@ -48,7 +48,8 @@ std::uint64_t agree_memory(const SceneInput& scene, const PrepareSettings& setti
 /// Memory in bytes still to be allocated for the scene, independent of the number of photos in flight.
 std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl);
 
-/// Resident memory of this process in bytes, now and at its peak; 0 if unknown.
+/// Resident memory of this process in bytes, now (without what is free in its heap) and at its peak; 0 if
+/// unknown.
 std::uint64_t memory_now();
 std::uint64_t memory_peak();
 
