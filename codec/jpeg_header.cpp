@@ -35,32 +35,38 @@ bool is_other_frame(int marker) {
     return marker >= 0xc1 && marker <= 0xcf && marker != huffman_tables && marker != arithmetic_tables;
 }
 
+/// Nothing if there is no whole segment.
+std::optional<JpegSegment> segment_at(std::span<const std::byte> jpeg, std::size_t at) {
+    if (at + 4 > jpeg.size() || byte_at(jpeg, at) != 0xff) return std::nullopt;
+    const auto length = std::size_t(word_at(jpeg, at + 2));
+    if (length < 2 || length > jpeg.size() - at - 2) return std::nullopt;
+    return JpegSegment{at, byte_at(jpeg, at + 1), jpeg.subspan(at + 2, length)};
+}
+
+std::size_t end_of(const JpegSegment& s) { return s.at + 2 + s.content.size(); }
+
 }  // namespace
 
 std::optional<JpegHeader> parse_jpeg_header(std::span<const std::byte> jpeg) {
     if (jpeg.size() < 2 || word_at(jpeg, 0) != (0xff00 | start_of_image)) return std::nullopt;
     JpegHeader out;
-    for (std::size_t at = 2; at + 4 <= jpeg.size();) {
-        const int marker = byte_at(jpeg, at + 1);
-        const auto length = std::size_t(word_at(jpeg, at + 2));
-        if (byte_at(jpeg, at) != 0xff || marker < baseline_frame || length < 2 ||
-            length > jpeg.size() - at - 2)
-            return std::nullopt;
-        const auto segment = jpeg.subspan(at + 2, length);
-        if (is_other_frame(marker)) return std::nullopt;
+    std::size_t at = 2;
+    while (const auto segment = segment_at(jpeg, at)) {
+        const auto& [from, marker, content] = *segment;
+        if (marker < baseline_frame || is_other_frame(marker)) return std::nullopt;
         if (marker == baseline_frame) {
-            if (out.frame_at || !read_frame(segment, out)) return std::nullopt;
-            out.frame_at = at;
+            if (out.frame_at || !read_frame(content, out)) return std::nullopt;
+            out.frame_at = from;
         }
         if (marker == restart_marker) {
-            if (length != 4) return std::nullopt;
-            out.restart_interval = word_at(segment, 2);
+            if (content.size() != 4) return std::nullopt;
+            out.restart_interval = word_at(content, 2);
         }
-        at += 2 + length;
+        at = end_of(*segment);
         if (marker != start_of_scan) continue;
         out.bytes = at;
         const bool all =
-            out.frame_at && length >= 3 && byte_at(segment, 2) == byte_at(jpeg, out.frame_at + 9);
+            out.frame_at && content.size() >= 3 && byte_at(content, 2) == byte_at(jpeg, out.frame_at + 9);
         return all ? std::optional(out) : std::nullopt;
     }
     return std::nullopt;
@@ -68,28 +74,25 @@ std::optional<JpegHeader> parse_jpeg_header(std::span<const std::byte> jpeg) {
 
 std::vector<JpegSegment> segments_of(std::span<const std::byte> jpeg, const JpegHeader& header) {
     std::vector<JpegSegment> out;
-    for (std::size_t at = 2; at < header.bytes; at += 2 + out.back().content.size())
-        out.push_back({at, byte_at(jpeg, at + 1), jpeg.subspan(at + 2, std::size_t(word_at(jpeg, at + 2)))});
+    for (std::size_t at = 2; at < header.bytes; at = end_of(out.back()))
+        out.push_back(segment_at(jpeg, at).value());
     return out;
 }
 
 double quantization_of(std::span<const std::byte> jpeg) {
     constexpr int tables = 0xdb;
     constexpr double mean_of_annex_k = 57.625;
-    for (std::size_t at = 2; at + 4 <= jpeg.size();) {
-        const int marker = byte_at(jpeg, at + 1);
-        const auto length = std::size_t(word_at(jpeg, at + 2));
-        if (byte_at(jpeg, at) != 0xff || marker == start_of_scan || length < 2 ||
-            length > jpeg.size() - at - 2)
-            break;
-        const auto segment = jpeg.subspan(at + 2, length);
-        at += 2 + length;
-        if (marker != tables || length < 3 || (byte_at(segment, 2) & 15) != 0) continue;
-        const bool words = byte_at(segment, 2) >> 4;
-        if (length < 3 + (words ? 128 : 64)) break;
+    std::size_t at = 2;
+    while (const auto segment = segment_at(jpeg, at)) {
+        const auto& [from, marker, content] = *segment;
+        if (marker == start_of_scan) break;
+        at = end_of(*segment);
+        if (marker != tables || content.size() < 3 || (byte_at(content, 2) & 15) != 0) continue;
+        const bool words = byte_at(content, 2) >> 4;
+        if (content.size() < 3 + (words ? 128 : 64)) break;
         double sum = 0;
         for (std::size_t i = 0; i < 64; ++i)
-            sum += words ? word_at(segment, 3 + 2 * i) : byte_at(segment, 3 + i);
+            sum += words ? word_at(content, 3 + 2 * i) : byte_at(content, 3 + i);
         return sum / 64 / mean_of_annex_k;
     }
     return 0;
