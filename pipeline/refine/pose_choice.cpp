@@ -167,15 +167,14 @@ std::string outcome(const PoseSolution& s) {
 /// The choice in progress.
 class PoseChoice {
   public:
-    PoseChoice(const RegistrationInput& in, Registration& out)
-        : out_(out), judge_(in.judge && !out.decision.forced), in_(in) {}
+    PoseChoice(const RegistrationInput& in, const CellDisplacements& cells, Registration& out)
+        : out_(out), judge_(in.judge && !out.decision.forced), in_(in), cells_(cells) {}
 
     /// Whether the cells of the pairs, which have been measured anyway, leave hope for a fit of these photos
     /// (none: of all); else says why not.
-    bool may_help(const CellDisplacements& cells, std::span<const std::uint32_t> photos,
-                  const std::string& of) {
+    bool may_help(std::span<const std::uint32_t> photos, const std::string& of) {
         constexpr double hopeless = 0.85;
-        const LeftByPoses left = left_by_poses(in_, cells, photos);
+        const LeftByPoses left = left_by_poses(in_, cells_, photos);
         if (!(left.before > 0) || left.after < hopeless * left.before) return true;
         reject(fmt::format(
             "{} would leave {:.2f} of {:.2f} px, so that the mesh or the lens is the likely cause", of,
@@ -250,6 +249,7 @@ class PoseChoice {
     Registration& out_;
     bool judge_;
     const RegistrationInput& in_;
+    const CellDisplacements& cells_;
     std::optional<PoseRounds> rounds_;
     std::optional<Folds> folds_;
     std::vector<PhotoColors> gains_;
@@ -257,10 +257,9 @@ class PoseChoice {
 };
 
 /// Fits all cameras, unless a trial with a few of many that overlap shows that it would not help.
-void choose_all(const RegistrationInput& in, const CellDisplacements& cells, Registration& out,
-                PoseChoice& choice) {
+void choose_all(const RegistrationInput& in, Registration& out, PoseChoice& choice) {
     constexpr std::size_t few = 8;
-    if (!choice.may_help(cells, {}, "moving all cameras")) return;
+    if (!choice.may_help({}, "moving all cameras")) return;
     const std::vector<std::uint32_t> some = overlapping(out.pairs, few);
     const auto all = std::size_t(std::ranges::count_if(in.samples, [](const auto& s) { return !s.empty(); }));
     if (all > 2 * few && some.size() == few) {
@@ -282,12 +281,12 @@ void choose_all(const RegistrationInput& in, const CellDisplacements& cells, Reg
 
 void choose_poses(const RegistrationInput& in, const CellDisplacements& cells, const SystematicErrors& errors,
                   Registration& out) {
-    PoseChoice choice(in, out);
+    PoseChoice choice(in, cells, out);
     std::vector<std::uint32_t> stay;
     for (const LensError& e : errors.lenses) stay.insert(stay.end(), e.photos.begin(), e.photos.end());
     const std::vector<std::uint32_t> odd = odd_photos(in, out.pairs, stay);
     if (const std::string what = fmt::format("moving {} of the cameras", odd.size());
-        !odd.empty() && choice.may_help(cells, odd, what) &&
+        !odd.empty() && choice.may_help(odd, what) &&
         choice.promises(PoseRounds(in, Effort::trial).fit_some(odd), what))
         choice.consider(choice.rounds().fit_some(odd), what, Moved::odd_ones);
     if (!stay.empty()) {
@@ -296,7 +295,7 @@ void choose_poses(const RegistrationInput& in, const CellDisplacements& cells, c
         choice.consider(choice.rounds().moved_together(errors.common, errors.uncertainty),
                         "moving them together", Moved::together);
     } else if (odd.empty() || !choice.any() || disagreement(in, pairs_without(out.pairs, odd)) > 1) {
-        choose_all(in, cells, out, choice);
+        choose_all(in, out, choice);
     }
     choice.finish();
 }
