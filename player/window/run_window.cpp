@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <utility>
 
@@ -28,21 +27,11 @@
 #include "scene/error.h"
 #include "scene/package_shape.h"
 #include "values/is_url.h"
+#include "values/process_time.h"
 #include "values/translation.h"
 
 namespace vantage {
 namespace {
-
-/// Seconds since the process started, according to the kernel.
-double process_seconds() {
-    std::ifstream stat("/proc/self/stat"), uptime("/proc/uptime");
-    std::string field;
-    double ticks = 0, up = 0;
-    for (int i = 1; i <= 22 && stat >> field; ++i)
-        if (i == 22) ticks = std::stod(field);
-    uptime >> up;
-    return up - ticks / double(::sysconf(_SC_CLK_TCK));
-}
 
 /// Keeps what a session leaves to the next one. A package without bands leaves those of another.
 void remember(const Session& session, const PackageReader& package, Remembered& r) {
@@ -206,7 +195,7 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
                       gl::debug_from_environment() == gl::Debug::on);
     Controls controls;
     std::optional<Requested> other, next;
-    double requested_at = glfwGetTime() - process_seconds();
+    double requested_at = glfwGetTime() - seconds_since_start();
     if (objects.empty()) {
         window.set_text_scale(text_scale(o, remembered, window));
         other = ask_for_package(window, controls, o, remembered.recent);

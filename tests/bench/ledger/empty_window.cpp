@@ -3,26 +3,10 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <epoxy/gl.h>
-#include <unistd.h>
 
 #include <cstdio>
-#include <fstream>
-#include <string>
 
-namespace {
-
-/// According to the kernel.
-double seconds_since_start() {
-    std::ifstream stat("/proc/self/stat"), uptime("/proc/uptime");
-    std::string field;
-    double ticks = 0, up = 0;
-    for (int i = 1; i <= 22 && stat >> field; ++i)
-        if (i == 22) ticks = std::stod(field);
-    uptime >> up;
-    return up - ticks / double(::sysconf(_SC_CLK_TCK));
-}
-
-}  // namespace
+#include "values/process_time.h"
 
 int main() {
     if (!glfwInit()) return 1;
@@ -36,6 +20,6 @@ int main() {
     glClear(GL_COLOR_BUFFER_BIT);
     glfwSwapBuffers(window);
     glFinish();
-    std::printf("%.0f\n", 1000 * seconds_since_start());
+    std::printf("%.0f\n", 1000 * vantage::seconds_since_start());
     glfwTerminate();
 }
