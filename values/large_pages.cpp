@@ -11,14 +11,10 @@
 #endif
 
 namespace vantage {
-namespace {
-
-constexpr int at_once = 512 << 20;  ///< of address space; memory as it is written to
-
-}  // namespace
 
 void use_large_pages() {
 #ifdef __GLIBC__
+    constexpr int at_once = 512 << 20;         // of address space; memory as it is written to
     constexpr int largest_in_heap = 32 << 20;  // as glibc allows
     ::mallopt(M_ARENA_MAX, 1);
     ::mallopt(M_MMAP_THRESHOLD, largest_in_heap);
@@ -31,12 +27,6 @@ void use_large_pages() {
     constexpr std::uintptr_t page = 2 << 20;
     const std::uintptr_t first = (before + page - 1) / page * page;
     if (after > first) ::madvise(reinterpret_cast<void*>(first), after - first, MADV_HUGEPAGE);
-#endif
-}
-
-void give_back_freed_memory() {
-#ifdef __GLIBC__
-    ::malloc_trim(0);
 #endif
 }
 

@@ -8,7 +8,4 @@ namespace vantage {
 /// where the C library is not glibc, or the kernel gives no large pages on request.
 void use_large_pages();
 
-/// Gives freed memory back to the kernel, and the heap begins anew in small pages.
-void give_back_freed_memory();
-
 }  // namespace vantage

@@ -32,7 +32,6 @@
 #include "scene/damaged_package.h"
 #include "scene/error.h"
 #include "scene/part_file.h"
-#include "values/large_pages.h"
 #include "values/parse_number.h"
 
 namespace vantage {
@@ -196,9 +195,7 @@ ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& setting
     // Each thread takes about 70 MB, which the estimate does not know.
     const unsigned threads = settings.memory > 0 ? 1 : std::min(2u, threads_of(settings));
     warn_of_upside_down(scene, threads);
-    ConventionTrials trials = settle_convention(scene, settings.convention, threads);
-    if (settings.memory > 0) give_back_freed_memory();  // else it would count as the program's own
-    return trials;
+    return settle_convention(scene, settings.convention, threads);
 }
 
 /// If the mesh does not fit, what was found in it may be the reason.
