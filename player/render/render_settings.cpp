@@ -2,14 +2,11 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-
-#include "scene/package_reader.h"
-
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "player/render/blend_table.h"
+#include "scene/package_reader.h"
 
 namespace vantage {
 
