@@ -581,6 +581,11 @@ double model_reach(const package::SceneRecord& s, const Pose& pose) {
     return pose.center().norm() + 2 * bounds_from_origin(s).diagonal().norm();  // spheres around it as well
 }
 
+double seen_distance(const package::PhotoRecord& photo) {
+    if (photo.seen_distance > 0) return photo.seen_distance;
+    return std::max(1e-6, cam_from_origin(photo).center().norm());
+}
+
 bool effect_on(const package::SceneRecord& scene, Effect effect) {
     return scene.effects & effect_bit(effect);
 }

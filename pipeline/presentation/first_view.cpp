@@ -5,11 +5,11 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <optional>
 #include <tuple>
 #include <vector>
 
 #include "scene/package_reader.h"
+#include "values/angle_between.h"
 #include "values/principal_axes.h"
 #include "values/quantile.h"
 
@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 constexpr double degree = std::numbers::pi / 180;
 constexpr double filled = 0.75;                 ///< of the frame's height or width
 constexpr double least_fov = 8, most_fov = 70;  ///< degrees
-constexpr double nearby = 25 * degree;          ///< photos that keep another company
+constexpr double nearby = 25 * degree;          ///< from the model, between photos nearby
 constexpr double tolerated_roll = 15 * degree, usual_height = 40 * degree;
 constexpr double usual_distance = 0.5;  ///< of ln(distance / median)
 constexpr int cells = 24;               ///< of the model's longest side, for its roughness
@@ -30,7 +30,7 @@ constexpr int cells = 24;               ///< of the model's longest side, for it
 std::vector<double> detail_of(Samples samples, std::span<const SurfaceDisc> discs) {
     struct Cell {
         Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
-        double count = 0, light = 0, squares = 0, colored = 0, detail = 0;
+        double light = 0, squares = 0, colored = 0, detail = 0;
     };
     Eigen::AlignedBox3f box;
     for (const SurfaceDisc& d : discs) box.extend(d.center);
@@ -44,7 +44,6 @@ std::vector<double> detail_of(Samples samples, std::span<const SurfaceDisc> disc
         Cell& cell = cell_of(discs[i]);
         const Vector3d n = discs[i].normal.cast<double>();
         cell.normals += n * n.transpose();
-        ++cell.count;
         for (const auto& of : samples)
             if (i < of.size() && shown(of[i])) {
                 const double light =
@@ -104,8 +103,7 @@ const Candidate& best_of(const std::vector<Candidate>& all, const Vector3d& up) 
     const double distance = quantile(distances, 0.5), height = std::clamp(quantile(heights, 0.5), -0.2, 0.6);
     const auto score = [&](const Candidate& c) {
         double company = 0;
-        for (const Candidate& o : all)
-            company += bell(std::acos(std::clamp(c.from.dot(o.from), -1.0, 1.0)), nearby);
+        for (const Candidate& o : all) company += bell(angle_between(c.from, o.from), nearby);
         const double roll = std::asin(std::clamp(Vector3d(c.pose.R.row(0)).dot(up), -1.0, 1.0));
         return c.detail * std::sqrt(company) * bell(std::log(c.distance / distance), usual_distance) *
                (0.3 + 0.7 * bell(roll, tolerated_roll)) * bell(c.height - height, usual_height);
@@ -155,9 +153,7 @@ void frame(FirstView& view, const Vector3d& eye, const Vector3d& up, std::span<c
 /// As the photo shows it.
 void frame_as(FirstView& view, const package::PhotoRecord& photo) {
     const Pose pose = cam_from_origin(photo);
-    const double distance =
-        photo.seen_distance > 0 ? photo.seen_distance : std::max(1e-6, pose.center().norm());
-    view.target = pose.center() + distance * pose.direction();
+    view.target = pose.center() + seen_distance(photo) * pose.direction();
     view.fov = std::clamp(2 * std::atan(photo.height / (2 * photo.fy)) / degree, least_fov, 150.0);
     view.aspect = std::clamp(double(photo.width) / photo.height, 0.1, 10.0);
 }

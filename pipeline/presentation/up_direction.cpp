@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "values/angle_between.h"
 #include "values/principal_axes.h"
 
 namespace vantage {
@@ -47,9 +48,12 @@ Level level_axis(const Pose& pose, const Vector3d& up) {
     return {x, headlong ? outlier : upright};
 }
 
-double misfit(std::span<const Pose> poses, const Vector3d& up) {
+/// Counted up to `enough`.
+double misfit(std::span<const Pose> poses, const Vector3d& up,
+              double enough = std::numeric_limits<double>::infinity()) {
     double sum = 0;
-    for (const Pose& p : poses) sum += std::pow(std::min(level_axis(p, up).roll, outlier), 2);
+    for (std::size_t i = 0; i < poses.size() && sum < enough; ++i)
+        sum += std::pow(std::min(level_axis(poses[i], up).roll, outlier), 2);
     return sum;
 }
 
@@ -62,7 +66,7 @@ Vector3d best_suggestion(std::span<const Pose> poses, const Vector3d& mean) {
     const auto suggest = [&](const Vector3d& direction) {
         if (!(direction.norm() > std::sin(5 * radians))) return;
         for (const Vector3d& up : {Vector3d(direction.normalized()), Vector3d(-direction.normalized())})
-            if (const double of = misfit(poses, up); of < least) best = up, least = of;
+            if (const double of = misfit(poses, up, least); of < least) best = up, least = of;
     };
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = 0; j < i; ++j)
@@ -107,10 +111,6 @@ Vector3d mean_up(std::span<const Pose> poses) {
     for (const Vector3d& sum : {columns, Vector3d(-ahead)})
         if (sum.norm() > 1e-3 * double(poses.size())) return sum.normalized();
     return Vector3d::UnitZ();
-}
-
-double angle_between(const Vector3d& a, const Vector3d& b) {
-    return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
 }
 
 /// A direction to which walls are parallel and which floors face, and the share of the discs on them: 0 if it

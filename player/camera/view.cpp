@@ -26,11 +26,6 @@ bool same_view(const View& a, const View& b) {
            a.cam_from_origin.t == b.cam_from_origin.t && a.orthographic_depth == b.orthographic_depth;
 }
 
-double seen_distance(const package::PhotoRecord& photo) {
-    if (photo.seen_distance > 0) return photo.seen_distance;
-    return std::max(1e-6, cam_from_origin(photo).center().norm());
-}
-
 View view_of_photo(const package::PhotoRecord& photo, double scale) {
     const auto size = [&](std::uint32_t n) { return std::max(1, int(std::lround(n * scale))); };
     return {intrinsics(photo).scaled(size(photo.width), size(photo.height)), cam_from_origin(photo),

@@ -65,9 +65,6 @@ double depth_in(const View& view, const Eigen::Vector3d& point);
 /// Clip-from-origin matrix of a view for depths from range.x() to range.y(), as clip_from_cam().
 Eigen::Matrix4d clip_from_origin(const View& view, const Eigen::Vector2d& range);
 
-/// The distance of the surface that a photo sees, or of the origin if it sees none; above 0.
-double seen_distance(const package::PhotoRecord& photo);
-
 /// The photo's own camera and exposure; the frame is `scale` times the photo's size (rounded, at least one
 /// pixel).
 View view_of_photo(const package::PhotoRecord& photo, double scale);
