@@ -10,7 +10,6 @@
 #include "pipeline/prepare/joined_bands.h"
 #include "pipeline/prepare/moved_photo.h"
 #include "pipeline/prepare/registration_reuse.h"
-#include "pipeline/presentation/up_direction.h"
 #include "pipeline/refine/folds.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/surroundings/find_surroundings.h"
@@ -76,12 +75,13 @@ void write_results(const FinishInput& in, const Agreement& agreement, PhotoTable
     package::SceneRecord scene = in.scene;
     for (const EffectDecision& d : decisions)
         if (d.on) scene.effects |= effect_bit(d.effect);
-    std::ranges::copy(agreement.up, scene.up);
     std::ranges::copy(agreement.shade, scene.shade);
-    scene.first_photo = agreement.first.photo;
-    std::ranges::copy(agreement.first.target, scene.first_target);
-    scene.first_fov = agreement.first.fov;
-    scene.first_aspect = agreement.first.aspect;
+    std::ranges::copy(agreement.presentation.up, scene.up);
+    const FirstView& first = agreement.presentation.first;
+    scene.first_photo = first.photo;
+    std::ranges::copy(first.target, scene.first_target);
+    scene.first_fov = first.fov;
+    scene.first_aspect = first.aspect;
     const std::string meta = with_results(in.meta, decisions, agreement.registration.warnings);
     for (std::size_t i = 0; i < photos.records.size(); ++i) seal(photos.states[i], photos.records[i]);
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(meta)));
@@ -173,7 +173,7 @@ void agree_by_band(const FinishInput& in, const PackageReader& part, std::vector
         const std::uint32_t band = of.band;
         PhotoTables own{records_of_band(photos.records, band), photos.states};
         BandAgreement found =
-            agree(in, part, std::move(of), discs, {lens.begin(), lens.end()}, out.kind, own);
+            agree(in, part, std::move(of), discs, {lens.begin(), lens.end()}, out.presentation.kind, own);
         for (std::size_t i = 0; i < photos.records.size(); ++i)
             if (photos.records[i].band == band) {
                 photos.records[i] = own.records[i];
@@ -188,22 +188,6 @@ void agree_by_band(const FinishInput& in, const PackageReader& part, std::vector
     }
     out.colors = joined(std::move(refined), photos.records, in.bands);
     out.consensus = joined(std::move(consensus), photos.records, in.bands);
-}
-
-/// Which way is up, what kind of scan it is, and what to show first.
-void present(Samples samples, std::span<const SurfaceDisc> discs,
-             std::span<const package::PhotoRecord> photos, Agreement& out) {
-    std::vector<Pose> poses, with_pixels;
-    std::vector<std::span<const package::SampleRecord>> of;
-    for (std::size_t i = 0; i < photos.size(); ++i) {
-        poses.push_back(cam_from_origin(photos[i]));
-        if (!photos[i].levels) continue;
-        with_pixels.push_back(poses.back());
-        of.push_back(samples[i]);
-    }
-    out.up = up_direction(with_pixels.empty() ? poses : with_pixels, discs);
-    out.kind = kind_of_scan(with_pixels, of, discs, out.up);
-    out.first = first_view(photos, samples, discs, out.up, out.kind);
 }
 
 /// What there is to say about no photos.
@@ -246,7 +230,7 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
         colors = fit_bands(in, samples, given, lens);
     }
     const std::vector<SurfaceDisc> discs = thinned(in.geometry.discs, samples.step);
-    present(samples.spans(), discs, photos.records, out);
+    out.presentation = presentation_of(photos.records, samples.spans(), discs);
     agree_by_band(in, part, std::move(colors), discs, lens, photos, out);
     write_results(in, out, photos);
     return out;

@@ -8,7 +8,7 @@
 
 #include "pipeline/prepare/geometry_stages.h"
 #include "pipeline/prepare/photo_tables.h"
-#include "pipeline/presentation/first_view.h"
+#include "pipeline/presentation/presentation.h"
 #include "pipeline/refine/color_agreement.h"
 #include "pipeline/refine/registration.h"
 #include "pipeline/run/progress.h"
@@ -44,9 +44,7 @@ struct Agreement {
     Consensus consensus;
     EffectDecision surroundings;
     std::array<double, 3> shade{};  ///< see Surroundings
-    Eigen::Vector3d up{0, 0, 1};
-    KindOfScan kind = KindOfScan::front;
-    FirstView first{};
+    Presentation presentation;
 };
 
 /// Determines cameras, colors and consensus from all photos and finishes the package: writes META, SCEN,

@@ -73,7 +73,7 @@ PrepareSettings small_photos() {
 
 TEST_F(KindsOfScan, AnObjectThatWasMovedBetweenSeriesIsShownUprightWithoutBackground) {
     const Agreement a = prepared(places::moved_object());
-    EXPECT_EQ(a.kind, KindOfScan::object);
+    EXPECT_EQ(a.presentation.kind, KindOfScan::object);
     EXPECT_FALSE(a.surroundings.on) << a.surroundings.evidence;
     const double fills = reach({-0.2, -0.15, 0}, {0.2, 0.15, 0.7}).maxCoeff();
     EXPECT_GT(fills, 0.6);
@@ -85,11 +85,11 @@ TEST_F(KindsOfScan, AnObjectThatWasMovedBetweenSeriesIsShownUprightWithoutBackgr
 
 TEST_F(KindsOfScanAtLength, AnObjectOnATurntableHasNoBackground) {
     const Agreement a = prepared(places::turned_object());
-    EXPECT_EQ(a.kind, KindOfScan::object);
+    EXPECT_EQ(a.presentation.kind, KindOfScan::object);
     EXPECT_FALSE(a.surroundings.on) << a.surroundings.evidence;
 }
 
-TEST_F(KindsOfScanAtLength, AnObjectHalfAroundBeforeStudioPaperHasNone) {
+TEST_F(KindsOfScan, AnObjectHalfAroundBeforeStudioPaperHasNone) {
     const places::Place place = places::turned_object();
     for (const bool plain : {true, false}) {
         const auto studio = [&](int x, int y) {
@@ -107,14 +107,14 @@ TEST_F(KindsOfScanAtLength, AnObjectHalfAroundBeforeStudioPaperHasNone) {
 
 TEST_F(KindsOfScanAtLength, AMonumentInAGardenHasItsGarden) {
     const Agreement a = prepared(places::monument());
-    EXPECT_EQ(a.kind, KindOfScan::object);
+    EXPECT_EQ(a.presentation.kind, KindOfScan::object);
     EXPECT_TRUE(a.surroundings.on) << a.surroundings.evidence;
     EXPECT_GT(reach({-1.5, -1.2, 0}, {1.5, 1.2, 4}).maxCoeff(), 0.6);
 }
 
 TEST_F(KindsOfScan, ACourtyardIsShownFromInsideWithWhatIsBeyond) {
     const Agreement a = prepared(places::courtyard(true));
-    EXPECT_EQ(a.kind, KindOfScan::inside);
+    EXPECT_EQ(a.presentation.kind, KindOfScan::inside);
     EXPECT_TRUE(a.surroundings.on) << a.surroundings.evidence;
     const Navigation n = first_view(*package, 0);
     EXPECT_NEAR(n.fov, 2 * std::atan(180 / 280.0) * 180 / pi, 1e-6) << "as a photo shows it";
@@ -122,18 +122,22 @@ TEST_F(KindsOfScan, ACourtyardIsShownFromInsideWithWhatIsBeyond) {
 
 TEST_F(KindsOfScanAtLength, AClosedCourtyardHasItsSky) {
     const Agreement a = prepared(places::courtyard(false));
-    EXPECT_EQ(a.kind, KindOfScan::inside);
+    EXPECT_EQ(a.presentation.kind, KindOfScan::inside);
     EXPECT_TRUE(a.surroundings.on) << a.surroundings.evidence;
 }
 
-TEST_F(KindsOfScanAtLength, ARoomAroundTheCamerasHasNone) {
-    places::Place room{places::built([](ModelBuilder& b) { places::room(b, {-3, -2.5, 0}, {6, 5, 3}); }), {}, {}};
+TEST_F(KindsOfScan, ARoomAroundTheCamerasHasNone) {
+    places::Place room{places::built([](ModelBuilder& b) {
+                           places::room(b, {-3, -2.5, 0}, {6, 5, 3});
+                       }),
+                       {},
+                       {}};
     for (int i = 0; i < 8; ++i) {
         const Vector3d out(std::cos(pi * i / 4), std::sin(pi * i / 4), 0);
         room.cameras.push_back(places::camera_at(Vector3d(0, 0, 1.6) - 0.8 * out, Vector3d(0, 0, 1.5) + out));
     }
     const Agreement a = prepared(room);
-    EXPECT_EQ(a.kind, KindOfScan::inside);
+    EXPECT_EQ(a.presentation.kind, KindOfScan::inside);
     EXPECT_FALSE(a.surroundings.on);
     EXPECT_NE(a.surroundings.evidence.find("leaves 0.0 % of the photos open"), std::string::npos)
         << a.surroundings.evidence;
@@ -141,7 +145,7 @@ TEST_F(KindsOfScanAtLength, ARoomAroundTheCamerasHasNone) {
 
 TEST_F(KindsOfScanAtLength, HousesFromTheAirOnALawnHaveNone) {
     const Agreement a = prepared(places::block(35));
-    EXPECT_NE(a.kind, KindOfScan::inside);
+    EXPECT_NE(a.presentation.kind, KindOfScan::inside);
     EXPECT_FALSE(a.surroundings.on);
     EXPECT_NE(a.surroundings.evidence.find("is plain"), std::string::npos) << a.surroundings.evidence;
     EXPECT_GT(package->scene().shade[1], package->scene().shade[0]) << "the lawn's";
@@ -154,18 +158,18 @@ TEST_F(KindsOfScan, AFacadeInAGardenHasItsGarden) {
     spec.photos.width = 480, spec.photos.height = 360, spec.photos.samples = 1, spec.photos.fov = 70;
     copy_scene(spec, dir / "scene");
     const Agreement a = prepared(dir / "scene");
-    EXPECT_EQ(a.kind, KindOfScan::front);
+    EXPECT_EQ(a.presentation.kind, KindOfScan::front);
     EXPECT_TRUE(a.surroundings.on);
     EXPECT_NE(a.surroundings.evidence.find("over a plain color"), std::string::npos);
     EXPECT_LT(degrees_off(Vector3d::UnitZ()), 0.01);
 }
 
-TEST_F(KindsOfScanAtLength, AFacadeThatFillsThePhotosHasNone) {
+TEST_F(KindsOfScan, AFacadeThatFillsThePhotosHasNone) {
     places::Place wall{places::built([](ModelBuilder& b) {
-                   b.quad({-20, 0, -10}, {40, 0, 0}, {0, 0, 30}, Material::brick);
-               }),
-               {},
-               {}};
+                           b.quad({-20, 0, -10}, {40, 0, 0}, {0, 0, 30}, Material::brick);
+                       }),
+                       {},
+                       {}};
     for (int i = 0; i < 6; ++i)
         wall.cameras.push_back(places::camera_at({i - 2.5, -8, 1.7}, {i - 2.5, 0, 3}));
     const Agreement a = prepared(wall);
@@ -177,15 +181,17 @@ TEST_F(KindsOfScanAtLength, AFacadeThatFillsThePhotosHasNone) {
 TEST_F(KindsOfScanAtLength, ACastleIsUprightUnderItsSky) {
     VANTAGE_DATASET(sceaux, "sceaux");
     const Agreement a = prepared(sceaux, small_photos());
-    EXPECT_EQ(a.kind, KindOfScan::front);
+    EXPECT_EQ(a.presentation.kind, KindOfScan::front);
     EXPECT_TRUE(a.surroundings.on) << a.surroundings.evidence;
+    ASSERT_TRUE(a.surroundings.judgment);
+    EXPECT_GT(a.surroundings.judgment->gain, 3) << a.surroundings.evidence;
     EXPECT_LT(degrees_off(-Vector3d::UnitZ()), 0.5) << "though all photos lean by up to 2.5 degrees";
 }
 
 TEST_F(KindsOfScanAtLength, AWallBesideAYardHasItThoughMostPhotosShowLittleOfIt) {
     VANTAGE_DATASET(fountain, "fountain-P11");
     const Agreement a = prepared(fountain, small_photos());
-    EXPECT_EQ(a.kind, KindOfScan::front);
+    EXPECT_EQ(a.presentation.kind, KindOfScan::front);
     EXPECT_TRUE(a.surroundings.on) << a.surroundings.evidence;
     EXPECT_LT(degrees_off(-Vector3d::UnitZ()), 0.5);
 }
@@ -193,7 +199,7 @@ TEST_F(KindsOfScanAtLength, AWallBesideAYardHasItThoughMostPhotosShowLittleOfIt)
 TEST_F(KindsOfScanAtLength, AHeadOnATableShowsItsFaceBeforeCalmGround) {
     VANTAGE_DATASET(head, "head");
     const Agreement a = prepared(head, small_photos());
-    EXPECT_EQ(a.kind, KindOfScan::object);
+    EXPECT_EQ(a.presentation.kind, KindOfScan::object);
     EXPECT_FALSE(a.surroundings.on) << a.surroundings.evidence;
     EXPECT_LT(degrees_off(-Vector3d::UnitY()), 12);
     // The face looks toward -z, seen from the photos of the last series.

@@ -1,0 +1,20 @@
+#pragma once
+#include <Eigen/Core>
+#include <span>
+
+#include "pipeline/presentation/first_view.h"
+
+namespace vantage {
+
+/// How a scene is presented.
+struct Presentation {
+    Eigen::Vector3d up{0, 0, 1};
+    KindOfScan kind = KindOfScan::front;
+    FirstView first{};
+};
+
+/// Which way is up, what kind of scan it is, and what to show first. `samples`: of each photo at `discs`.
+Presentation presentation_of(std::span<const package::PhotoRecord> photos, Samples samples,
+                             std::span<const SurfaceDisc> discs);
+
+}  // namespace vantage
