@@ -45,25 +45,27 @@ inline void bust(ModelBuilder& b) {
     b.box({0.02, -0.12, 0.62}, {0.02, 0.03, 0.03}, Material::text);
 }
 
-/// Four walls, floor and ceiling, seen from inside.
-inline void room(ModelBuilder& b, const Vector3d& low, const Vector3d& size, bool ceiling = true) {
+/// Floor, walls and ceiling, seen from inside; with three walls, the side toward +x is open.
+inline void room(ModelBuilder& b, const Vector3d& low, const Vector3d& size, bool ceiling = true,
+                 int walls = 4) {
     const Vector3d x(size.x(), 0, 0), y(0, size.y(), 0), z(0, 0, size.z());
     b.quad(low, x, y, Material::paving);
     if (ceiling) b.quad(low + z, y, x, Material::plaster);
     b.quad(low, z, x, Material::brick);
     b.quad(low + y, x, z, Material::text);
     b.quad(low, y, z, Material::grating);
-    b.quad(low + x, z, y, Material::window);
+    if (walls == 4) b.quad(low + x, z, y, Material::window);
 }
 
-/// The model turned about the x axis by 90 degrees, about this point.
-inline SynthModel laid_down(SynthModel m, const Vector3d& about) {
-    for (Vector3d& p : m.mesh.positions) {
-        const Vector3d d = p - about;
-        p = about + Vector3d(d.x(), -d.z(), d.y());
-    }
-    for (Eigen::Vector3f& n : m.mesh.normals) n = {n.x(), -n.z(), n.y()};
+/// Turned about a point.
+inline SynthModel turned(SynthModel m, const Eigen::Matrix3d& R, const Vector3d& about) {
+    for (Vector3d& p : m.mesh.positions) p = about + R * (p - about);
+    for (Eigen::Vector3f& n : m.mesh.normals) n = R.cast<float>() * n;
     return m;
+}
+
+inline Eigen::Matrix3d turn(double angle, const Vector3d& axis) {
+    return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
 }
 
 inline SynthModel joined(SynthModel a, const SynthModel& b) {
@@ -98,32 +100,28 @@ inline SynthModel study() {
 /// Photographed all around, then laid on its back and photographed again.
 inline Place moved_object() {
     Place p{built(bust), {}, ring(10, 1.5, 0.5, 1, {0, 0, 0.35})};
-    for (const Camera& c : ring(8, 1.4, 0.5, 0.9, {0, 0, 0.35}, 0.2)) {
+    const Vector3d about(0, 0, 0.35);
+    const Eigen::Matrix3d laid = turn(std::numbers::pi / 2, Vector3d::UnitX());
+    for (Camera c : ring(8, 1.4, 0.5, 0.9, about, 0.2)) {
         // In the frame of the object, the room and its cameras are turned.
-        Camera turned = c;
-        const Eigen::Matrix3d R =
-            Eigen::AngleAxisd(std::numbers::pi / 2, Vector3d::UnitX()).toRotationMatrix();
-        const Vector3d about(0, 0, 0.35), eye = about + R * (c.cam_from_world.center() - about);
-        turned.cam_from_world.R = c.cam_from_world.R * R.transpose();
-        turned.cam_from_world.t = -turned.cam_from_world.R * eye;
-        p.cameras.push_back(turned);
+        Pose& pose = c.cam_from_world;
+        const Vector3d eye = about + laid * (pose.center() - about);
+        pose.R = pose.R * laid.transpose();
+        pose.t = -pose.R * eye;
+        p.cameras.push_back(c);
     }
     p.cameras.resize(16);
-    p.worlds = {joined(p.mesh, study()), joined(p.mesh, laid_down(study(), {0, 0, 0.35}))};
+    p.worlds = {joined(p.mesh, study()), joined(p.mesh, turned(study(), laid, about))};
     return p;
 }
 
 /// The room turns with each photo, as it does for a camera that stands still before a turntable.
 inline Place turned_object() {
     Place p{built(bust), {}, ring(12, 1.5, 0.6, 0.6, {0, 0, 0.35})};
-    for (int i = 0; i < 12; ++i) {
-        SynthModel world = study();
-        const Eigen::Matrix3d R =
-            Eigen::AngleAxisd(2 * std::numbers::pi * i / 12, Vector3d::UnitZ()).toRotationMatrix();
-        for (Vector3d& v : world.mesh.positions) v = R * v;
-        for (Eigen::Vector3f& n : world.mesh.normals) n = R.cast<float>() * n;
-        p.worlds.push_back(joined(p.mesh, world));
-    }
+    for (int i = 0; i < 12; ++i)
+        p.worlds.push_back(joined(
+            p.mesh,
+            turned(study(), turn(2 * std::numbers::pi * i / 12, Vector3d::UnitZ()), Vector3d::Zero())));
     return p;
 }
 
@@ -135,10 +133,8 @@ inline Place monument() {
             }),
             {},
             ring(16, 9, 1.6, 2.4, {0, 0, 1.8})};
-    SynthSpec spec;
-    spec.garden = {.radius = 30, .hill = 8, .railing = 0};
     ModelBuilder b{p.mesh, 0};
-    add_garden(b, spec.garden);
+    add_garden(b, {.radius = 30, .hill = 8, .railing = 0});
     p.worlds = {b.model};
     return p;
 }
@@ -146,14 +142,7 @@ inline Place monument() {
 /// Four facades around a yard, from inside it.
 inline Place courtyard(bool open_side) {
     Place p{built([&](ModelBuilder& b) {
-                room(b, {-8, -8, 0}, {16, 16, 7}, false);
-                if (open_side) b.model.mesh.triangles.resize(2), b.model.materials.resize(2);
-                if (open_side) {
-                    const Vector3d low(-8, -8, 0), x(16, 0, 0), y(0, 16, 0), z(0, 0, 7);
-                    b.quad(low, z, x, Material::brick);
-                    b.quad(low + y, x, z, Material::text);
-                    b.quad(low, y, z, Material::window);
-                }
+                room(b, {-8, -8, 0}, {16, 16, 7}, false, open_side ? 3 : 4);
                 b.box({1, 2, 0.5}, {0.8, 0.8, 0.5}, Material::marble);
             }),
             {},
