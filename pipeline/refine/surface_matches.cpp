@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
-#include "pipeline/photos/simd.h"
 #include "pipeline/refine/coarse_photo.h"
+#include "values/simd.h"
 
 namespace vantage {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/photos/simd.h"
 #include "values/grid.h"
+#include "values/simd.h"
 
 namespace vantage {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "pipeline/photos/simd.h"
 #include "values/quantile.h"
+#include "values/simd.h"
 
 namespace vantage {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <limits>
 
-#include "pipeline/photos/simd.h"
 #include "scene/tiling.h"
+#include "values/simd.h"
 
 namespace vantage {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "pipeline/photos/simd.h"
+#include "values/simd.h"
 
 namespace vantage {
 namespace {

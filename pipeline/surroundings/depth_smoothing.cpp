@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/photos/simd.h"
+#include "values/simd.h"
 
 namespace vantage {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/photos/simd.h"
+#include "values/simd.h"
 
 namespace vantage {
 namespace {

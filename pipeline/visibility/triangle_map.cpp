@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "pipeline/photos/simd.h"
+#include "values/simd.h"
 
 namespace vantage {
 namespace {
