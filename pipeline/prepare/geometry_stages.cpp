@@ -52,7 +52,8 @@ void write_coverage(const GeometryContext& c, const PosedPhoto& photo, const Fra
 void write_samples(const GeometryContext& c, const PosedPhoto& photo, const PhotoGeometry& g,
                    RgbaImage pixels) {
     const Traced traced(c.trace, "samples", photo.name);
-    const auto samples = sample_discs(c.discs, std::move(pixels), g, photo.intrinsics, photo.pose);
+    const auto samples = sample_discs(c.discs, std::move(pixels), g, photo.intrinsics, photo.pose,
+                                      photo.lens ? &*photo.lens : nullptr);
     c.writer.write(Type::samples, photo.index, bytes_of(samples));
 }
 

@@ -16,12 +16,11 @@ using package::PhotoRecord;
 using package::PhotoState;
 using package::Type;
 
-RgbaImage tiles_at(const PackageReader& part, std::uint32_t photo, const PhotoRecord& r,
-                   const std::optional<LensTable>& lens, int level) {
+RgbaImage tiles_at(const PackageReader& part, std::uint32_t photo, const PhotoRecord& r, int level) {
     const int stored = std::min(level, int(r.levels) - 1);
     RgbaImage image = read_level_image(part, r, photo, Type::tiles, stored);
     for (int l = stored; l < level; ++l) image = halve(image);
-    return lens ? pinhole_image(image, *lens, level) : image;
+    return image;
 }
 
 }  // namespace
@@ -31,9 +30,11 @@ void move_photo(const GeometryContext& c, const PackageReader& part, std::uint32
     const PosedPhoto photo{i, r.name, intrinsics(r), pose, lens_table(part, r, i)};
     set_pose(pose, r);
     const StageSet missing = stages_on_model();
-    CoarsePixels coarse{{}, tiles_at(part, i, r, photo.lens, sample_level)};
-    if (r.flags & package::photo_has_alpha)
-        coarse.valid = validity(tiles_at(part, i, r, photo.lens, mask_level));
+    CoarsePixels coarse{{}, tiles_at(part, i, r, sample_level)};
+    if (r.flags & package::photo_has_alpha) {
+        const RgbaImage level = tiles_at(part, i, r, mask_level);
+        coarse.valid = validity(photo.lens ? pinhole_image(level, *photo.lens, mask_level) : level);
+    }
     std::promise<CoarsePixels> pixels;
     pixels.set_value(std::move(coarse));
     const auto view = std::make_shared<const PhotoView>(view_of(c, photo));

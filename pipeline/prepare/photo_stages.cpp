@@ -130,8 +130,10 @@ std::vector<Stage> run_photo(const PhotoContext& c, std::uint32_t i, bool spare_
     const PhotoInput& photo = c.scene.photos[i];
     const Camera& camera = photo.camera;
     PhotoJob job{c, photo, {i, photo.name, camera.intrinsics, c.poses[i], {}}, spare_core};
-    if (c.key.undistortion && camera.lens.distorts())
+    if (c.key.undistortion && camera.lens.distorts()) {
+        const Traced traced(c.trace, "lens", photo.name);
         job.at.lens = lens_table(camera.intrinsics, camera.lens);
+    }
     std::optional<PhotoFile> file;
     {
         const Traced traced(c.trace, "read", photo.name);

@@ -57,10 +57,11 @@ Pixels decode_pixels(const PhotoJob& job, PhotoFile& file, const package::PhotoR
     return {std::move(image), own};
 }
 
-/// Of a photo with a lens.
-RgbaImage as_pinhole(const PhotoJob& job, const RgbaImage& level, int number) {
+/// At `mask_level`, of a photo that is not opaque.
+std::vector<std::uint8_t> valid_texels(const PhotoJob& job, const RgbaImage& level) {
+    if (!job.at.lens) return validity(level);
     const Traced traced(job.context.trace, "lens", job.photo.name);
-    return pinhole_image(level, *job.at.lens, number);
+    return validity(pinhole_image(level, *job.at.lens, mask_level));
 }
 
 /// Writes thumbnail and tile pyramid. `jpeg`: the photo's file, if level 0 can be taken from it, else empty.
@@ -78,17 +79,12 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
     bool thumbnail_missing = missing[Stage::thumbnail];
     const std::uint32_t last = std::max(r.levels, std::uint32_t(sample_level) + 1);
     for (std::uint32_t l = 0; l < last; ++l) {
-        if (l == std::uint32_t(mask_level) && !opaque)
-            coarse.valid = job.at.lens ? validity(as_pinhole(job, level, mask_level)) : validity(level);
+        if (l == std::uint32_t(mask_level) && !opaque) coarse.valid = valid_texels(job, level);
         const bool own = l == 0 && !jpeg.empty();
         if (l == sampled)
             coarse.samples = own ? level : as_stored(writer, i, l, level, level_quality(jpeg, l));
         if (l > sampled && l <= std::uint32_t(sample_level)) coarse.samples = halve(coarse.samples);
-        if (l == std::uint32_t(sample_level)) {
-            if (job.at.lens && missing[Stage::samples])
-                coarse.samples = as_pinhole(job, coarse.samples, sample_level);
-            found.set_value(std::move(coarse));
-        }
+        if (l == std::uint32_t(sample_level)) found.set_value(std::move(coarse));
         if (l < r.levels && missing[Stage::tiles] && !(own && write_own_jpeg(writer, i, jpeg)))
             write_tiles(writer, Type::tiles, i, l, bytes_of(level.rgba), {level.width, level.height},
                         level_quality(jpeg, l));

@@ -53,11 +53,13 @@ std::optional<Eigen::Vector3f> color_at(const RgbaImage& level, const Eigen::Vec
 /// Samples discs in one photo.
 class DiscSampler {
   public:
-    DiscSampler(RgbaImage photo, const PhotoGeometry& geometry, const Intrinsics& k, const Pose& pose)
+    DiscSampler(RgbaImage photo, const PhotoGeometry& geometry, const Intrinsics& k, const Pose& pose,
+                const LensTable* lens)
         : levels_(levels_from(std::move(photo))),
           depth_{geometry.z.data(), geometry.width, geometry.height},
           k_(k),
-          pose_(pose) {
+          pose_(pose),
+          lens_(lens) {
         for (std::size_t l = 0; l < levels_.size(); ++l)
             scale_.push_back(std::exp2(-float(sample_level) - float(l)));
     }
@@ -75,8 +77,14 @@ class DiscSampler {
         const Eigen::Vector3d along = n.unitOrthogonal() * double(disc.radius), across = n.cross(along);
         // The depth map may be off by one of its pixels.
         const double pixel_size = (1 << mask_level) * center.z() / std::min(k_.fx, k_.fy);
-        const ProjectedDisc in_camera{center.cast<float>(), along.cast<float>(), across.cast<float>(),
-                                      float(std::max(0.004 * center.z(), pixel_size / cosine)), level};
+        const auto slack = float(std::max(0.004 * center.z(), pixel_size / cosine));
+        const ProjectedDisc in_camera{center.cast<float>(),
+                                      along.cast<float>(),
+                                      across.cast<float>(),
+                                      slack,
+                                      level,
+                                      displaced(center, along, across)};
+        if (!in_camera.displaced.allFinite()) return {};
         static const auto points = make_disc();
         Eigen::Vector3f sum = Eigen::Vector3f::Zero();
         int seen = 0;
@@ -92,7 +100,21 @@ class DiscSampler {
         Eigen::Vector3f center, along, across;
         float slack;  ///< tolerance of the depth test, scene units
         std::size_t level;
+        Eigen::Matrix<float, 2, 3> displaced;  ///< by the lens, px: the center, and further along and across
     };
+    /// By the lens; NaN beyond its range.
+    Eigen::Vector2d displacement(const Eigen::Vector3d& p) const {
+        const Eigen::Vector2d at = pixel(p);
+        return photo_pixel(*lens_, at) - at;
+    }
+    Eigen::Matrix<float, 2, 3> displaced(const Eigen::Vector3d& center, const Eigen::Vector3d& along,
+                                         const Eigen::Vector3d& across) const {
+        Eigen::Matrix<double, 2, 3> out = Eigen::Matrix<double, 2, 3>::Zero();
+        if (!lens_) return out.cast<float>();
+        const Eigen::Vector2d here = displacement(center);
+        out << here, displacement(center + along) - here, displacement(center + across) - here;
+        return out.cast<float>();
+    }
     Eigen::Vector2d pixel(const Eigen::Vector3d& p) const {
         return {k_.fx * p.x() / p.z() + k_.cx, k_.fy * p.y() / p.z() + k_.cy};
     }
@@ -105,7 +127,9 @@ class DiscSampler {
         if (!(at.x() >= 0 && at.y() >= 0 && at.x() < width_ && at.y() < height_)) return {};
         const float seen_z = depth_(int(at.x()) >> mask_level, int(at.y()) >> mask_level);
         if (!(std::abs(seen_z - p.z()) <= disc.slack)) return {};
-        return color_at(levels_[disc.level], at * scale_[disc.level]);
+        const Eigen::Vector2f in_photo = at + disc.displaced * Eigen::Vector3f(1, d.x(), d.y());
+        if (!(in_photo.minCoeff() >= 0 && in_photo.x() < width_ && in_photo.y() < height_)) return {};
+        return color_at(levels_[disc.level], in_photo * scale_[disc.level]);
     }
     /// A zero record if a channel is nearly black or white.
     package::SampleRecord record(const Eigen::Vector3f& linear, const Eigen::Vector2d& at) const {
@@ -123,6 +147,7 @@ class DiscSampler {
     Grid<const float> depth_;
     const Intrinsics& k_;
     const Pose& pose_;
+    const LensTable* lens_;  ///< may be null
     const float fx_ = float(k_.fx), fy_ = float(k_.fy), cx_ = float(k_.cx), cy_ = float(k_.cy),
                 width_ = float(k_.width), height_ = float(k_.height);
 };
@@ -131,8 +156,8 @@ class DiscSampler {
 
 std::vector<package::SampleRecord> sample_discs(std::span<const SurfaceDisc> discs, RgbaImage photo,
                                                 const PhotoGeometry& geometry, const Intrinsics& k,
-                                                const Pose& pose) {
-    const DiscSampler sampler(std::move(photo), geometry, k, pose);
+                                                const Pose& pose, const LensTable* lens) {
+    const DiscSampler sampler(std::move(photo), geometry, k, pose, lens);
     std::vector<package::SampleRecord> out(package::surface_discs, package::SampleRecord{});
     std::ranges::transform(discs, out.begin(), [&](const SurfaceDisc& d) { return sampler.sample(d); });
     return out;

@@ -8,6 +8,7 @@
 #include "agreement/surface_discs.h"
 #include "pipeline/visibility/photo_geometry.h"
 #include "scene/camera.h"
+#include "scene/lens_table.h"
 #include "scene/package_format.h"
 #include "values/rgba_image.h"
 
@@ -19,8 +20,9 @@ inline constexpr int sample_level = 2;
 /// The mean color of each disc in a photo, in linear light. A record is zero if less than five sixths of the
 /// disc is seen, the cosine of the viewing angle is at most 0.2, the foreshortened radius is below 6 px, or a
 /// channel is below sRGB 15 or above 240. `photo`: its pixels at `sample_level`; `geometry`: at `mask_level`.
+/// `lens`: null without one.
 std::vector<package::SampleRecord> sample_discs(std::span<const SurfaceDisc> discs, RgbaImage photo,
                                                 const PhotoGeometry& geometry, const Intrinsics& intrinsics,
-                                                const Pose& cam_from_origin);
+                                                const Pose& cam_from_origin, const LensTable* lens = nullptr);
 
 }  // namespace vantage
