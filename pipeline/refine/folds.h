@@ -13,7 +13,7 @@
 namespace vantage {
 
 /// How much Folds holds in memory: coarse photos, and sightings of folds (some 2 MB each).
-inline constexpr std::size_t cached_photos = 24, kept_sightings = 12;
+inline constexpr std::size_t cached_photos = 64, kept_sightings = 12;
 inline constexpr std::size_t max_others = 8;  ///< that a photo is predicted from
 
 /// Where Folds reads photos from. The spans must outlive it.
