@@ -14,9 +14,10 @@ Frustum beam(const View& view) {
     const Pose& pose = view.cam_from_origin;
     const Eigen::Vector3d right = pose.R.row(0), down = pose.R.row(1);
     const double across = view.orthographic_depth / k.fx, along = view.orthographic_depth / k.fy;
-    return {Plane{right, pose.t.x() + k.cx * across}, Plane{-right, (k.width - k.cx) * across - pose.t.x()},
-            Plane{down, pose.t.y() + k.cy * along}, Plane{-down, (k.height - k.cy) * along - pose.t.y()},
-            Plane{pose.direction(), pose.t.z()}};
+    return {
+        HalfSpace{right, pose.t.x() + k.cx * across},
+        HalfSpace{-right, (k.width - k.cx) * across - pose.t.x()}, HalfSpace{down, pose.t.y() + k.cy * along},
+        HalfSpace{-down, (k.height - k.cy) * along - pose.t.y()}, HalfSpace{pose.direction(), pose.t.z()}};
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ Frustum frustum(const View& view) {
 Side side_of(const Frustum& planes, const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
     const Eigen::Vector3d middle = (low + high) / 2, half = (high - low) / 2;
     Side side = Side::inside;
-    for (const Plane& p : planes) {
+    for (const HalfSpace& p : planes) {
         const double distance = p.normal.dot(middle) + p.offset,
                      reach = p.normal.cwiseAbs().dot(half) * (1 + 1e-5) +
                              rounding * (middle.norm() + std::abs(p.offset));
@@ -49,7 +50,7 @@ Side side_of(const Frustum& planes, const Eigen::Vector3d& low, const Eigen::Vec
 }
 
 bool reaches(const Frustum& planes, const Eigen::Vector3d& center, double radius) {
-    return std::ranges::all_of(planes, [&](const Plane& plane) {
+    return std::ranges::all_of(planes, [&](const HalfSpace& plane) {
         const double reach = radius * (1 + 1e-5) + rounding * (center.norm() + std::abs(plane.offset));
         return plane.normal.dot(center) + plane.offset >= -reach;
     });

@@ -7,13 +7,13 @@
 namespace vantage {
 
 /// Inside: normal.dot(p) + offset >= 0, relative to the origin.
-struct Plane {
+struct HalfSpace {
     Eigen::Vector3d normal;
     double offset;
 };
 
 /// What a view can show: four sides, and what is in front of the camera.
-using Frustum = std::array<Plane, 5>;
+using Frustum = std::array<HalfSpace, 5>;
 Frustum frustum(const View& view);
 
 /// Where a box is; never `outside` if a point of it is inside, never `inside` if one is outside.
