@@ -31,6 +31,7 @@ struct CameraSet {
         std::string photo;  ///< name in the file, folders included
         Camera camera;
         Unit unit = Unit::pixels;
+        std::string group = {};  ///< of photos in the file, perhaps their folder; empty: none
     };
     std::string format;  ///< display name: "COLMAP text", "Bundler", ...
     std::vector<Entry> entries;

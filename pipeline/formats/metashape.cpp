@@ -122,7 +122,6 @@ class Chunk {
         for (const pugi::xml_node c : chunk.child("components").children("component"))
             components_[c.attribute("id").value()] = chunk_transform(file, c.child("transform"));
         for (const pugi::xml_node c : chunk.child("cameras").children()) read(c, "");
-        name_by_folder();
     }
     void move_to(CameraSet& set) {
         set.entries = std::move(entries_);
@@ -141,12 +140,11 @@ class Chunk {
 
   private:
     /// Cameras may be in groups, which may be the folders of their photos.
-    void read(pugi::xml_node node, const std::string& folder) {
+    void read(pugi::xml_node node, const std::string& group) {
         if (std::string_view(node.name()) == "group") {
-            const bool is_folder = std::string_view(node.attribute("type").value()) == "folder";
-            const std::string own = is_folder ? node.attribute("label").value() : "";
+            const std::string own = node.attribute("label").value();
             for (const pugi::xml_node c : node.children())
-                read(c, own.empty() ? folder : folder.empty() ? own : folder + "/" + own);
+                read(c, own.empty() ? group : group.empty() ? own : group + "/" + own);
         }
         if (std::string_view(node.name()) != "camera") return;
         const std::string photo = node.attribute("label").value();
@@ -158,16 +156,7 @@ class Chunk {
         Camera camera = sensor.camera;
         camera.cam_from_world = pose_of(node);
         if (entries_.empty()) first_ = transform_of(node);
-        entries_.push_back({photo, camera});
-        folders_.push_back(folder);
-    }
-    /// Labels that are not the only ones: their groups tell them apart.
-    void name_by_folder() {
-        std::map<std::string, int> count;
-        for (const CameraSet::Entry& e : entries_) ++count[e.photo];
-        for (std::size_t i = 0; i < entries_.size(); ++i)
-            if (count.at(entries_[i].photo) > 1 && !folders_[i].empty())
-                entries_[i].photo = folders_[i] + "/" + entries_[i].photo;
+        entries_.push_back({.photo = photo, .camera = camera, .group = group});
     }
     Sensor sensor_of(pugi::xml_node camera) const {
         if (const pugi::xml_node own = camera.child("calibration"))
@@ -195,7 +184,6 @@ class Chunk {
     std::map<std::string, Similarity> components_;
     Similarity own_, first_;
     std::vector<CameraSet::Entry> entries_;
-    std::vector<std::string> folders_;  ///< per entry, of its group; empty: none
     LeftOut left_out_;
 };
 

@@ -96,8 +96,16 @@ bool is_realitycapture_sidecar(const fs::path& file) {
 std::vector<fs::path> realitycapture_sidecars(const fs::path& folder) {
     std::vector<fs::path> out;
     std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error))
-        if (is_realitycapture_sidecar(entry.path())) out.push_back(entry.path());
+    using Walk = fs::recursive_directory_iterator;
+    for (Walk at(folder, fs::directory_options::skip_permission_denied, error); at != Walk();
+         at.increment(error)) {
+        if (at.depth() == 2 || at->path().filename().native().starts_with('.'))
+            at.disable_recursion_pending();
+        // In a folder below its namesake, it is a copy.
+        if (is_realitycapture_sidecar(at->path()) &&
+            (at.depth() == 0 || !fs::exists(at->path().parent_path().parent_path() / at->path().filename())))
+            out.push_back(at->path());
+    }
     std::ranges::sort(out);
     return out;
 }
@@ -109,7 +117,7 @@ CameraSet read_realitycapture_xmp(const fs::path& folder) {
     for (const fs::path& sidecar : realitycapture_sidecars(folder)) {
         const XmlFile file(sidecar);
         const pugi::xml_node description = description_of(file);
-        const std::string photo = sidecar.stem().string();
+        const std::string photo = sidecar.lexically_relative(folder).replace_extension().generic_string();
         if (const auto entry = read_sidecar(file, description, photo))
             set.entries.push_back(*entry);
         else

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
-#include <map>
-#include <optional>
 #include <set>
+#include <span>
 #include <tuple>
 
 #include "pipeline/formats/cameras.h"
 #include "pipeline/formats/cloud.h"
 #include "pipeline/formats/mesh.h"
 #include "pipeline/formats/ply.h"
-#include "pipeline/input/band_groups.h"
+#include "pipeline/input/find_cameras.h"
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/photos/photos.h"
 #include "scene/error.h"
@@ -88,132 +87,43 @@ void drop_unmatched(const fs::path& folder, InputFiles& found) {
     if (found.photos.empty() && !found.cameras.empty()) note(found.cameras, "no photos found");
 }
 
-/// Whether `file` is the first file of a folder in this format; the others lie next to it.
-bool is_first_of(const CameraFormat& format, const fs::path& file) {
-    return !format.files.empty() && file.filename() == format.files.front() &&
-           std::ranges::all_of(format.files,
-                               [&](const char* name) { return fs::exists(file.parent_path() / name); });
-}
-
-/// The photos' names in a camera file.
-std::vector<std::string> photo_names(const fs::path& cameras) {
-    std::vector<std::string> names;
-    for (const CameraSet::Entry& entry : read_cameras(cameras).entries) names.push_back(entry.photo);
-    return names;
-}
-
-/// The camera files of the first format that has any.
-Files camera_candidates(const Files& files) {
-    Files found;
-    for (const CameraFormat& format : camera_formats()) {
-        for (const fs::path& f : files) {
-            if (format.files.empty() && format.matches(f)) {
-                const fs::path path = format.one_per_photo ? f.parent_path() : f;
-                if (found.empty() || found.back() != path) found.push_back(path);
-            }
-            if (is_first_of(format, f)) found.push_back(f.parent_path());
-        }
-        if (!found.empty()) return found;
-    }
-    return found;
-}
-
-fs::path find_cameras(const fs::path& folder, const Files& files, std::vector<std::string>& notes) {
-    const Files found = camera_candidates(files);
-    if (found.size() < 2) return found.empty() ? fs::path() : found.front();
-    std::vector<std::size_t> sizes;
-    std::vector<std::string> flaws(found.size());
-    for (std::size_t i = 0; i < found.size(); ++i) try {
-            sizes.push_back(photo_names(found[i]).size());
-        } catch (const NoCamera& e) {  // a file of the format may hold other things, such as markers
-            sizes.push_back(0);
-            flaws[i] = reason_of(e, found[i]);
-        }
-    const auto most = std::size_t(std::ranges::max_element(sizes) - sizes.begin());
-    for (std::size_t i = 0; i < found.size(); ++i)
-        if (i != most)
-            notes.push_back(found[i].lexically_relative(folder).string() + ": not used, " +
-                            (flaws[i].empty() ? "has " + std::to_string(sizes[i]) + " cameras" : flaws[i]) +
-                            "; " + found[most].lexically_relative(folder).string() + " has " +
-                            std::to_string(sizes[most]));
-    return found[most];
-}
-
-/// One camera file per band, each in the folder of its band, and the folder that holds them all; nothing if
-/// the files are others.
-struct CamerasOfBands {
-    Files cameras;
-    fs::path photos;
-};
-std::optional<CamerasOfBands> cameras_of_bands(const fs::path& root, const Files& files,
-                                               const std::string& how) {
-    CamerasOfBands out{camera_candidates(files), {}};
-    std::set<fs::path> folders;
-    for (const fs::path& cameras : out.cameras) {
-        const fs::path folder = band_folder(root, cameras, how);
-        const bool file_itself = folder == cameras && !fs::is_directory(cameras);
-        if (folder.empty() || file_itself || !folders.insert(folder).second || photos_below(folder).empty())
-            return {};
-        out.photos = folder.parent_path();
-    }
-    const bool together = std::ranges::all_of(
-        folders, [&](const fs::path& folder) { return folder.parent_path() == out.photos; });
-    if (folders.size() < 2 || !together) return {};
-    return out;
-}
-
-/// Cameras, and with one file of cameras per band the photos' folder, unless they are given.
-void find_all_cameras(const fs::path& folder, const Files& files, InputFiles& found) {
-    if (!found.cameras.empty()) return;
-    const auto of_bands = found.photos.empty() && found.bands != bands_off
-                              ? cameras_of_bands(folder, files, found.bands)
-                              : std::nullopt;
-    if (!of_bands) {
-        found.cameras = find_cameras(folder, files, found.notes);
-        return;
-    }
-    found.cameras = of_bands->cameras.front();
-    found.more_cameras.assign(of_bands->cameras.begin() + 1, of_bands->cameras.end());
-    found.photos = of_bands->photos;
-}
-
-/// Steps from one folder to another.
-std::ptrdiff_t distance(const fs::path& from, const fs::path& to) {
-    const fs::path steps = to.lexically_relative(from);
-    return std::distance(steps.begin(), steps.end());
-}
-
 /// How well a folder's photos fit the cameras.
 struct PhotoFolder {
     fs::path path;
-    std::size_t matched = 0, by_name = 0, photos = 0;
+    std::size_t matched = 0, folders = 0, by_name = 0, photos = 0;
     bool derived = false, named = false;
     std::ptrdiff_t from_cameras = 0;
-    auto rank() const {
-        return std::tuple(matched > 0 && !derived, matched, by_name, named, -from_cameras, photos);
-    }
+    /// How well its files fit, and whether it is called as such a folder is.
+    auto fit() const { return std::tuple(matched > 0 && !derived, matched, folders, by_name, named); }
+    auto rank() const { return std::tuple_cat(fit(), std::tuple(-from_cameras, photos)); }
 };
 
 bool is_below(const fs::path& path, const fs::path& folder) {
     return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
-PhotoFolder rated(const fs::path& path, const fs::path& root, const fs::path& cameras,
-                  const std::vector<std::string>& names) {
+PhotoFolder rated(const fs::path& path, const fs::path& root, const fs::path& camera_folder,
+                  std::span<const CameraSet::Entry> cameras) {
     PhotoFolder f{.path = path};
     const Files photos = photos_below(path);
-    for (const PhotoMatch& m : match_photos(path, photos, names)) {
-        f.matched += !m.file.empty();
+    std::set<fs::path> matched;
+    for (const PhotoMatch& m : match_photos(path, photos, cameras)) {
+        if (!m.file.empty()) matched.insert(m.file);
+        f.matched += !m.candidates.empty();
         f.by_name += m.by_name;
+        f.folders += m.folders;
     }
+    f.matched += matched.size();
     f.photos = std::size_t(std::ranges::count(photos, path, &fs::path::parent_path));
     f.derived = std::ranges::any_of(path.lexically_relative(root), is_derived);
     f.named = is_one_of(path.filename().string(), {"images", "photos"});
-    f.from_cameras = distance(cameras, path);
+    f.from_cameras = distance(camera_folder, path);
     return f;
 }
 
-fs::path find_photos(const fs::path& root, const Files& files, const fs::path& cameras) {
+/// Notes the folders that fit the cameras as well.
+fs::path find_photos(const fs::path& root, const Files& files, const fs::path& cameras,
+                     std::vector<std::string>& notes) {
     std::set<fs::path> folders;
     for (const fs::path& f : files)
         if (is_photo(f)) folders.insert(f.parent_path());
@@ -221,11 +131,11 @@ fs::path find_photos(const fs::path& root, const Files& files, const fs::path& c
     for (const fs::path& f : std::set(folders))
         for (fs::path above = f; is_below(above, root) && above != root; folders.insert(above))
             above = above.parent_path();
-    const std::vector<std::string> names =
-        cameras.empty() ? std::vector<std::string>() : photo_names(cameras);
+    const std::vector<CameraSet::Entry> entries =
+        cameras.empty() ? std::vector<CameraSet::Entry>() : read_cameras(cameras).entries;
     const fs::path beside = fs::is_directory(cameras) ? cameras : cameras.parent_path();
     std::vector<PhotoFolder> all;
-    for (const fs::path& f : folders) all.push_back(rated(f, root, beside, names));
+    for (const fs::path& f : folders) all.push_back(rated(f, root, beside, entries));
     // A folder whose subfolder serves as many cameras is not the photos' own.
     std::vector<PhotoFolder> candidates;
     for (const PhotoFolder& f : all)
@@ -234,7 +144,14 @@ fs::path find_photos(const fs::path& root, const Files& files, const fs::path& c
                        below.matched >= f.matched && below.photos > 0;
             }))
             candidates.push_back(f);
-    return std::ranges::max_element(candidates, {}, &PhotoFolder::rank)->path;
+    const PhotoFolder& best = *std::ranges::max_element(candidates, {}, &PhotoFolder::rank);
+    const auto in_root = [&](const PhotoFolder& f) { return f.path.lexically_relative(root).string(); };
+    for (const PhotoFolder& f : candidates)
+        if (f.matched > 0 && f.fit() == best.fit() && !is_below(f.path, best.path) &&
+            !is_below(best.path, f.path))
+            notes.push_back(in_root(f) + ": fits the cameras as well as " + in_root(best) +
+                            ", which is used; --photos names another");
+    return best.path;
 }
 
 /// The same folder without a slash at its end, as in the paths of its files.
@@ -285,9 +202,11 @@ FoundInput search(const fs::path& given_folder, const InputFiles& given) {
         }
     };
     if (found.mesh.empty()) found.mesh = find_mesh(files, found);
-    attempt([&] { find_all_cameras(folder, files, found); });
+    attempt([&] { find_cameras(folder, files, found); });
     take_clouds(folder, files, found);
-    if (found.photos.empty()) attempt([&] { found.photos = find_photos(folder, files, found.cameras); });
+    if (found.photos.empty())
+        attempt(
+            [&] { found.photos = find_photos(folder, files_below(folder, 3), found.cameras, found.notes); });
     if (found.mesh.empty() && !found.points.empty()) drop_unmatched(folder, found);
     if (const auto usd = std::ranges::find_if(files, is_usd_file);
         usd != files.end() && found.mesh.empty() && found.points.empty())

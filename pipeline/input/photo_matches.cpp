@@ -1,6 +1,8 @@
 #include "pipeline/input/photo_matches.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -55,8 +57,8 @@ std::size_t common_parts(const std::vector<std::string>& a, const std::vector<st
 class Matches {
   public:
     Matches(const fs::path& folder, const std::vector<fs::path>& photos,
-            const std::vector<std::string>& names)
-        : folder_(folder), files_(photos), names_(names) {
+            std::span<const CameraSet::Entry> cameras)
+        : folder_(folder), files_(photos), cameras_(cameras) {
         for (const fs::path& file : photos) {
             const auto below = file.lexically_relative(folder);
             photos_.push_back({parts_from_the_end(fs::absolute(file).lexically_normal().string()),
@@ -64,16 +66,19 @@ class Matches {
             by_name_.emplace(photos_.back().parts.front(), photos_.size() - 1);
             by_stem_.emplace(stem_of(photos_.back().parts.front()), photos_.size() - 1);
         }
-        for (const std::string& name : names) {
-            parts_.push_back(parts_from_the_end(name));
+        for (const CameraSet::Entry& camera : cameras) {
+            parts_.push_back(parts_from_the_end(camera.photo));
+            in_group_.push_back(parts_.back());
+            std::ranges::copy(parts_from_the_end(camera.group), std::back_inserter(in_group_.back()));
             if (!parts_.back().empty()) same_stem_[stem_of(parts_.back().front())].insert(parts_.back());
         }
     }
-    PhotoMatch of(std::size_t name) const {
-        if (parts_[name].empty()) return {};
-        if (const auto file = best(name, by_name_.equal_range(parts_[name].front())); !file.empty())
-            return {file, true};
-        return {best(name, by_stem_.equal_range(stem_of(parts_[name].front()))), false};
+    PhotoMatch of(std::size_t camera) const {
+        if (parts_[camera].empty()) return {};
+        PhotoMatch out = best(camera, by_name_.equal_range(parts_[camera].front()));
+        out.by_name = !out.file.empty();
+        if (out.by_name || !out.candidates.empty()) return out;
+        return best(camera, by_stem_.equal_range(stem_of(parts_[camera].front())));
     }
 
   private:
@@ -89,7 +94,8 @@ class Matches {
                    return common_parts(other, photo.parts) >= photo.below;
                }) == 1;
     }
-    fs::path best(std::size_t name, std::pair<Index::const_iterator, Index::const_iterator> range) const {
+    PhotoMatch best(std::size_t name, std::pair<Index::const_iterator, Index::const_iterator> range) const {
+        const std::string& photo = cameras_[name].photo;
         // More equal folders, the path as it is, the name as it is, the extension, then depth.
         using Rank = std::tuple<std::size_t, bool, bool, std::size_t, std::size_t>;
         std::vector<std::pair<Rank, std::size_t>> found;
@@ -97,23 +103,30 @@ class Matches {
             if (!fits(name, photos_[i])) continue;
             const fs::path& file = files_[i];
             found.push_back(
-                {Rank{std::min(common_parts(parts_[name], photos_[i].parts), parts_[name].size()),
-                      file == folder_ / names_[name], file.filename() == fs::path(names_[name]).filename(),
-                      std::size(extensions) - rank_of(file),
+                {Rank{common_parts(in_group_[name], photos_[i].parts), file == folder_ / photo,
+                      file.filename() == fs::path(photo).filename(), std::size(extensions) - rank_of(file),
                       100 - std::min<std::size_t>(99, photos_[i].below)},
                  i});
         }
         if (found.empty()) return {};
         std::ranges::sort(found, std::greater{});
-        if (found.size() > 1 && found[0].first == found[1].first) return {};
-        return files_[found[0].second];
+        PhotoMatch out;
+        if (found.size() == 1 || found[0].first > found[1].first) {
+            out.file = files_[found[0].second];
+            out.folders = std::get<0>(found[0].first) - 1;
+            return out;
+        }
+        for (const auto& [rank, i] : found)
+            if (rank == found[0].first) out.candidates.push_back(files_[i]);
+        std::ranges::sort(out.candidates);
+        return out;
     }
 
     const fs::path& folder_;
     const std::vector<fs::path>& files_;
-    const std::vector<std::string>& names_;
+    std::span<const CameraSet::Entry> cameras_;
     std::vector<Photo> photos_;
-    std::vector<std::vector<std::string>> parts_;
+    std::vector<std::vector<std::string>> parts_, in_group_;  ///< of the cameras' names; with their groups
     Index by_name_, by_stem_;
     std::map<std::string, std::set<std::vector<std::string>>> same_stem_;
 };
@@ -186,10 +199,21 @@ fs::path file_named(const fs::path& folder, const std::string& utf8) {
 }
 
 std::vector<PhotoMatch> match_photos(const fs::path& folder, const std::vector<fs::path>& photos,
-                                     const std::vector<std::string>& names) {
-    const Matches matches(folder, photos, names);
+                                     std::span<const CameraSet::Entry> cameras) {
+    const Matches matches(folder, photos, cameras);
     std::vector<PhotoMatch> out;
-    for (std::size_t i = 0; i < names.size(); ++i) out.push_back(matches.of(i));
+    std::set<fs::path> taken;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        out.push_back(matches.of(i));
+        if (out.back().folders > 0) taken.insert(out.back().file);
+    }
+    for (PhotoMatch& m : out) {
+        if (m.candidates.empty()) continue;
+        const auto is_taken = [&](const fs::path& file) { return taken.contains(file); };
+        if (std::ranges::count_if(m.candidates, std::not_fn(is_taken)) != 1) continue;
+        m.file = *std::ranges::find_if_not(m.candidates, is_taken);
+        m.candidates.clear();
+    }
     return out;
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
+
+#include "pipeline/formats/cameras.h"
 
 namespace vantage {
 
@@ -29,15 +32,18 @@ std::filesystem::path file_named(const std::filesystem::path& folder, const std:
 struct PhotoMatch {
     std::filesystem::path file;  ///< empty: none
     bool by_name = false;        ///< the extension is that of the camera too
+    std::size_t folders = 0;     ///< of the camera's name, or its groups, that are the file's too
+    std::vector<std::filesystem::path> candidates = {};  ///< without a file: those that fit equally
 };
 
-/// Finds the photo of each name, which may have folders, among `photos` in `folder`. Names are compared as by
-/// comparable_name(). The file must have all of the name's folders, or the name all of the file's folders
-/// below `folder`; a file that fits several names, or a name that fits several files, is no match. If no file
-/// has the name's extension, one with another extension is taken.
+/// Finds the photo of each camera, whose name may have folders, among `photos` in `folder`. Names are
+/// compared as by comparable_name(). The file must have all of the name's folders, or the name all of the
+/// file's folders below `folder`; a file that fits several names is no match. Of several files that fit a
+/// name, the one in folders of the name of the camera's group is taken, or the only one that no other camera
+/// names by its folder. If no file has the name's extension, one with another extension is taken.
 std::vector<PhotoMatch> match_photos(const std::filesystem::path& folder,
                                      const std::vector<std::filesystem::path>& photos,
-                                     const std::vector<std::string>& names);
+                                     std::span<const CameraSet::Entry> cameras);
 
 /// The photos of `photos` that have no camera: not in `used`, not beside a used photo of the same name with
 /// another extension (RAW and JPEG), and in a folder that has a used photo or in `folder` itself.

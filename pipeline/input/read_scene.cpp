@@ -68,7 +68,7 @@ void fit_to_photo(PhotoInput& photo, CameraSet::Unit unit, SceneInput& scene) {
 }
 
 /// The names of files in a package: the file name, or for those that share one their path in the photos'
-/// folder, joined by _. Throws Error(input) if that does not tell them apart.
+/// folder, joined by _, with more of these in front if that does not tell them apart.
 std::map<fs::path, std::string> package_names(const fs::path& folder, const std::set<fs::path>& files) {
     std::map<std::string, int> count;
     for (const fs::path& file : files) ++count[utf8_name(file.filename().string())];
@@ -80,8 +80,7 @@ std::map<fs::path, std::string> package_names(const fs::path& folder, const std:
             name = utf8_name(file.lexically_relative(folder).generic_string());
             std::ranges::replace(name, '/', '_');
         }
-        if (!taken.insert(name).second)
-            throw Error(Exit::input, file.string() + ": another photo has the same name, " + name);
+        while (!taken.insert(name).second) name = "_" + name;
         names[file] = name;
     }
     return names;
@@ -100,11 +99,29 @@ PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file,
     return photo;
 }
 
-/// All cameras, and the photo of each; empty for cameras without one.
+/// All cameras, and the photo of each.
 struct FoundPhotos {
     CameraSet set;
-    std::vector<fs::path> files;
+    std::vector<fs::path> files;       ///< empty for cameras without one
+    std::vector<std::string> why_not;  ///< of each, if it has none
 };
+
+constexpr const char* without_photo = "has a camera but no photo";
+
+std::string name_of(const CameraSet::Entry& camera) {
+    return camera.group.empty() ? camera.photo : camera.group + "/" + camera.photo;
+}
+
+/// "A.jpg, B.jpg or C.jpg", as paths in the folder.
+std::string alternatives(const std::vector<fs::path>& files, const fs::path& folder) {
+    std::string out;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        out += (i == 0                 ? ""
+                : i + 1 < files.size() ? ", "
+                                       : " or ") +
+               utf8_name(files[i].lexically_relative(folder).generic_string());
+    return out;
+}
 
 /// A camera file and what it holds.
 struct CameraFile {
@@ -116,18 +133,20 @@ struct CameraFile {
 void add_found(CameraFile&& cameras, const fs::path& folder, const std::vector<fs::path>& photos,
                FoundPhotos& found) {
     std::vector<CameraSet::Entry>& entries = cameras.set.entries;
-    std::vector<std::string> names;
-    for (const CameraSet::Entry& entry : entries) names.push_back(entry.photo);
     std::map<fs::path, std::string> used;  // and by which camera
-    for (std::size_t i = 0; i < found.files.size(); ++i) used[found.files[i]] = found.set.entries[i].photo;
-    const std::vector<PhotoMatch> matches = match_photos(folder, photos, names);
+    for (std::size_t i = 0; i < found.files.size(); ++i) used[found.files[i]] = name_of(found.set.entries[i]);
+    const std::vector<PhotoMatch> matches = match_photos(folder, photos, entries);
     for (std::size_t i = 0; i < matches.size(); ++i) {
         const fs::path& file = matches[i].file;
         found.files.push_back(file);
+        found.why_not.push_back(matches[i].candidates.empty()
+                                    ? without_photo
+                                    : "may be " + alternatives(matches[i].candidates, folder) +
+                                          ": expected its folder in " + cameras.file.string());
         if (file.empty()) continue;
-        if (const auto [other, is_new] = used.try_emplace(file, names[i]); !is_new)
+        if (const auto [other, is_new] = used.try_emplace(file, name_of(entries[i])); !is_new)
             throw Error(Exit::input, file.string() + ": has more than one camera, '" + other->second +
-                                         "' and '" + names[i] + "' in " + cameras.file.string());
+                                         "' and '" + name_of(entries[i]) + "' in " + cameras.file.string());
     }
     found.set.entries.insert(found.set.entries.end(), std::make_move_iterator(entries.begin()),
                              std::make_move_iterator(entries.end()));
@@ -202,7 +221,7 @@ void warn_of_colors(SceneInput& scene) {
 void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
     const fs::path& folder = scene.files.photos;
     const std::vector<fs::path> photos = photos_below(folder);
-    const auto [set, files] = find_photos(std::move(cameras), folder, photos);
+    const auto [set, files, why_not] = find_photos(std::move(cameras), folder, photos);
     std::set<fs::path> used(files.begin(), files.end());
     used.erase(fs::path());
     const std::map<fs::path, std::string> names = package_names(folder, used);
@@ -211,7 +230,7 @@ void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
     };
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (files[i].empty()) {
-            scene.left_out.push_back({utf8_name(set.entries[i].photo), "has a camera but no photo"});
+            scene.left_out.push_back({utf8_name(name_of(set.entries[i])), why_not[i]});
             continue;
         }
         const StampedFile before = stamped(files[i]);
@@ -280,7 +299,7 @@ void read_clouds(SceneInput& scene) {
 [[noreturn]] void fail_without_photos(const SceneInput& scene) {
     const std::string folder = scene.files.photos.string(), cameras = scene.files.cameras.string();
     const auto unusable = std::ranges::find_if(scene.left_out, [](const UnusablePhoto& l) {
-        return l.why != without_camera && l.why != "has a camera but no photo";
+        return l.why != without_camera && l.why != without_photo;
     });
     if (unusable != scene.left_out.end())
         throw Error(Exit::input,
@@ -291,7 +310,7 @@ void read_clouds(SceneInput& scene) {
     };
     throw Error(Exit::input, folder + ": no photo has a camera in " + cameras + "; the first photo is " +
                                  first(without_camera) + ", the first camera's photo " +
-                                 first("has a camera but no photo"));
+                                 first(without_photo));
 }
 
 }  // namespace

@@ -30,25 +30,19 @@ class Metashape : public TemporaryFolder {
     }
     static std::vector<std::string> names(const CameraSet& set) {
         std::vector<std::string> out;
-        for (const CameraSet::Entry& e : set.entries) out.push_back(e.photo);
+        for (const CameraSet::Entry& e : set.entries) out.push_back(e.group + ":" + e.photo);
         return out;
     }
 };
 
-TEST_F(Metashape, FoldersTellEqualLabelsApart) {
+TEST_F(Metashape, CamerasHaveTheirGroups) {
     const auto group = [](const char* label, const char* type, const std::string& content) {
         return std::string("<group label=\"") + label + "\" type=\"" + type + "\">" + content + "</group>";
     };
-    const std::string two = group("100MEDIA", "folder", camera("DJI_0001", 0) + camera("DJI_0002", 1)) +
-                            group("101MEDIA", "folder", camera("DJI_0002", 2));
-    EXPECT_EQ(names(cameras(calibrated, two)),
-              (std::vector<std::string>{"DJI_0001", "100MEDIA/DJI_0002", "101MEDIA/DJI_0002"}));
-    const std::string nested = group("left", "folder", group("day", "folder", camera("A", 0))) +
-                               group("right", "folder", camera("A", 1));
-    EXPECT_EQ(names(cameras(calibrated, nested)), (std::vector<std::string>{"left/day/A", "right/A"}));
-    const std::string stations =
-        group("left", "station", camera("A", 0)) + group("right", "station", camera("B", 1)) + camera("C", 2);
-    EXPECT_EQ(names(cameras(calibrated, stations)), (std::vector<std::string>{"A", "B", "C"}));
+    const std::string all = group("left", "folder", camera("A", 0) + group("day", "folder", camera("A", 1))) +
+                            group("right", "station", camera("A", 2)) + camera("B", 3);
+    EXPECT_EQ(names(cameras(calibrated, all)),
+              (std::vector<std::string>{"left:A", "left/day:A", "right:A", ":B"}));
 }
 
 TEST_F(Metashape, SensorWithoutCalibrationHasTheFocalLengthOfItsCamera) {

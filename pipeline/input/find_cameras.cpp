@@ -1,0 +1,175 @@
+#include "pipeline/input/find_cameras.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "pipeline/formats/cameras.h"
+#include "pipeline/input/band_groups.h"
+#include "pipeline/input/photo_matches.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+using Files = std::vector<fs::path>;
+
+/// Whether `file` is the first file of a folder in this format; the others lie next to it.
+bool is_first_of(const CameraFormat& format, const fs::path& file) {
+    return !format.files.empty() && file.filename() == format.files.front() &&
+           std::ranges::all_of(format.files,
+                               [&](const char* name) { return fs::exists(file.parent_path() / name); });
+}
+
+/// The files or folders of files in a format.
+Files files_of(const CameraFormat& format, const Files& files) {
+    std::set<fs::path> found;
+    for (const fs::path& f : files) {
+        if (format.files.empty() && format.matches(f))
+            found.insert(format.one_per_photo ? f.parent_path() : f);
+        if (is_first_of(format, f)) found.insert(f.parent_path());
+    }
+    return {found.begin(), found.end()};
+}
+
+/// Those of the first format that has any.
+Files camera_candidates(const Files& files) {
+    for (const CameraFormat& format : camera_formats())
+        if (Files found = files_of(format, files); !found.empty()) return found;
+    return {};
+}
+
+/// The deepest folder that holds both.
+fs::path common_folder(const fs::path& a, const fs::path& b) {
+    fs::path out;
+    for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end() && *i == *j; ++i, ++j) out /= *i;
+    return out;
+}
+
+/// A file of cameras, and how well it fits the photos.
+struct CameraChoice {
+    fs::path path;
+    const CameraFormat* format = nullptr;
+    std::ptrdiff_t depth = 0, cameras = 0, matched = 0;
+    std::string flaw = {};  ///< why it has no cameras
+    /// Of files with the same photos, the one with fewer other cameras; copies are deeper or have longer
+    /// names.
+    auto rank() const {
+        return std::tuple(matched, matched ? -cameras : cameras, -depth, -std::ssize(path.native()));
+    }
+};
+
+/// All files of cameras, by format.
+std::vector<CameraChoice> all_camera_files(const fs::path& root, const Files& files) {
+    std::vector<CameraChoice> out;
+    for (const CameraFormat& format : camera_formats()) {
+        Files found = files_of(format, files);
+        if (format.one_per_photo && found.size() > 1)
+            found.push_back(common_folder(found.front(), found.back()));  // they are sorted
+        for (const fs::path& path : found)
+            if (std::ranges::count(out, path, &CameraChoice::path) == 0)
+                out.push_back({path, &format, distance(root, path)});
+    }
+    return out;
+}
+
+/// Reads it. Photos that fit a name equally well count as one.
+void rate(CameraChoice& file, const fs::path& folder, const Files& photos) {
+    try {
+        const std::vector<CameraSet::Entry> cameras = read_cameras(file.path).entries;
+        file.cameras = std::ssize(cameras);
+        for (const PhotoMatch& m : match_photos(folder, photos, cameras))
+            file.matched += !m.file.empty() || !m.candidates.empty();
+    } catch (const NoCamera& e) {  // a file of the format may hold other things, such as markers
+        file.flaw = reason_of(e, file.path);
+    }
+}
+
+/// Reads files until one has a camera for every photo. Returns the best: of equal ones, of the first format.
+const CameraChoice& best_of(std::vector<CameraChoice>& all, const fs::path& folder, const Files& photos) {
+    const CameraChoice* best = nullptr;
+    for (auto of_format = all.begin(); of_format != all.end();) {
+        const auto end = std::find_if(of_format, all.end(),
+                                      [&](const CameraChoice& f) { return f.format != of_format->format; });
+        for (auto f = of_format; f != end; ++f) rate(*f, folder, photos);
+        const CameraChoice& own = *std::ranges::max_element(of_format, end, {}, &CameraChoice::rank);
+        if (!best || own.matched > best->matched || best->cameras == 0) best = &own;
+        if (best->matched > 0 && best->matched >= std::ssize(photos)) break;
+        of_format = end;
+    }
+    return *best;
+}
+
+/// Notes the files that are not used. A single file is not read.
+fs::path best_fitting(const fs::path& root, const Files& files, InputFiles& found) {
+    std::vector<CameraChoice> all = all_camera_files(root, files);
+    if (all.size() < 2) return all.empty() ? fs::path() : all.front().path;
+    const fs::path& folder = found.photos.empty() ? root : found.photos;
+    const CameraChoice& best = best_of(all, folder, photos_below(folder));
+    const auto name = [&](const CameraChoice& f) {
+        const fs::path in_root = f.path.lexically_relative(root);
+        return (in_root == "." ? root : in_root).string() +
+               (f.format == best.format ? "" : std::string(" (") + f.format->name + ")");
+    };
+    for (const CameraChoice& f : all) {
+        const bool is_part = best.format->one_per_photo && f.format == best.format &&
+                             common_folder(f.path, best.path) == best.path;
+        if (&f == &best || is_part || best.cameras == 0) continue;
+        const std::string why = !f.flaw.empty() ? ", " + f.flaw
+                                : f.cameras > 0 ? ", has " + std::to_string(f.cameras) + " cameras"
+                                                : "";
+        found.notes.push_back(name(f) + ": not used" + why + "; " + name(best) + " has " +
+                              std::to_string(best.cameras));
+    }
+    return best.path;
+}
+
+/// One camera file per band, each in the folder of its band, and the folder that holds them all; nothing if
+/// the files are others.
+struct CamerasOfBands {
+    Files cameras;
+    fs::path photos;
+};
+std::optional<CamerasOfBands> cameras_of_bands(const fs::path& root, const Files& files,
+                                               const std::string& how) {
+    CamerasOfBands out{camera_candidates(files), {}};
+    std::set<fs::path> folders;
+    for (const fs::path& cameras : out.cameras) {
+        const fs::path folder = band_folder(root, cameras, how);
+        const bool file_itself = folder == cameras && !fs::is_directory(cameras);
+        if (folder.empty() || file_itself || !folders.insert(folder).second || photos_below(folder).empty())
+            return {};
+        out.photos = folder.parent_path();
+    }
+    const bool together = std::ranges::all_of(
+        folders, [&](const fs::path& folder) { return folder.parent_path() == out.photos; });
+    if (folders.size() < 2 || !together) return {};
+    return out;
+}
+
+}  // namespace
+
+std::ptrdiff_t distance(const fs::path& from, const fs::path& to) {
+    const fs::path steps = to.lexically_relative(from);
+    return std::distance(steps.begin(), steps.end());
+}
+
+void find_cameras(const fs::path& folder, const Files& files, InputFiles& found) {
+    if (!found.cameras.empty()) return;
+    const auto of_bands = found.photos.empty() && found.bands != bands_off
+                              ? cameras_of_bands(folder, files, found.bands)
+                              : std::nullopt;
+    if (!of_bands) {
+        found.cameras = best_fitting(folder, files, found);
+        return;
+    }
+    found.cameras = of_bands->cameras.front();
+    found.more_cameras.assign(of_bands->cameras.begin() + 1, of_bands->cameras.end());
+    found.photos = of_bands->photos;
+}
+
+}  // namespace vantage
