@@ -2,14 +2,14 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <fstream>
 
 #include "pipeline/photos/heif_profile.h"
 #include "pipeline/photos/image_files.h"
+#include "pipeline/photos/tiff_flaw.h"
 #include "scene/error.h"
 #include "values/lower_extension.h"
 #include "values/srgb.h"
@@ -24,7 +24,8 @@ namespace {
 
 /// Files of these formats hold linear light; others say so where they do (PNG by its gamma).
 bool is_linear(const OIIO::ImageSpec& spec, const std::string& format) {
-    return format == "openexr" || format == "hdr" || spec.get_string_attribute("oiio:ColorSpace") == "Linear";
+    return format == "openexr" || format == "hdr" ||
+           OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
 }
 
 /// The file's ICC profile; null if it has none.
@@ -41,30 +42,20 @@ std::shared_ptr<const ColorProfile> profile_of(const OIIO::ImageSpec& spec, cons
     return color_profile(icc, spec.nchannels < 3 ? PixelColors::gray : PixelColors::rgb);
 }
 
-/// A TIFF that does not say how many bits its samples have means one (TIFF 6.0, BitsPerSample), which
-/// OpenImageIO takes for eight. Throws Error(input).
-void expect_bits(const std::filesystem::path& file, const std::string& format) {
+bool is_tiff_of(const OIIO::ImageSpec& spec, const std::string& format, int photometric) {
+    return format == "tiff" && spec.get_int_attribute("tiff:PhotometricInterpretation", -1) == photometric;
+}
+
+/// Throws Error(input) for files that OpenImageIO would read wrongly.
+void expect_readable(const OIIO::ImageSpec& spec, const std::string& format,
+                     const std::filesystem::path& file) {
     if (format != "tiff") return;
-    std::ifstream in(file, std::ios::binary);
-    const bool big = in.get() == 'M';
-    in.get();
-    const auto number = [&](std::size_t bytes) {
-        std::array<unsigned char, 8> b{};
-        in.read(reinterpret_cast<char*>(b.data()), std::streamsize(bytes));
-        std::uint64_t out = 0;
-        for (std::size_t i = 0; i < bytes; ++i) out |= std::uint64_t(b[big ? bytes - 1 - i : i]) << (8 * i);
-        return out;
-    };
-    const bool wide = number(2) == 43;  // BigTIFF
-    if (wide) number(4);
-    in.seekg(std::streamoff(number(wide ? 8 : 4)));
-    constexpr std::uint64_t bits_per_sample = 258;
-    const std::uint64_t entries = number(wide ? 8 : 2);
-    for (std::uint64_t i = 0; in && i < entries; ++i) {
-        if (number(2) == bits_per_sample) return;
-        in.seekg(wide ? 18 : 10, std::ios::cur);
-    }
-    if (in) fail(file, "its pixels have one bit, expected a TIFF of 8 or 16 bits");
+    if (const std::string flaw = tiff_flaw(file); !flaw.empty()) fail(file, flaw);
+    constexpr int separated = 5;  // into inks
+    if (!is_tiff_of(spec, format, separated)) return;
+    if (spec.tile_width > 0) fail(file, "its CMYK colors are in tiles, expected strips, or RGB");
+    if (spec.nchannels < 3 || spec.channelnames[0] != "R")
+        fail(file, "its inks are not cyan, magenta, yellow and black alone, expected RGB");
 }
 
 /// Says what to do about a format that needs a library of its own.
@@ -82,7 +73,7 @@ PhotoHeader read_header(const std::filesystem::path& file) {
     const auto in = OIIO::ImageInput::open(file.string());
     if (!in) fail_to_open(file, OIIO::geterror());
     const OIIO::ImageSpec& spec = in->spec();
-    expect_bits(file, in->format_name());
+    expect_readable(spec, in->format_name(), file);
     const auto profile = profile_of(spec, in->format_name(), file);
     const ProfileUse use = profile ? profile->use : ProfileUse{};
     return {{spec.width, spec.height},
@@ -91,12 +82,17 @@ PhotoHeader read_header(const std::filesystem::path& file) {
             !use.converts && is_linear(spec, in->format_name())};
 }
 
-/// Red, green, blue and alpha of any image: gray, gray with alpha, RGB, RGBA, or more channels.
-OIIO::ImageBuf as_rgba(const OIIO::ImageBuf& image) {
-    const int n = image.spec().nchannels;  // -1: filled with a constant
-    const int order[] = {0, n >= 3 ? 1 : 0, n >= 3 ? 2 : 0, n == 2 ? 1 : n >= 4 ? 3 : -1};
+/// Red, green, blue and alpha of any image: gray, RGB, with alpha, or with other channels. `negative`: white
+/// is 0.
+OIIO::ImageBuf as_rgba(const OIIO::ImageBuf& image, bool negative) {
+    const int n = image.spec().nchannels;
+    const int order[] = {0, n >= 3 ? 1 : 0, n >= 3 ? 2 : 0, image.spec().alpha_channel};  // -1: filled
     const float fill[] = {0, 0, 0, 1};
-    return OIIO::ImageBufAlgo::channels(image, 4, order, fill);
+    OIIO::ImageBuf out = OIIO::ImageBufAlgo::channels(image, 4, order, fill);
+    OIIO::ROI colors = out.roi();
+    colors.chend = 3;
+    if (negative) OIIO::ImageBufAlgo::invert(out, out, colors);
+    return out;
 }
 
 /// Linear light as sRGB bytes, clamped; alpha is linear in both. NaN becomes 0.
@@ -118,6 +114,13 @@ std::vector<T> values_of(const OIIO::ImageBuf& rgba, const std::filesystem::path
     return out;
 }
 
+/// Whether no pixel can be seen.
+bool is_clear(const RgbaImage& image) {
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        if (image.rgba[i]) return false;
+    return true;
+}
+
 RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
     using OIIO::TypeDesc;
     OIIO::ImageSpec config;
@@ -128,6 +131,10 @@ RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
     const bool converts = profile && profile->use.converts;
     const bool linear = !converts && is_linear(image.spec(), image.file_format_name());
     const bool words = converts && image.nativespec().format.size() > 1;
+    expect_readable(image.nativespec(), std::string(image.file_format_name()), file);
+    // Of 8 bits and fewer, OpenImageIO inverts them.
+    const bool negative = is_tiff_of(image.nativespec(), std::string(image.file_format_name()), 0) &&
+                          image.nativespec().format != TypeDesc::UINT8;
     if (!image.read(0, 0, true, linear ? TypeDesc::FLOAT : words ? TypeDesc::UINT16 : TypeDesc::UINT8))
         fail(file, "cannot read: " + image.geterror());
     const auto bytes_of = [&](const OIIO::ImageBuf& rgba) {
@@ -143,8 +150,11 @@ RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
     auto to = photo.rgba.begin();
     for (OIIO::ROI part = image.roi(); part.ybegin < image.roi().yend; part.ybegin += rows) {
         part.yend = std::min(part.ybegin + rows, image.roi().yend);
-        to = std::ranges::copy(bytes_of(as_rgba(OIIO::ImageBufAlgo::cut(image, part))), to).out;
+        to = std::ranges::copy(bytes_of(as_rgba(OIIO::ImageBufAlgo::cut(image, part), negative)), to).out;
     }
+    // The fourth byte may mean nothing, but OpenImageIO has multiplied the colors by it.
+    if (image.file_format_name() == "bmp" && is_clear(photo))
+        fail(file, "its pixels have 32 bits and no opacity, expected a BMP of 24 bits");
     return photo;
 }
 

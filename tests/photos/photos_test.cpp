@@ -105,6 +105,77 @@ TEST_F(Photos, GraySixteenBitsAndAlpha) {
     EXPECT_EQ(pixel(read_photo(write<u8>("t.tif", 3, 2, {9, 8, 7}), size), 2, 1), (Pixel{9, 8, 7, 255}));
 }
 
+/// A TIFF of one strip or tile of 16 x 16 pixels of this sample.
+void write_tiff(const fs::path& file, std::initializer_list<std::pair<int, int>> tags, int samples,
+                std::uint16_t sample, bool tiled = false) {
+    TIFF* tiff = TIFFOpen(file.c_str(), "w");
+    constexpr std::uint16_t unspecified = EXTRASAMPLE_UNSPECIFIED;
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 16);
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 16);
+    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 16);
+    TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, samples);
+    for (const auto& [tag, value] : tags) TIFFSetField(tiff, std::uint32_t(tag), value);
+    if (samples == 4 && !tiled) TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &unspecified);
+    if (tiled) {
+        TIFFSetField(tiff, TIFFTAG_TILEWIDTH, 16);
+        TIFFSetField(tiff, TIFFTAG_TILELENGTH, 16);
+    } else {
+        TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 16);
+    }
+    std::vector<std::uint16_t> pixels(std::size_t(16 * 16 * samples), sample);
+    const auto bytes = tmsize_t(pixels.size() * 2);
+    EXPECT_EQ(tiled ? TIFFWriteEncodedTile(tiff, 0, pixels.data(), bytes)
+                    : TIFFWriteEncodedStrip(tiff, 0, pixels.data(), bytes),
+              bytes);
+    TIFFClose(tiff);
+}
+
+TEST_F(Photos, TiffsMayCountFromWhiteOrHaveOtherChannels) {
+    const fs::path file = dir / "t.tif";
+    write_tiff(file, {{TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISWHITE}}, 1, 0x3fff);
+    EXPECT_EQ(pixel(read_photo(file, {16, 16}), 1, 1), (Pixel{191, 191, 191, 255}));
+    write_tiff(file, {{TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_RGB}}, 4, 0x4040);
+    EXPECT_EQ(pixel(read_photo(file, {16, 16}), 1, 1), (Pixel{64, 64, 64, 255})) << "near infrared";
+}
+
+TEST_F(Photos, LinearPngIsConvertedToSrgb) {
+    OIIO::ImageSpec spec(2, 2, 3, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "Linear");
+    const std::vector<std::uint8_t> pixels(12, 55);
+    ASSERT_TRUE(write_image_file(dir / "l.png", spec, OIIO::TypeDesc::UINT8, pixels.data()));
+    EXPECT_TRUE(read_photo_header(dir / "l.png").linear);
+    EXPECT_NEAR(pixel(read_photo(dir / "l.png", {2, 2}), 1, 1)[0], 128, 1);
+}
+
+TEST_F(Photos, TiffsThatWouldBeReadWronglyAreRejected) {
+    const auto flaw = [&] {
+        try {
+            read_photo_header(dir / "t.tif");
+        } catch (const Error& e) {
+            return reason_of(e, dir / "t.tif");
+        }
+        return std::string();
+    };
+    write_tiff(dir / "t.tif", {{TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_SEPARATED}}, 4, 0x4040, true);
+    EXPECT_EQ(flaw(), "its CMYK colors are in tiles, expected strips, or RGB");
+    // The directory comes first, as some programs write it; the pixels are not all there.
+    std::string bytes("II*\0\x08\0\0\0\x09\0", 10);
+    const auto entry = [&](int tag, std::uint32_t value) {
+        for (const std::uint32_t word : {std::uint32_t(tag) | 4u << 16, 1u, value})
+            for (int shift = 0; shift < 32; shift += 8) bytes += char(word >> shift & 0xff);
+    };
+    entry(TIFFTAG_IMAGEWIDTH, 16), entry(TIFFTAG_IMAGELENGTH, 16), entry(TIFFTAG_BITSPERSAMPLE, 8);
+    entry(TIFFTAG_COMPRESSION, COMPRESSION_NONE), entry(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+    entry(TIFFTAG_STRIPOFFSETS, 122), entry(TIFFTAG_SAMPLESPERPIXEL, 1), entry(TIFFTAG_ROWSPERSTRIP, 16);
+    entry(TIFFTAG_STRIPBYTECOUNTS, 256);
+    bytes.append(4, '\0');
+    std::ofstream(dir / "t.tif", std::ios::binary) << bytes << std::string(256, 'x');
+    EXPECT_EQ(flaw(), "");
+    std::ofstream(dir / "t.tif", std::ios::binary) << bytes << std::string(250, 'x');
+    EXPECT_EQ(flaw(), "is cut off: the file ends before its pixels");
+}
+
 TEST_F(Photos, AdobeCmykIsInverted) {
     // Adobe stores it inverted: 255 is no ink.
     const std::vector<unsigned char> cmyk{255, 128, 0, 255, 255, 128, 0, 255};
