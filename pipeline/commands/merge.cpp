@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "files/output_file.h"
+#include "files/package_inputs.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/left_out.h"
 #include "pipeline/commands/progress_option.h"
@@ -18,8 +19,18 @@ struct MergeOptions {
     bool remove = false, force = false;
 };
 
+/// The shares, and what they were prepared from.
+Inputs inputs_of_shares(const std::vector<std::string>& shares) {
+    Inputs out{{shares.begin(), shares.end()}, {}};
+    try {
+        out.contents = inputs_of(PackageReader(shares.front(), PackageReader::Expect::part)).contents;
+    } catch (const Error&) {  // no share: merge() says so
+    }
+    return out;
+}
+
 int run_merge(MergeOptions o) {
-    o.out = output_file(o.out, Product::package, {{o.shares.begin(), o.shares.end()}, {}}, o.force).string();
+    o.out = output_file(o.out, Product::package, inputs_of_shares(o.shares), o.force).string();
     {
         ProgressLine line(o.progress);
         merge({o.shares.begin(), o.shares.end()}, o.out, shown_until_signal(line));

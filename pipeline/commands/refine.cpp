@@ -7,6 +7,7 @@
 #include <string>
 
 #include "files/output_file.h"
+#include "files/package_inputs.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/effect_option.h"
 #include "pipeline/commands/progress_option.h"
@@ -42,7 +43,9 @@ std::filesystem::path refined_file(const RefineOptions& o) {
     const std::filesystem::path out = o.out.empty() ? o.file : o.out;
     std::error_code error;
     const bool in_place = o.out.empty() || std::filesystem::equivalent(out, o.file, error);
-    return output_file(out, Product::package, in_place ? Inputs{} : Inputs{{o.file}, {}}, o.force);
+    Inputs inputs = inputs_of(PackageReader(o.file));
+    if (in_place) inputs.files.clear();  // the package alone
+    return output_file(out, Product::package, inputs, o.force);
 }
 
 int run_refine(const RefineOptions& o) {

@@ -171,6 +171,8 @@ TEST_F(Contracts, OtherCommandsReplaceOnlyTheirOwnFiles) {
     expect_refused("merge " + share.string() + " -o " + share.string(), share);
     expect_refused("merge " + share.string() + " -o " + text.string(), text);
     expect_refused("refine " + package() + " -o " + text.string(), text);
+    expect_refused("refine " + package() + " -o " + mesh.string() + " --force", mesh);
+    expect_refused("merge " + share.string() + " -o " + mesh.string() + " --force", mesh);
     expect_refused("check " + package() + " --junit " + text.string(), text);
     expect_refused("check " + package() + " --junit " + package(), file);
     const fs::path spec = dir / "one.toml";
