@@ -28,7 +28,8 @@ int report_exception(const char* program) noexcept {
     } catch (const std::bad_alloc&) {
         return out_of_memory();
     } catch (const std::filesystem::filesystem_error& e) {
-        return report(Exit::storage, e.what());
+        const bool loop = e.code() == std::errc::too_many_symbolic_link_levels;
+        return report(loop ? Exit::input : Exit::storage, e.what());
     } catch (const std::ios_base::failure& e) {
         return report(Exit::storage, e.what());
     } catch (const std::system_error& e) {

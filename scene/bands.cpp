@@ -1,17 +1,16 @@
 #include "scene/bands.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstring>
 
 #include "scene/error.h"
+#include "values/file_name.h"
 
 namespace vantage {
 namespace {
 
 bool same_name(const std::string& a, const std::string& b) {
-    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-    return std::ranges::equal(a, b, {}, lower, lower);
+    return comparable_name(a) == comparable_name(b);
 }
 
 }  // namespace

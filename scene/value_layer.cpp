@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "scene/error.h"
+#include "values/file_name.h"
 #include "values/json_text.h"
 
 namespace vantage {
@@ -67,6 +68,9 @@ int layer_named(std::span<const ValueLayer> layers, std::string_view name) {
         if (layers[i].name == name) return int(i);
         known += (known.empty() ? "" : ", ") + layers[i].name;
     }
+    const auto alike = std::ranges::find(layers, comparable_name(name),
+                                         [](const ValueLayer& layer) { return comparable_name(layer.name); });
+    if (alike != layers.end()) return int(alike - layers.begin());
     throw Error(Exit::usage, "no scalar layer '" + std::string(name) + "', " +
                                  (known.empty() ? "the package has none" : "expected one of " + known));
 }

@@ -11,6 +11,7 @@
 #include "scene/error.h"
 #include "scene/replace_file.h"
 #include "values/is_url.h"
+#include "values/lower_extension.h"
 
 namespace vantage {
 namespace {
@@ -197,7 +198,7 @@ void insert_input(toml::table& t, const SceneObject::Input& in, const RelativePa
 
 }  // namespace
 
-bool is_scene_file(const fs::path& file) { return file.extension() == ".toml"; }
+bool is_scene_file(const fs::path& file) { return lower_extension(file) == ".toml"; }
 
 std::vector<SceneObject> read_scene_file(const fs::path& file, SceneUse use) {
     std::vector<SceneObject> out;

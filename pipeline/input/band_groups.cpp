@@ -142,7 +142,8 @@ std::vector<NamedPatterns> read_patterns(const std::string& file) {
 
 bool fits(const std::string& path, const std::string& name, const std::string& pattern) {
     const std::string& whole = pattern.find('/') == std::string::npos ? name : path;
-    return ::fnmatch(utf8_name(pattern).c_str(), whole.c_str(), 0) == 0;
+    return ::fnmatch(utf8_name(pattern).c_str(), whole.c_str(), 0) == 0 ||
+           ::fnmatch(comparable_name(pattern).c_str(), comparable_name(whole).c_str(), FNM_NOESCAPE) == 0;
 }
 
 BandGroups by_file(std::span<const fs::path> photos, const std::string& file) {

@@ -147,8 +147,8 @@ fs::path find_photos(const fs::path& root, const Files& files, const fs::path& c
     const PhotoFolder& best = *std::ranges::max_element(candidates, {}, &PhotoFolder::rank);
     const auto in_root = [&](const PhotoFolder& f) { return f.path.lexically_relative(root).string(); };
     for (const PhotoFolder& f : candidates)
-        if (f.matched > 0 && f.fit() == best.fit() && !is_below(f.path, best.path) &&
-            !is_below(best.path, f.path))
+        if (f.matched > 0 && f.fit() == best.fit() && !is_same(f.path, best.path) &&
+            !is_below(f.path, best.path) && !is_below(best.path, f.path))
             notes.push_back(in_root(f) + ": fits the cameras as well as " + in_root(best) +
                             ", which is used; --photos names another");
     return best.path;
@@ -174,17 +174,6 @@ void expect_complete(const fs::path& folder, const InputFiles& found) {
 }
 
 }  // namespace
-
-fs::path find_stencil(const fs::path& photo) {
-    const fs::path folder = photo.parent_path(), above = folder.parent_path();
-    for (const fs::path& name : {photo.filename(), photo.stem()})
-        for (const fs::path& candidate :
-             {folder / (name.string() + ".mask.png"),
-              above.parent_path() / "masks" / folder.filename() / (name.string() + ".png"),
-              above / "masks" / (name.string() + ".png")})
-            if (std::error_code error; fs::is_regular_file(candidate, error)) return candidate;
-    return {};
-}
 
 FoundInput search(const fs::path& given_folder, const InputFiles& given) {
     const fs::path folder = without_slash(given_folder);

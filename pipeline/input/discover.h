@@ -28,9 +28,4 @@ struct FoundInput {
 /// As discover(), but goes on where a part is missing. Throws Error(input) only if the folder cannot be read.
 FoundInput search(const std::filesystem::path& folder, const InputFiles& given = {});
 
-/// The stencil of a photo: NAME.mask.png in the photo's folder, or in a folder `masks` next to that folder
-/// NAME.png or, for a photo in a subfolder, SUBFOLDER/NAME.png one level up. NAME is the photo's file name
-/// with or without its extension. Empty if there is no such file.
-std::filesystem::path find_stencil(const std::filesystem::path& photo);
-
 }  // namespace vantage

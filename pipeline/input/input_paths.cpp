@@ -4,6 +4,7 @@
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/photo_matches.h"
+#include "pipeline/input/stencils.h"
 #include "values/lower_extension.h"
 
 namespace vantage {
@@ -25,10 +26,11 @@ std::vector<fs::path> input_paths(const InputFiles& files) {
                 out.push_back(file);
     if (!fs::is_directory(files.photos)) return out;  // read_scene will say so
     // Cameras may name photos in subfolders.
+    Stencils stencils;
     for (const fs::path& file : files_below(files.photos, 2)) {
         if (!is_photo(file)) continue;
         out.push_back(file);
-        if (fs::path stencil = find_stencil(file); !stencil.empty()) out.push_back(std::move(stencil));
+        if (fs::path stencil = stencils.of(file); !stencil.empty()) out.push_back(std::move(stencil));
     }
     return out;
 }

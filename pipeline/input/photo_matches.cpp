@@ -131,10 +131,12 @@ class Matches {
     std::map<std::string, std::set<std::vector<std::string>>> same_stem_;
 };
 
-void add_files(const fs::path& folder, int levels, std::set<fs::path>& visited,
+/// `above`: the folders on the way, of which none is entered again.
+void add_files(const fs::path& folder, int levels, std::vector<fs::path> above,
                std::vector<fs::path>& files) {
     std::error_code error;
-    if (!visited.insert(fs::canonical(folder, error)).second) return;  // a link to a folder above
+    above.push_back(fs::canonical(folder, error));
+    if (std::ranges::count(above, above.back()) > 1) return;  // a link to a folder above
     fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, error);
     if (error) throw Error(Exit::input, folder.string() + ": cannot list the folder: " + error.message());
     for (const fs::directory_entry& entry : it) {
@@ -142,14 +144,15 @@ void add_files(const fs::path& folder, int levels, std::set<fs::path>& visited,
         if (entry.is_regular_file(error))
             files.push_back(entry.path());
         else if (levels > 0 && entry.is_directory(error))
-            add_files(entry.path(), levels - 1, visited, files);
+            add_files(entry.path(), levels - 1, above, files);
     }
 }
 
 }  // namespace
 
 bool is_photo(const fs::path& file) {
-    return has_photo_extension(file) && !is_hidden(file) && !file.filename().string().ends_with(".mask.png");
+    return has_photo_extension(file) && !is_hidden(file) &&
+           !comparable_name(file.filename().string()).ends_with(".mask.png");
 }
 
 bool is_hidden(const fs::path& file) {
@@ -169,8 +172,7 @@ bool is_derived(const fs::path& folder) {
 
 std::vector<fs::path> files_below(const fs::path& folder, int levels) {
     std::vector<fs::path> files;
-    std::set<fs::path> visited;
-    add_files(folder, levels, visited, files);
+    add_files(folder, levels, {}, files);
     std::ranges::sort(files);
     return files;
 }
@@ -191,11 +193,27 @@ fs::path file_named(const fs::path& folder, const std::string& utf8) {
         std::error_code error;
         fs::path next = path / part;
         if (!fs::exists(next, error))
-            for (const auto& entry : fs::directory_iterator(path, error))
-                if (utf8_name(entry.path().filename().string()) == part) next = entry.path();
+            if (const fs::path meant = file_meant(path, part.string()); !meant.empty()) next = meant;
         path = next;
     }
     return path;
+}
+
+std::string name_below(const fs::path& folder, const fs::path& file) {
+    const fs::path below = file.lexically_relative(folder);
+    return utf8_name(below.empty() || *below.begin() == ".." ? file.filename().string()
+                                                             : below.generic_string());
+}
+
+fs::path file_meant(const fs::path& folder, const std::string& name) {
+    std::vector<fs::path> same, alike;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        const std::string own = entry.path().filename().string();
+        if (utf8_name(own) == name) same.push_back(entry.path());
+        if (comparable_name(own) == comparable_name(name)) alike.push_back(entry.path());
+    }
+    return same.size() == 1 ? same[0] : alike.size() == 1 ? alike[0] : fs::path();
 }
 
 std::vector<PhotoMatch> match_photos(const fs::path& folder, const std::vector<fs::path>& photos,

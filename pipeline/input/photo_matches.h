@@ -28,6 +28,13 @@ std::vector<std::filesystem::path> photos_below(const std::filesystem::path& fol
 /// have the name itself.
 std::filesystem::path file_named(const std::filesystem::path& folder, const std::string& utf8);
 
+/// The utf8_name() of a file's path in `folder`, or of the file if it is elsewhere.
+std::string name_below(const std::filesystem::path& folder, const std::filesystem::path& file);
+
+/// The file or folder in `folder` with this utf8_name(), or the only one with this comparable_name(); empty:
+/// none.
+std::filesystem::path file_meant(const std::filesystem::path& folder, const std::string& name);
+
 /// The photo of a camera.
 struct PhotoMatch {
     std::filesystem::path file;  ///< empty: none

@@ -14,6 +14,7 @@
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/photo_matches.h"
+#include "pipeline/input/stencils.h"
 #include "pipeline/photos/image_files.h"
 #include "pipeline/photos/photos.h"
 #include "pipeline/run/read_file.h"
@@ -88,9 +89,9 @@ std::map<fs::path, std::string> package_names(const fs::path& folder, const std:
 
 /// A photo with its camera, both checked. Throws Error(input) if they cannot be used.
 PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file, const std::string& name,
-                            SceneInput& scene) {
+                            Stencils& stencils, SceneInput& scene) {
     PhotoInput photo{name, file, entry.camera};
-    photo.stencil = find_stencil(file);
+    photo.stencil = stencils.of(file);
     photo.read.push_back(stamped(file));
     if (!photo.stencil.empty()) photo.read.push_back(stamped(photo.stencil));
     fit_to_photo(photo, entry.unit, scene);
@@ -228,6 +229,7 @@ void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
     const auto leave_out = [&](const fs::path& file, const std::string& why) {
         scene.left_out.push_back({utf8_name(file.lexically_relative(folder).generic_string()), why});
     };
+    Stencils stencils;
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (files[i].empty()) {
             scene.left_out.push_back({utf8_name(name_of(set.entries[i])), why_not[i]});
@@ -235,7 +237,8 @@ void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
         }
         const StampedFile before = stamped(files[i]);
         try {
-            scene.photos.push_back(read_photo_input(set.entries[i], files[i], names.at(files[i]), scene));
+            scene.photos.push_back(
+                read_photo_input(set.entries[i], files[i], names.at(files[i]), stencils, scene));
         } catch (const UnreadableFile& e) {
             // Not identified by its content: the next run tries again.
             leave_out(files[i], reason_of(e, files[i]));

@@ -89,8 +89,12 @@ json inputs_json(const SceneInput& scene, IdentityCache& identities) {
     if (scene.files.cameras.empty())
         inputs["cameras"] = json::array();
     else
-        for (const fs::path& file : camera_files(scene.files.cameras))
-            inputs["cameras"].push_back(input_json(file, identities));
+        for (const fs::path& file : camera_files(scene.files.cameras)) {
+            const fs::path& cameras = scene.files.cameras;
+            json entry = input_json(file, identities);
+            entry["name"] = name_below(fs::is_directory(cameras) ? cameras : cameras.parent_path(), file);
+            inputs["cameras"].push_back(std::move(entry));
+        }
     // By their paths: their names may be the same.
     for (const fs::path& more : scene.files.more_cameras)
         for (const fs::path& file : camera_files(more)) {

@@ -11,6 +11,7 @@
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/photo_matches.h"
+#include "pipeline/input/stencils.h"
 #include "pipeline/package/meta.h"
 #include "scene/error.h"
 #include "values/file_name.h"
@@ -53,14 +54,15 @@ void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& i
     std::set<std::string> known;
     for (const json& was : meta.at("inputs").at("cameras")) {
         const auto name = was.at("name").get<std::string>();
-        const auto file =
-            std::ranges::find(now, name, [](const fs::path& f) { return utf8_name(f.filename().string()); });
+        const auto file = std::ranges::find_if(now, [&](const fs::path& f) {
+            return comparable_name(name_below(folder, f)) == comparable_name(name);
+        });
         compare(file == now.end() ? folder / name : *file, was, identities, out);
-        known.insert(name);
+        known.insert(comparable_name(name));
     }
     // Files of a format that is preferred, or that the format reads if they are there.
     for (const fs::path& file : now)
-        if (!known.contains(utf8_name(file.filename().string()))) add_new(file, out);
+        if (!known.contains(comparable_name(name_below(folder, file)))) add_new(file, out);
 }
 
 /// Camera files of bands, by their paths in the photos' folder, and the file that names the bands.
@@ -151,8 +153,9 @@ void compare_stencils(const PackageReader& package, const json& meta, const fs::
     const auto photos = package.photos();
     const json& files = meta.at("inputs").at("photos");
     const json stencils = meta.at("inputs").value("stencils", json::object());
+    Stencils found;
     for (std::size_t i = 0; i < photos.size() && i < files.size(); ++i) {
-        const fs::path stencil = find_stencil(file_named(folder, files[i].get<std::string>()));
+        const fs::path stencil = found.of(file_named(folder, files[i].get<std::string>()));
         const json was = stencils.value(photos[i].name, json{});
         if (was.is_object() && stencil.empty())
             add_missing(was.at("name").get<std::string>(), out);

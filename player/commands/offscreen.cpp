@@ -23,6 +23,7 @@
 #include "player/survey/survey.h"
 #include "scene/error.h"
 #include "shaders/contract.h"
+#include "values/lower_extension.h"
 
 namespace vantage {
 namespace {
@@ -62,7 +63,7 @@ void write_picture(const std::filesystem::path& file, const Picture& picture, co
 /// otherwise a file in the output folder.
 std::filesystem::path picture_file(const std::string& output, const std::string& name, std::size_t count) {
     const std::filesystem::path out = output.empty() ? (count == 1 ? name + ".png" : ".") : output;
-    const bool file = count == 1 && out.extension() == ".png" && !std::filesystem::is_directory(out);
+    const bool file = count == 1 && lower_extension(out) == ".png" && !std::filesystem::is_directory(out);
     return file ? out : out / (name + ".png");
 }
 

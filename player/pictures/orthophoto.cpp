@@ -18,6 +18,7 @@
 #include "scene/point_cloud.h"
 #include "scene/replace_file.h"
 #include "values/formatted.h"
+#include "values/lower_extension.h"
 
 namespace vantage {
 namespace {
@@ -68,9 +69,9 @@ Files output_files(const PackageReader& package, const OrthophotoOptions& o) {
     std::filesystem::path file = o.output.file;
     if (file.empty()) file = package.path().stem().string() + "-orthophoto.png";
     const Inputs inputs = inputs_of(package);
-    if (file.extension() == ".tif" || file.extension() == ".tiff")
+    if (lower_extension(file) == ".tif" || lower_extension(file) == ".tiff")
         return {output_file(file, Product::tiff, inputs, o.output.force), {}};
-    if (file.extension() != ".png")
+    if (lower_extension(file) != ".png")
         throw Error(Exit::usage, file.string() + ": expected a name that ends with .png or .tif");
     std::filesystem::path world = file;
     world.replace_extension(".pgw");

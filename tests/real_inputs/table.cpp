@@ -287,6 +287,8 @@ std::vector<Row> rows() {
         {"folders", "--photos is a file", nothing(), Exit::input, Says{"not a folder"}, no_package, Command{with("--photos {scan}/mesh.ply")}},
         {"folders", "--mesh is a folder", nothing(), Exit::input, Says{"expected a file, found a folder"}, no_package, Command{with("--mesh {scan}/images")}},
         {"folders", "--photos does not exist", nothing(), Exit::input, Says{"does not exist"}, no_package, Command{with("--photos {scan}/none")}},
+        {"folders", "masks in other case, and composed otherwise", [](Scan& s) { named("Ku\xcc\x88" "che.jpg", "Ku\xcc\x88" "che.jpg")(s); s["Masks/K\xc3\xbc" "che.PNG"] = s["Masks/b.jpg.png"] = photo(".png", 1, 1, 1); }, Says{"2 of them with a stencil"}, no_package, Command{"vantage inspect {scan}"}},
+        {"folders", "a link to a folder of the scan that comes first", [](Scan& s) { s.move("images", "images/cam"); s.links["a/photos"] = "../images"; }, Says{"images/cam (3)"}},
         {"folders", "a mask beside each photo", [](Scan& s) { for (const char* n : {"A", "B", "C"}) s[std::string("images/") + n + ".mask.png"] = photo(".png", 1, 1, 1); }, Never{"left out"}},
 
         // ----------------------------------------------------------------------------------------- encodings
@@ -640,6 +642,7 @@ std::vector<Row> rows() {
         {"bands", "visible and infrared, --effect bands=off", in_bands("visible", "infrared"), Says{"bands              off (forced)"}, Command{with("--effect bands=off ; vantage info {out}.vantage")}},
         {"bands", "by file names", with_file("bands.toml", "normal = [\"A.*\", \"B.jpg\"]\nuv = \"C*\"\n"), Says{"band     normal (2)", "band     uv (1)"}, Command{with("--bands {scan}/bands.toml")}},
         {"bands", "by file names, the file has changed", with_file("bands.toml", "normal = [\"A.*\", \"B.jpg\"]\nuv = \"C*\"\n"), Exit::stale, Says{"bands.toml: has changed"}, Command{with("--bands {scan}/bands.toml ; cp {scan}/sparse/images.txt {scan}/bands.toml ; vantage check --against {scan} {out}.vantage")}},
+        {"bands", "by file names in other case", with_file("bands.toml", "normal = \"[ab].JPG\"\nuv = \"c*\"\n"), Says{"band     normal (2)", "band     uv (1)"}, Command{with("--bands {scan}/bands.toml")}},
         {"bands", "a photo in two bands", with_file("bands.toml", "a = \"*.jpg\"\nb = \"C*\"\n"), Exit::input, Says{"bands.toml: C.jpg is in two bands, a and b; expected one"}, no_package, Command{with("--bands {scan}/bands.toml")}},
         {"bands", "a photo in no band", with_file("bands.toml", "a = \"A*\"\n"), Exit::input, Says{"bands.toml: B.jpg is in no band"}, no_package, Command{with("--bands {scan}/bands.toml")}},
         {"bands", "a band without photos", with_file("bands.toml", "a = \"*.jpg\"\nuv = \"uv/*\"\n"), Exit::input, Says{"bands.toml: the band uv has no photo that can be used"}, no_package, Command{with("--bands {scan}/bands.toml")}},

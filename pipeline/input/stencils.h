@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace vantage {
+
+/// Finds photos' stencils, pictures that are dark where a photo is not to be shown: NAME.mask.png beside the
+/// photo, or NAME.png in `masks` beside the photos' folder or, in a folder of the same name as the photo's,
+/// above it. NAME is the photo's, with or without its extension; names are compared as by comparable_name().
+/// Lists each folder once.
+class Stencils {
+  public:
+    /// Empty: the photo has none.
+    std::filesystem::path of(const std::filesystem::path& photo);
+
+  private:
+    std::filesystem::path find(const std::filesystem::path& folder, const std::string& name);
+
+    std::map<std::filesystem::path, std::map<std::string, std::filesystem::path>>
+        folders_;  ///< by comparable name
+};
+
+}  // namespace vantage
