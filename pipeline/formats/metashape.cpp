@@ -93,14 +93,21 @@ Sensor uncalibrated(const XmlFile& file, pugi::xml_node sensor) {
     return {out};
 }
 
+/// Why the lens of a sensor or a calibration cannot be used; empty if it can.
+std::string flaw_of(pugi::xml_node lens) {
+    const std::string type = lens.attribute("type").value();
+    if (!type.empty() && type != "frame") return "has a lens of type '" + type + "', expected 'frame'";
+    if (lens.child("corrections")) return "has Fourier corrections, which are not supported";
+    return {};
+}
+
 Sensor read_sensor(const XmlFile& file, pugi::xml_node sensor) {
-    const std::string type = sensor.attribute("type").value();
-    if (!type.empty() && type != "frame") return {{}, "its lens is of type '" + type + "', expected 'frame'"};
     pugi::xml_node best;
     for (const pugi::xml_node c : sensor.children("calibration"))
         if (!best || std::string_view(c.attribute("class").value()) == "adjusted") best = c;
+    for (const pugi::xml_node lens : {sensor, best})
+        if (const std::string flaw = flaw_of(lens); !flaw.empty()) return {{}, flaw};
     if (!best) return uncalibrated(file, sensor);
-    if (best.child("corrections")) return {{}, "has Fourier corrections, which are not supported"};
     if (sensor.child("rolling_shutter") || best.child("rolling_shutter"))
         return {{}, "has a rolling shutter, which is not supported"};
     const pugi::xml_node own = best.child("resolution");
@@ -159,8 +166,10 @@ class Chunk {
         entries_.push_back({.photo = photo, .camera = camera, .group = group});
     }
     Sensor sensor_of(pugi::xml_node camera) const {
-        if (const pugi::xml_node own = camera.child("calibration"))
+        if (const pugi::xml_node own = camera.child("calibration")) {
+            if (const std::string flaw = flaw_of(own); !flaw.empty()) return {{}, "its calibration " + flaw};
             return {calibrated(file_, own, camera.child("resolution"))};
+        }
         const auto found = sensors_.find(camera.attribute("sensor_id").value());
         if (found == sensors_.end()) file_.fail(camera, "the sensor of sensor_id", "none");
         Sensor sensor = found->second;

@@ -28,6 +28,14 @@ class Metashape : public TemporaryFolder {
             << "</sensors><cameras>" << cameras << "</cameras></chunk></document>";
         return read_cameras(dir / "cameras.xml");
     }
+    void expect_no_camera(const std::string& sensors, const std::string& in_chunk, const char* why) const {
+        try {
+            cameras(sensors, in_chunk);
+            ADD_FAILURE() << "is read; expected: " << why;
+        } catch (const NoCamera& e) {
+            EXPECT_NE(std::string(e.what()).find(why), std::string::npos) << e.what();
+        }
+    }
     static std::vector<std::string> names(const CameraSet& set) {
         std::vector<std::string> out;
         for (const CameraSet::Entry& e : set.entries) out.push_back(e.group + ":" + e.photo);
@@ -63,6 +71,19 @@ TEST_F(Metashape, SensorWithoutCalibrationHasTheFocalLengthOfItsCamera) {
                               "<property name=\"pixel_width\" value=\"0\"/><property name=\"pixel_height\" "
                               "value=\"0.01\"/><property name=\"focal_length\" value=\"3.5\"/>"})
         EXPECT_THROW(cameras(sensor(lacks), camera("A", 0)), NoCamera) << lacks;
+}
+
+TEST_F(Metashape, LensOfAnotherTypeIsLeftOutWhereverItIsSaid) {
+    const std::string size = "<resolution width=\"400\" height=\"300\"/>",
+                      fisheye =
+                          "<calibration type=\"equisolid_fisheye\">" + size + "<f>350</f></calibration>";
+    std::string own = camera("A", 0);
+    own.insert(own.find("<transform>"), size + fisheye);
+    expect_no_camera("<sensor id=\"0\">" + fisheye + "</sensor>", camera("A", 0),
+                     "A: left out, its sensor 0 has a lens of type 'equisolid_fisheye', expected 'frame'");
+    expect_no_camera("<sensor id=\"0\" type=\"spherical\">" + size + "</sensor>", camera("A", 0),
+                     "A: left out, its sensor 0 has a lens of type 'spherical', expected 'frame'");
+    expect_no_camera(calibrated, own, "A: left out, its calibration has a lens of type 'equisolid_fisheye'");
 }
 
 TEST_F(Metashape, ExportOfMarkersIsNotTakenForCameras) {
