@@ -115,7 +115,9 @@ std::map<std::uint32_t, Camera> text_cameras(const std::filesystem::path& file) 
         if (!model) in.fail("a COLMAP camera model", "'" + wanted + "'");
         const int width = in.number<int>("a width"), height = in.number<int>("a height");
         std::vector<double> p;
-        while (p.size() < model->parameters) p.push_back(in.number<double>("a camera parameter"));
+        while (!in.at_line_end() && !in.at_comment()) p.push_back(in.number<double>("a camera parameter"));
+        if (p.size() != model->parameters)
+            in.fail(std::to_string(model->parameters) + " parameters of " + wanted, std::to_string(p.size()));
         cameras[id] = camera_of(*model, width, height, p);
         in.line();
     }

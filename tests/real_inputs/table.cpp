@@ -348,7 +348,7 @@ std::vector<Row> rows() {
         {"cameras", "COLMAP with blanks in a name", named("a b.jpg", "a b.jpg"), Holds{"a b.jpg=red"}},
         {"cameras", "COLMAP with points in images.txt", text("sparse/images.txt", "A.jpg\n", "A.jpg\n10.5 20.5 -1 30 40 7")},
         {"cameras", "COLMAP, an unknown model", with_file("sparse/cameras.txt", "1 MAGIC 64 48 60 60 32 24\n"), Exit::input, Says{"expected a COLMAP camera model, found 'MAGIC'"}},
-        {"cameras", "COLMAP, too few parameters", with_file("sparse/cameras.txt", "1 PINHOLE 64 48 60 60 32\n"), Exit::input, Says{"cameras.txt, line 2: expected a camera parameter"}},
+        {"cameras", "COLMAP, too few parameters", with_file("sparse/cameras.txt", "1 PINHOLE 64 48 60 60 32\n"), Exit::input, Says{"cameras.txt, line 1: expected 4 parameters of PINHOLE, found 3"}},
         {"cameras", "COLMAP, no focal length", with_file("sparse/cameras.txt", "1 PINHOLE 64 48 0 0 32 24\n"), Exit::input, Says{blocked, "A.jpg"}},
         {"cameras", "COLMAP, focal length nan", with_file("sparse/cameras.txt", "1 PINHOLE 64 48 nan nan 32 24\n"), Exit::input, Says{blocked}},
         {"cameras", "COLMAP, a quaternion of zeros", [](Scan& s) { s["sparse/images.txt"] = "1 0 0 0 0 0 0 6 1 A.jpg\n\n" + changed(colmap_images({"X", "B.jpg", "C.jpg"}), "1 ", "9 "); s.replace("sparse/images.txt", " X\n", " gone.jpg\n"); }, Exit::incomplete, Says{"left out A.jpg"}, Holds{"B.jpg=green C.jpg=blue;"}},
