@@ -126,8 +126,7 @@ CameraSet read_blocks_exchange(const std::filesystem::path& path) {
     const XmlFile file(path);
     const pugi::xml_node root = file.child("BlocksExchange"),
                          groups = root.child("Block").child("Photogroups");
-    if (!groups)
-        throw Error(Exit::input, path.string() + ": expected BlocksExchange with Photogroups, found none");
+    if (!groups) throw NoCamera(path.string() + ": expected BlocksExchange with Photogroups, found none");
     CameraSet set{"Blocks Exchange", {}, {}};
     LeftOut left_out;
     for (const pugi::xml_node group : groups.children("Photogroup")) read_photos(file, group, set, left_out);
@@ -135,7 +134,7 @@ CameraSet read_blocks_exchange(const std::filesystem::path& path) {
     if (const std::string system = geographic_system(root); !system.empty())
         set.warnings.push_back("positions are longitudes and latitudes (" + system +
                                "): expected a local or projected system");
-    if (set.entries.empty()) file.fail(groups, "a photo with a pose", "none");
+    if (set.entries.empty()) left_out.fail(path);
     return set;
 }
 

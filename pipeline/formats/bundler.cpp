@@ -83,6 +83,8 @@ CameraSet read_bundler(const std::filesystem::path& file) {
         c.cam_from_world = from_bundler(R, t);
         set.entries.push_back({photo, c, CameraSet::Unit::pixels_from_center});
     }
+    if (set.entries.empty())
+        throw NoCamera(file.string() + ": expected a camera with a focal length above 0, found none");
     return set;
 }
 

@@ -49,6 +49,13 @@ Camera camera_of(const ColmapModel& m, int width, int height, const std::vector<
     return c;
 }
 
+CameraSet not_empty(CameraSet set, const std::filesystem::path& images) {
+    if (set.entries.empty())
+        throw NoCamera(images.parent_path().string() + ": expected an image with a pose in " +
+                       images.filename().string() + ", found none");
+    return set;
+}
+
 /// A binary file, read sequentially; every read is bounds-checked.
 class Bytes {
   public:
@@ -153,7 +160,7 @@ CameraSet read_colmap_text(const std::filesystem::path& folder) {
     Tokens in(folder / "images.txt");
     for (;;) {
         if (in.skip_comment()) continue;
-        if (in.at_end()) return set;
+        if (in.at_end()) return not_empty(std::move(set), folder / "images.txt");
         in.number<std::uint64_t>("an image ID");
         double q[4];
         Eigen::Vector3d t;
@@ -182,7 +189,7 @@ CameraSet read_colmap_binary(const std::filesystem::path& folder) {
         in.skip(in.read<std::uint64_t>(), 24);
         add_image(set, cameras, camera, photo, from_colmap(q[0], q[1], q[2], q[3], t), in.file());
     }
-    return set;
+    return not_empty(std::move(set), in.file());
 }
 
 }  // namespace vantage

@@ -1,8 +1,12 @@
 #pragma once
+#include <algorithm>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "pipeline/formats/cameras.h"
 
 namespace vantage {
 
@@ -21,6 +25,16 @@ class LeftOut {
                                                     : " and " + std::to_string(count - 1) + " other photos";
             warnings.push_back(first + others + ": left out, " + why);
         }
+    }
+    /// Throws NoCamera, of a file without any other camera. A missing pose is the last reason to be named.
+    [[noreturn]] void fail(const std::filesystem::path& file) const {
+        std::vector<std::string> lines;
+        tell(lines);
+        const auto flaw = std::ranges::find_if(
+            lines, [](const std::string& line) { return !line.ends_with(": left out, no pose"); });
+        if (flaw != lines.end()) throw NoCamera(file.string() + ": no camera can be used: " + *flaw);
+        throw NoCamera(file.string() + ": expected a camera with a pose, found none" +
+                       (lines.empty() ? "" : " (" + lines.front() + ")"));
     }
 
   private:

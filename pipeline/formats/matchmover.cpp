@@ -78,7 +78,8 @@ CameraSet read_matchmover(const std::filesystem::path& path) {
     if (!root) throw Error(Exit::input, path.string() + ": expected RZML of MatchMover or ImageModeler");
     CameraSet set{"MatchMover", {}, {}};
     for (const pugi::xml_node shot : root.children("SHOT")) read_shot(file, shot, set);
-    if (set.entries.empty()) file.fail(root, "a SHOT with a CFRM, the camera of a frame", "none");
+    if (set.entries.empty())
+        throw NoCamera(path.string() + ": expected a SHOT with a CFRM, the camera of a frame, found none");
     return set;
 }
 

@@ -142,6 +142,7 @@ class Chunk {
                 (system.size() > 60 ? "..." : "") +
                 ": a mesh fits its cameras only if both are exported in local coordinates");
     }
+    const LeftOut& left_out() const { return left_out_; }
     std::size_t posed() const { return entries_.size(); }
     std::string label() const { return chunk_.attribute("label").value(); }
 
@@ -204,17 +205,16 @@ CameraSet read_metashape(const std::filesystem::path& path) {
     for (const pugi::xml_node c : file.child("document").children("chunk")) chunks.emplace_back(file, c);
     if (const pugi::xml_node old = file.child("collection")) chunks.emplace_back(file, old);
     if (chunks.empty())
-        throw Error(Exit::input, path.string() + ": expected cameras of Metashape (a chunk), found none");
+        throw NoCamera(path.string() + ": expected cameras of Metashape (a chunk), found none");
     const auto most = std::ranges::max_element(chunks, {}, &Chunk::posed);
     CameraSet set{"Metashape", {}, {}};
     for (const Chunk& c : chunks)
         if (&c != &*most && c.posed() > 0)
             set.warnings.push_back("chunk '" + c.label() + "': not used, has " + std::to_string(c.posed()) +
                                    " cameras; '" + most->label() + "' has " + std::to_string(most->posed()));
+    if (most->posed() == 0) most->left_out().fail(path);
     most->move_to(set);
-    if (!set.entries.empty()) return set;
-    throw NoCamera(path.string() + ": expected a camera with a pose, found none" +
-                   (set.warnings.empty() ? "" : " (" + set.warnings.front() + ")"));
+    return set;
 }
 
 }  // namespace vantage

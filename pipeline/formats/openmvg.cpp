@@ -106,7 +106,7 @@ CameraSet read_openmvg(const std::filesystem::path& file) {
         set.entries.back().camera.cam_from_world = pose->second;
     }
     left_out.tell(set.warnings);
-    if (set.entries.empty()) root.at("views").fail("a view with a pose");
+    if (set.entries.empty()) left_out.fail(file);
     return set;
 }
 

@@ -49,7 +49,7 @@ Pose opensfm_pose(const LocatedJson& shot) {
 CameraSet read_opensfm(const std::filesystem::path& file) {
     JsonFile json(file);
     const std::vector<LocatedJson> worlds = json.root().items(most_cameras);
-    if (worlds.empty()) json.root().fail("a reconstruction");
+    if (worlds.empty()) throw NoCamera(file.string() + ": expected a reconstruction, found none");
     std::vector<std::vector<std::pair<std::string, LocatedJson>>> shots;
     for (const LocatedJson& w : worlds) shots.push_back(w.at("shots").entries(most_cameras));
     const auto most = std::ranges::max_element(shots, {}, [](const auto& s) { return s.size(); });
@@ -69,7 +69,7 @@ CameraSet read_opensfm(const std::filesystem::path& file) {
         set.entries.push_back({photo, camera->second, CameraSet::Unit::pixels});
         set.entries.back().camera.cam_from_world = opensfm_pose(shot);
     }
-    if (set.entries.empty()) world.at("shots").fail("a shot");
+    if (set.entries.empty()) throw NoCamera(file.string() + ": expected a shot, found none");
     return set;
 }
 

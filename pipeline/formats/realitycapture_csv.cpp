@@ -175,7 +175,7 @@ CameraSet read_realitycapture_csv(const std::filesystem::path& file) {
     CameraSet set{"RealityCapture CSV", {}, {}};
     Table table(file);
     while (table.next()) set.entries.push_back(read_row(table));
-    if (set.entries.empty()) table.fail("a camera", "the end of the file");
+    if (set.entries.empty()) throw NoCamera(file.string() + ": expected a camera, found none");
     return set;
 }
 

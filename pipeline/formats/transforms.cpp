@@ -121,7 +121,7 @@ CameraSet read_transforms(const std::filesystem::path& file) {
         else
             frame.fail("one frame per photo");
     }
-    if (set.entries.empty()) all.at("frames").fail("a frame");
+    if (set.entries.empty()) throw NoCamera(file.string() + ": expected a frame, found none");
     return set;
 }
 

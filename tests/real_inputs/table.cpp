@@ -333,7 +333,7 @@ std::vector<Row> rows() {
         {"encodings", "a Latin-1 property in mesh.ply", with_mesh("mesh.ply", box_ply_with("property float caf\xe9\n", "1"))},
         {"encodings", "zeros at the end of images.txt", [](Scan& s) { s["sparse/images.txt"] += std::string(16, '\0'); }, Exit::input, Says{"images.txt, line"}},
         {"encodings", "empty cameras.txt", with_file("sparse/cameras.txt", ""), Exit::input, Says{"camera 1, which is not in the cameras file"}},
-        {"encodings", "empty images.txt", with_file("sparse/images.txt", ""), Exit::input, Says{"no photo has a camera"}},
+        {"encodings", "empty images.txt", with_file("sparse/images.txt", ""), Exit::input, Says{"scan/sparse: expected an image with a pose in images.txt, found none"}},
         {"encodings", "empty mesh.ply", with_file("mesh.ply", ""), Exit::input, Says{"mesh.ply: expected a PLY header"}},
         {"encodings", "empty mesh.obj", with_mesh("mesh.obj", ""), Exit::input, Says{"mesh.obj: has no vertices"}},
         {"encodings", "empty mesh.off", with_mesh("mesh.off", ""), Exit::input, Says{"mesh.off"}},

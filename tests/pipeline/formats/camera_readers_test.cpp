@@ -40,5 +40,38 @@ TEST_F(CameraReaders, ColmapCameraHasAsManyParametersAsItsModel) {
     }
 }
 
+TEST_F(CameraReaders, FilesWithoutCamerasOfAllFormatsAreTold) {
+    const std::string views = "\"views\": [{\"path\": \"a.jpg\", \"poseId\": 1, \"intrinsicId\": 2",
+                      sfm = "{\"version\": [1, 2, 11], \"intrinsics\": [{\"intrinsicId\": 2}], " + views;
+    put("list.txt", "a.jpg\n");
+    struct Case {
+        const char *file, *text, *words;
+    };
+    const std::string rig = sfm + ", \"rigId\": 1, \"subPoseId\": 0}]}", unposed = sfm + "}]}";
+    const Case cases[] = {
+        {"init.sfm", unposed.c_str(),
+         "init.sfm: expected a camera with a pose, found none (a.jpg: left out, no pose)"},
+        {"rig.sfm", rig.c_str(), "rig.sfm: no camera can be used: a.jpg: left out, part of a rig"},
+        {"sfm_data.json",
+         "{\"sfm_data_version\": \"0.3\", \"views\": [], \"intrinsics\": [], \"extrinsics\": []}",
+         "expected a camera with a pose, found none"},
+        {"topo.json", "[{\"cameras\": {\"c\": {\"projection_type\": \"brown\"}}, \"shots\": {}}]",
+         "topo.json: expected a shot, found none"},
+        {"base.json", "{\"frames\": [], \"transform_matrix\": 0}", "base.json: expected a frame, found none"},
+        {"a.xml", "<BlocksExchange/>", "expected BlocksExchange with Photogroups, found none"},
+        {"b.xml", "<BlocksExchange><Block><Photogroups/></Block></BlocksExchange>", "a camera with a pose"},
+        {"c.csv", "#name,x,y,alt,heading,pitch,roll,f,px,py\n", "c.csv: expected a camera, found none"},
+        {"d.xml", "<document><chunk></chunk></document>", "d.xml: expected a camera with a pose, found none"},
+        {"e.xml", "<document><!-- <chunk > --></document>", "e.xml: expected cameras of Metashape"},
+        {"f.out", "# Bundle file v0.3\n1 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n", "a focal length above 0"},
+        {"g.rzml", "<RZML/>", "expected a SHOT with a CFRM"},
+        {"images.txt", "# none\n", ": expected an image with a pose in images.txt, found none"}};
+    put("cameras.txt", "1 SIMPLE_PINHOLE 640 480 500 320 240\n");
+    for (const Case& c : cases) expect_error<NoCamera>(put(c.file, c.text), c.words);
+    put("cameras.bin", std::string(8, '\0'));
+    expect_error<NoCamera>(put("images.bin", std::string(8, '\0')),
+                           ": expected an image with a pose in images.bin, found none");
+}
+
 }  // namespace
 }  // namespace vantage
