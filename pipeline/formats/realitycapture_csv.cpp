@@ -162,10 +162,14 @@ bool is_realitycapture_csv(const std::filesystem::path& file) {
     try {
         const std::vector<std::byte> begin = read_file(file, 1000);
         const std::string_view text(reinterpret_cast<const char*>(begin.data()), begin.size());
-        // Other tables have names, too.
-        return text.starts_with("#cameras") ||
-               ((text.starts_with("#name,") || text.starts_with("name,")) &&
-                (text.find(",x,") != text.npos || text.find(",tx,") != text.npos));
+        if (text.starts_with("#cameras")) return true;
+        // Other tables have names and positions, too.
+        const std::vector<std::string_view> columns = cells(text.substr(0, text.find('\n')));
+        const auto has_one = [&](std::initializer_list<const char*> names) {
+            return std::ranges::find_first_of(columns, names) != columns.end();
+        };
+        return (columns[0] == "#name" || columns[0] == "name") && has_one({"x", "tx"}) &&
+               has_one({"heading", "yaw", "R00", "omega"});
     } catch (const Error&) {
         return false;
     }

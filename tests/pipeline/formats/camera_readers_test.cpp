@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "pipeline/formats/cameras.h"
+#include "pipeline/formats/realitycapture.h"
 #include "tests/temporary_folder.h"
 
 namespace vantage {
@@ -71,6 +72,15 @@ TEST_F(CameraReaders, FilesWithoutCamerasOfAllFormatsAreTold) {
     put("cameras.bin", std::string(8, '\0'));
     expect_error<NoCamera>(put("images.bin", std::string(8, '\0')),
                            ": expected an image with a pose in images.bin, found none");
+}
+
+TEST_F(CameraReaders, TableOfPositionsAloneIsNoTableOfCameras) {
+    for (const char* header : {"name,x,y,z\n", "#name,x,y,alt\n", "name,x,y,z,note\nP1,1,2,3,heading\n"})
+        EXPECT_FALSE(is_realitycapture_csv(put("points.csv", header))) << header;
+    for (const char* header : {"#name,x,y,alt,heading,pitch,roll,f\r\n", "name, x, y, z, yaw, pitch, roll\n",
+                               "#name,R00,R01,R02,R10,R11,R12,R20,R21,R22,tx,ty,tz", "#cameras 3\n",
+                               "#name,x,y,alt,omega,phi,kappa\n"})
+        EXPECT_TRUE(is_realitycapture_csv(put("cameras.csv", header))) << header;
 }
 
 }  // namespace
