@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <sstream>
 #include <string_view>
 
 #include "pipeline/formats/realitycapture.h"
 #include "pipeline/run/read_file.h"
 #include "scene/error.h"
 #include "values/lower_extension.h"
+#include "values/parse_number.h"
 
 namespace vantage {
 namespace {
@@ -23,19 +25,41 @@ bool is_colmap(const fs::path& path, const char* cameras) {
            fs::exists(folder_of(path) / cameras);
 }
 
-/// Whether the beginning of a file has one of these texts.
-bool begins_with(const fs::path& file, std::initializer_list<std::string_view> texts) {
+/// The beginning of a file; empty if it cannot be read.
+std::string beginning(const fs::path& file) {
     constexpr std::size_t looked_at = 1 << 16;
     std::error_code error;
-    if (!fs::is_regular_file(file, error)) return false;
+    if (!fs::is_regular_file(file, error)) return {};
     try {
         const std::vector<std::byte> bytes = read_file(file, looked_at);
-        const std::string_view begin(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-        return std::ranges::any_of(texts,
-                                   [&](std::string_view text) { return begin.find(text) != begin.npos; });
+        return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
     } catch (const Error&) {
-        return false;
+        return {};
     }
+}
+
+/// Whether the beginning of a file has one of these texts.
+bool begins_with(const fs::path& file, std::initializer_list<std::string_view> texts) {
+    const std::string begin = beginning(file);
+    return std::ranges::any_of(texts, [&](std::string_view text) { return begin.find(text) != begin.npos; });
+}
+
+/// Whether a file begins with Bundler's name, or with two whole numbers, as before version 0.3. The output of
+/// other programs goes to .out, too.
+bool is_bundler(const fs::path& file) {
+    if (lower_extension(file) != ".out") return false;
+    const std::string begin = beginning(file);
+    if (begin.substr(0, 20).find("# Bundle") != begin.npos) return true;
+    std::istringstream in(begin);
+    std::string line;
+    while (std::getline(in, line) &&
+           (line.starts_with('#') || line.find_first_not_of(" \t\r") == line.npos)) {
+    }
+    std::istringstream words(line);
+    std::string cameras, points, more;
+    words >> cameras >> points;
+    std::size_t number = 0;
+    return parse_number(cameras, number) && parse_number(points, number) && !(words >> more);
 }
 
 bool is_json(const fs::path& file) { return lower_extension(file) == ".json"; }
@@ -112,7 +136,7 @@ const CameraFormat formats[] = {
     {.name = "Bundler",
      .form = ".out",
      .files = {},
-     .matches = [](const fs::path& p) { return lower_extension(p) == ".out"; },
+     .matches = is_bundler,
      .read = read_bundler,
      .companions = [](const fs::path& p) { return std::vector{bundler_list(p)}; }},
     {.name = "MeshLab",
@@ -160,6 +184,7 @@ std::vector<fs::path> camera_files(const fs::path& path) {
 
 CameraSet read_cameras(const fs::path& path) {
     if (const CameraFormat* format = format_of(path)) return format->read(path);
+    if (lower_extension(path) == ".out") return read_bundler(path);  // says what is not of Bundler
     const std::string expected = "expected " + camera_format_names();
     if (lower_extension(path) == ".rz3" || lower_extension(path) == ".rzi")
         throw Error(Exit::input,

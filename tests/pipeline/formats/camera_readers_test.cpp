@@ -1,6 +1,7 @@
 // Camera files as users have them: with cameras that no photo uses, without any, or of other things.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "pipeline/formats/cameras.h"
@@ -81,6 +82,20 @@ TEST_F(CameraReaders, TableOfPositionsAloneIsNoTableOfCameras) {
                                "#name,R00,R01,R02,R10,R11,R12,R20,R21,R22,tx,ty,tz", "#cameras 3\n",
                                "#name,x,y,alt,omega,phi,kappa\n"})
         EXPECT_TRUE(is_realitycapture_csv(put("cameras.csv", header))) << header;
+}
+
+TEST_F(CameraReaders, OutputOfOtherProgramsIsNotTakenForBundler) {
+    put("list.txt", "");
+    const auto matches = [&](const char* text) {
+        const fs::path file = put("a.out", text);
+        return std::ranges::any_of(camera_formats(), [&](const CameraFormat& f) { return f.matches(file); });
+    };
+    for (const char* text :
+         {"", "running...\n", "# log\n", "2 photos\n1 2\n", "1.5 2\n", "1 2 3\n", "-1 2\n", "7\n2\n"})
+        EXPECT_FALSE(matches(text)) << text;
+    for (const char* text : {"# Bundle file v0.3\n1 0\n", "\n# a comment\n12 3400 \r\n500 0 0\n"})
+        EXPECT_TRUE(matches(text)) << text;
+    expect_error(put("nohup.out", "running...\n"), "expected the number of cameras, found 'running...'");
 }
 
 }  // namespace
