@@ -83,7 +83,8 @@ const CameraFormat formats[] = {
      .files = {},
      .matches =
          [](const fs::path& p) {
-             return is_xml(p) && begins_with(p, {"<chunk", "<collection>"});
+             return is_xml(p) && (begins_with(p, {"<collection>"}) ||
+                                  (begins_with(p, {"<document"}) && begins_with(p, {"<chunk ", "<chunk>"})));
          },
      .read = read_metashape},
     {.name = "RealityCapture",

@@ -97,5 +97,15 @@ TEST_F(Metashape, ExportOfMarkersIsNotTakenForCameras) {
     EXPECT_TRUE(found.files.notes[0].starts_with("markers.xml: not used, ")) << found.files.notes[0];
 }
 
+TEST_F(Metashape, OtherXmlWithChunksIsNotTakenForCameras) {
+    cameras(calibrated, camera("A", 0));
+    const auto put = [&](const char* name, const char* text) { std::ofstream(dir / name) << text; };
+    put("README.xml", "<readme>see <chunk</readme>");
+    put("doc.xml", "<?xml version=\"1.0\"?><chunk version=\"1.2.0\"><sensors/></chunk>");
+    put("project.xml", "<document version=\"1.2.0\"><chunks next_id=\"1\"/></document>");
+    put("empty.xml", "<document><!-- <chunk > --></document>");
+    EXPECT_EQ(search(dir, {}).files.cameras.filename(), "cameras.xml");
+}
+
 }  // namespace
 }  // namespace vantage
