@@ -1,5 +1,7 @@
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -29,6 +31,12 @@ Eigen::Matrix4d affine(const LocatedJson& matrix) {
         for (std::size_t j = 0; j < 4; ++j) out(Eigen::Index(i), Eigen::Index(j)) = row[j];
     }
     return out;
+}
+
+/// The first of these values that is not 0.
+double first_given(std::initializer_list<double> values) {
+    const auto given = std::ranges::find_if(values, [](double v) { return v != 0; });
+    return given == values.end() ? 0 : *given;
 }
 
 class Frames {
@@ -69,21 +77,33 @@ class Frames {
     void set_intrinsics(const LocatedJson& frame, CameraSet::Entry& entry) const {
         Intrinsics& k = entry.camera.intrinsics;
         const auto w = value_of(frame, all_, "w"), h = value_of(frame, all_, "h");
-        const double by_angle = focal_of_angle(frame, "camera_angle_x");
-        if (!w || !h) {  // of the photo
-            entry.unit = by_angle > 0 ? CameraSet::Unit::photo_width : CameraSet::Unit::pixels_from_center;
-            k.fx = k.fy = by_angle > 0 ? by_angle : number(frame, "fl_x", 0);
-            if (!(k.fx > 0)) frame.fail("fl_x or camera_angle_x");
-            return;
+        const double fl_x = number(frame, "fl_x", 0), fl_y = number(frame, "fl_y", 0);
+        if (w && h) {
+            k.width = photo_size(*w);
+            k.height = photo_size(*h);
+            const double across = focal_of_angle(frame, "camera_angle_x") * k.width,
+                         down = focal_of_angle(frame, "camera_angle_y") * k.height;
+            k.fx = first_given({fl_x, across, fl_y, down});
+            k.fy = first_given({fl_y, fl_x, down, k.fx});
+            k.cx = number(frame, "cx", k.width / 2.0);
+            k.cy = number(frame, "cy", k.height / 2.0);
+        } else if (fl_x != 0 || fl_y != 0) {
+            k.fx = first_given({fl_x, fl_y});
+            k.fy = first_given({fl_y, fl_x});
+            set_center_of_photo(frame, entry);
+        } else {
+            entry.unit = CameraSet::Unit::photo_width;
+            k.fx = k.fy = focal_of_angle(frame, "camera_angle_x");
         }
-        k.width = photo_size(*w);
-        k.height = photo_size(*h);
-        k.fx = number(frame, "fl_x", by_angle * k.width);
-        const double by_height = focal_of_angle(frame, "camera_angle_y") * k.height;
-        k.fy = number(frame, "fl_y", value_of(frame, all_, "fl_x") || by_height == 0 ? k.fx : by_height);
-        k.cx = number(frame, "cx", k.width / 2.0);
-        k.cy = number(frame, "cy", k.height / 2.0);
-        if (!(k.fx > 0)) frame.fail("fl_x or camera_angle_x");
+        if (!(k.fx > 0 && k.fy > 0)) frame.fail("fl_x or camera_angle_x");
+    }
+    /// Of a photo without a size.
+    void set_center_of_photo(const LocatedJson& frame, CameraSet::Entry& entry) const {
+        const auto cx = value_of(frame, all_, "cx"), cy = value_of(frame, all_, "cy");
+        entry.unit = cx && cy ? CameraSet::Unit::pixels_from_corner : CameraSet::Unit::pixels_from_center;
+        if (!cx || !cy) return;
+        entry.camera.intrinsics.cx = numeral(*cx);
+        entry.camera.intrinsics.cy = numeral(*cy);
     }
     Lens lens_of(const LocatedJson& frame) const {
         const auto c = [&](const char* key) { return number(frame, key, 0); };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <numbers>
 
 #include "pipeline/formats/cameras.h"
 #include "pipeline/formats/realitycapture.h"
@@ -96,6 +97,38 @@ TEST_F(CameraReaders, OutputOfOtherProgramsIsNotTakenForBundler) {
     for (const char* text : {"# Bundle file v0.3\n1 0\n", "\n# a comment\n12 3400 \r\n500 0 0\n"})
         EXPECT_TRUE(matches(text)) << text;
     expect_error(put("nohup.out", "running...\n"), "expected the number of cameras, found 'running...'");
+}
+
+TEST_F(CameraReaders, TransformsTakeTheFocalLengthThatIsGiven) {
+    const double right = std::numbers::pi / 2;  // 0.5 sides of the photo
+    struct Case {
+        std::string keys;
+        CameraSet::Unit unit;
+        Eigen::Vector4d focal_center;
+    };
+    using Unit = CameraSet::Unit;
+    const std::string x = "\"camera_angle_x\": " + std::to_string(right), size = ", \"w\": 60, \"h\": 40",
+                      y = "\"camera_angle_y\": " + std::to_string(right);
+    const Case cases[] = {{"\"fl_x\": 50, \"fl_y\": 48, \"cx\": 31, \"cy\": 19, " + x,
+                           Unit::pixels_from_corner,
+                           {50, 48, 31, 19}},
+                          {"\"fl_x\": 50, \"cx\": 31", Unit::pixels_from_center, {50, 50, 0, 0}},
+                          {"\"fl_y\": 48", Unit::pixels_from_center, {48, 48, 0, 0}},
+                          {"\"fl_x\": 0, \"cx\": 31, \"cy\": 19, " + x, Unit::photo_width, {0.5, 0.5, 0, 0}},
+                          {"\"fl_y\": 48" + size, Unit::pixels, {48, 48, 30, 20}},
+                          {"\"fl_x\": 0, \"fl_y\": 0, " + x + size, Unit::pixels, {30, 30, 30, 20}},
+                          {y + size, Unit::pixels, {20, 20, 30, 20}},
+                          {x + ", " + y + size, Unit::pixels, {30, 20, 30, 20}}};
+    for (const Case& c : cases) {
+        const fs::path file =
+            put("transforms.json", "{" + c.keys +
+                                       ", \"frames\": [{\"file_path\": \"a.jpg\", "
+                                       "\"transform_matrix\": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}]}");
+        const CameraSet set = read_cameras(file);
+        const Intrinsics& k = set.entries.at(0).camera.intrinsics;
+        EXPECT_EQ(set.entries[0].unit, c.unit) << c.keys;
+        EXPECT_LT((Eigen::Vector4d(k.fx, k.fy, k.cx, k.cy) - c.focal_center).norm(), 1e-4) << c.keys;
+    }
 }
 
 }  // namespace
