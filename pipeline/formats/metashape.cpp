@@ -1,6 +1,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <string_view>
 
@@ -52,6 +53,7 @@ Camera calibrated(const XmlFile& file, pugi::xml_node c, pugi::xml_node size) {
     const auto value = [&](const char* name) { return file.number(c, name, 0); };
     Camera out;
     Intrinsics& k = out.intrinsics;
+    if (!size) file.fail(c, "a <resolution> here or in its sensor", "none");
     k.width = file.size(size, file.attribute(size, "width"));
     k.height = file.size(size, file.attribute(size, "height"));
     const bool old = bool(c.child("fx"));
@@ -74,14 +76,19 @@ struct Sensor {
 
 /// A sensor that was never calibrated: only what its camera says of itself, in millimeters.
 Sensor uncalibrated(const XmlFile& file, pugi::xml_node sensor) {
-    const auto value = [&](const char* name) {
+    const auto value = [&](const char* name, double otherwise) {
         const pugi::xml_node p = sensor.find_child_by_attribute("property", "name", name);
-        return p ? file.attribute(p, "value") : 0.0;
+        return p ? file.attribute(p, "value") : otherwise;
     };
-    const double focal = value("focal_length"), across = value("pixel_width"), down = value("pixel_height");
+    const double focal = value("focal_length", 0), across = value("pixel_width", 0),
+                 down = value("pixel_height", across);
     const pugi::xml_node size = sensor.child("resolution");
-    if (!(focal > 0 && across > 0 && down > 0) || !size)
-        return {{}, "has no calibration, and no focal length and pixel size"};
+    const char* lacks = !(focal > 0)    ? "property focal_length"
+                        : !(across > 0) ? "property pixel_width"
+                        : !(down > 0)   ? "property pixel_height"
+                        : !size         ? "resolution"
+                                        : nullptr;
+    if (lacks) return {{}, std::string("has no calibrated focal length, and no ") + lacks};
     Camera out;
     Intrinsics& k = out.intrinsics;
     k.width = file.size(size, file.attribute(size, "width"));
@@ -101,17 +108,23 @@ std::string flaw_of(pugi::xml_node lens) {
     return {};
 }
 
+/// The <resolution> of the first of these that has one.
+pugi::xml_node size_of(std::initializer_list<pugi::xml_node> nodes) {
+    for (const pugi::xml_node n : nodes)
+        if (const pugi::xml_node size = n.child("resolution")) return size;
+    return {};
+}
+
 Sensor read_sensor(const XmlFile& file, pugi::xml_node sensor) {
     pugi::xml_node best;
     for (const pugi::xml_node c : sensor.children("calibration"))
         if (!best || std::string_view(c.attribute("class").value()) == "adjusted") best = c;
     for (const pugi::xml_node lens : {sensor, best})
         if (const std::string flaw = flaw_of(lens); !flaw.empty()) return {{}, flaw};
-    if (!best) return uncalibrated(file, sensor);
+    if (!best || !(best.child("f") || best.child("fx"))) return uncalibrated(file, sensor);
     if (sensor.child("rolling_shutter") || best.child("rolling_shutter"))
         return {{}, "has a rolling shutter, which is not supported"};
-    const pugi::xml_node own = best.child("resolution");
-    return {calibrated(file, best, own ? own : sensor.child("resolution"))};
+    return {calibrated(file, best, size_of({best, sensor}))};
 }
 
 bool is_enabled(pugi::xml_node camera) {
@@ -124,7 +137,7 @@ class Chunk {
   public:
     Chunk(const XmlFile& file, pugi::xml_node chunk) : file_(file), chunk_(chunk) {
         for (const pugi::xml_node s : chunk.child("sensors").children("sensor"))
-            sensors_[s.attribute("id").value()] = read_sensor(file, s);
+            sensors_[s.attribute("id").value()] = s;
         own_ = chunk_transform(file, chunk.child("transform"));
         for (const pugi::xml_node c : chunk.child("components").children("component"))
             components_[c.attribute("id").value()] = chunk_transform(file, c.child("transform"));
@@ -166,16 +179,24 @@ class Chunk {
         if (entries_.empty()) first_ = transform_of(node);
         entries_.push_back({.photo = photo, .camera = camera, .group = group});
     }
-    Sensor sensor_of(pugi::xml_node camera) const {
+    Sensor sensor_of(pugi::xml_node camera) {
+        const std::string id = camera.attribute("sensor_id").value();
+        const auto found = sensors_.find(id);
         if (const pugi::xml_node own = camera.child("calibration")) {
-            if (const std::string flaw = flaw_of(own); !flaw.empty()) return {{}, "its calibration " + flaw};
-            return {calibrated(file_, own, camera.child("resolution"))};
+            const pugi::xml_node sensor = found == sensors_.end() ? pugi::xml_node() : found->second;
+            for (const pugi::xml_node lens : {own, sensor})
+                if (const std::string flaw = flaw_of(lens); !flaw.empty())
+                    return {{}, "its calibration " + flaw};
+            return {calibrated(file_, own, size_of({own, camera, sensor}))};
         }
-        const auto found = sensors_.find(camera.attribute("sensor_id").value());
         if (found == sensors_.end()) file_.fail(camera, "the sensor of sensor_id", "none");
-        Sensor sensor = found->second;
-        if (!sensor.why_not.empty()) sensor.why_not = "its sensor " + found->first + " " + sensor.why_not;
-        return sensor;
+        const auto [sensor, first] = read_.try_emplace(id);
+        if (first) {
+            sensor->second = read_sensor(file_, found->second);
+            std::string& why = sensor->second.why_not;
+            if (!why.empty()) why = "its sensor " + id + " " + why;
+        }
+        return sensor->second;
     }
     /// From the chunk to the mesh.
     const Similarity& transform_of(pugi::xml_node camera) const {
@@ -190,7 +211,8 @@ class Chunk {
 
     const XmlFile& file_;
     pugi::xml_node chunk_;
-    std::map<std::string, Sensor> sensors_;
+    std::map<std::string, pugi::xml_node> sensors_;
+    std::map<std::string, Sensor> read_;  ///< those that a posed camera has
     std::map<std::string, Similarity> components_;
     Similarity own_, first_;
     std::vector<CameraSet::Entry> entries_;

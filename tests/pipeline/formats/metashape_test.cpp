@@ -67,10 +67,39 @@ TEST_F(Metashape, SensorWithoutCalibrationHasTheFocalLengthOfItsCamera) {
     EXPECT_DOUBLE_EQ(c.intrinsics.cx, 200);
     EXPECT_DOUBLE_EQ(c.intrinsics.cy, 150);
     EXPECT_FALSE(c.lens.distorts());
+    constexpr const char* across =
+        "<property name=\"pixel_width\" value=\"0.01\"/><property name=\"focal_length\" value=\"3.5\"/>"
+        "<calibration type=\"frame\" class=\"initial\"><resolution width=\"400\" "
+        "height=\"300\"/></calibration>";
+    EXPECT_DOUBLE_EQ(cameras(sensor(across), camera("A", 0)).entries.front().camera.intrinsics.fy, 350)
+        << "with square pixels and an empty calibration";
+    expect_no_camera(sensor("<property name=\"focal_length\" value=\"3.5\"/>"), camera("A", 0),
+                     "its sensor 0 has no calibrated focal length, and no property pixel_width");
     for (const char* lacks : {"", "<property name=\"focal_length\" value=\"3.5\"/>",
                               "<property name=\"pixel_width\" value=\"0\"/><property name=\"pixel_height\" "
                               "value=\"0.01\"/><property name=\"focal_length\" value=\"3.5\"/>"})
         EXPECT_THROW(cameras(sensor(lacks), camera("A", 0)), NoCamera) << lacks;
+}
+
+TEST_F(Metashape, SensorsThatNoPosedCameraHasAreNotRead) {
+    const std::string bad = "<sensor id=\"1\"><calibration><f>x</f></calibration></sensor>";
+    const std::string lost = "<camera id=\"1\" sensor_id=\"1\" label=\"lost\"/>";
+    EXPECT_EQ(names(cameras(calibrated + bad, camera("A", 0) + lost)), std::vector<std::string>{"A"});
+}
+
+TEST_F(Metashape, SizeIsThatOfTheSensorIfTheCalibrationHasNone) {
+    const std::string calibration = "<calibration><f>350</f></calibration>";
+    std::string own = camera("A", 0);
+    own.insert(own.find("<transform>"), calibration);
+    EXPECT_EQ(cameras(calibrated, own).entries.at(0).camera.intrinsics.width, 400);
+    try {
+        cameras("<sensor id=\"0\">" + calibration + "</sensor>", camera("A", 0));
+        ADD_FAILURE() << "is read without a size";
+    } catch (const Error& e) {
+        EXPECT_TRUE(std::string(e.what()).ends_with(
+            "line 1: <calibration>: expected a <resolution> here or in its sensor, found none"))
+            << e.what();
+    }
 }
 
 TEST_F(Metashape, LensOfAnotherTypeIsLeftOutWhereverItIsSaid) {
