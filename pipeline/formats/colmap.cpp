@@ -97,20 +97,28 @@ class Bytes {
     std::size_t at_ = 0;
 };
 
-void add_image(CameraSet& set, const std::map<std::uint32_t, Camera>& cameras, std::uint32_t camera,
-               const std::string& photo, const Pose& pose, const std::filesystem::path& file) {
+/// A camera of the list, or why no image can have it.
+struct ListedCamera {
+    Camera camera;
+    std::string flaw{};
+};
+using ListedCameras = std::map<std::uint32_t, ListedCamera>;
+
+void add_image(CameraSet& set, const ListedCameras& cameras, std::uint32_t camera, const std::string& photo,
+               const Pose& pose, const std::filesystem::path& file) {
     const auto it = cameras.find(camera);
     if (it == cameras.end())
         throw Error(Exit::input, file.string() + ": photo " + photo + " has camera " +
                                      std::to_string(camera) + ", which is not in the cameras file");
-    Camera c = it->second;
+    if (!it->second.flaw.empty()) throw Error(Exit::input, it->second.flaw);
+    Camera c = it->second.camera;
     c.cam_from_world = pose;
     set.entries.push_back({photo, c});
 }
 
-std::map<std::uint32_t, Camera> text_cameras(const std::filesystem::path& file) {
+ListedCameras text_cameras(const std::filesystem::path& file) {
     Tokens in(file);
-    std::map<std::uint32_t, Camera> cameras;
+    ListedCameras cameras;
     for (;;) {
         if (in.skip_comment()) continue;
         if (in.at_end()) return cameras;
@@ -119,20 +127,24 @@ std::map<std::uint32_t, Camera> text_cameras(const std::filesystem::path& file) 
         const ColmapModel* model = nullptr;
         for (const ColmapModel& m : models)
             if (wanted == m.name) model = &m;
-        if (!model) in.fail("a COLMAP camera model", "'" + wanted + "'");
+        if (!model) {  // of an image, or of none
+            cameras[id].flaw = in.flaw("a COLMAP camera model", "'" + wanted + "'");
+            in.line();
+            continue;
+        }
         const int width = in.number<int>("a width"), height = in.number<int>("a height");
         std::vector<double> p;
         while (!in.at_line_end() && !in.at_comment()) p.push_back(in.number<double>("a camera parameter"));
         if (p.size() != model->parameters)
             in.fail(std::to_string(model->parameters) + " parameters of " + wanted, std::to_string(p.size()));
-        cameras[id] = camera_of(*model, width, height, p);
+        cameras[id] = {camera_of(*model, width, height, p)};
         in.line();
     }
 }
 
-std::map<std::uint32_t, Camera> binary_cameras(const std::filesystem::path& file) {
+ListedCameras binary_cameras(const std::filesystem::path& file) {
     Bytes in(file);
-    std::map<std::uint32_t, Camera> cameras;
+    ListedCameras cameras;
     for (std::uint64_t n = in.count(24); n > 0; --n) {
         const auto id = in.read<std::uint32_t>();
         const auto model = in.read<std::int32_t>();
@@ -145,7 +157,7 @@ std::map<std::uint32_t, Camera> binary_cameras(const std::filesystem::path& file
                         file.string() + ": camera " + std::to_string(id) + " has an invalid size");
         std::vector<double> p(models[model].parameters);
         for (double& v : p) v = in.read<double>();
-        cameras[id] = camera_of(models[model], int(width), int(height), p);
+        cameras[id] = {camera_of(models[model], int(width), int(height), p)};
     }
     return cameras;
 }

@@ -44,8 +44,7 @@ class TypeNames {
     std::map<std::uint32_t, std::string> names_;
 };
 
-Camera read_intrinsic(const LocatedJson& value, TypeNames& names) {
-    const std::string name = names.of(value);
+Camera read_intrinsic(const LocatedJson& value, const std::string& name) {
     const auto model =
         std::ranges::find(openmvg_models, name, [](const OpenmvgModel& m) { return std::string(m.name); });
     if (model == std::end(openmvg_models))
@@ -83,11 +82,11 @@ Pose openmvg_pose(const LocatedJson& value) {
 CameraSet read_openmvg(const std::filesystem::path& file) {
     JsonFile json(file);
     const LocatedJson root = json.root();
-    std::map<std::string, Camera> cameras;
+    std::map<std::string, std::pair<LocatedJson, std::string>> cameras;  // and the names of their types
     std::map<std::string, Pose> poses;
     TypeNames names;
     for (const LocatedJson& i : root.at("intrinsics").items(most_cameras))
-        cameras[identifier(i.at("key"))] = read_intrinsic(i.at("value"), names);
+        cameras.emplace(identifier(i.at("key")), std::pair(i.at("value"), names.of(i.at("value"))));
     for (const LocatedJson& e : root.at("extrinsics").items(most_cameras))
         poses[identifier(e.at("key"))] = openmvg_pose(e.at("value"));
     CameraSet set{"OpenMVG", {}, {}};
@@ -102,7 +101,8 @@ CameraSet read_openmvg(const std::filesystem::path& file) {
             left_out.add(photo, pose == poses.end() ? "no pose" : "no intrinsics");
             continue;
         }
-        set.entries.push_back({photo, camera->second, CameraSet::Unit::pixels});
+        const auto& [intrinsic, type] = camera->second;
+        set.entries.push_back({photo, read_intrinsic(intrinsic, type), CameraSet::Unit::pixels});
         set.entries.back().camera.cam_from_world = pose->second;
     }
     left_out.tell(set.warnings);

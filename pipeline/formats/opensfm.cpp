@@ -10,13 +10,23 @@
 namespace vantage {
 namespace {
 
+Lens opensfm_lens(const LocatedJson& c) {
+    const auto value = [&](const char* key) { return numeral(c, key, 0); };
+    const std::string type = c.at("projection_type").text(100);
+    if (type == "perspective" || type == "brown" || type == "radial" || type == "simple_radial")
+        return brown_lens({value("k1"), value("k2"), value("k3"), 0}, value("p1"), value("p2"), 0);
+    if (type == "fisheye" || type == "fisheye_opencv")
+        return {LensModel::fisheye, {value("k1"), value("k2"), value("k3"), value("k4")}};
+    c.at("projection_type").fail("perspective, brown, radial, simple_radial, fisheye or fisheye_opencv");
+}
+
 /// A camera's lens and intrinsics, in its larger side from the middle of the photo, as
 /// https://opensfm.org/docs/geometry.html; y of a pixel's center is 0 there in the first row.
 Camera read_camera(const LocatedJson& c) {
-    const auto value = [&](const char* key) { return numeral(c, key, 0); };
     const auto either = [&](const char* key, const char* other) {
         return numeral(c.at(c.has(key) ? key : other));
     };
+    const Lens lens = opensfm_lens(c);
     const int width = photo_size(c.at("width")), height = photo_size(c.at("height"));
     const double side = std::max(width, height);
     Camera out;
@@ -24,15 +34,9 @@ Camera read_camera(const LocatedJson& c) {
                       height,
                       side * either("focal_x", "focal"),
                       side * either("focal_y", "focal"),
-                      width / 2.0 + side * value("c_x"),
-                      height / 2.0 + side * value("c_y")};
-    const std::string type = c.at("projection_type").text(100);
-    if (type == "perspective" || type == "brown" || type == "radial" || type == "simple_radial")
-        out.lens = brown_lens({value("k1"), value("k2"), value("k3"), 0}, value("p1"), value("p2"), 0);
-    else if (type == "fisheye" || type == "fisheye_opencv")
-        out.lens = {LensModel::fisheye, {value("k1"), value("k2"), value("k3"), value("k4")}};
-    else
-        c.at("projection_type").fail("perspective, brown, radial, simple_radial, fisheye or fisheye_opencv");
+                      width / 2.0 + side * numeral(c, "c_x", 0),
+                      height / 2.0 + side * numeral(c, "c_y", 0)};
+    out.lens = lens;
     return out;
 }
 
@@ -60,13 +64,13 @@ CameraSet read_opensfm(const std::filesystem::path& file) {
             set.warnings.push_back("reconstruction " + std::to_string(i) + ": not used, has " +
                                    std::to_string(shots[i].size()) + " photos; the largest has " +
                                    std::to_string(most->size()));
-    std::map<std::string, Camera> cameras;
+    std::map<std::string, LocatedJson> cameras;
     for (const auto& [name, camera] : world.at("cameras").entries(most_cameras))
-        cameras[name] = read_camera(camera);
+        cameras.emplace(name, camera);
     for (const auto& [photo, shot] : *most) {
         const auto camera = cameras.find(shot.at("camera").text(1000));
         if (camera == cameras.end()) shot.at("camera").fail("a camera of this file");
-        set.entries.push_back({photo, camera->second, CameraSet::Unit::pixels});
+        set.entries.push_back({photo, read_camera(camera->second), CameraSet::Unit::pixels});
         set.entries.back().camera.cam_from_world = opensfm_pose(shot);
     }
     if (set.entries.empty()) throw NoCamera(file.string() + ": expected a shot, found none");

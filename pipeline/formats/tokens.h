@@ -81,8 +81,12 @@ class Tokens {
         return true;
     }
     [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
-        throw Error(Exit::input, file_.string() + ", line " + std::to_string(line_) + ": expected " +
-                                     expected + ", found " + found);
+        throw Error(Exit::input, flaw(expected, found));
+    }
+    /// The message of fail().
+    std::string flaw(const std::string& expected, const std::string& found) const {
+        return file_.string() + ", line " + std::to_string(line_) + ": expected " + expected + ", found " +
+               found;
     }
 
   private:

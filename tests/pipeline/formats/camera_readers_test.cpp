@@ -43,6 +43,44 @@ TEST_F(CameraReaders, ColmapCameraHasAsManyParametersAsItsModel) {
     }
 }
 
+TEST_F(CameraReaders, CamerasThatNoPhotoHasMayBeOfAnyModel) {
+    put("images.txt", "1 1 0 0 0 0 0 0 1 a.jpg\n\n");
+    put("cameras.txt", "2 EQUIRECTANGULAR 640 480\n1 PINHOLE 640 480 500 500 320 240\n");
+    EXPECT_EQ(read_cameras(dir).entries.at(0).camera.intrinsics.cy, 240);
+    put("cameras.txt", "# none\n1 EQUIRECTANGULAR 640 480\n");
+    expect_error(dir, "cameras.txt, line 2: expected a COLMAP camera model, found 'EQUIRECTANGULAR'");
+    const auto opensfm = [&](const std::string& camera) {
+        return put(
+            "reconstruction.json",
+            "[{\"cameras\": {\"s\": {\"projection_type\": \"spherical\"}, "
+            "\"p\": {\"projection_type\": \"perspective\", \"width\": 60, \"height\": 40, \"focal\": 0.5}}, "
+            "\"shots\": {\"a.jpg\": {\"camera\": \"" +
+                camera +
+                "\", \"rotation\": [0, 0, 0], "
+                "\"translation\": [0, 0, 0]}}}]");
+    };
+    EXPECT_EQ(read_cameras(opensfm("p")).entries.at(0).camera.intrinsics.fx, 30);
+    expect_error(opensfm("s"), "projection_type: found \"spherical\", expected perspective, brown");
+    const auto openmvg = [&](const char* key) {
+        return put(
+            "sfm_data.json",
+            std::string(
+                "{\"sfm_data_version\": \"0.3\", \"views\": [{\"value\": "
+                "{\"ptr_wrapper\": {\"data\": {\"filename\": \"a.jpg\", \"id_pose\": 0, \"id_intrinsic\": ") +
+                key +
+                "}}}}], \"intrinsics\": [{\"key\": 0, \"value\": {\"polymorphic_id\": 2147483649, "
+                "\"polymorphic_name\": \"spherical\"}}, {\"key\": 1, \"value\": {\"polymorphic_id\": "
+                "2147483650, "
+                "\"polymorphic_name\": \"pinhole\", \"ptr_wrapper\": {\"data\": {\"width\": 60, \"height\": "
+                "40, "
+                "\"focal_length\": 50, \"principal_point\": [30, 20]}}}}], \"extrinsics\": [{\"key\": 0, "
+                "\"value\": "
+                "{\"rotation\": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], \"center\": [0, 0, 0]}}]}");
+    };
+    EXPECT_EQ(read_cameras(openmvg("1")).entries.at(0).camera.intrinsics.fx, 50);
+    expect_error(openmvg("0"), "not 'spherical'");
+}
+
 TEST_F(CameraReaders, FilesWithoutCamerasOfAllFormatsAreTold) {
     const std::string views = "\"views\": [{\"path\": \"a.jpg\", \"poseId\": 1, \"intrinsicId\": 2",
                       sfm = "{\"version\": [1, 2, 11], \"intrinsics\": [{\"intrinsicId\": 2}], " + views;
