@@ -95,7 +95,16 @@ class Frames {
             entry.unit = CameraSet::Unit::photo_width;
             k.fx = k.fy = focal_of_angle(frame, "camera_angle_x");
         }
-        if (!(k.fx > 0 && k.fy > 0)) frame.fail("fl_x or camera_angle_x");
+        if (!(k.fx > 0)) fail_of_focal_length(frame);
+    }
+    [[noreturn]] void fail_of_focal_length(const LocatedJson& frame) const {
+        for (const char* key : {"camera_angle_x", "camera_angle_y"})
+            if (const auto angle = value_of(frame, all_, key); angle && focal_of_angle(frame, key) == 0)
+                angle->fail("an angle in radians, above 0 and below pi");
+        for (const char* key : {"fl_x", "fl_y"})
+            if (const auto focal = value_of(frame, all_, key); focal && !(numeral(*focal) > 0))
+                focal->fail("a focal length above 0");
+        frame.fail("a focal length, fl_x or camera_angle_x");
     }
     /// Of a photo without a size.
     void set_center_of_photo(const LocatedJson& frame, CameraSet::Entry& entry) const {

@@ -20,6 +20,12 @@ class CameraReaders : public TemporaryFolder {
         std::ofstream(dir / name, std::ios::binary) << text;
         return dir / name;
     }
+    fs::path put_transforms(const std::string& keys) const {
+        return put("transforms.json",
+                   "{" + keys +
+                       ", \"frames\": [{\"file_path\": \"a.jpg\", "
+                       "\"transform_matrix\": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}]}");
+    }
     /// Expects an error of this type whose line contains these words.
     template <class E = Error>
     static void expect_error(const fs::path& cameras, const std::string& words) {
@@ -158,15 +164,19 @@ TEST_F(CameraReaders, TransformsTakeTheFocalLengthThatIsGiven) {
                           {y + size, Unit::pixels, {20, 20, 30, 20}},
                           {x + ", " + y + size, Unit::pixels, {30, 20, 30, 20}}};
     for (const Case& c : cases) {
-        const fs::path file =
-            put("transforms.json", "{" + c.keys +
-                                       ", \"frames\": [{\"file_path\": \"a.jpg\", "
-                                       "\"transform_matrix\": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}]}");
-        const CameraSet set = read_cameras(file);
+        const CameraSet set = read_cameras(put_transforms(c.keys));
         const Intrinsics& k = set.entries.at(0).camera.intrinsics;
         EXPECT_EQ(set.entries[0].unit, c.unit) << c.keys;
         EXPECT_LT((Eigen::Vector4d(k.fx, k.fy, k.cx, k.cy) - c.focal_center).norm(), 1e-4) << c.keys;
     }
+}
+
+TEST_F(CameraReaders, FocalLengthThatCannotBeIsNamed) {
+    expect_error(put_transforms("\"fl_x\": 0"), "fl_x: found 0, expected a focal length above 0");
+    expect_error(put_transforms("\"fl_x\": -50, \"w\": 60, \"h\": 40"), "fl_x: found -50");
+    expect_error(put_transforms("\"camera_angle_x\": 60"),
+                 "camera_angle_x: found 60, expected an angle in radians, above 0 and below pi");
+    expect_error(put_transforms("\"w\": 60"), "expected a focal length, fl_x or camera_angle_x");
 }
 
 }  // namespace
