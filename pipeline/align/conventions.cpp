@@ -154,6 +154,9 @@ bool shows_features(const ConventionTrial& t) {
     return t.defined >= fewest && t.median <= (t.defined < enough ? 2 * half : misfit);
 }
 
+/// Whether many features are where the mesh shows them, though most may be of what is behind it.
+bool shows_many(const ConventionTrial& t) { return t.defined >= enough && t.agreement >= 2 * some_agreement; }
+
 /// The trial with which the photos agree clearly better than with all others; else the first.
 const ConventionTrial& best_of(std::span<const ConventionTrial> trials) {
     const ConventionTrial& best = *std::ranges::max_element(trials, {}, &ConventionTrial::agreement);
@@ -227,7 +230,7 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
         if (const auto to = changed(cameras, scene.transform, names); !to.empty())
             out.mesh.push_back(trial_of(names, surface_errors(agreeing, to, mesh)));
     const ConventionTrial& best = best_of(out.mesh);
-    out.misfit = std::ranges::none_of(out.mesh, is_enough) && !shows_features(best);
+    out.misfit = !shows_features(best) && !shows_many(best);
     out.chosen_of_mesh = std::size_t(&best - out.mesh.data());
     out.chosen = joined(out.chosen, best.names);
     return out;

@@ -172,6 +172,13 @@ TEST(Conventions, AMeshBesideWhatPhotosShowStopsTheRun) {
     }
 }
 
+TEST(Conventions, AMirroredReliefStopsTheRun) {
+    VANTAGE_DATASET(scan, "fountain-P11");
+    SceneInput scene = read_scene(discover(scan));
+    turn_mesh(scene, axes(1, 2, -3));
+    EXPECT_THROW(settle_convention(scene, convention_auto, 0), Error);
+}
+
 TEST(Conventions, ASmallPartOfWhatPhotosShowFits) {
     VANTAGE_DATASET(scan, "sceaux-small");
     SceneInput scene = read_scene(discover(scan));
