@@ -223,7 +223,13 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
     settle_tangential(scene, features, out);
     cameras = changed(std::move(cameras), scene.transform, out.chosen);
     const std::vector<SharedFeature> agreeing = agreeing_features(features, cameras, far_off);
-    if (agreeing.size() < enough) return out;
+    out.shared = features.size();
+    out.agreeing = agreeing.size();
+    if (agreeing.size() < enough) {
+        out.not_judged =
+            fmt::format("{} features agree with the cameras, expected at least {}", agreeing.size(), enough);
+        return out;
+    }
     const CastMesh& mesh = on_demand.get();
     out.mesh.push_back(trial_of(as_read, surface_errors(agreeing, cameras, mesh)));
     for (const std::string& names : mesh_conventions())
@@ -272,9 +278,24 @@ std::optional<ConventionTrials> as_read_by_pairs(const SceneInput& scene, std::s
     return out;
 }
 
+ConventionTrials not_judged(std::string why) {
+    ConventionTrials out;
+    out.not_judged = std::move(why);
+    return out;
+}
+
 /// A share of the longer side, in pixels of the first photo.
 double in_pixels(double share, const SceneInput& scene) {
     return share * longer_side(scene.photos.front().camera);
+}
+
+/// What is wrong with cameras; empty if most features agree with them.
+std::string said_of_cameras(const ConventionTrials& trials) {
+    if (2 * trials.agreeing >= trials.shared) return {};
+    return fmt::format(
+        "cameras and photos do not agree: {} of {} features that photos share lie near their epipolar lines, "
+        "expected at least half; are photos turned or exchanged, or camera positions rounded?",
+        trials.agreeing, trials.shared);
 }
 
 [[noreturn]] void fail_as_misfit(const SceneInput& scene, const ConventionTrial& t) {
@@ -333,7 +354,9 @@ ConventionTrials try_conventions(const SceneInput& scene, const FeatureSettings&
     constexpr std::size_t photos = 6, ranks[] = {0, 2};
     const std::vector<SharedFeature> features =
         shared_features(scene.photos, neighboring_photos(scene.photos, photos, ranks), how);
-    if (features.size() < enough) return {};
+    if (features.size() < enough)
+        return not_judged(
+            fmt::format("photos share {} features, expected at least {}", features.size(), enough));
     return tried(scene, features, mesh);
 }
 
@@ -342,9 +365,15 @@ ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted,
         apply_conventions(scene, wanted);
         return {};
     }
-    if (scene.mesh.triangles.empty() || scene.photos.size() < 2) return {};
+    if (scene.mesh.triangles.empty()) return {};
+    if (scene.photos.size() < 2) return not_judged("there is only one photo");
     ConventionTrials trials = try_conventions(scene, {.threads = threads});
+    const std::string flaw = said_of_cameras(trials);
+    if (trials.misfit && !flaw.empty())
+        throw Error(Exit::misplaced, scene.files.cameras.string() + ": " + flaw +
+                                         " --convention as-read takes them as they are");
     if (trials.misfit) fail_as_misfit(scene, trials.mesh.front());
+    if (!flaw.empty()) scene.warnings.push_back(flaw);
     apply_conventions(scene, trials.chosen);
     for (const std::string& name : parts(trials.chosen))
         scene.warnings.push_back(
@@ -354,6 +383,7 @@ ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted,
 }
 
 std::string fit_of(const ConventionTrials& trials, const SceneInput& scene) {
+    if (!trials.not_judged.empty()) return "not judged: " + trials.not_judged;
     if (trials.mesh.empty()) return {};
     const ConventionTrial& t = trials.mesh[trials.chosen_of_mesh];
     return fmt::format("the mesh shows {} of {} features where photos do, to {:.1f} px (median)", t.defined,

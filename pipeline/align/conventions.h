@@ -41,7 +41,10 @@ struct ConventionTrials {
     std::vector<ConventionTrial> cameras, mesh;  ///< the first of each: as read
     std::string chosen = as_read;
     std::size_t chosen_of_mesh = 0;  ///< in `mesh`
-    bool misfit = false;  ///< cameras and photos agree, but no convention makes the mesh agree with them
+    bool misfit = false;       ///< cameras and photos agree, but no convention makes the mesh agree with them
+    std::size_t shared = 0;    ///< features that were tried
+    std::size_t agreeing = 0;  ///< those near their epipolar lines under `chosen`
+    std::string not_judged;    ///< why `mesh` is empty; empty if it is not
 };
 
 /// Tries every convention and combination that changes a camera, on features of up to 18 photos. Another one
@@ -50,12 +53,12 @@ struct ConventionTrials {
 ConventionTrials try_conventions(const SceneInput& scene, const FeatureSettings& how = {});
 
 /// Applies the convention that the user wants, or the one that try_conventions() chooses, and warns of one
-/// that is not as read. Returns what was tried; nothing if the user wants one, or if there is no mesh. Throws
-/// Error(misplaced) if no convention makes the mesh fit.
+/// that is not as read, and of cameras that do not agree with photos. Returns what was tried; nothing if the
+/// user wants one, or if there is no mesh. Throws Error(misplaced) if no convention makes the mesh fit.
 ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted, unsigned threads);
 
-/// "the mesh shows 2867 of 2899 features where photos do, to 1.3 px (median)", px of the first photo; empty
-/// if nothing was tried.
+/// "the mesh shows 2867 of 2899 features where photos do, to 1.3 px (median)", px of the first photo, or "not
+/// judged: " and why; empty if nothing was to be tried.
 std::string fit_of(const ConventionTrials& trials, const SceneInput& scene);
 
 }  // namespace vantage

@@ -196,8 +196,32 @@ TEST(Conventions, WithoutEnoughFeaturesCamerasAreTakenAsRead) {
     SceneInput scene = read_scene(discover(scan));
     turn_mesh(scene, axes(1, -2, -3));
     scene.photos.resize(1);
-    settle_convention(scene, convention_auto, 0);
+    const ConventionTrials trials = settle_convention(scene, convention_auto, 0);
     EXPECT_EQ(scene.convention, as_read);
+    EXPECT_EQ(fit_of(trials, scene), "not judged: there is only one photo");
+}
+
+TEST(Conventions, CamerasThatDoNotAgreeWithPhotosAreSaid) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    const SceneInput right = read_scene(discover(scan));
+    const auto exchanged = [&](std::size_t count) {
+        SceneInput scene = right;
+        scene.photos.resize(count);
+        for (std::size_t i = 0; i < count; ++i) scene.photos[i].file = right.photos[count - 1 - i].file;
+        return scene;
+    };
+    const std::string said = "cameras and photos do not agree";
+    SceneInput few = exchanged(4);  // too few features agree to judge the mesh
+    settle_convention(few, convention_auto, 0);
+    ASSERT_EQ(few.warnings.size(), right.warnings.size() + 1);
+    EXPECT_NE(few.warnings.back().find(said), said.npos) << few.warnings.back();
+    SceneInput all = exchanged(right.photos.size());
+    try {
+        settle_convention(all, convention_auto, 0);
+        ADD_FAILURE() << "taken";
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find(said), said.npos) << e.what();
+    }
 }
 
 TEST(Conventions, NamesOfNoConventionAreRefused) {
