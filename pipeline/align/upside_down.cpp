@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t most_tried = 12, fewest_agreeing = 30;
+constexpr std::size_t most_tried = 300, fewest_agreeing = 30;
 constexpr double near_line = 0.002;  ///< an epipolar error, as a share of the longer side
 constexpr double clearly_more = 2;
 
@@ -23,46 +23,74 @@ std::vector<SharedFeature> turned(std::vector<SharedFeature> features, std::span
     return features;
 }
 
-/// How many features lie near their epipolar lines.
-std::size_t agreeing(std::span<const SharedFeature> features, std::span<const PhotoInput> photos,
-                     std::span<const Camera> cameras, const std::vector<bool>& which) {
-    return agreeing_features(turned({features.begin(), features.end()}, photos, which), cameras, near_line)
-        .size();
+/// Judges photos by the features that they share.
+class Judge {
+  public:
+    Judge(std::span<const PhotoInput> photos, std::vector<SharedFeature> features)
+        : photos_(photos), features_(std::move(features)) {
+        for (const PhotoInput& p : photos) cameras_.push_back(p.camera);
+    }
+
+    /// Whether features agree if those photos are turned, and do not if the others are.
+    bool agree_only(const std::vector<bool>& which, const std::vector<bool>& without) const {
+        return agree_only(features_, which, without);
+    }
+    /// The same, of the features of one photo.
+    bool agree_only(std::uint32_t photo, const std::vector<bool>& which,
+                    const std::vector<bool>& without) const {
+        std::vector<SharedFeature> own;
+        std::ranges::copy_if(features_, std::back_inserter(own),
+                             [&](const SharedFeature& f) { return f.a == photo || f.b == photo; });
+        return agree_only(own, which, without);
+    }
+
+  private:
+    /// How many features lie near their epipolar lines.
+    std::size_t agreeing(std::span<const SharedFeature> features, const std::vector<bool>& which) const {
+        return agreeing_features(turned({features.begin(), features.end()}, photos_, which), cameras_,
+                                 near_line)
+            .size();
+    }
+    bool agree_only(std::span<const SharedFeature> of, const std::vector<bool>& which,
+                    const std::vector<bool>& without) const {
+        const std::size_t then = agreeing(of, which), now = agreeing(of, without);
+        return then >= fewest_agreeing && double(then) >= clearly_more * double(now);
+    }
+
+    std::span<const PhotoInput> photos_;
+    std::vector<SharedFeature> features_;
+    std::vector<Camera> cameras_;
+};
+
+std::vector<bool> with(std::vector<bool> which, std::uint32_t photo) {
+    which[photo] = true;
+    return which;
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> upside_down_photos(std::span<const PhotoInput> photos,
-                                              const FeatureSettings& how) {
+OpenTurns find_open_turns(std::span<const PhotoInput> photos, const FeatureSettings& how) {
+    OpenTurns out;
     std::vector<std::uint32_t> open;
-    for (std::uint32_t i = 0; i < photos.size() && open.size() < most_tried; ++i)
-        if (photos[i].open_turn) open.push_back(i);
+    std::vector<bool> is_tried(photos.size(), false), all = is_tried;
+    for (std::uint32_t i = 0; i < photos.size(); ++i)
+        if (photos[i].open_turn) open.push_back(i), all[i] = true;
     if (open.empty()) return {};
-    std::vector<Camera> cameras;
-    for (const PhotoInput& p : photos) cameras.push_back(p.camera);
+    for (std::size_t i = 0; i < std::min(open.size(), most_tried); ++i) is_tried[open[i]] = true;
     constexpr std::size_t ranks[] = {0, 1};
     std::vector<TwoPhotos> pairs = neighboring_photos(photos, photos.size(), ranks);
-    std::erase_if(pairs, [&](const TwoPhotos& p) {
-        return std::ranges::count(open, p[0]) == 0 && std::ranges::count(open, p[1]) == 0;
-    });
-    const std::vector<SharedFeature> features = shared_features(photos, pairs, how);
-    std::vector<bool> none(photos.size(), false), all = none;
-    for (std::uint32_t i = 0; i < photos.size(); ++i) all[i] = photos[i].open_turn != 0;
-    const auto agree_only = [&](std::span<const SharedFeature> of, const std::vector<bool>& which) {
-        const std::size_t as_is = agreeing(of, photos, cameras, none),
-                          then = agreeing(of, photos, cameras, which);
-        return then >= fewest_agreeing && double(then) >= clearly_more * double(as_is);
-    };
-    if (agree_only(features, all)) return open;
-    std::vector<std::uint32_t> out;
-    for (const std::uint32_t photo : open) {
-        std::vector<SharedFeature> own;
-        std::ranges::copy_if(features, std::back_inserter(own),
-                             [&](const SharedFeature& f) { return f.a == photo || f.b == photo; });
-        std::vector<bool> alone = none;
-        alone[photo] = true;
-        if (agree_only(own, alone) || agree_only(own, all)) out.push_back(photo);
-    }
+    std::erase_if(pairs, [&](const TwoPhotos& p) { return !is_tried[p[0]] && !is_tried[p[1]]; });
+    const Judge judge(photos, shared_features(photos, pairs, how));
+    const std::vector<bool> none(photos.size(), false);
+    if (judge.agree_only(all, none)) return {open, {}};
+    std::vector<bool> wrong = none;
+    for (const std::uint32_t i : open)
+        if (judge.agree_only(i, with(none, i), none) || judge.agree_only(i, all, none)) wrong[i] = true;
+    for (const std::uint32_t i : open)
+        if (wrong[i])
+            out.found.push_back(i);
+        else if (!judge.agree_only(i, wrong, with(wrong, i)))
+            out.unknown.push_back(i);
     return out;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <map>
 #include <optional>
 
 #include "cli/stop_signals.h"
@@ -176,18 +177,36 @@ SceneInput read_traced(const InputFiles& files, Trace& trace) {
     return read_scene(files);
 }
 
+/// The names of photos by what is open of them.
+std::map<int, std::vector<std::string>> names_by_turn(const SceneInput& scene,
+                                                      const std::vector<std::uint32_t>& photos) {
+    std::map<int, std::vector<std::string>> out;
+    for (const std::uint32_t i : photos) out[scene.photos[i].open_turn].push_back(scene.photos[i].name);
+    return out;
+}
+
+/// "A.jpg, B.jpg and 3 more".
+std::string first_of(std::vector<std::string> names) {
+    constexpr std::size_t most = 20;
+    const std::size_t more = names.size() - std::min(names.size(), most);
+    names.resize(names.size() - more);
+    return fmt::format("{}{}", fmt::join(names, ", "), more ? fmt::format(" and {} more", more) : "");
+}
+
 void warn_of_upside_down(SceneInput& scene, unsigned threads) {
-    const std::vector<std::uint32_t> found = upside_down_photos(scene.photos, {.threads = threads});
-    if (found.empty()) return;
-    std::vector<std::string> names;
-    for (const std::uint32_t i : found) names.push_back(scene.photos[i].name);
-    const int orientation = scene.photos[found.front()].open_turn;
-    scene.warnings.push_back(fmt::format(
-        "upside down for the cameras, as neighboring photos show: {}; {} (EXIF orientation {})",
-        fmt::join(names, ", "),
-        orientation == 3 ? "pixels are taken as stored, but the cameras are of the photos as displayed"
-                         : "turned as the file says, but the pixels had been turned before",
-        orientation));
+    const OpenTurns turns = find_open_turns(scene.photos, {.threads = threads});
+    for (const auto& [turn, names] : names_by_turn(scene, turns.found))
+        scene.warnings.push_back(fmt::format(
+            "upside down for the cameras, as neighboring photos show: {}; {} (EXIF orientation {})",
+            first_of(names),
+            turn == 3 ? "pixels are taken as stored, but the cameras are of the photos as displayed"
+                      : "turned as the file says, but the pixels had been turned before",
+            turn));
+    for (const auto& [turn, names] : names_by_turn(scene, turns.unknown))
+        scene.warnings.push_back(fmt::format(
+            "perhaps upside down for the cameras, neighboring photos do not tell: {}; {} (EXIF orientation "
+            "{})",
+            first_of(names), turn == 3 ? "pixels are taken as stored" : "turned as the file says", turn));
 }
 
 ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& settings, Trace& trace) {

@@ -31,20 +31,45 @@ class UpsideDown : public TemporaryFolder {
     }
 };
 
+using Indices = std::vector<std::uint32_t>;
+
 TEST_F(UpsideDown, NeighborsTell) {
     VANTAGE_DATASET(scan, "sceaux-small");
-    const std::vector<PhotoInput> right = read_scene(discover(scan)).photos;
-    EXPECT_TRUE(upside_down_photos(right, {}).empty()) << "none is in question";
-    std::vector<PhotoInput> photos = right;
+    std::vector<PhotoInput> photos = read_scene(discover(scan)).photos;
+    const auto expect_found = [&](const Indices& found) {
+        const OpenTurns turns = find_open_turns(photos, {});
+        EXPECT_EQ(turns.found, found);
+        EXPECT_EQ(turns.unknown, Indices());
+    };
+    expect_found({});  // none is in question
     for (PhotoInput& p : photos) p.open_turn = 3;
-    EXPECT_TRUE(upside_down_photos(photos, {}).empty()) << "all are in question, and right";
+    expect_found({});
     turn(photos[2]);
-    EXPECT_EQ(upside_down_photos(photos, {}), std::vector<std::uint32_t>{2});
+    expect_found({2});
     for (std::size_t i = 0; i < photos.size(); ++i)
         if (i != 2) turn(photos[i]);
-    std::vector<std::uint32_t> all(photos.size());
+    Indices all(photos.size());
     std::iota(all.begin(), all.end(), 0u);
-    EXPECT_EQ(upside_down_photos(photos, {}), all);
+    expect_found(all);
+}
+
+TEST_F(UpsideDown, APhotoAloneTellsNothing) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    std::vector<PhotoInput> photos = read_scene(discover(scan)).photos;
+    photos.resize(1);
+    photos[0].open_turn = 6;
+    const OpenTurns turns = find_open_turns(photos, {});
+    EXPECT_EQ(turns.found, Indices());
+    EXPECT_EQ(turns.unknown, Indices{0});
+}
+
+TEST_F(UpsideDown, OfManyPhotosTheLastIsFound) {
+    VANTAGE_DATASET(scan, "head");
+    std::vector<PhotoInput> photos = read_scene(discover(scan)).photos;
+    for (std::size_t i = photos.size() - 16; i < photos.size(); ++i) photos[i].open_turn = 3;
+    const auto last = std::uint32_t(photos.size() - 1);
+    turn(photos[last]);
+    EXPECT_EQ(find_open_turns(photos, {}).found, Indices{last});
 }
 
 }  // namespace
