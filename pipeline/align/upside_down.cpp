@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "pipeline/align/feature_errors.h"
 
@@ -12,12 +13,24 @@ constexpr std::size_t most_tried = 300, fewest_agreeing = 30;
 constexpr double near_line = 0.002;  ///< an epipolar error, as a share of the longer side
 constexpr double clearly_more = 2;
 
-/// The features with the pixels of some photos turned by 180 degrees.
+/// What an EXIF orientation does to pixels, about the photo's middle (Exif 2.3, 4.6.4).
+Eigen::Matrix2d turn_of(int orientation) {
+    const bool swaps = orientation >= 5;
+    const double x = orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7 ? -1 : 1,
+                 y = orientation == 3 || orientation == 4 || orientation == 7 || orientation == 8 ? -1 : 1;
+    Eigen::Matrix2d out;
+    out << (swaps ? 0 : x), (swaps ? x : 0), (swaps ? y : 0), (swaps ? 0 : y);
+    return out;
+}
+
+/// The features with the pixels of some photos turned as is open.
 std::vector<SharedFeature> turned(std::vector<SharedFeature> features, std::span<const PhotoInput> photos,
                                   const std::vector<bool>& which) {
     const auto turn = [&](std::uint32_t photo, Eigen::Vector2d& pixel) {
+        if (!which[photo]) return;
         const Intrinsics& k = photos[photo].camera.intrinsics;
-        if (which[photo]) pixel = Eigen::Vector2d(k.width, k.height) - pixel;
+        const Eigen::Vector2d middle(k.width / 2.0, k.height / 2.0);
+        pixel = middle + turn_of(photos[photo].open_turn) * (pixel - middle);
     };
     for (SharedFeature& f : features) turn(f.a, f.in_a), turn(f.b, f.in_b);
     return features;
@@ -68,6 +81,15 @@ std::vector<bool> with(std::vector<bool> which, std::uint32_t photo) {
 }
 
 }  // namespace
+
+void take_as_displayed(PhotoInput& photo) {
+    Intrinsics& k = photo.camera.intrinsics;
+    const double longer = (k.height - k.width) / 2.0;
+    k.cx += longer;
+    k.cy -= longer;
+    std::swap(k.width, k.height);
+    std::swap(photo.decoded.width, photo.decoded.height);
+}
 
 OpenTurns find_open_turns(std::span<const PhotoInput> photos, const FeatureSettings& how) {
     OpenTurns out;

@@ -177,14 +177,6 @@ SceneInput read_traced(const InputFiles& files, Trace& trace) {
     return read_scene(files);
 }
 
-/// The names of photos by what is open of them.
-std::map<int, std::vector<std::string>> names_by_turn(const SceneInput& scene,
-                                                      const std::vector<std::uint32_t>& photos) {
-    std::map<int, std::vector<std::string>> out;
-    for (const std::uint32_t i : photos) out[scene.photos[i].open_turn].push_back(scene.photos[i].name);
-    return out;
-}
-
 /// "A.jpg, B.jpg and 3 more".
 std::string first_of(std::vector<std::string> names) {
     constexpr std::size_t most = 20;
@@ -193,27 +185,56 @@ std::string first_of(std::vector<std::string> names) {
     return fmt::format("{}{}", fmt::join(names, ", "), more ? fmt::format(" and {} more", more) : "");
 }
 
-void warn_of_upside_down(SceneInput& scene, unsigned threads) {
-    const OpenTurns turns = find_open_turns(scene.photos, {.threads = threads});
-    for (const auto& [turn, names] : names_by_turn(scene, turns.found))
-        scene.warnings.push_back(fmt::format(
-            "upside down for the cameras, as neighboring photos show: {}; {} (EXIF orientation {})",
-            first_of(names),
-            turn == 3 ? "pixels are taken as stored, but the cameras are of the photos as displayed"
-                      : "turned as the file says, but the pixels had been turned before",
-            turn));
-    for (const auto& [turn, names] : names_by_turn(scene, turns.unknown))
-        scene.warnings.push_back(fmt::format(
-            "perhaps upside down for the cameras, neighboring photos do not tell: {}; {} (EXIF orientation "
-            "{})",
-            first_of(names), turn == 3 ? "pixels are taken as stored" : "turned as the file says", turn));
+/// How a photo lies without an EXIF orientation that it needs.
+const char* lies(int orientation) {
+    if (orientation == 3) return "upside down";
+    return orientation == 6 || orientation == 8 ? "turned by 90 degrees" : "mirrored";
+}
+
+/// One warning for all photos of one EXIF orientation; `found`: that they lie wrong.
+void warn_of_turns(SceneInput& scene, const std::vector<std::uint32_t>& photos, bool found) {
+    std::map<std::pair<int, int>, std::vector<std::string>> names;  // by orientation and what is open of it
+    for (const std::uint32_t i : photos) {
+        const PhotoInput& p = scene.photos[i];
+        names[{p.orientation, p.open_turn}].push_back(p.name);
+    }
+    for (const auto& [how, of] : names) {
+        const auto [orientation, open] = how;
+        const char* taken = orientation == open ? "pixels are taken as stored" : "turned as the file says";
+        const char* but = !found                ? ""
+                          : orientation == open ? ", but the cameras are of the photos as displayed"
+                                                : ", but the pixels had been turned before";
+        scene.warnings.push_back(
+            fmt::format("{}{} for the cameras, {}: {}; {}{} (EXIF orientation {})", found ? "" : "perhaps ",
+                        lies(open), found ? "as neighboring photos show" : "neighboring photos do not tell",
+                        first_of(of), taken, but, orientation));
+    }
+}
+
+/// Photos whose size tells nothing, but whose neighbors show that they are turned by 90 degrees, are turned.
+void settle_turns(SceneInput& scene, unsigned threads) {
+    OpenTurns turns = find_open_turns(scene.photos, {.threads = threads});
+    std::vector<std::string> displayed;
+    std::erase_if(turns.found, [&](std::uint32_t i) {
+        PhotoInput& p = scene.photos[i];
+        const bool turns_by_size = p.open_turn >= 5 && p.decoded.width != p.decoded.height;
+        if (turns_by_size) take_as_displayed(p), displayed.push_back(p.name);
+        return turns_by_size;
+    });
+    if (!displayed.empty())
+        scene.warnings.push_back(
+            fmt::format("turned as their EXIF orientation says, because their cameras "
+                        "have no size and neighboring photos agree only so: {}",
+                        first_of(displayed)));
+    warn_of_turns(scene, turns.found, true);
+    warn_of_turns(scene, turns.unknown, false);
 }
 
 ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& settings, Trace& trace) {
     const Traced traced(&trace, "conventions");
     // Each thread takes about 70 MB, which the estimate does not know.
     const unsigned threads = settings.memory > 0 ? 1 : std::min(2u, threads_of(settings));
-    warn_of_upside_down(scene, threads);
+    settle_turns(scene, threads);
     return settle_convention(scene, settings.convention, threads);
 }
 

@@ -41,6 +41,16 @@ Intrinsics in_pixels(const Intrinsics& k, CameraSet::Unit unit, const PhotoSize&
             scale * k.cy + middle * size.height};
 }
 
+/// Pixels are taken as stored, but the camera may be of the photo as displayed. Turned by 90 degrees, they
+/// fit their camera or do not, if its size tells; but they may have been turned before.
+int open_turn(const PhotoHeader& header, const Intrinsics& k, CameraSet::Unit unit) {
+    using Unit = CameraSet::Unit;
+    if (header.orientation < 5) return header.orientation == 1 ? 0 : header.orientation;
+    const bool square = header.size.width == header.size.height;
+    if (square || (unit != Unit::pixels && unit != Unit::photo_width)) return header.orientation;
+    return k.width == header.size.height && k.height == header.size.width ? 3 : 0;
+}
+
 /// Fits the camera to the photo's size: fills in an unknown size, or scales a calibration made at another
 /// resolution. Throws Error(input) if the aspect ratios differ.
 void fit_to_photo(PhotoInput& photo, CameraSet::Unit unit, SceneInput& scene) {
@@ -49,9 +59,8 @@ void fit_to_photo(PhotoInput& photo, CameraSet::Unit unit, SceneInput& scene) {
     photo.linear = header.linear;
     photo.profile = header.profile;
     Intrinsics& k = photo.camera.intrinsics;
-    // Turned by 90 degrees, it fits its camera or does not; but it may have been turned before.
-    const bool turned = header.orientation >= 5 && k.width == size.height && k.height == size.width;
-    if (header.orientation == 3 || turned) photo.open_turn = header.orientation;
+    photo.orientation = header.orientation;
+    photo.open_turn = open_turn(header, k, unit);
     if (unit != CameraSet::Unit::pixels) {
         k = in_pixels(k, unit, size);
         return;

@@ -24,7 +24,8 @@ struct PhotoInput {
     ProfileUse profile{};             ///< of its file's ICC profile
     std::vector<StampedFile> read{};  ///< photo and stencil, stamped before the photo's header was read
     std::uint32_t band = 0;           ///< index in SceneInput::bands
-    int open_turn = 0;  ///< EXIF orientation, if it leaves open whether the pixels are upside down; else 0
+    int orientation = 1;              ///< EXIF
+    int open_turn = 0;  ///< EXIF orientation that the pixels may still lack to fit their camera; 0: none
 };
 
 /// Where the parts of an input are.

@@ -76,9 +76,10 @@ PhotoHeader read_header(const std::filesystem::path& file) {
     expect_readable(spec, in->format_name(), file);
     const auto profile = profile_of(spec, in->format_name(), file);
     const ProfileUse use = profile ? profile->use : ProfileUse{};
+    const int orientation = spec.get_int_attribute("Orientation", 1);
     return {{spec.width, spec.height},
             use,
-            spec.get_int_attribute("Orientation", 1),
+            orientation >= 1 && orientation <= 8 ? orientation : 1,
             !use.converts && is_linear(spec, in->format_name())};
 }
 

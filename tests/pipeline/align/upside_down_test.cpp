@@ -20,14 +20,32 @@ namespace {
 class UpsideDown : public TemporaryFolder {
   protected:
     /// A photo whose pixels are turned by 180 degrees.
-    void turn(PhotoInput& photo) const {
-        RgbaImage image = read_photo(photo.file, photo.decoded);
-        std::vector<std::uint32_t> texels(image.rgba.size() / 4);
-        std::memcpy(texels.data(), image.rgba.data(), image.rgba.size());
-        std::ranges::reverse(texels);
+    void turn(PhotoInput& photo) const { store(photo, 3); }
+
+    /// A photo as it is stored to be displayed as it was. Its camera keeps its middle.
+    void store(PhotoInput& photo, int orientation) const {
+        const RgbaImage from = read_photo(photo.file, photo.decoded);
+        const bool swaps = orientation >= 5;
+        const int w = swaps ? from.height : from.width, h = swaps ? from.width : from.height;
+        std::vector<std::uint32_t> texels(from.rgba.size() / 4), to(texels.size());
+        std::memcpy(texels.data(), from.rgba.data(), from.rgba.size());
+        for (int y = 0; y < h; ++y)
+            for (int x = 0; x < w; ++x) {
+                const auto [column, row] = displayed(x, y, w, h, orientation);
+                to[std::size_t(y * w + x)] = texels[std::size_t(row * from.width + column)];
+            }
         photo.file = dir / (photo.name + ".png");
-        image_files().write(photo.file, image.width, image.height, 4, Sample::u8,
-                            std::as_bytes(std::span(texels)));
+        image_files().write(photo.file, w, h, 4, Sample::u8, std::as_bytes(std::span(to)));
+        if (swaps) take_as_displayed(photo);
+    }
+
+  private:
+    /// Where a stored pixel is displayed (Exif 2.3, 4.6.4).
+    static std::pair<int, int> displayed(int x, int y, int w, int h, int orientation) {
+        const int right = w - 1 - x, below = h - 1 - y;
+        const std::pair<int, int> at[] = {{x, y}, {right, y}, {right, below}, {x, below},
+                                          {y, x}, {below, x}, {below, right}, {y, right}};
+        return at[orientation - 1];
     }
 };
 
@@ -51,6 +69,35 @@ TEST_F(UpsideDown, NeighborsTell) {
     Indices all(photos.size());
     std::iota(all.begin(), all.end(), 0u);
     expect_found(all);
+}
+
+/// As other programs take a photo that is shown by EXIF orientation 2 or 4.
+TEST_F(UpsideDown, AMirroredPhotoIsFound) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    for (const int orientation : {2, 4}) {
+        std::vector<PhotoInput> photos = read_scene(discover(scan)).photos;
+        photos[2].open_turn = orientation;
+        store(photos[2], orientation);
+        EXPECT_EQ(find_open_turns(photos, {}).found, Indices{2}) << orientation;
+    }
+}
+
+/// Its camera does not say whether it is of the photo as stored: it has no size.
+TEST_F(UpsideDown, APhotoTurnedBy90DegreesIsFoundAndTurned) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    for (const int orientation : {5, 6, 7, 8}) {
+        std::vector<PhotoInput> photos = read_scene(discover(scan)).photos;
+        PhotoInput& p = photos[2];
+        const Intrinsics right = p.camera.intrinsics;
+        store(p, orientation);
+        p.open_turn = orientation;
+        EXPECT_EQ(find_open_turns(photos, {}).found, Indices{2}) << orientation;
+        take_as_displayed(p);
+        const Intrinsics& k = p.camera.intrinsics;
+        EXPECT_EQ(p.decoded.width, right.width);
+        EXPECT_EQ(Eigen::Vector4d(k.width, k.height, k.cx, k.cy),
+                  Eigen::Vector4d(right.width, right.height, right.cx, right.cy));
+    }
 }
 
 TEST_F(UpsideDown, APhotoAloneTellsNothing) {
