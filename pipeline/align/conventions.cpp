@@ -7,6 +7,7 @@
 #include <optional>
 #include <ranges>
 
+#include "pipeline/align/convention_table.h"
 #include "pipeline/align/photo_rays.h"
 #include "scene/error.h"
 #include "values/quantile.h"
@@ -14,15 +15,7 @@
 namespace vantage {
 namespace {
 
-/// A way in which camera files or meshes differ from what their format says, because a program wrote or an
-/// export setting made them so. Undone by changing all cameras.
-struct Convention {
-    const char* name;     ///< of --convention
-    const char* meaning;  ///< in messages: "the mesh is turned by 180 degrees about x"
-    bool of_mesh;         ///< moves all cameras together: only the mesh tells whether it applies
-    std::optional<Camera> (*apply)(Camera camera,
-                                   const Similarity& transform);  ///< empty: changes nothing
-};
+using Eigen::Vector2d;
 
 /// The error that counts half; a tenth of a percent is 4 px of a photo of 12 megapixels.
 constexpr double half = 0.001;
@@ -35,84 +28,9 @@ constexpr double some_agreement = 0.15;
 /// Agreement relative to as read, and to every other convention.
 constexpr double clear_ratio = 2;
 
-Similarity turn(const Eigen::Matrix3d& R) { return {R, Eigen::Vector3d::Zero(), 1}; }
-
-Eigen::Matrix3d rows(const Eigen::Vector3d& x, const Eigen::Vector3d& y, const Eigen::Vector3d& z) {
-    Eigen::Matrix3d m;
-    m << x.transpose(), y.transpose(), z.transpose();
-    return m;
-}
-
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
-
-/// The camera in a frame that is turned from the file's.
-std::optional<Camera> turned(Camera camera, const Eigen::Matrix3d& R) {
-    camera.cam_from_world = compose(camera.cam_from_world, turn(R.transpose()));
-    return camera;
-}
-
-std::optional<Camera> without_transform(Camera camera, const Similarity& transform) {
-    if (transform.R.isIdentity() && transform.t.isZero() && transform.scale == 1) return {};
-    camera.cam_from_world = compose(camera.cam_from_world, transform);
-    return camera;
-}
-
-/// The place of the first tangential coefficient, which the other one follows; empty without tangential
-/// terms.
-std::optional<std::size_t> tangential(LensModel model) {
-    switch (model) {
-        case LensModel::opencv:
-        case LensModel::brown:
-        case LensModel::thin_prism:
-            return 2;
-        case LensModel::aria:
-            return 6;
-        default:
-            return {};
-    }
-}
-
-std::optional<Camera> swapped_tangential(Camera camera, const Similarity&) {
-    const auto first = tangential(camera.lens.model);
-    if (!first || camera.lens.p[*first] == camera.lens.p[*first + 1]) return {};
-    std::swap(camera.lens.p[*first], camera.lens.p[*first + 1]);
-    return camera;
-}
-
-std::optional<Camera> looking_backward(Camera camera, const Similarity&) {
-    const Eigen::DiagonalMatrix<double, 3> flip(1, -1, -1);
-    camera.cam_from_world.R = flip * camera.cam_from_world.R;
-    camera.cam_from_world.t = flip * camera.cam_from_world.t;
-    return camera;
-}
-
-std::optional<Camera> transposed(Camera camera, const Similarity&) {
-    const Vector3d center = camera.cam_from_world.center();
-    camera.cam_from_world.R.transposeInPlace();
-    camera.cam_from_world.t = -camera.cam_from_world.R * center;
-    return camera;
-}
-
-constexpr Convention conventions[] = {
-    {"camera-y-up", "the cameras look along -z, with y up", false, looking_backward},
-    {"transposed", "rotations are the other way around", false, transposed},
-    {"swapped-tangential", "the lens's two tangential coefficients are exchanged", false, swapped_tangential},
-    {"no-transform", "the mesh is in the frame before the camera file's own transform", true,
-     without_transform},
-    {"mesh-turned", "the mesh is turned by 180 degrees about x: (x, -y, -z)", true,
-     [](Camera c, const Similarity&) { return turned(c, rows(x, -y, -z)); }},
-    {"mesh-y-up", "the mesh has y up where the cameras have z: (x, z, -y)", true,
-     [](Camera c, const Similarity&) { return turned(c, rows(x, z, -y)); }},
-    {"mesh-z-up", "the mesh has z up where the cameras have y: (x, -z, y)", true,
-     [](Camera c, const Similarity&) { return turned(c, rows(x, -z, y)); }},
-    {"mesh-xy-swapped", "the mesh is turned as by nerfstudio: (y, x, -z)", true,
-     [](Camera c, const Similarity&) { return turned(c, rows(y, x, -z)); }}};
-
 const Convention& convention(std::string_view name) {
-    const auto found = std::ranges::find(conventions, name, &Convention::name);
-    if (found != std::end(conventions)) return *found;
+    const auto found = std::ranges::find(convention_table(), name, &Convention::name);
+    if (found != convention_table().end()) return *found;
     throw Error(Exit::usage,
                 fmt::format("--convention {}: expected {}", name, fmt::join(convention_names(), ", ")));
 }
@@ -169,9 +87,9 @@ const ConventionTrial& best_of(std::span<const ConventionTrial> trials) {
 /// Conventions of the mesh alone, and with the camera file's own transform undone.
 std::vector<std::string> mesh_conventions() {
     std::vector<std::string> out;
-    for (const Convention& c : conventions)
+    for (const Convention& c : convention_table())
         if (c.of_mesh) out.emplace_back(c.name);
-    for (const Convention& c : conventions)
+    for (const Convention& c : convention_table())
         if (c.of_mesh && c.apply != without_transform) out.push_back(joined("no-transform", c.name));
     return out;
 }
@@ -216,7 +134,7 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
     ConventionTrials out;
     std::vector<Camera> cameras = cameras_of(scene);
     out.cameras.push_back(trial_of(as_read, epipolar_errors(features, cameras)));
-    for (const Convention& c : conventions)
+    for (const Convention& c : convention_table())
         if (const auto to = changed(cameras, scene.transform, c.name); !c.of_mesh && !to.empty())
             out.cameras.push_back(trial_of(c.name, epipolar_errors(features, to)));
     out.chosen = best_of(out.cameras).names;
@@ -314,7 +232,7 @@ std::string said_of_cameras(const ConventionTrials& trials) {
 
 std::vector<std::string> convention_names() {
     std::vector<std::string> out{convention_auto, as_read};
-    for (const Convention& c : conventions) out.emplace_back(c.name);
+    for (const Convention& c : convention_table()) out.emplace_back(c.name);
     return out;
 }
 

@@ -1,0 +1,26 @@
+#pragma once
+#include <optional>
+#include <span>
+
+#include "scene/camera.h"
+#include "scene/similarity.h"
+
+namespace vantage {
+
+/// A way in which camera files or meshes differ from what their format says, because a program wrote or an
+/// export setting made them so. Undone by changing all cameras.
+struct Convention {
+    const char* name;     ///< of --convention
+    const char* meaning;  ///< in messages: "the mesh is turned by 180 degrees about x"
+    bool of_mesh;         ///< moves all cameras together: only the mesh tells whether it applies
+    std::optional<Camera> (*apply)(Camera camera,
+                                   const Similarity& transform);  ///< empty: changes nothing
+};
+
+std::span<const Convention> convention_table();
+
+/// Conventions of the table. They change nothing where there is no transform, or no tangential term.
+std::optional<Camera> without_transform(Camera camera, const Similarity& transform);
+std::optional<Camera> swapped_tangential(Camera camera, const Similarity&);
+
+}  // namespace vantage
