@@ -143,16 +143,19 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
     const std::vector<SharedFeature> agreeing = agreeing_features(features, cameras, far_off);
     out.shared = features.size();
     out.agreeing = agreeing.size();
-    if (agreeing.size() < enough) {
-        out.not_judged =
-            fmt::format("{} features agree with the cameras, expected at least {}", agreeing.size(), enough);
+    const std::vector<SharedFeature> telling = features_with_parallax(agreeing, cameras, 2 * misfit);
+    if (telling.size() < enough) {
+        out.not_judged = fmt::format(
+            "of {} features that photos share, {} agree with the cameras and {} of these tell "
+            "their distance, expected at least {}",
+            out.shared, out.agreeing, telling.size(), enough);
         return out;
     }
     const CastMesh& mesh = on_demand.get();
-    out.mesh.push_back(trial_of(as_read, surface_errors(agreeing, cameras, mesh)));
+    out.mesh.push_back(trial_of(as_read, surface_errors(telling, cameras, mesh)));
     for (const std::string& names : mesh_conventions())
         if (const auto to = changed(cameras, scene.transform, names); !to.empty())
-            out.mesh.push_back(trial_of(names, surface_errors(agreeing, to, mesh)));
+            out.mesh.push_back(trial_of(names, surface_errors(telling, to, mesh)));
     const ConventionTrial& best = best_of(out.mesh);
     out.misfit = !shows_features(best) && !shows_many(best);
     out.chosen_of_mesh = std::size_t(&best - out.mesh.data());
@@ -189,8 +192,10 @@ std::optional<ConventionTrials> as_read_by_pairs(const SceneInput& scene, std::s
     ConventionTrials out;
     out.cameras.push_back(trial_of(as_read, epipolar_errors(features, cameras)));
     const std::vector<SharedFeature> agreeing = agreeing_features(features, cameras, far_off);
-    if (2 * agreeing.size() < features.size() || agreeing.size() < enough) return {};
-    out.mesh.push_back(trial_of(as_read, surface_errors(agreeing, cameras, mesh.get())));
+    if (2 * agreeing.size() < features.size()) return {};
+    const std::vector<SharedFeature> telling = features_with_parallax(agreeing, cameras, 4 * half);
+    if (telling.size() < enough) return {};
+    out.mesh.push_back(trial_of(as_read, surface_errors(telling, cameras, mesh.get())));
     const ConventionTrial& shown = out.mesh.front();
     if (shown.defined < enough || !(shown.median <= 2 * half)) return {};
     return out;

@@ -53,6 +53,21 @@ std::vector<SharedFeature> agreeing_features(std::span<const SharedFeature> feat
     return out;
 }
 
+std::vector<SharedFeature> features_with_parallax(std::span<const SharedFeature> features,
+                                                  std::span<const Camera> cameras, double least) {
+    PhotoRays rays(cameras);
+    std::vector<SharedFeature> out;
+    for (const SharedFeature& f : features) {
+        const auto in_a = rays.pinhole(f.a, f.in_a);
+        if (!in_a) continue;
+        Camera to = cameras[f.b];
+        to.cam_from_world.t.setZero();
+        const auto far = imaged(to, cameras[f.a].cam_from_world.R.transpose() * in_a->homogeneous());
+        if (!far || (*far - f.in_b).norm() >= least * longer_side(to)) out.push_back(f);
+    }
+    return out;
+}
+
 CastMesh cast_mesh(const Mesh& mesh) {
     MainBox box = main_box(mesh);
     const Vector3d origin = (box.low + box.high) / 2;

@@ -21,6 +21,11 @@ std::vector<double> epipolar_errors(std::span<const SharedFeature> features, std
 std::vector<SharedFeature> agreeing_features(std::span<const SharedFeature> features,
                                              std::span<const Camera> cameras, double most);
 
+/// The features that tell how far away they are: photo b shows them at least `least`, a share of its longer
+/// side, from where it would show what photo a shows at infinity. Others agree with a mesh at any distance.
+std::vector<SharedFeature> features_with_parallax(std::span<const SharedFeature> features,
+                                                  std::span<const Camera> cameras, double least);
+
 /// A mesh for rays in input coordinates of any size.
 struct CastMesh {
     MainBox box;

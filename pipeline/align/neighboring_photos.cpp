@@ -10,6 +10,9 @@ namespace {
 
 const double least_cosine = std::cos(50 * std::numbers::pi / 180);
 
+/// Cameras that are nearer, relative to the median distance, stand in the same place: bursts, doubled photos.
+constexpr double same_place = 0.005;
+
 /// The others of its band that look in a similar direction, the nearest first.
 std::vector<std::uint32_t> neighbors(std::span<const PhotoInput> photos, std::uint32_t photo) {
     const Pose& own = photos[photo].camera.cam_from_world;
@@ -22,8 +25,9 @@ std::vector<std::uint32_t> neighbors(std::span<const PhotoInput> photos, std::ui
     }
     std::ranges::sort(found);
     std::vector<std::uint32_t> out;
+    const double least = found.empty() ? 0 : same_place * found[found.size() / 2].first;
     for (const auto& [distance, i] : found)
-        if (distance > 0) out.push_back(i);
+        if (distance > least) out.push_back(i);
     return out;
 }
 

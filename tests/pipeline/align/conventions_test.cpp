@@ -179,6 +179,19 @@ TEST(Conventions, AMirroredReliefStopsTheRun) {
     EXPECT_THROW(settle_convention(scene, convention_auto, 0), Error);
 }
 
+/// Two photos from nearly the same place agree with a mesh at any distance.
+TEST(Conventions, PhotosOfABurstDoNotJudgeAMesh) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    SceneInput scene = read_scene(discover(scan));
+    PhotoInput again = scene.photos[0];
+    again.camera.cam_from_world.t += Vector3d(0.002, 0, 0);
+    scene.photos.insert(scene.photos.begin(), again);
+    for (Vector3d& p : scene.mesh.positions) p *= 100;
+    EXPECT_THROW(settle_convention(scene, convention_auto, 0), Error);
+    scene.photos.resize(2);
+    EXPECT_EQ(fit_of(settle_convention(scene, convention_auto, 0), scene).substr(0, 10), "not judged");
+}
+
 TEST(Conventions, ASmallPartOfWhatPhotosShowFits) {
     VANTAGE_DATASET(scan, "sceaux-small");
     SceneInput scene = read_scene(discover(scan));
