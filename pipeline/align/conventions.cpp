@@ -10,6 +10,7 @@
 #include "pipeline/align/convention_table.h"
 #include "pipeline/align/photo_rays.h"
 #include "scene/error.h"
+#include "values/file_name.h"
 #include "values/quantile.h"
 
 namespace vantage {
@@ -25,6 +26,8 @@ constexpr double far_off = 0.005, misfit = 0.005;
 /// Fewer features, or a lower agreement, tell nothing.
 constexpr std::size_t enough = 60;
 constexpr double some_agreement = 0.15;
+/// The median error of a mesh that fits, relative to that of the epipolar lines, is less: it is about twice.
+constexpr double some_times = 4;
 /// Agreement relative to as read, and to every other convention.
 constexpr double clear_ratio = 2;
 
@@ -151,6 +154,7 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
             out.shared, out.agreeing, telling.size(), enough);
         return out;
     }
+    out.expected = std::max(2 * half, some_times * trial_of("", epipolar_errors(telling, cameras)).median);
     const CastMesh& mesh = on_demand.get();
     out.mesh.push_back(trial_of(as_read, surface_errors(telling, cameras, mesh)));
     for (const std::string& names : mesh_conventions())
@@ -219,6 +223,18 @@ std::string said_of_cameras(const ConventionTrials& trials) {
         "cameras and photos do not agree: {} of {} features that photos share lie near their epipolar lines, "
         "expected at least half; are photos turned or exchanged, or camera positions rounded?",
         trials.agreeing, trials.shared);
+}
+
+/// What is wrong with a mesh that fits roughly; empty if it fits well, as far as features tell.
+std::string said_of_mesh(const ConventionTrials& trials, const SceneInput& scene) {
+    if (trials.mesh.empty()) return {};
+    const ConventionTrial& t = trials.mesh[trials.chosen_of_mesh];
+    if (t.median <= trials.expected || shows_many(t)) return {};
+    return fmt::format(
+        "{}: shows features {:.1f} px from where photos do (median), expected at most {:.1f}; if it is moved "
+        "or turned and not just coarse, 'vantage align' finds where it belongs",
+        utf8_name(scene.files.mesh.filename().string()), in_pixels(t.median, scene),
+        in_pixels(trials.expected, scene));
 }
 
 [[noreturn]] void fail_as_misfit(const SceneInput& scene, const ConventionTrial& t) {
@@ -296,7 +312,8 @@ ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted,
         throw Error(Exit::misplaced, scene.files.cameras.string() + ": " + flaw +
                                          " --convention as-read takes them as they are");
     if (trials.misfit) fail_as_misfit(scene, trials.mesh.front());
-    if (!flaw.empty()) scene.warnings.push_back(flaw);
+    for (const std::string& said : {flaw, said_of_mesh(trials, scene)})
+        if (!said.empty()) scene.warnings.push_back(said);
     apply_conventions(scene, trials.chosen);
     for (const std::string& name : parts(trials.chosen))
         scene.warnings.push_back(

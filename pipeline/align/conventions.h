@@ -44,6 +44,7 @@ struct ConventionTrials {
     bool misfit = false;       ///< cameras and photos agree, but no convention makes the mesh agree with them
     std::size_t shared = 0;    ///< features that were tried
     std::size_t agreeing = 0;  ///< those near their epipolar lines under `chosen`
+    double expected = 1;       ///< the largest median of `mesh` that is expected, as features are this exact
     std::string not_judged;    ///< why `mesh` is empty; empty if it is not
 };
 
@@ -53,8 +54,9 @@ struct ConventionTrials {
 ConventionTrials try_conventions(const SceneInput& scene, const FeatureSettings& how = {});
 
 /// Applies the convention that the user wants, or the one that try_conventions() chooses, and warns of one
-/// that is not as read, and of cameras that do not agree with photos. Returns what was tried; nothing if the
-/// user wants one, or if there is no mesh. Throws Error(misplaced) if no convention makes the mesh fit.
+/// that is not as read, of cameras that do not agree with photos, and of a mesh that shows features off.
+/// Returns what was tried; nothing if the user wants one, or if there is no mesh. Throws Error(misplaced) if
+/// no convention makes the mesh fit.
 ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted, unsigned threads);
 
 /// "the mesh shows 2867 of 2899 features where photos do, to 1.3 px (median)", px of the first photo, or "not

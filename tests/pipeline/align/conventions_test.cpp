@@ -179,6 +179,17 @@ TEST(Conventions, AMirroredReliefStopsTheRun) {
     EXPECT_THROW(settle_convention(scene, convention_auto, 0), Error);
 }
 
+TEST(Conventions, AMeshThatIsSlightlyMovedIsSaid) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    SceneInput scene = read_scene(discover(scan));
+    settle_convention(scene, convention_auto, 0);
+    EXPECT_TRUE(scene.warnings.empty());
+    for (Vector3d& p : scene.mesh.positions) p.x() += 0.6;  // of 10
+    settle_convention(scene, convention_auto, 0);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_NE(scene.warnings[0].find("mesh.ply: shows features"), std::string::npos) << scene.warnings[0];
+}
+
 /// Two photos from nearly the same place agree with a mesh at any distance.
 TEST(Conventions, PhotosOfABurstDoNotJudgeAMesh) {
     VANTAGE_DATASET(scan, "sceaux-small");
