@@ -38,7 +38,8 @@ int orientation_of(std::span<const std::uint8_t> app1) {
     for (std::size_t at = folder + 2; at < folder + 2 + entry * entries && at + entry <= tiff.size();
          at += entry)
         if (number(at, 2) == orientation) {
-            const auto value = int(number(at + 8, 2));
+            constexpr std::size_t type_long = 4;
+            const auto value = int(number(at + 8, number(at + 2, 2) == type_long ? 4 : 2));
             return value >= 1 && value <= 8 ? value : 1;
         }
     return 1;

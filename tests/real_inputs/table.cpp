@@ -526,6 +526,7 @@ std::vector<Row> rows() {
         {"photos", "a RAW file that cannot be read", both(moved("images/C.jpg", "images/C.IIQ"), [](Scan& s) { s["images/C.IIQ"] = std::string(1000, 'r'); cameras_named({"A.jpg", "B.jpg", "C.IIQ"})(s); }), Exit::incomplete, Says{"left out C.IIQ: not a readable photo", "Unsupported file format or not RAW file"}, Holds{"A.jpg=red B.jpg=green;"}},
         {"photos", "turned by 90 degrees, as their EXIF says", [](Scan& s) { s.remove("images/C.jpg"); s["images/C.tif"] = photo(".tif", 0.25, 0.3, 0.8, 48, 64, 6); }, Holds{"A.jpg=red B.jpg=green C.tif=blue"}},
         {"photos", "turned by 90 degrees", with_file("images/C.jpg", photo(".jpg", 0, 0, 1, 48, 64)), Exit::incomplete, Says{"left out C.jpg"}, Holds{"A.jpg=red B.jpg=green"}},
+        {"photos", "turned by 90 degrees, as a long number in their EXIF says", [](Scan& s) { s["images/C.jpg"] = photo(".jpg", 0.25, 0.3, 0.8, 48, 64).insert(2, std::string("\xff\xe1\0\x22""Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x04\0\0\0\x01\0\0\0\x06\0\0\0\0", 36)); }, Holds{"A.jpg=red B.jpg=green C.jpg=blue"}},
         {"photos", "twice the size, all", [](Scan& s) { s["images/A.jpg"] = photo(".jpg", 0.8, 0.25, 0.2, 128, 96); }, Says{"A.jpg: is 128x96, but its camera expects 64x48; scaled the camera"}},
 
         // ------------------------------------------------------------------------------------------- options
