@@ -41,39 +41,48 @@ Intrinsics in_pixels(const Intrinsics& k, CameraSet::Unit unit, const PhotoSize&
             scale * k.cy + middle * size.height};
 }
 
+/// Whether only the photo as displayed, turned by 90 degrees, has the aspect of its camera.
+bool turns_to_fit(const PhotoHeader& header, const Intrinsics& k) {
+    const auto [width, height] = header.size;
+    const auto difference = [&](double x, double y) {
+        return std::abs(std::log(k.width * y / (k.height * x)));
+    };
+    return header.orientation >= 5 && difference(height, width) < difference(width, height);
+}
+
 /// Pixels are taken as stored, but the camera may be of the photo as displayed. Turned by 90 degrees, they
 /// fit their camera or do not, if its size tells; but they may have been turned before.
-int open_turn(const PhotoHeader& header, const Intrinsics& k, CameraSet::Unit unit) {
+int open_turn(const PhotoHeader& header, CameraSet::Unit unit, bool turns) {
     using Unit = CameraSet::Unit;
     if (header.orientation < 5) return header.orientation == 1 ? 0 : header.orientation;
     const bool square = header.size.width == header.size.height;
     if (square || (unit != Unit::pixels && unit != Unit::photo_width)) return header.orientation;
-    return k.width == header.size.height && k.height == header.size.width ? 3 : 0;
+    return turns ? 3 : 0;
 }
 
 /// Fits the camera to the photo's size: fills in an unknown size, or scales a calibration made at another
 /// resolution. Throws Error(input) if the aspect ratios differ.
 void fit_to_photo(PhotoInput& photo, CameraSet::Unit unit, SceneInput& scene) {
     const PhotoHeader header = read_photo_header(photo.file);
-    const PhotoSize size = header.size;
     photo.linear = header.linear;
     photo.profile = header.profile;
-    Intrinsics& k = photo.camera.intrinsics;
     photo.orientation = header.orientation;
-    photo.open_turn = open_turn(header, k, unit);
+    Intrinsics& k = photo.camera.intrinsics;
+    const bool turns = unit == CameraSet::Unit::pixels && turns_to_fit(header, k);
+    photo.open_turn = open_turn(header, unit, turns);
+    PhotoSize size = header.size;
+    if (turns) std::swap(size.width, size.height);
     if (unit != CameraSet::Unit::pixels) {
         k = in_pixels(k, unit, size);
         return;
     }
-    const bool same = k.width == size.width && k.height == size.height;
-    const bool rotated = k.width == size.height && k.height == size.width;
-    if (same || rotated) return;
+    if (k.width == size.width && k.height == size.height) return;
     const double x = double(size.width) / k.width, y = double(size.height) / k.height;
-    const std::string sizes = std::to_string(size.width) + "x" + std::to_string(size.height) +
-                              ", but its camera expects " + std::to_string(k.width) + "x" +
-                              std::to_string(k.height);
-    if (!(std::abs(x / y - 1) < 0.005)) throw Error(Exit::input, photo.file.string() + ": is " + sizes);
-    scene.warnings.push_back(photo.name + ": is " + sizes + "; scaled the camera");
+    const std::string sizes = "is " + std::to_string(header.size.width) + "x" +
+                              std::to_string(header.size.height) + ", but its camera expects " +
+                              std::to_string(k.width) + "x" + std::to_string(k.height);
+    if (!(std::abs(x / y - 1) < 0.005)) throw Error(Exit::input, photo.file.string() + ": " + sizes);
+    scene.warnings.push_back(photo.name + ": " + sizes + "; scaled the camera");
     k = k.scaled(size.width, size.height);
 }
 
