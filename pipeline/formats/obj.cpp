@@ -27,6 +27,11 @@ std::string joined(const Words& words) {
     return out;
 }
 
+/// Whether what follows this word is a name, which may have `#` and end in a backslash.
+bool names_something(std::string_view word) {
+    return word == "usemtl" || word == "mtllib" || word == "g" || word == "o";
+}
+
 /// A mesh and its materials by name.
 struct ObjMesh {
     Mesh mesh;
@@ -65,12 +70,13 @@ class ObjReader {
         words.clear();
         if (in_.at_end()) return false;
         while (!in_.at_line_end()) {
-            const std::string_view found = in_.word("a word");
-            const bool in_a_name = !words.empty() && (words[0] == "usemtl" || words[0] == "mtllib");
-            std::string_view word = in_a_name ? found : found.substr(0, found.find('#'));
-            if (word.size() < found.size()) in_.skip_to_line_end();
-            const bool continues = found.ends_with('\\') && in_.at_line_end();
-            if (continues) word.remove_suffix(1), in_.next_line();
+            std::string_view word = in_.word("a word");
+            const bool in_a_name = !words.empty() && names_something(words[0]);
+            const std::size_t comment = in_a_name ? word.npos : word.find('#');
+            if (comment != word.npos)
+                word = word.substr(0, comment), in_.skip_to_line_end();
+            else if ((in_a_name ? word == "\\" : word.ends_with('\\')) && in_.at_line_end())
+                word.remove_suffix(1), in_.next_line();
             if (!word.empty()) words.push_back(word);
         }
         return true;

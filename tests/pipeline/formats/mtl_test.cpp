@@ -28,6 +28,9 @@ class Mtl : public TemporaryFolder {
         write("mesh.obj", text);
         return read_mesh(dir / "mesh.obj", warnings, &files);
     }
+    static std::string replaced(std::string text, const std::string& what, const std::string& by) {
+        return text.replace(text.find(what), what.size(), by);
+    }
     std::vector<std::string> warnings;
     std::vector<std::filesystem::path> files;
 };
@@ -133,6 +136,20 @@ TEST_F(Mtl, AreFoundAsExportersNameThem) {
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_EQ(warnings[0],
               "mesh.obj: its material file none.mtl is missing; faces of its materials are taken as opaque");
+}
+
+TEST_F(Mtl, AreNotSwallowedByCommentsAndNames) {
+    write("a.mtl", "newmtl tiles\nnewmtl skylight\nd 0.5\n");
+    for (const char* line : {"#C:\\scans\\", "#\\", "# a \\", "g C:\\scans\\", "o wall #3\\", "v 9 9 9 #\\"})
+        EXPECT_EQ(mesh("mtllib a.mtl\n" + replaced(roof, "usemtl sky", line + std::string("\nusemtl sky")))
+                      .colors.at(5)[3],
+                  128)
+            << line;
+    const std::string continued =
+        replaced(replaced(roof, "f 1 2 4", "f 1 2\\\n 4"), "usemtl sky", "usemtl \\\nsky");
+    EXPECT_EQ(mesh("mtllib a.mtl\n" + continued).colors.at(5)[3], 128);
+    write("a.mtl", "newmtl skylight\\\nd 0.5\n");
+    EXPECT_EQ(mesh("mtllib a.mtl\n" + replaced(roof, "skylight", "skylight\\")).colors.at(5)[3], 128);
 }
 
 TEST_F(Mtl, DoNotHideWrongFaces) {
