@@ -105,8 +105,8 @@ class MtlReader {
     std::size_t line_ = 0, listed_ = 0;
 };
 
-/// Without a comment behind it.
-std::string_view bare(std::string_view name) { return trimmed(name.substr(0, name.find(" #"))); }
+/// Without a comment behind it: `#` between blanks; "Material #25" is a name.
+std::string_view bare(std::string_view name) { return trimmed(name.substr(0, name.find(" # "))); }
 
 }  // namespace
 

@@ -21,7 +21,7 @@ std::map<std::string, MaterialColor> read_mtl(const std::filesystem::path& file,
                                               std::vector<std::string>& warnings);
 
 /// The material that a face's `usemtl` means: the one of that name, `#` included; else the only one that has
-/// it if what follows a blank and `#` is a comment. Nothing if there is none.
+/// it if what follows ` # ` is a comment. Nothing if there is none.
 std::optional<MaterialColor> material_named(const std::map<std::string, MaterialColor>& materials,
                                             const std::string& name);
 

@@ -171,6 +171,23 @@ std::vector<fs::path> library_files(const fs::path& folder, const std::vector<st
     return out;
 }
 
+/// The names of materials that triangles use and that `known` lacks; not the empty one, which is none.
+std::vector<std::string> unknown_materials(const ObjMesh& obj,
+                                           const std::map<std::string, MaterialColor>& known) {
+    std::vector<bool> used(obj.names.size(), false);
+    for (const std::uint32_t m : obj.of_triangle)
+        if (m < used.size()) used[m] = true;
+    std::vector<std::string> out;
+    for (std::size_t m = 0; m < used.size(); ++m)
+        if (used[m] && !obj.names[m].empty() && !material_named(known, obj.names[m]))
+            out.push_back(obj.names[m]);
+    return out;
+}
+
+std::string and_others(std::size_t count) {
+    return count == 0 ? "" : " and " + std::to_string(count) + " others";
+}
+
 /// The colors of the mesh's materials, by number. Adds the files read to `files`.
 std::vector<MaterialColor> material_colors(const ObjMesh& obj, const fs::path& file,
                                            std::set<fs::path>& files, std::vector<std::string>& warnings) {
@@ -179,14 +196,19 @@ std::vector<MaterialColor> material_colors(const ObjMesh& obj, const fs::path& f
     for (const std::vector<std::string>& words : obj.libraries)
         for (const fs::path& library : library_files(file.parent_path(), words, missing))
             if (files.insert(library).second) known.merge(read_mtl(library, warnings));
+    const std::string name = file.filename().string();
     if (!missing.empty())
-        warnings.push_back(
-            file.filename().string() + ": its material file " + missing.front().substr(0, 80) +
-            (missing.size() > 1 ? " and " + std::to_string(missing.size() - 1) + " others are" : " is") +
-            " missing; faces of its materials are taken as opaque");
+        warnings.push_back(name + ": its material file " + missing.front().substr(0, 80) +
+                           and_others(missing.size() - 1) + (missing.size() > 1 ? " are" : " is") +
+                           " missing; faces of its materials are taken as opaque");
+    else if (const auto unknown = unknown_materials(obj, known); !files.empty() && !unknown.empty())
+        warnings.push_back(files.begin()->filename().string() + and_others(files.size() - 1) +
+                           (files.size() > 1 ? ": have" : ": has") + " no material '" +
+                           unknown.front().substr(0, 80) + "'" + and_others(unknown.size() - 1) +
+                           ", which faces of " + name + " use; taken as opaque");
     std::vector<MaterialColor> out;
-    for (const std::string& name : obj.names)
-        out.push_back(material_named(known, name).value_or(MaterialColor{255, 255, 255, 255}));
+    for (const std::string& used : obj.names)
+        out.push_back(material_named(known, used).value_or(MaterialColor{255, 255, 255, 255}));
     return out;
 }
 

@@ -72,6 +72,11 @@ TEST_F(Mtl, NamesMayHaveNumberSigns) {
     EXPECT_EQ(material_named(known, "#00FF00").value()[3], 255);
     EXPECT_EQ(material_named(known, "oak").value()[3], 64);
     EXPECT_FALSE(material_named(known, "ash"));
+    // A number is no comment.
+    const auto numbered = materials("newmtl Glass #1 # frame\nd 1\nnewmtl Glass #2 # pane\nd 0.25\n");
+    EXPECT_EQ(material_named(numbered, "Glass #2").value()[3], 64);
+    EXPECT_FALSE(material_named(numbered, "Glass #3"));
+    EXPECT_FALSE(material_named(numbered, "Glass"));
 }
 
 TEST_F(Mtl, SaysWhatCannotBeRead) {
@@ -126,8 +131,8 @@ TEST_F(Mtl, KeepColorsOfVertices) {
 }
 
 TEST_F(Mtl, AreFoundAsExportersNameThem) {
-    write("my materials.mtl", "newmtl skylight\nd 0.5\n");
-    write("sub/b.mtl", "newmtl skylight\nd 0.25\n");
+    write("my materials.mtl", "newmtl tiles\nnewmtl skylight\nd 0.5\n");
+    write("sub/b.mtl", "newmtl tiles\nnewmtl skylight\nd 0.25\n");
     EXPECT_EQ(mesh("mtllib my materials.mtl\n" + roof).colors[5][3], 128);
     EXPECT_EQ(mesh("mtllib C:\\work\\my materials.mtl\n" + roof).colors[5][3], 128);
     EXPECT_EQ(mesh("mtllib sub\\b.mtl\n" + roof).colors[5][3], 64);
@@ -136,6 +141,14 @@ TEST_F(Mtl, AreFoundAsExportersNameThem) {
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_EQ(warnings[0],
               "mesh.obj: its material file none.mtl is missing; faces of its materials are taken as opaque");
+}
+
+TEST_F(Mtl, AreMissedIfFacesUseThem) {
+    write("a.mtl", "newmtl Skylight\nd 0.5\n");
+    EXPECT_TRUE(mesh("mtllib a.mtl\nusemtl unused\n" + roof).colors.empty());
+    EXPECT_EQ(warnings,
+              std::vector<std::string>{"a.mtl: has no material 'tiles' and 1 others, which faces of "
+                                       "mesh.obj use; taken as opaque"});
 }
 
 TEST_F(Mtl, AreNotSwallowedByCommentsAndNames) {
