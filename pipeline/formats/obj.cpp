@@ -220,10 +220,9 @@ Mesh read_obj(const fs::path& file, std::vector<std::string>& warnings, std::vec
     if (obj.libraries.empty() || std::ranges::all_of(obj.of_triangle, none)) return std::move(obj.mesh);
     std::set<fs::path> files;
     const std::vector<MaterialColor> colors = material_colors(obj, file, files, warnings);
-    const auto clear = [&](std::uint32_t m) { return m < colors.size() && colors[m][3] < 255; };
-    if (std::ranges::none_of(obj.of_triangle, clear)) return std::move(obj.mesh);
-    color_by_material(obj.mesh, obj.of_triangle, colors);
     materials.insert(materials.end(), files.begin(), files.end());
+    const auto clear = [&](std::uint32_t m) { return m < colors.size() && colors[m][3] < 255; };
+    if (std::ranges::any_of(obj.of_triangle, clear)) color_by_material(obj.mesh, obj.of_triangle, colors);
     return std::move(obj.mesh);
 }
 
