@@ -9,18 +9,38 @@
 
 namespace vantage {
 
-/// Reads a number that is the whole of `text`, independent of the locale, as programs write them: "+1.5", and
-/// for integers also "331.0" and "1e3". False, and `value` unchanged, if it is none or does not fit T.
+/// What Microsoft's C library wrote until 2015 for what is not finite: "1.#INF", "-1.#IND", "1.#QNAN0".
+template <class T>
+std::optional<T> parse_not_finite(std::string_view text) {
+    const bool negative = text.starts_with('-');
+    text.remove_prefix(negative);
+    if (text.starts_with("1.#INF"))
+        return negative ? -std::numeric_limits<T>::infinity() : std::numeric_limits<T>::infinity();
+    if (text.starts_with("1.#QNAN") || text.starts_with("1.#SNAN") || text.starts_with("1.#IND"))
+        return std::numeric_limits<T>::quiet_NaN();
+    return {};
+}
+
+/// Reads a number that is the whole of `text`, independent of the locale, as programs write them: "+1.5",
+/// "1e-400" (0), and for integers also "331.0" and "1e3". False, and `value` unchanged, if it is none or does
+/// not fit T.
 template <class T>
 bool parse_number(std::string_view text, T& value) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     const char* end = text.data() + text.size();
     T parsed{};
-    if (const auto [p, error] = std::from_chars(text.data(), end, parsed); error == std::errc{} && p == end) {
+    const auto [p, error] = std::from_chars(text.data(), end, parsed);
+    if (error == std::errc{} && p == end) {
         value = parsed;
         return true;
     }
-    if constexpr (std::is_integral_v<T>) {
+    if constexpr (std::is_floating_point_v<T>) {
+        const bool too_small = error == std::errc::result_out_of_range && p == end &&
+                               (text.find("e-") != text.npos || text.find("E-") != text.npos);
+        const std::optional<T> other = too_small ? std::optional<T>(0) : parse_not_finite<T>(text);
+        if (other) value = *other;
+        return other.has_value();
+    } else {
         double real = 0;
         const bool whole = parse_number(text, real) && real == std::floor(real) &&
                            real >= double(std::numeric_limits<T>::min()) &&
@@ -29,7 +49,6 @@ bool parse_number(std::string_view text, T& value) {
         if (whole) value = T(real);
         return whole;
     }
-    return false;
 }
 
 /// A number that consists of decimal digits only; nothing if it is anything else or exceeds 64 bits.

@@ -1,12 +1,12 @@
 #include "pipeline/formats/mtl.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
 
 #include "pipeline/run/read_file.h"
+#include "values/parse_number.h"
 
 namespace vantage {
 namespace {
@@ -29,11 +29,8 @@ std::string_view take_word(std::string_view& rest) {
 
 /// A finite number, clamped to [0, 1].
 std::optional<double> take_share(std::string_view& rest) {
-    std::string_view word = take_word(rest);
-    if (word.starts_with('+')) word.remove_prefix(1);
     double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) return {};
+    if (!parse_number(take_word(rest), value) || !std::isfinite(value)) return {};
     return std::clamp(value, 0.0, 1.0);
 }
 

@@ -32,6 +32,13 @@ bool names_something(std::string_view word) {
     return word == "usemtl" || word == "mtllib" || word == "g" || word == "o";
 }
 
+/// Where a comment begins; not in "1.#QNAN".
+std::size_t comment_in(std::string_view word) {
+    std::size_t at = word.find('#');
+    while (at != word.npos && at > 0 && word[at - 1] == '.') at = word.find('#', at + 1);
+    return at;
+}
+
 /// A mesh and its materials by name.
 struct ObjMesh {
     Mesh mesh;
@@ -72,7 +79,7 @@ class ObjReader {
         while (!in_.at_line_end()) {
             std::string_view word = in_.word("a word");
             const bool in_a_name = !words.empty() && names_something(words[0]);
-            const std::size_t comment = in_a_name ? word.npos : word.find('#');
+            const std::size_t comment = in_a_name ? word.npos : comment_in(word);
             if (comment != word.npos)
                 word = word.substr(0, comment), in_.skip_to_line_end();
             else if ((in_a_name ? word == "\\" : word.ends_with('\\')) && in_.at_line_end())

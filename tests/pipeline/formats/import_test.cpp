@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iomanip>
@@ -26,6 +27,9 @@ class Import : public TemporaryFolder {
         std::ofstream(dir / name, std::ios::binary) << text;
     }
 
+    static std::string replaced(std::string text, const std::string& what, const std::string& by) {
+        return text.replace(text.find(what), what.size(), by);
+    }
     template <class T>
     static void append(std::string& s, T v) {
         s.append(reinterpret_cast<const char*>(&v), sizeof v);
@@ -314,6 +318,24 @@ TEST_F(Import, PlyPointsStripsAndBrokenFaces) {
     ASSERT_EQ(warnings.size(), 2u);
     EXPECT_NE(warnings[0].find("1 invalid points"), std::string::npos);
     EXPECT_NE(warnings[1].find("1 invalid triangles"), std::string::npos);
+}
+
+TEST_F(Import, NumbersThatAreNotFiniteOrTiny) {
+    std::vector<std::string> warnings;
+    put("mesh.obj",
+        "v 0 0 0\nv 1 0 1e-400#tiny\nv 0 1 -2.5E-330\nv 0 0 1.#QNAN\nv 1 1 -1.#INF00\nvn 0 -1.#IND 1\n"
+        "f 1//1 2//1 3//1\nf 1 2 4\nf 1 2 5\n");
+    const Mesh obj = read_mesh(dir / "mesh.obj", warnings);
+    ASSERT_EQ(obj.triangles.size(), 1u);
+    EXPECT_EQ(obj.positions[1], Eigen::Vector3d(1, 0, 0));
+    EXPECT_EQ(obj.normals[0], Eigen::Vector3f(0, 0, 1)) << "that of the face";
+    EXPECT_EQ(warnings, std::vector<std::string>{"mesh.obj: 2 invalid triangles dropped"});
+    put("mesh.ply", replaced(survey_ply, "0.25 0 255", "-1.#IND000 0 255"));
+    EXPECT_TRUE(std::isnan(read_mesh(dir / "mesh.ply", warnings).scalars[0].values[1]));
+    for (const char* z : {"1e400", "1.#comment", "1e-", "1.#"}) {
+        put("mesh.obj", "v 0 0 " + std::string(z) + "\n");
+        EXPECT_THROW(read_mesh(dir / "mesh.obj", warnings), Error) << z;
+    }
 }
 
 TEST(RealImport, BundlerAndColmapAgreeOnSceaux) {

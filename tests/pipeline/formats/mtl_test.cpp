@@ -45,8 +45,9 @@ TEST_F(Mtl, GivesColorAndAlpha) {
     const auto m = materials(
         "# a comment\nKd 9 9 9\nnewmtl glass pane\r\n  Kd 1 0.5 0\r\n\td 0.4 # clear\r\nnewmtl old\nTr 0.4\n"
         "newmtl both\nTr 0.4\nd 0.2\nTr 0.9\nnewmtl halo\nd -halo 0.6\nnewmtl plain\nNs 10\nnewmtl "
-        "bright\nKd 2 +.2 -1");
-    EXPECT_EQ(m.size(), 6u);
+        "bright\nKd 2 +.2 -1\nnewmtl hole\nd 1e-400");
+    EXPECT_EQ(m.size(), 7u);
+    EXPECT_EQ(m.at("hole")[3], 0);
     EXPECT_EQ(m.at("glass pane"), (MaterialColor{255, 128, 0, 102}));
     EXPECT_EQ(m.at("old"), (MaterialColor{255, 255, 255, 153})) << "Tr is what light passes";
     EXPECT_EQ(m.at("both")[3], 51) << "d counts";
