@@ -23,9 +23,10 @@ double factor(double most, bool is_real) {
 }  // namespace
 
 std::vector<std::array<std::uint8_t, 4>> color_bytes(const std::array<std::vector<double>, 4>& channels,
-                                                     bool is_real) {
+                                                     bool is_real, bool is_alpha_real) {
     const double most = std::max({largest(channels[0]), largest(channels[1]), largest(channels[2])});
-    const double of_color = factor(most, is_real), of_alpha = factor(largest(channels[3]), is_real);
+    const double of_color = factor(most, is_real);
+    const double of_alpha = factor(largest(channels[3]), is_alpha_real);
     std::vector<std::array<std::uint8_t, 4>> out(channels[0].size(), {255, 255, 255, 255});
     for (std::size_t c = 0; c < 4; ++c)
         for (std::size_t v = 0; v < channels[c].size(); ++v) {

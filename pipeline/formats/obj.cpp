@@ -65,7 +65,7 @@ class ObjReader {
             else if (words[0] == "usemtl")
                 use_material(joined({words.begin() + 1, words.end()}));
         }
-        if (colored_) mesh_.colors = color_bytes(colors_, true);
+        if (colored_) mesh_.colors = color_bytes(colors_, true, true);
         // Vertices may follow the last face with normals.
         if (!mesh_.normals.empty()) mesh_.normals.resize(mesh_.positions.size(), Eigen::Vector3f::Zero());
         return {std::move(mesh_), std::move(of_triangle_), std::move(names_), std::move(libraries_)};

@@ -43,7 +43,7 @@ std::vector<double> rest_of_line(Tokens& in, bool& is_real) {
 
 void read_vertices(Tokens& in, Kind kind, std::size_t count, Mesh& mesh) {
     std::array<std::vector<double>, 4> colors;
-    bool colored = false, is_real = false;
+    bool colored = false, is_real = false, has_alpha = true;
     for (std::size_t i = 0; i < count; ++i) {
         skip_comments(in);
         Eigen::Vector3d p, n;
@@ -55,9 +55,13 @@ void read_vertices(Tokens& in, Kind kind, std::size_t count, Mesh& mesh) {
         mesh.positions.push_back(p);
         if (kind.normals) mesh.normals.push_back(n.cast<float>());
         colored |= rest.size() >= 3;
-        for (std::size_t c = 0; c < 3; ++c) colors[c].push_back(rest.size() >= 3 ? rest[c] : 0);
+        has_alpha &= rest.size() == 4;
+        if (rest.size() < 3) rest.assign(3, 0);
+        rest.resize(4);
+        for (std::size_t c = 0; c < 4; ++c) colors[c].push_back(rest[c]);
     }
-    if (colored) mesh.colors = color_bytes(colors, is_real);
+    if (!has_alpha) colors[3].clear();
+    if (colored) mesh.colors = color_bytes(colors, is_real, true);
 }
 
 void read_faces(Tokens& in, std::size_t count, Mesh& mesh) {

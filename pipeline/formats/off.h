@@ -9,9 +9,9 @@ namespace vantage {
 bool is_binary_off(const std::filesystem::path& file);
 
 /// Reads a text OFF file (Geomview: OFF, COFF, NOFF, CNOFF, STOFF; also without the word) at double
-/// precision: vertices, their normals and colors (by color_bytes()), and polygons, which become triangle
-/// fans. Colors of faces are skipped. Corners that refer to no vertex become `no_vertex`. Throws Error(input)
-/// with the line.
+/// precision: vertices, their normals and colors (by color_bytes(), with alpha if all have it), and polygons,
+/// which become triangle fans. Colors of faces are skipped. Corners that refer to no vertex become
+/// `no_vertex`. Throws Error(input) with the line.
 Mesh read_off(const std::filesystem::path& file);
 
 }  // namespace vantage

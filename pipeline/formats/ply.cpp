@@ -346,15 +346,17 @@ void take_colors(const Element& e, Columns& columns, Mesh& mesh) {
     });
     if (names == color_names.end()) return;
     std::array<std::vector<double>, 4> channels;
-    bool is_real = false;
+    bool is_real = false, is_alpha_real = false;
     for (std::size_t c = 0; c < 4; ++c) {
-        const auto column = columns.extract((*names)[c]);
+        const std::string name = columns.contains((*names)[c]) || c < 3 ? (*names)[c] : "alpha";
+        const auto column = columns.extract(name);
         if (!column) continue;
         channels[c] = std::move(column.mapped());
-        const Type type = std::ranges::find(e.properties, std::string((*names)[c]), &Property::name)->type;
-        is_real |= c < 3 && (type == Type::f32 || type == Type::f64);
+        const Type type = std::ranges::find(e.properties, name, &Property::name)->type;
+        is_alpha_real |= type == Type::f32 || type == Type::f64;
+        if (c < 3) is_real = is_alpha_real;
     }
-    mesh.colors = color_bytes(channels, is_real);
+    mesh.colors = color_bytes(channels, is_real, is_alpha_real);
 }
 
 void take_vertices(const Ply& ply, const Element& e, Columns columns, Mesh& mesh) {

@@ -320,6 +320,27 @@ TEST_F(Import, PlyPointsStripsAndBrokenFaces) {
     EXPECT_NE(warnings[1].find("1 invalid triangles"), std::string::npos);
 }
 
+TEST_F(Import, AlphaHasARangeOfItsOwn) {
+    const auto alpha = [&](const char* name, const std::string& text) {
+        put(name, text);
+        std::vector<std::string> warnings;
+        return int(read_mesh(dir / name, warnings).colors.at(0)[3]);
+    };
+    const std::string real = replaced(survey_ply, "uchar alpha", "float alpha");
+    EXPECT_EQ(alpha("a.ply", replaced(replaced(replaced(real, "0 0 128", "0 0 0.5"), "0 255 8", "0 1 8"),
+                                      "255 255 -9", "255 1 -9")),
+              128);
+    EXPECT_EQ(alpha("a.ply", real), 128) << "real numbers up to 255";
+    const std::string diffuse =
+        replaced(replaced(replaced(survey_ply, "red", "diffuse_red"), "green", "diffuse_green"), "blue",
+                 "diffuse_blue");
+    EXPECT_EQ(alpha("a.ply", diffuse), 128);
+    const std::string faces = "\n3 0 1 2\n";
+    EXPECT_EQ(alpha("a.off", "COFF\n3 1 0\n0 0 0 9 9 9 128\n1 0 0 9 9 9 255\n0 1 0 9 9 9 255" + faces), 128);
+    EXPECT_EQ(alpha("a.off", "COFF\n3 1 0\n0 0 0 9 9 9 0.5\n1 0 0 9 9 9 1\n0 1 0 9 9 9 1" + faces), 128);
+    EXPECT_EQ(alpha("a.off", "COFF\n3 1 0\n0 0 0 9 9 9 128\n1 0 0 9 9 9\n0 1 0 9 9 9" + faces), 255);
+}
+
 TEST_F(Import, NumbersThatAreNotFiniteOrTiny) {
     std::vector<std::string> warnings;
     put("mesh.obj",
