@@ -12,6 +12,7 @@
 #include "pipeline/formats/off.h"
 #include "pipeline/formats/openmesh_reader.h"
 #include "pipeline/formats/ply.h"
+#include "pipeline/formats/stl.h"
 #include "pipeline/formats/weld.h"
 #include "scene/error.h"
 #include "values/lower_extension.h"
@@ -89,6 +90,7 @@ Mesh read_nodes(const std::filesystem::path& file, Found& found) {
 Mesh parse(const std::filesystem::path& file, const std::string& extension, Found& found) {
     if (extension == ".ply") return read_ply(file);
     if (extension == ".obj") return read_obj(file, found.warnings, found.companions);
+    if (extension == ".stl") return read_stl(file);
     if (extension == ".off" && !is_binary_off(file)) return read_off(file);
     if (has_nodes(file)) return read_nodes(file, found);
     if (is_usd_file(file))

@@ -19,15 +19,16 @@ bool has_nodes(const std::filesystem::path& file);
 /// Whether it is a USD file, which read_mesh() refuses.
 bool is_usd_file(const std::filesystem::path& file);
 
-/// Reads a mesh: PLY, OBJ and text OFF at double precision, STL and binary OFF by OpenMesh in single
-/// precision without its half-edge structure, so that non-manifold faces are kept, glTF, GLB and FBX as by
-/// read_with_assimp(). Polygons become triangle fans, but for FBX. STL, glTF, GLB and FBX are welded.
-/// Triangles with repeated, missing or non-finite vertices, or coordinates of 1e18 or more, are dropped
-/// and counted in `warnings`; vertices of no triangle are kept, but moved onto another vertex. Of a cloud,
-/// points with such coordinates are dropped and counted. Also adds the coordinate_warnings, and the unit that
-/// an FBX states, if that is not the meter. Normals have unit length; missing ones are area-weighted means of
-/// the face normals; clouds without any have none. Further files on which the mesh depends go to
-/// `companions`: the buffers of a glTF, and the materials of an OBJ, see read_obj(). Throws Error(input).
+/// Reads a mesh: PLY, OBJ, text STL and text OFF at double precision, binary STL in single precision, binary
+/// OFF by OpenMesh in single precision without its half-edge structure, so that non-manifold faces are kept,
+/// glTF, GLB and FBX as by read_with_assimp(). Polygons become triangle fans, but for FBX. STL, glTF, GLB and
+/// FBX are welded. Triangles with repeated, missing or non-finite vertices, or coordinates of 1e18 or more,
+/// are dropped and counted in `warnings`; vertices of no triangle are kept, but moved onto another vertex. Of
+/// a cloud, points with such coordinates are dropped and counted. Also adds the coordinate_warnings, and the
+/// unit that an FBX states, if that is not the meter. Normals have unit length; missing ones are
+/// area-weighted means of the face normals; clouds without any have none. Further files on which the mesh
+/// depends go to `companions`: the buffers of a glTF, and the materials of an OBJ, see read_obj(). Throws
+/// Error(input).
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings,
                std::vector<std::filesystem::path>* companions = nullptr);
 

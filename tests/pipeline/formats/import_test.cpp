@@ -359,6 +359,49 @@ TEST_F(Import, NumbersThatAreNotFiniteOrTiny) {
     }
 }
 
+TEST_F(Import, StlIsWholeOrRefused) {
+    const auto read = [&](const std::string& text) -> std::string {
+        put("a.stl", text);
+        std::vector<std::string> warnings;
+        try {
+            const Mesh m = read_mesh(dir / "a.stl", warnings);
+            return std::to_string(m.positions.size()) + " " + std::to_string(m.triangles.size());
+        } catch (const Error& e) {
+            return std::string(e.what()).substr((dir / "a.stl").string().size());
+        }
+    };
+    const std::string facet = "facet normal 1.#IND 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n",
+                      end = "endloop\nendfacet\n",
+                      text = "solid a #2\n" + facet + "vertex 1 1 0\nvertex 0 1 0\n" + end +
+                             "endsolid\nsolid facet\n" + facet + "vertex -0 0 1\n" + end + "endsolid facet\n";
+    EXPECT_EQ(read(text), "5 3");
+    std::string capitals = text, carriage_returns = text;
+    std::ranges::transform(capitals, capitals.begin(), [](unsigned char c) { return char(std::toupper(c)); });
+    std::ranges::replace(carriage_returns, '\n', '\r');
+    EXPECT_EQ(read(capitals), "5 3");
+    EXPECT_EQ(read(carriage_returns), "5 3");
+    EXPECT_EQ(read(replaced(text, "1 1 0", "1 x1 0")), ", line 6: expected a coordinate, found 'x1'");
+    EXPECT_EQ(read(replaced(text, "1 1 0", "1,0 1 0")), ", line 6: expected a coordinate, found '1,0'");
+    EXPECT_EQ(read(text.substr(0, text.rfind("endsolid"))),
+              ", line 19: expected facet or endsolid, found the end of the file");
+    EXPECT_EQ(read("<html>"), ", line 1: expected solid, found '<html>'");
+
+    const auto binary = [](const char* header, std::uint32_t count, const std::string& tail) {
+        std::string s(header);
+        s.resize(80), append(s, count);
+        for (const float x : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) append(s, x);
+        append<std::uint16_t>(s, 0xffff);
+        return s + tail;
+    };
+    EXPECT_EQ(read(binary("solid", 1, "")), "3 1");
+    EXPECT_EQ(read(binary("solid", 1, "end")), "3 1");
+    EXPECT_EQ(read(binary("", 1, std::string(428, '\0'))), "3 1") << "padded to 512 bytes";
+    EXPECT_EQ(read(binary("", 2, "end")), ": is cut off: its header counts 2 triangles, 1 are there");
+    EXPECT_EQ(read(binary("", ~0u, "")), ": is cut off: its header counts 4294967295 triangles, 1 are there");
+    EXPECT_EQ(read(binary("", 0, "")), ": is damaged: its header counts 0 triangles, 1 are there");
+    EXPECT_EQ(read(std::string(83, '\0')), ": is cut off: expected a header of 84 bytes");
+}
+
 TEST(RealImport, BundlerAndColmapAgreeOnSceaux) {
     VANTAGE_DATASET(colmap, "sceaux");
     VANTAGE_DATASET(bundler, "sceaux-bundler");

@@ -1,0 +1,141 @@
+#include "pipeline/formats/stl.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <unordered_map>
+
+#include "pipeline/formats/tokens.h"
+#include "pipeline/run/read_file.h"
+#include "scene/error.h"
+#include "values/lower_case.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t header_bytes = 84, triangle_bytes = 50;
+
+/// Collects triangles and makes one vertex of corners with the same coordinates.
+class Builder {
+  public:
+    void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+        const std::array<std::uint32_t, 3> t{vertex(a), vertex(b), vertex(c)};
+        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh_.triangles.push_back(t);
+    }
+    Mesh result() { return std::move(mesh_); }
+
+  private:
+    using Bits = std::array<std::uint64_t, 3>;  // NaN equals itself
+    struct Hash {
+        std::size_t operator()(const Bits& bits) const {
+            return std::hash<std::string_view>()({reinterpret_cast<const char*>(bits.data()), sizeof bits});
+        }
+    };
+    std::uint32_t vertex(const Eigen::Vector3d& p) {
+        Bits bits;
+        for (std::size_t i = 0; i < 3; ++i)
+            bits[i] = std::bit_cast<std::uint64_t>(p[Eigen::Index(i)] + 0.0);  // 0 for -0
+        const auto [at, is_new] = known_.try_emplace(bits, std::uint32_t(mesh_.positions.size()));
+        if (is_new) mesh_.positions.push_back(p);
+        return at->second;
+    }
+
+    Mesh mesh_;
+    std::unordered_map<Bits, std::uint32_t, Hash> known_;
+};
+
+class TextReader {
+  public:
+    explicit TextReader(const fs::path& file) : in_(file) {}
+
+    /// One or more solids.
+    Mesh read() {
+        while (!in_.at_end()) {
+            expect("solid");
+            in_.line();  // its name
+            while (read_facet()) {
+            }
+            in_.line();
+        }
+        return builder_.result();
+    }
+
+  private:
+    /// False at the end of the solid.
+    bool read_facet() {
+        if (!at("facet", "endsolid")) return false;
+        expect("normal");
+        for (int i = 0; i < 3; ++i) in_.word("a normal");
+        expect("outer"), expect("loop");
+        std::vector<Eigen::Vector3d> corners;
+        while (at("vertex", "endloop")) {
+            corners.emplace_back();
+            for (double& x : corners.back()) x = in_.number<double>("a coordinate");
+        }
+        expect("endfacet");
+        for (std::size_t i = 2; i < corners.size(); ++i) builder_.add(corners[0], corners[i - 1], corners[i]);
+        return true;
+    }
+    /// Whether the next word is this, and not the other one. In small or capital letters.
+    bool at(const std::string& wanted, const std::string& other) {
+        const std::string expected = wanted + " or " + other;
+        const std::string word(in_.word(expected.c_str()));
+        if (lower_case(word) == wanted) return true;
+        if (lower_case(word) != other) in_.fail(expected, "'" + word.substr(0, 40) + "'");
+        return false;
+    }
+    void expect(const char* wanted) {
+        const std::string word(in_.word(wanted));
+        if (lower_case(word) != wanted) in_.fail(wanted, "'" + word.substr(0, 40) + "'");
+    }
+
+    Tokens in_;
+    Builder builder_;
+};
+
+std::uint32_t count_in(const std::byte* header) {
+    std::uint32_t count = 0;
+    std::memcpy(&count, header + 80, sizeof count);
+    return count;
+}
+
+/// Text has no byte 0, which the header of a binary file does not lack in practice.
+bool is_binary(const fs::path& file) {
+    constexpr std::size_t looked_at = 1024;
+    const std::vector<std::byte> bytes = read_file(file, looked_at);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        return false;  // UTF-16: refused as text
+    if (text.find('\0') != text.npos) return true;
+    return bytes.size() >= header_bytes &&
+           fs::file_size(file) == header_bytes + triangle_bytes * std::uint64_t(count_in(bytes.data()));
+}
+
+Mesh read_binary(const fs::path& file) {
+    const std::vector<std::byte> bytes = read_file(file);
+    const auto fail = [&](const std::string& what) { throw Error(Exit::input, file.string() + ": " + what); };
+    if (bytes.size() < header_bytes) fail("is cut off: expected a header of 84 bytes");
+    const std::size_t count = count_in(bytes.data()), there = (bytes.size() - header_bytes) / triangle_bytes;
+    const bool padded =
+        count < there && std::all_of(bytes.begin() + std::ptrdiff_t(header_bytes + count * triangle_bytes),
+                                     bytes.end(), [](std::byte b) { return b == std::byte(0); });
+    if (count != there && !padded)
+        fail((count > there ? "is cut off: its header counts " : "is damaged: its header counts ") +
+             std::to_string(count) + " triangles, " + std::to_string(there) + " are there");
+    Builder builder;
+    for (std::size_t i = 0; i < count; ++i) {
+        float numbers[12];  // the normal and three corners
+        std::memcpy(numbers, bytes.data() + header_bytes + i * triangle_bytes, sizeof numbers);
+        const auto corner = [&](int c) { return Eigen::Vector3f(numbers + 3 * c).cast<double>().eval(); };
+        builder.add(corner(1), corner(2), corner(3));
+    }
+    return builder.result();
+}
+
+}  // namespace
+
+Mesh read_stl(const fs::path& file) { return is_binary(file) ? read_binary(file) : TextReader(file).read(); }
+
+}  // namespace vantage
