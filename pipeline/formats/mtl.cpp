@@ -49,18 +49,29 @@ class MtlReader {
             statement(rest.substr(0, end));
             rest.remove_prefix(std::min(end + 1, rest.size()));
         }
+        finish();
         return std::move(materials_);
     }
 
   private:
+    /// Adds the material that was read, if any.
+    void finish() {
+        if (!at_) return;
+        const auto [same, is_new] = materials_.try_emplace(name_, *at_);
+        if (!is_new && same->second != *at_)
+            warn("the material is there twice, with other values; the last counts", first_line_);
+        same->second = *at_;
+    }
     void statement(std::string_view line) {
         std::string_view rest = line;
         const std::string_view key = take_word(rest);
         if (key != "newmtl") rest = trimmed(rest.substr(0, rest.find('#')));
         if (key == "newmtl") {
-            std::string name;  // words apart by one blank, as read_obj() has them
-            while (!rest.empty()) name.append(name.empty() ? "" : " ").append(take_word(rest));
-            at_ = &(materials_[name] = {255, 255, 255, 255});
+            finish();
+            name_.clear();  // words apart by one blank, as read_obj() has them
+            while (!rest.empty()) name_.append(name_.empty() ? "" : " ").append(take_word(rest));
+            at_ = {255, 255, 255, 255};
+            first_line_ = line_;
             has_d_ = warned_ = false;
         } else if (at_ && key == "Kd") {
             read_color(rest);
@@ -87,19 +98,21 @@ class MtlReader {
         has_d_ |= is_d;
         (*at_)[3] = code(is_d ? *share : 1 - *share);
     }
-    void warn(const char* what) {
+    void warn(const char* what) { warn(what, line_); }
+    void warn(const char* what, std::size_t line) {
         if (warned_ || listed_ == most_listed) return;
         warned_ = true;
         ++listed_;
-        warnings_.push_back(file_.filename().string() + ", line " + std::to_string(line_) + ": " + what);
+        warnings_.push_back(file_.filename().string() + ", line " + std::to_string(line) + ": " + what);
     }
 
     std::filesystem::path file_;
     std::vector<std::string>& warnings_;
     std::map<std::string, MaterialColor> materials_;
-    MaterialColor* at_ = nullptr;  ///< of the material that is being read
+    std::optional<MaterialColor> at_;  ///< of the material that is being read
+    std::string name_;
     bool has_d_ = false, warned_ = false;
-    std::size_t line_ = 0, listed_ = 0;
+    std::size_t line_ = 0, first_line_ = 0, listed_ = 0;
 };
 
 /// Without a comment behind it: `#` between blanks; "Material #25" is a name.

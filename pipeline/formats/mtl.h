@@ -15,8 +15,9 @@ using MaterialColor = std::array<std::uint8_t, 4>;
 /// Reads a Wavefront MTL file: of each material its diffuse color (`Kd r g b`, taken as sRGB; white if there
 /// is none) and its alpha (`d`, or 1 - `Tr`; `d` counts if there are both; 1 if there is neither), both
 /// clamped to [0, 1]. Lines of other kinds are skipped. A value that cannot be read is left at its default,
-/// and alpha from a texture (`map_d`) is not read: both add to `warnings`, one line per material and at most
-/// eight. Throws Error(input) if the file cannot be read.
+/// alpha from a texture (`map_d`) is not read, and of materials of the same name with other values, the last
+/// counts: these add to `warnings`, one line per material and at most eight. Throws Error(input) if the file
+/// cannot be read.
 std::map<std::string, MaterialColor> read_mtl(const std::filesystem::path& file,
                                               std::vector<std::string>& warnings);
 

@@ -42,9 +42,9 @@ std::size_t comment_in(std::string_view word) {
 /// A mesh and its materials by name.
 struct ObjMesh {
     Mesh mesh;
-    std::vector<std::uint32_t> of_triangle;        ///< number of its name; beyond all: no material
-    std::vector<std::string> names;                ///< in the order of their first use
-    std::set<std::vector<std::string>> libraries;  ///< the words of each `mtllib`
+    std::vector<std::uint32_t> of_triangle;           ///< number of its name; beyond all: no material
+    std::vector<std::string> names;                   ///< in the order of their first use
+    std::vector<std::vector<std::string>> libraries;  ///< the words of each `mtllib`, in its order
 };
 
 class ObjReader {
@@ -61,7 +61,7 @@ class ObjReader {
             else if (words[0] == "f")
                 add_face(words);
             else if (words[0] == "mtllib" && words.size() > 1)
-                libraries_.insert({words.begin() + 1, words.end()});
+                use_library({words.begin() + 1, words.end()});
             else if (words[0] == "usemtl")
                 use_material(joined({words.begin() + 1, words.end()}));
         }
@@ -131,6 +131,9 @@ class ObjReader {
             mesh_.triangles.push_back({corners[0], corners[i - 1], corners[i]});
         of_triangle_.resize(mesh_.triangles.size(), material_);
     }
+    void use_library(std::vector<std::string> words) {
+        if (std::ranges::find(libraries_, words) == libraries_.end()) libraries_.push_back(std::move(words));
+    }
     void use_material(const std::string& name) {
         const auto [at, is_new] = numbers_.try_emplace(name, std::uint32_t(names_.size()));
         if (is_new) names_.push_back(name);
@@ -146,7 +149,7 @@ class ObjReader {
     std::vector<std::uint32_t> of_triangle_;
     std::map<std::string, std::uint32_t> numbers_;
     std::vector<std::string> names_;
-    std::set<std::vector<std::string>> libraries_;
+    std::vector<std::vector<std::string>> libraries_;
 };
 
 /// The existing file that a library's name means, with backslashes for slashes; without its folder if that
@@ -195,7 +198,8 @@ std::string and_others(std::size_t count) {
     return count == 0 ? "" : " and " + std::to_string(count) + " others";
 }
 
-/// The colors of the mesh's materials, by number. Adds the files read to `files`.
+/// The colors of the mesh's materials, by number; of the same name, the first library's. Adds the files read
+/// to `files`.
 std::vector<MaterialColor> material_colors(const ObjMesh& obj, const fs::path& file,
                                            std::set<fs::path>& files, std::vector<std::string>& warnings) {
     std::map<std::string, MaterialColor> known;

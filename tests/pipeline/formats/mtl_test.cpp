@@ -144,6 +144,18 @@ TEST_F(Mtl, AreFoundAsExportersNameThem) {
               "mesh.obj: its material file none.mtl is missing; faces of its materials are taken as opaque");
 }
 
+TEST_F(Mtl, OfTheSameName) {
+    write("z.mtl", "newmtl tiles\nnewmtl skylight\nd 0.5\n");
+    write("a.mtl", "newmtl skylight\nd 0.25\n");
+    EXPECT_EQ(mesh("mtllib z.mtl\nmtllib a.mtl\nmtllib z.mtl\n" + roof).colors.at(5)[3], 128);
+    EXPECT_TRUE(warnings.empty());
+    const auto m = materials("newmtl a\nd 0.5\nnewmtl a\nd 0.5\nnewmtl b\nnewmtl b\nd 0\n");
+    EXPECT_EQ(m.at("b")[3], 0);
+    EXPECT_EQ(warnings,
+              std::vector<std::string>{
+                  "a.mtl, line 6: the material is there twice, with other values; the last counts"});
+}
+
 TEST_F(Mtl, AreMissedIfFacesUseThem) {
     write("a.mtl", "newmtl Skylight\nd 0.5\n");
     EXPECT_TRUE(mesh("mtllib a.mtl\nusemtl unused\n" + roof).colors.empty());
