@@ -66,7 +66,12 @@ class ObjReader {
                 use_material(joined({words.begin() + 1, words.end()}));
         }
         if (colored_) mesh_.colors = color_bytes(colors_, true, true);
-        // Vertices may follow the last face with normals.
+        // Vertices may follow the faces, and so may normals.
+        for (std::array<std::uint32_t, 3>& t : mesh_.triangles)
+            for (std::uint32_t& v : t)
+                if (v >= mesh_.positions.size()) v = no_vertex;
+        for (const auto& [v, n] : later_)
+            if (v < mesh_.positions.size() && n < normals_.size()) add_normal(v, n);
         if (!mesh_.normals.empty()) mesh_.normals.resize(mesh_.positions.size(), Eigen::Vector3f::Zero());
         return {std::move(mesh_), std::move(of_triangle_), std::move(names_), std::move(libraries_)};
     }
@@ -106,12 +111,13 @@ class ObjReader {
         colored_ |= colored;
         for (std::size_t c = 0; c < 3; ++c) colors_[c].push_back(colored ? real(words[4 + c]) : 1);
     }
-    /// The element that an index of a corner means, counted from 1 or back from the last; `no_vertex`: none.
+    /// The element that an index of a corner means, counted from 1, which may follow, or back from the last
+    /// of `count`; `no_vertex`: none.
     std::uint32_t element(std::string_view index, std::size_t count) const {
         std::int64_t i = 0;
         if (!parse_number(index, i)) fail("the index of a corner", index);
         if (i < 0) i += std::int64_t(count) + 1;
-        return i >= 1 && std::size_t(i) <= count ? std::uint32_t(i - 1) : no_vertex;
+        return i >= 1 && i <= std::int64_t(no_vertex) ? std::uint32_t(i - 1) : no_vertex;
     }
     std::uint32_t corner(std::string_view word) {
         const std::uint32_t v = element(word.substr(0, word.find('/')), mesh_.positions.size());
@@ -119,10 +125,15 @@ class ObjReader {
             word.find('/') == word.npos ? word.npos : word.find('/', word.find('/') + 1);
         if (v == no_vertex || normal == word.npos || normal + 1 == word.size()) return v;
         const std::uint32_t n = element(word.substr(normal + 1), normals_.size());
-        if (n == no_vertex) return v;
+        if (v < mesh_.positions.size() && n < normals_.size())
+            add_normal(v, n);
+        else if (n != no_vertex)
+            later_.emplace_back(v, n);
+        return v;
+    }
+    void add_normal(std::uint32_t v, std::uint32_t n) {
         mesh_.normals.resize(mesh_.positions.size(), Eigen::Vector3f::Zero());
         mesh_.normals[v] += normals_[n];
-        return v;
     }
     void add_face(const Words& words) {
         std::vector<std::uint32_t> corners;
@@ -143,6 +154,7 @@ class ObjReader {
     Tokens in_;
     Mesh mesh_;
     std::vector<Eigen::Vector3f> normals_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> later_;  ///< vertices and their normals
     std::array<std::vector<double>, 4> colors_;
     bool colored_ = false;
     std::uint32_t material_ = no_vertex;

@@ -282,14 +282,14 @@ std::uint32_t corner(double index, std::size_t vertices) {
     return index >= 0 && index < double(vertices) ? std::uint32_t(index) : no_vertex;
 }
 
-void add_fan(const std::vector<double>& face, Mesh& mesh) {
-    const auto at = [&](std::size_t i) { return corner(face[i], mesh.positions.size()); };
+void add_fan(const std::vector<double>& face, std::size_t vertices, Mesh& mesh) {
+    const auto at = [&](std::size_t i) { return corner(face[i], vertices); };
     for (std::size_t i = 2; i < face.size(); ++i) mesh.triangles.push_back({at(0), at(i - 1), at(i)});
 }
 
 /// Triangle strips, each terminated by -1; every second triangle has the opposite winding.
-void add_strips(const std::vector<double>& strip, Mesh& mesh) {
-    const auto at = [&](std::size_t i) { return corner(strip[i], mesh.positions.size()); };
+void add_strips(const std::vector<double>& strip, std::size_t vertices, Mesh& mesh) {
+    const auto at = [&](std::size_t i) { return corner(strip[i], vertices); };
     std::size_t first = 0;
     for (std::size_t i = 0; i < strip.size(); ++i) {
         if (strip[i] < 0) {
@@ -312,14 +312,15 @@ bool has_plain_triangles(const Values& values, const Element& e) {
     return lists_corners(p) && p.count_type == Type::u8 && (p.type == Type::i32 || p.type == Type::u32);
 }
 
-void read_faces(Values& values, const Element& e, Mesh& mesh) {
+/// `vertices`: their number, also of those that follow.
+void read_faces(Values& values, const Element& e, std::size_t vertices, Mesh& mesh) {
     values.check_count(e.count, min_bytes(e), e.properties.size());
     mesh.triangles.reserve(mesh.triangles.size() + e.count);
     const bool plain = has_plain_triangles(values, e);
     std::vector<double> list;
     for (std::size_t row = 0; row < e.count; ++row) {
         if (std::array<std::uint32_t, 3> t; plain && values.next_triangle(t)) {
-            for (std::uint32_t& v : t) v = v < mesh.positions.size() ? v : no_vertex;
+            for (std::uint32_t& v : t) v = v < vertices ? v : no_vertex;
             mesh.triangles.push_back(t);
             continue;
         }
@@ -329,7 +330,8 @@ void read_faces(Values& values, const Element& e, Mesh& mesh) {
                 continue;
             }
             read_list(values, p, list);
-            if (lists_corners(p)) e.name == "tristrips" ? add_strips(list, mesh) : add_fan(list, mesh);
+            if (lists_corners(p))
+                e.name == "tristrips" ? add_strips(list, vertices, mesh) : add_fan(list, vertices, mesh);
         }
     }
 }
@@ -400,11 +402,13 @@ Mesh read_ply(const std::filesystem::path& file) {
     const Ply ply = read_header(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     Values values(ply);
     Mesh mesh;
+    const auto vertex = std::ranges::find(ply.elements, "vertex", &Element::name);
+    const std::size_t vertices = vertex == ply.elements.end() ? 0 : vertex->count;
     for (const Element& e : ply.elements)
         if (e.name == "vertex")
             take_vertices(ply, e, read_columns(values, e), mesh);
         else if (e.name == "face" || e.name == "tristrips")
-            read_faces(values, e, mesh);
+            read_faces(values, e, vertices, mesh);
         else
             read_columns(values, e);
     return mesh;

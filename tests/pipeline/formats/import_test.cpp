@@ -341,6 +341,29 @@ TEST_F(Import, AlphaHasARangeOfItsOwn) {
     EXPECT_EQ(alpha("a.off", "COFF\n3 1 0\n0 0 0 9 9 9 128\n1 0 0 9 9 9\n0 1 0 9 9 9" + faces), 255);
 }
 
+TEST_F(Import, FacesMayPrecedeVertices) {
+    std::vector<std::string> warnings;
+    put("mesh.obj", "f 1//1 2//1 3//1\nf 1 2 4\nv 0 0 0\nf -1 2 3\nv 1 0 0\nv 0 1 0\nvn 0 0 -1\n");
+    const Mesh obj = read_mesh(dir / "mesh.obj", warnings);
+    EXPECT_EQ(obj.triangles, (std::vector<std::array<std::uint32_t, 3>>(2, {0, 1, 2})));
+    EXPECT_EQ(obj.normals[1], Eigen::Vector3f(0, 0, -1));
+    EXPECT_EQ(warnings, std::vector<std::string>{"mesh.obj: 1 invalid triangles dropped"});
+    const std::string faces = "element face 2\nproperty list uchar int vertex_indices\n",
+                      vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+    put("mesh.ply",
+        "ply\nformat ascii 1.0\n" + faces + vertices + "end_header\n3 0 1 2\n3 0 1 3\n0 0 0\n1 0 0\n0 1 0\n");
+    EXPECT_EQ(read_mesh(dir / "mesh.ply", warnings).triangles.size(), 1u);
+    EXPECT_EQ(warnings.back(), "mesh.ply: 1 invalid triangles dropped");
+    std::string binary = "ply\nformat binary_little_endian 1.0\n" + faces + vertices + "end_header\n";
+    for (const int last : {2, 3}) {
+        append<std::uint8_t>(binary, 3);
+        for (const int v : {0, 1, last}) append(binary, v);
+    }
+    for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) append(binary, x);
+    put("mesh.ply", binary);
+    EXPECT_EQ(read_mesh(dir / "mesh.ply", warnings).triangles.size(), 1u);
+}
+
 TEST_F(Import, NumbersThatAreNotFiniteOrTiny) {
     std::vector<std::string> warnings;
     put("mesh.obj",
