@@ -13,6 +13,7 @@
 #include "pipeline/formats/mtl.h"
 #include "pipeline/formats/ply.h"
 #include "pipeline/formats/tokens.h"
+#include "values/file_name.h"
 #include "values/parse_number.h"
 
 namespace vantage {
@@ -39,12 +40,19 @@ std::size_t comment_in(std::string_view word) {
     return at;
 }
 
+/// What follows `mtllib`.
+struct Library {
+    std::string text;
+    std::vector<std::string> words;
+    bool operator==(const Library&) const = default;
+};
+
 /// A mesh and its materials by name.
 struct ObjMesh {
     Mesh mesh;
-    std::vector<std::uint32_t> of_triangle;           ///< number of its name; beyond all: no material
-    std::vector<std::string> names;                   ///< in the order of their first use
-    std::vector<std::vector<std::string>> libraries;  ///< the words of each `mtllib`, in its order
+    std::vector<std::uint32_t> of_triangle;  ///< number of its name; beyond all: no material
+    std::vector<std::string> names;          ///< in the order of their first use
+    std::vector<Library> libraries;
 };
 
 class ObjReader {
@@ -61,7 +69,7 @@ class ObjReader {
             else if (words[0] == "f")
                 add_face(words);
             else if (words[0] == "mtllib" && words.size() > 1)
-                use_library({words.begin() + 1, words.end()});
+                use_library(words);
             else if (words[0] == "usemtl")
                 use_material(joined({words.begin() + 1, words.end()}));
         }
@@ -142,8 +150,10 @@ class ObjReader {
             mesh_.triangles.push_back({corners[0], corners[i - 1], corners[i]});
         of_triangle_.resize(mesh_.triangles.size(), material_);
     }
-    void use_library(std::vector<std::string> words) {
-        if (std::ranges::find(libraries_, words) == libraries_.end()) libraries_.push_back(std::move(words));
+    void use_library(const Words& words) {
+        const std::string_view last = words.back();
+        const Library library{{words[1].data(), last.data() + last.size()}, {words.begin() + 1, words.end()}};
+        if (std::ranges::find(libraries_, library) == libraries_.end()) libraries_.push_back(library);
     }
     void use_material(const std::string& name) {
         const auto [at, is_new] = numbers_.try_emplace(name, std::uint32_t(names_.size()));
@@ -161,11 +171,25 @@ class ObjReader {
     std::vector<std::uint32_t> of_triangle_;
     std::map<std::string, std::uint32_t> numbers_;
     std::vector<std::string> names_;
-    std::vector<std::vector<std::string>> libraries_;
+    std::vector<Library> libraries_;
 };
 
+/// The only file in a folder whose name people would call the same; empty if there is none, or several.
+fs::path file_called(const fs::path& folder, const fs::path& name) {
+    std::error_code error;
+    fs::path found;
+    for (const fs::path& file : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
+        if (comparable_name(file.filename().string()) != comparable_name(name.string()) ||
+            !fs::is_regular_file(file, error))
+            continue;
+        if (!found.empty()) return {};
+        found = folder / file.filename();
+    }
+    return found;
+}
+
 /// The existing file that a library's name means, with backslashes for slashes; without its folder if that
-/// does not exist, or leads out of the OBJ's. Empty if there is none.
+/// does not exist, or leads out of the OBJ's, and perhaps with other capitals. Empty if there is none.
 fs::path library_file(const fs::path& folder, std::string name) {
     std::ranges::replace(name, '\\', '/');
     const fs::path given = fs::path(name).lexically_normal();
@@ -173,17 +197,32 @@ fs::path library_file(const fs::path& folder, std::string name) {
     if (given.is_relative() && !given.empty() && *given.begin() != ".." &&
         fs::is_regular_file(folder / given, error))
         return folder / given;
+    if (given.filename().empty()) return {};
     const fs::path beside = folder / given.filename();
-    return !given.filename().empty() && fs::is_regular_file(beside, error) ? beside : fs::path();
+    return fs::is_regular_file(beside, error) ? beside : file_called(folder, given.filename());
+}
+
+/// The names that the text of an `mtllib` may be, the likeliest first: the whole, or what precedes a comment,
+/// each also without quotes.
+std::vector<std::string> readings(std::string text) {
+    std::vector<std::string> out;
+    for (std::size_t end = text.size(); end != text.npos; end = text.rfind(" #")) {
+        text.resize(end);
+        text.resize(text.find_last_not_of(' ') + 1);
+        out.push_back(text);
+        if (text.size() > 2 && text.starts_with('"') && text.ends_with('"'))
+            out.push_back(text.substr(1, text.size() - 2));
+    }
+    return out;
 }
 
 /// The files of one `mtllib`: one whose name has spaces, or several. Those that are missing add to `missing`.
-std::vector<fs::path> library_files(const fs::path& folder, const std::vector<std::string>& words,
+std::vector<fs::path> library_files(const fs::path& folder, const Library& library,
                                     std::vector<std::string>& missing) {
-    if (fs::path whole = library_file(folder, joined({words.begin(), words.end()})); !whole.empty())
-        return {whole};
+    for (const std::string& name : readings(library.text))
+        if (fs::path file = library_file(folder, name); !file.empty()) return {file};
     std::vector<fs::path> out;
-    for (const std::string& word : words)
+    for (const std::string& word : library.words)
         if (word.starts_with('#'))
             break;  // a comment
         else if (fs::path file = library_file(folder, word); !file.empty())
@@ -216,8 +255,8 @@ std::vector<MaterialColor> material_colors(const ObjMesh& obj, const fs::path& f
                                            std::set<fs::path>& files, std::vector<std::string>& warnings) {
     std::map<std::string, MaterialColor> known;
     std::vector<std::string> missing;
-    for (const std::vector<std::string>& words : obj.libraries)
-        for (const fs::path& library : library_files(file.parent_path(), words, missing))
+    for (const Library& named : obj.libraries)
+        for (const fs::path& library : library_files(file.parent_path(), named, missing))
             if (files.insert(library).second) known.merge(read_mtl(library, warnings));
     const std::string name = file.filename().string();
     if (!missing.empty())

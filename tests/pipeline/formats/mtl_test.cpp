@@ -137,9 +137,17 @@ TEST_F(Mtl, AreFoundAsExportersNameThem) {
     EXPECT_EQ(mesh("mtllib my materials.mtl\n" + roof).colors[5][3], 128);
     EXPECT_EQ(mesh("mtllib C:\\work\\my materials.mtl\n" + roof).colors[5][3], 128);
     EXPECT_EQ(mesh("mtllib sub\\b.mtl\n" + roof).colors[5][3], 64);
+    for (const char* name : {"\"my materials.mtl\"", "My Materials.MTL", "my materials.mtl # of the roof"})
+        EXPECT_EQ(mesh("mtllib " + std::string(name) + "\n" + roof).colors.at(5)[3], 128) << name;
+    write("a  #2.mtl", "newmtl tiles\nnewmtl skylight\nd 0.75\n");
+    EXPECT_EQ(mesh("mtllib a  #2.mtl # x\n" + roof).colors.at(5)[3], 191);
+    write("m\u00fc.mtl", "newmtl tiles\nnewmtl skylight\nd 0.25\n");
+    EXPECT_EQ(mesh("mtllib mu\u0308.mtl\n" + roof).colors.at(5)[3], 64);
     EXPECT_TRUE(warnings.empty());
     EXPECT_TRUE(mesh("mtllib none.mtl\nmtllib none.mtl\n" + roof).colors.empty());
-    ASSERT_EQ(warnings.size(), 1u);
+    write("MY materials.mtl", "newmtl skylight\n");
+    EXPECT_TRUE(mesh("mtllib My Materials.mtl\n" + roof).colors.empty()) << "which of two";
+    ASSERT_EQ(warnings.size(), 2u);
     EXPECT_EQ(warnings[0],
               "mesh.obj: its material file none.mtl is missing; faces of its materials are taken as opaque");
 }
