@@ -188,18 +188,26 @@ fs::path file_called(const fs::path& folder, const fs::path& name) {
     return found;
 }
 
-/// The existing file that a library's name means, with backslashes for slashes; without its folder if that
-/// does not exist, or leads out of the OBJ's, and perhaps with other capitals. Empty if there is none.
-fs::path library_file(const fs::path& folder, std::string name) {
+/// Where the file that a library's name means should be, with backslashes for slashes: beside the OBJ, but
+/// first where it is named if that is below.
+std::vector<fs::path> places_of(const fs::path& folder, std::string name) {
     std::ranges::replace(name, '\\', '/');
     const fs::path given = fs::path(name).lexically_normal();
-    std::error_code error;
-    if (given.is_relative() && !given.empty() && *given.begin() != ".." &&
-        fs::is_regular_file(folder / given, error))
-        return folder / given;
     if (given.filename().empty()) return {};
-    const fs::path beside = folder / given.filename();
-    return fs::is_regular_file(beside, error) ? beside : file_called(folder, given.filename());
+    std::vector<fs::path> out;
+    if (given.is_relative() && given.has_parent_path() && *given.begin() != "..")
+        out.push_back(folder / given);
+    out.push_back(folder / given.filename());
+    return out;
+}
+
+/// The existing file that a library's name means, perhaps with other capitals. Empty if there is none.
+fs::path library_file(const fs::path& folder, const std::string& name) {
+    std::error_code error;
+    const std::vector<fs::path> places = places_of(folder, name);
+    for (const fs::path& place : places)
+        if (fs::is_regular_file(place, error)) return place;
+    return places.empty() ? fs::path() : file_called(folder, places.back().filename());
 }
 
 /// The names that the text of an `mtllib` may be, the likeliest first: the whole, or what precedes a comment,
@@ -232,6 +240,16 @@ std::vector<fs::path> library_files(const fs::path& folder, const Library& libra
     return out;
 }
 
+/// Where the missing files of an `mtllib` may appear.
+void add_missing(const fs::path& folder, const Library& library, std::set<fs::path>& to) {
+    std::vector<std::string> names = readings(library.text);
+    for (auto word = library.words.begin(); word != library.words.end() && !word->starts_with('#'); ++word)
+        names.push_back(*word);
+    for (const std::string& name : names)
+        for (const fs::path& place : places_of(folder, name))
+            if (!fs::exists(place)) to.insert(place);
+}
+
 /// The names of materials that triangles use and that `known` lacks; not the empty one, which is none.
 std::vector<std::string> unknown_materials(const ObjMesh& obj,
                                            const std::map<std::string, MaterialColor>& known) {
@@ -250,14 +268,17 @@ std::string and_others(std::size_t count) {
 }
 
 /// The colors of the mesh's materials, by number; of the same name, the first library's. Adds the files read
-/// to `files`.
+/// to `files`, and those that are missing.
 std::vector<MaterialColor> material_colors(const ObjMesh& obj, const fs::path& file,
                                            std::set<fs::path>& files, std::vector<std::string>& warnings) {
     std::map<std::string, MaterialColor> known;
     std::vector<std::string> missing;
-    for (const Library& named : obj.libraries)
+    for (const Library& named : obj.libraries) {
+        const std::size_t before = missing.size();
         for (const fs::path& library : library_files(file.parent_path(), named, missing))
             if (files.insert(library).second) known.merge(read_mtl(library, warnings));
+        if (missing.size() > before) add_missing(file.parent_path(), named, files);
+    }
     const std::string name = file.filename().string();
     if (!missing.empty())
         warnings.push_back(name + ": its material file " + missing.front().substr(0, 80) +

@@ -30,12 +30,17 @@ json input_json(const fs::path& file, IdentityCache& identities) {
     return {{"name", utf8_name(file.filename().string())}, {"bytes", id.bytes}, {"xxh3", id.checksum}};
 }
 
-/// A mesh and its companions, whose names are relative to its folder.
+/// A mesh and its companions, whose names are relative to its folder; those that are missing as `absent`.
 json mesh_json(const fs::path& file, const InputFiles& files, IdentityCache& identities) {
     json out = input_json(file, identities);
     for (const fs::path& companion : companions_of(file, files)) {
+        const std::string name = utf8_name(companion.lexically_relative(file.parent_path()).generic_string());
+        if (!fs::exists(companion)) {
+            out["absent"].push_back(name);
+            continue;
+        }
         json entry = input_json(companion, identities);
-        entry["name"] = utf8_name(companion.lexically_relative(file.parent_path()).generic_string());
+        entry["name"] = name;
         out["companions"].push_back(std::move(entry));
     }
     return out;

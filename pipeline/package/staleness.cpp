@@ -46,6 +46,9 @@ void compare(const fs::path& file, const json& was, IdentityCache& identities, C
     for (const json& companion : was.value("companions", json::array()))
         compare(file_named(file.parent_path(), companion.at("name").get<std::string>()), companion,
                 identities, out);
+    for (const json& name : was.value("absent", json::array()))
+        if (const fs::path added = file_named(file.parent_path(), name.get<std::string>()); fs::exists(added))
+            add_new(added, out);
 }
 
 void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& identities, Changes& out) {

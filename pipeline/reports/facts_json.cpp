@@ -33,7 +33,9 @@ json mesh_json(const InputFacts& facts) {
     if (!facts.mesh) return {};
     json out = json_of(*facts.mesh, {facts.files.mesh});
     out["file"] = json_of(facts.files.mesh);
-    out["companions"] = json_of(companions_of(facts.files.mesh, facts.files));
+    std::vector<std::filesystem::path> read = companions_of(facts.files.mesh, facts.files);
+    std::erase_if(read, [](const std::filesystem::path& file) { return !std::filesystem::exists(file); });
+    out["companions"] = json_of(read);
     return out;
 }
 

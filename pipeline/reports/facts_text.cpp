@@ -70,11 +70,10 @@ void add_shape(const ShapeFacts& shape, const std::vector<std::filesystem::path>
     std::string has = shape.colors ? "vertex colors" : "no vertex colors";
     if (!shape.layers.empty())
         has += fmt::format(", {} ({})", counted(shape.layers.size(), "scalar layer"), first_of(shape.layers));
-    if (!companions.empty()) {
-        std::vector<std::string> names;
-        for (const auto& file : companions) names.push_back(file.filename().string());
-        has += ", also read: " + first_of(names);
-    }
+    std::vector<std::string> names;
+    for (const auto& file : companions)
+        if (std::filesystem::exists(file)) names.push_back(file.filename().string());
+    if (!names.empty()) has += ", also read: " + first_of(names);
     out.add(label, "{}", has);
 }
 

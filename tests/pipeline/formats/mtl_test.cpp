@@ -145,6 +145,7 @@ TEST_F(Mtl, AreFoundAsExportersNameThem) {
     EXPECT_EQ(mesh("mtllib mu\u0308.mtl\n" + roof).colors.at(5)[3], 64);
     EXPECT_TRUE(warnings.empty());
     EXPECT_TRUE(mesh("mtllib none.mtl\nmtllib none.mtl\n" + roof).colors.empty());
+    EXPECT_EQ(files, std::vector{dir / "none.mtl"}) << "it may appear";
     write("MY materials.mtl", "newmtl skylight\n");
     EXPECT_TRUE(mesh("mtllib My Materials.mtl\n" + roof).colors.empty()) << "which of two";
     ASSERT_EQ(warnings.size(), 2u);
