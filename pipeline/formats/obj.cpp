@@ -1,6 +1,8 @@
 #include "pipeline/formats/obj.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -73,7 +75,14 @@ class ObjReader {
             else if (words[0] == "usemtl")
                 use_material(joined({words.begin() + 1, words.end()}));
         }
+        return result();
+    }
+
+  private:
+    ObjMesh result() {
         if (colored_) mesh_.colors = color_bytes(colors_, true, true);
+        for (std::size_t v = 0; v < mesh_.colors.size(); ++v)
+            if (std::isnan(colors_[0][v])) mesh_.colors[v] = {255, 255, 255, 255};
         // Vertices may follow the faces, and so may normals.
         for (std::array<std::uint32_t, 3>& t : mesh_.triangles)
             for (std::uint32_t& v : t)
@@ -83,8 +92,6 @@ class ObjReader {
         if (!mesh_.normals.empty()) mesh_.normals.resize(mesh_.positions.size(), Eigen::Vector3f::Zero());
         return {std::move(mesh_), std::move(of_triangle_), std::move(names_), std::move(libraries_)};
     }
-
-  private:
     /// The words of a line and of those it continues on; views of the file's text.
     bool next_line(Words& words) {
         words.clear();
@@ -117,7 +124,7 @@ class ObjReader {
         mesh_.positions.push_back(point(words));
         const bool colored = words.size() >= 7;  // a fourth number alone is a weight
         colored_ |= colored;
-        for (std::size_t c = 0; c < 3; ++c) colors_[c].push_back(colored ? real(words[4 + c]) : 1);
+        for (std::size_t c = 0; c < 3; ++c) colors_[c].push_back(colored ? real(words[4 + c]) : no_color);
     }
     /// The element that an index of a corner means, counted from 1, which may follow, or back from the last
     /// of `count`; `no_vertex`: none.
@@ -160,6 +167,8 @@ class ObjReader {
         if (is_new) names_.push_back(name);
         material_ = at->second;
     }
+
+    static constexpr double no_color = std::numeric_limits<double>::quiet_NaN();
 
     Tokens in_;
     Mesh mesh_;

@@ -341,6 +341,13 @@ TEST_F(Import, AlphaHasARangeOfItsOwn) {
     EXPECT_EQ(alpha("a.off", "COFF\n3 1 0\n0 0 0 9 9 9 128\n1 0 0 9 9 9\n0 1 0 9 9 9" + faces), 255);
 }
 
+TEST_F(Import, ObjVerticesWithoutColorsAreWhite) {
+    put("mesh.obj", "v 0 0 0\nv 1 0 0 128 64 255\nv 0 1 0\nf 1 2 3\n");
+    std::vector<std::string> warnings;
+    const std::array<std::uint8_t, 4> white{255, 255, 255, 255}, violet{128, 64, 255, 255};
+    EXPECT_EQ(read_mesh(dir / "mesh.obj", warnings).colors, (std::vector{white, violet, white}));
+}
+
 TEST_F(Import, FacesMayPrecedeVertices) {
     std::vector<std::string> warnings;
     put("mesh.obj", "f 1//1 2//1 3//1\nf 1 2 4\nv 0 0 0\nf -1 2 3\nv 1 0 0\nv 0 1 0\nvn 0 0 -1\n");
