@@ -88,7 +88,7 @@ Mesh read_nodes(const std::filesystem::path& file, Found& found) {
 }
 
 Mesh parse(const std::filesystem::path& file, const std::string& extension, Found& found) {
-    if (extension == ".ply") return read_ply(file);
+    if (extension == ".ply") return read_ply(file, found.warnings);
     if (extension == ".obj") return read_obj(file, found.warnings, found.companions);
     if (extension == ".stl") return read_stl(file);
     if (extension == ".off" && !is_binary_off(file)) return read_off(file);

@@ -24,6 +24,8 @@ std::size_t size_of(Type type) {
     return sizes[int(type)];
 }
 
+bool is_real(Type type) { return type == Type::f32 || type == Type::f64; }
+
 struct Property {
     std::string name;
     Type type;
@@ -312,11 +314,12 @@ bool has_plain_triangles(const Values& values, const Element& e) {
     return lists_corners(p) && p.count_type == Type::u8 && (p.type == Type::i32 || p.type == Type::u32);
 }
 
-/// `vertices`: their number, also of those that follow.
-void read_faces(Values& values, const Element& e, std::size_t vertices, Mesh& mesh) {
+/// `vertices`: their number, also of those that follow. Returns whether a face has alpha and is not opaque.
+bool read_faces(Values& values, const Element& e, std::size_t vertices, Mesh& mesh) {
     values.check_count(e.count, min_bytes(e), e.properties.size());
     mesh.triangles.reserve(mesh.triangles.size() + e.count);
     const bool plain = has_plain_triangles(values, e);
+    bool clear = false;
     std::vector<double> list;
     for (std::size_t row = 0; row < e.count; ++row) {
         if (std::array<std::uint32_t, 3> t; plain && values.next_triangle(t)) {
@@ -326,7 +329,8 @@ void read_faces(Values& values, const Element& e, std::size_t vertices, Mesh& me
         }
         for (const Property& p : e.properties) {
             if (!p.list) {
-                values.next(p.type);
+                const double value = values.next(p.type);
+                clear |= p.name == "alpha" && value < (is_real(p.type) ? 1 : 255);
                 continue;
             }
             read_list(values, p, list);
@@ -334,6 +338,7 @@ void read_faces(Values& values, const Element& e, std::size_t vertices, Mesh& me
                 e.name == "tristrips" ? add_strips(list, vertices, mesh) : add_fan(list, vertices, mesh);
         }
     }
+    return clear;
 }
 
 /// Prefixes of the names of the color channels, in order of preference.
@@ -348,17 +353,16 @@ void take_colors(const Element& e, Columns& columns, Mesh& mesh) {
     });
     if (names == color_names.end()) return;
     std::array<std::vector<double>, 4> channels;
-    bool is_real = false, is_alpha_real = false;
+    bool real_color = false, real_alpha = false;
     for (std::size_t c = 0; c < 4; ++c) {
         const std::string name = columns.contains((*names)[c]) || c < 3 ? (*names)[c] : "alpha";
         const auto column = columns.extract(name);
         if (!column) continue;
         channels[c] = std::move(column.mapped());
-        const Type type = std::ranges::find(e.properties, name, &Property::name)->type;
-        is_alpha_real |= type == Type::f32 || type == Type::f64;
-        if (c < 3) is_real = is_alpha_real;
+        real_alpha |= is_real(std::ranges::find(e.properties, name, &Property::name)->type);
+        if (c < 3) real_color = real_alpha;
     }
-    mesh.colors = color_bytes(channels, is_real, is_alpha_real);
+    mesh.colors = color_bytes(channels, real_color, real_alpha);
 }
 
 void take_vertices(const Ply& ply, const Element& e, Columns columns, Mesh& mesh) {
@@ -397,20 +401,24 @@ bool ply_has_faces(const std::filesystem::path& file) {
     }
 }
 
-Mesh read_ply(const std::filesystem::path& file) {
+Mesh read_ply(const std::filesystem::path& file, std::vector<std::string>& warnings) {
     const std::vector<std::byte> bytes = read_file(file);
     const Ply ply = read_header(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     Values values(ply);
     Mesh mesh;
+    bool clear = false;
     const auto vertex = std::ranges::find(ply.elements, "vertex", &Element::name);
     const std::size_t vertices = vertex == ply.elements.end() ? 0 : vertex->count;
     for (const Element& e : ply.elements)
         if (e.name == "vertex")
             take_vertices(ply, e, read_columns(values, e), mesh);
         else if (e.name == "face" || e.name == "tristrips")
-            read_faces(values, e, vertices, mesh);
+            clear |= read_faces(values, e, vertices, mesh);
         else
             read_columns(values, e);
+    if (clear)
+        warnings.push_back(file.filename().string() +
+                           ": alpha of faces is not read; expected alpha of vertices");
     return mesh;
 }
 

@@ -341,6 +341,18 @@ TEST_F(Import, AlphaHasARangeOfItsOwn) {
     EXPECT_EQ(alpha("a.off", "COFF\n3 1 0\n0 0 0 9 9 9 128\n1 0 0 9 9 9\n0 1 0 9 9 9" + faces), 255);
 }
 
+TEST_F(Import, PlyAlphaOfFacesIsSaid) {
+    std::string ply = replaced(survey_ply, "vertex_indices\n", "vertex_indices\nproperty uchar alpha\n");
+    std::vector<std::string> warnings;
+    put("mesh.ply", replaced(ply, "3 0 1 2", "3 0 1 2 255"));
+    EXPECT_EQ(read_mesh(dir / "mesh.ply", warnings).triangles.size(), 1u);
+    EXPECT_TRUE(warnings.empty());
+    put("mesh.ply", replaced(ply, "3 0 1 2", "3 0 1 2 80"));
+    EXPECT_EQ(read_mesh(dir / "mesh.ply", warnings).triangles.size(), 1u);
+    EXPECT_EQ(warnings,
+              std::vector<std::string>{"mesh.ply: alpha of faces is not read; expected alpha of vertices"});
+}
+
 TEST_F(Import, ObjVerticesWithoutColorsAreWhite) {
     put("mesh.obj", "v 0 0 0\nv 1 0 0 128 64 255\nv 0 1 0\nf 1 2 3\n");
     std::vector<std::string> warnings;
