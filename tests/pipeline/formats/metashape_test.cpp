@@ -84,7 +84,7 @@ TEST_F(Metashape, SensorWithoutCalibrationHasTheFocalLengthOfItsCamera) {
 TEST_F(Metashape, SensorsThatNoPosedCameraHasAreNotRead) {
     const std::string bad = "<sensor id=\"1\"><calibration><f>x</f></calibration></sensor>";
     const std::string lost = "<camera id=\"1\" sensor_id=\"1\" label=\"lost\"/>";
-    EXPECT_EQ(names(cameras(calibrated + bad, camera("A", 0) + lost)), std::vector<std::string>{"A"});
+    EXPECT_EQ(names(cameras(calibrated + bad, camera("A", 0) + lost)), std::vector<std::string>{":A"});
 }
 
 TEST_F(Metashape, SizeIsThatOfTheSensorIfTheCalibrationHasNone) {
