@@ -10,6 +10,7 @@
 #include "pipeline/formats/cameras.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/photo_matches.h"
+#include "pipeline/photos/photos.h"
 #include "scene/error.h"
 
 namespace vantage {
