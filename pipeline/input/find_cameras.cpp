@@ -55,17 +55,17 @@ fs::path common_folder(const fs::path& a, const fs::path& b) {
 struct CameraChoice {
     fs::path path;
     const CameraFormat* format = nullptr;
-    std::ptrdiff_t depth = 0, cameras = 0, matched = 0;
+    std::ptrdiff_t steps = 0, cameras = 0, matched = 0;
     std::string flaw = {};  ///< why it has no cameras
-    /// Of files with the same photos, the one with fewer other cameras; copies are deeper or have longer
+    /// Of files with the same photos, the one with fewer other cameras; copies are farther or have longer
     /// names.
     auto rank() const {
-        return std::tuple(matched, matched ? -cameras : cameras, -depth, -std::ssize(path.native()));
+        return std::tuple(matched, matched ? -cameras : cameras, -steps, -std::ssize(path.native()));
     }
 };
 
-/// All files of cameras, by format.
-std::vector<CameraChoice> all_camera_files(const fs::path& root, const Files& files) {
+/// All files of cameras, by format. `near`: a folder that copies are farther from.
+std::vector<CameraChoice> all_camera_files(const fs::path& near, const Files& files) {
     std::vector<CameraChoice> out;
     for (const CameraFormat& format : camera_formats()) {
         Files found = files_of(format, files);
@@ -73,7 +73,7 @@ std::vector<CameraChoice> all_camera_files(const fs::path& root, const Files& fi
             found.push_back(common_folder(found.front(), found.back()));  // they are sorted
         for (const fs::path& path : found)
             if (std::ranges::count(out, path, &CameraChoice::path) == 0)
-                out.push_back({path, &format, distance(root, path)});
+                out.push_back({path, &format, distance(near, path)});
     }
     return out;
 }
@@ -107,7 +107,8 @@ const CameraChoice& best_of(std::vector<CameraChoice>& all, const fs::path& fold
 
 /// Notes the files that are not used. A single file is not read.
 fs::path best_fitting(const fs::path& root, const Files& files, InputFiles& found) {
-    std::vector<CameraChoice> all = all_camera_files(root, files);
+    const bool by_mesh = !found.mesh.empty() && common_folder(found.mesh, root) == root;
+    std::vector<CameraChoice> all = all_camera_files(by_mesh ? found.mesh.parent_path() : root, files);
     if (all.size() < 2) return all.empty() ? fs::path() : all.front().path;
     const fs::path& folder = found.photos.empty() ? root : found.photos;
     const CameraChoice& best = best_of(all, folder, photos_below(folder));
