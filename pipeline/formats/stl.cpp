@@ -1,9 +1,8 @@
 #include "pipeline/formats/stl.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
-#include <unordered_map>
+#include <utility>
 
 #include "pipeline/formats/tokens.h"
 #include "pipeline/run/read_file.h"
@@ -17,34 +16,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t header_bytes = 84, triangle_bytes = 50;
 
-/// Collects triangles and makes one vertex of corners with the same coordinates.
-class Builder {
-  public:
-    void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-        const std::array<std::uint32_t, 3> t{vertex(a), vertex(b), vertex(c)};
-        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh_.triangles.push_back(t);
-    }
-    Mesh result() { return std::move(mesh_); }
-
-  private:
-    using Bits = std::array<std::uint64_t, 3>;  // NaN equals itself
-    struct Hash {
-        std::size_t operator()(const Bits& bits) const {
-            return std::hash<std::string_view>()({reinterpret_cast<const char*>(bits.data()), sizeof bits});
-        }
-    };
-    std::uint32_t vertex(const Eigen::Vector3d& p) {
-        Bits bits;
-        for (std::size_t i = 0; i < 3; ++i)
-            bits[i] = std::bit_cast<std::uint64_t>(p[Eigen::Index(i)] + 0.0);  // 0 for -0
-        const auto [at, is_new] = known_.try_emplace(bits, std::uint32_t(mesh_.positions.size()));
-        if (is_new) mesh_.positions.push_back(p);
-        return at->second;
-    }
-
-    Mesh mesh_;
-    std::unordered_map<Bits, std::uint32_t, Hash> known_;
-};
+void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, Mesh& to) {
+    const auto first = std::uint32_t(to.positions.size());
+    to.positions.insert(to.positions.end(), {a, b, c});
+    to.triangles.push_back({first, first + 1, first + 2});
+}
 
 class TextReader {
   public:
@@ -59,7 +35,7 @@ class TextReader {
             }
             in_.line();
         }
-        return builder_.result();
+        return std::move(mesh_);
     }
 
   private:
@@ -75,7 +51,7 @@ class TextReader {
             for (double& x : corners.back()) x = in_.number<double>("a coordinate");
         }
         expect("endfacet");
-        for (std::size_t i = 2; i < corners.size(); ++i) builder_.add(corners[0], corners[i - 1], corners[i]);
+        for (std::size_t i = 2; i < corners.size(); ++i) add(corners[0], corners[i - 1], corners[i], mesh_);
         return true;
     }
     /// Whether the next word is this, and not the other one. In small or capital letters.
@@ -92,7 +68,7 @@ class TextReader {
     }
 
     Tokens in_;
-    Builder builder_;
+    Mesh mesh_;
 };
 
 std::uint32_t count_in(const std::byte* header) {
@@ -124,14 +100,14 @@ Mesh read_binary(const fs::path& file) {
     if (count != there && !padded)
         fail((count > there ? "is cut off: its header counts " : "is damaged: its header counts ") +
              std::to_string(count) + " triangles, " + std::to_string(there) + " are there");
-    Builder builder;
+    Mesh mesh;
     for (std::size_t i = 0; i < count; ++i) {
         float numbers[12];  // the normal and three corners
         std::memcpy(numbers, bytes.data() + header_bytes + i * triangle_bytes, sizeof numbers);
         const auto corner = [&](int c) { return Eigen::Vector3f(numbers + 3 * c).cast<double>().eval(); };
-        builder.add(corner(1), corner(2), corner(3));
+        add(corner(1), corner(2), corner(3), mesh);
     }
-    return builder.result();
+    return mesh;
 }
 
 }  // namespace

@@ -5,10 +5,9 @@
 
 namespace vantage {
 
-/// Reads an STL file, text at double precision or binary at single. Corners with the same coordinates become
-/// one vertex; triangles left with less than three are left out, and so are normals and colors. Bytes behind
-/// a binary file's triangles are padding if they are too few for one, or zero. Throws Error(input), also if
-/// the file is cut off.
+/// Reads an STL file, text at double precision or binary at single. Every corner is a
+/// vertex of its own; normals and colors are left out. Bytes behind a binary file's triangles are padding if
+/// they are too few for one, or zero. Throws Error(input), also if the file is cut off.
 Mesh read_stl(const std::filesystem::path& file);
 
 }  // namespace vantage

@@ -1,33 +1,41 @@
 #include "pipeline/formats/weld.h"
 
-#include <algorithm>
+#include <array>
 #include <bit>
-#include <numeric>
-#include <tuple>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
 
 namespace vantage {
 namespace {
 
+/// Bits of position, normal and color, because normals may be NaN.
+using Key = std::array<std::uint64_t, 5>;
+
+struct Hash {
+    std::size_t operator()(const Key& key) const {
+        return std::hash<std::string_view>()({reinterpret_cast<const char*>(key.data()), sizeof key});
+    }
+};
+
+Key key_of(const Mesh& mesh, std::uint32_t v) {
+    std::array<std::uint32_t, 4> rest{};
+    if (!mesh.normals.empty())
+        for (int i = 0; i < 3; ++i) rest[std::size_t(i)] = std::bit_cast<std::uint32_t>(mesh.normals[v][i]);
+    if (!mesh.colors.empty()) rest[3] = std::bit_cast<std::uint32_t>(mesh.colors[v]);
+    const auto words = std::bit_cast<std::array<std::uint64_t, 2>>(rest);
+    const auto coordinate = [&](int i) { return std::bit_cast<std::uint64_t>(mesh.positions[v][i] + 0.0); };
+    return {coordinate(0), coordinate(1), coordinate(2), words[0], words[1]};  // + 0.0: -0 is 0
+}
+
 /// For each vertex the first one that is equal to it.
 std::vector<std::uint32_t> first_equals(const Mesh& mesh) {
-    const auto key = [&](std::uint32_t v) {
-        const Eigen::Vector3d& p = mesh.positions[v];
-        std::array<std::uint32_t, 4> rest{};  // bits, because normals may be NaN, which has no order
-        if (!mesh.normals.empty())
-            for (int i = 0; i < 3; ++i)
-                rest[std::size_t(i)] = std::bit_cast<std::uint32_t>(mesh.normals[v][i]);
-        if (!mesh.colors.empty()) rest[3] = std::bit_cast<std::uint32_t>(mesh.colors[v]);
-        return std::tuple(p.x(), p.y(), p.z(), rest);
-    };
-    std::vector<std::uint32_t> order(mesh.positions.size()), first(order.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
-        return std::tuple(key(a), a) < std::tuple(key(b), b);
-    });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool repeats = i > 0 && key(order[i]) == key(order[i - 1]);
-        first[order[i]] = repeats ? first[order[i - 1]] : order[i];
-    }
+    std::unordered_map<Key, std::uint32_t, Hash> known;
+    std::vector<std::uint32_t> first(mesh.positions.size());
+    for (std::uint32_t v = 0; v < first.size(); ++v)
+        first[v] = known.try_emplace(key_of(mesh, v), v).first->second;
     return first;
 }
 
