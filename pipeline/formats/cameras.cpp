@@ -38,10 +38,15 @@ std::string beginning(const fs::path& file) {
     }
 }
 
-/// Whether the beginning of a file has one of these texts.
-bool begins_with(const fs::path& file, std::initializer_list<std::string_view> texts) {
+using Texts = std::initializer_list<std::string_view>;
+
+/// Whether the beginning of a file has one text of each list.
+bool begins_with(const fs::path& file, std::initializer_list<Texts> lists) {
     const std::string begin = beginning(file);
-    return std::ranges::any_of(texts, [&](std::string_view text) { return begin.find(text) != begin.npos; });
+    return std::ranges::all_of(lists, [&](const Texts& texts) {
+        return std::ranges::any_of(texts,
+                                   [&](std::string_view text) { return begin.find(text) != begin.npos; });
+    });
 }
 
 /// Whether a file begins with Bundler's name, or with two whole numbers, as before version 0.3. The output of
@@ -83,8 +88,8 @@ const CameraFormat formats[] = {
      .files = {},
      .matches =
          [](const fs::path& p) {
-             return is_xml(p) && (begins_with(p, {"<collection>"}) ||
-                                  (begins_with(p, {"<document"}) && begins_with(p, {"<chunk ", "<chunk>"})));
+             return is_xml(p) &&
+                    begins_with(p, {{"<document", "<collection>"}, {"<chunk ", "<chunk>", "<collection>"}});
          },
      .read = read_metashape},
     {.name = "RealityCapture",
@@ -107,32 +112,31 @@ const CameraFormat formats[] = {
      .files = {},
      .matches =
          [](const fs::path& p) {
-             return lower_extension(p) == ".sfm" || (is_json(p) && begins_with(p, {"\"intrinsicId\""}));
+             return lower_extension(p) == ".sfm" || (is_json(p) && begins_with(p, {{"\"intrinsicId\""}}));
          },
      .read = read_meshroom},
     {.name = "OpenMVG",
      .form = "sfm_data.json",
      .files = {},
-     .matches = [](const fs::path& p) { return is_json(p) && begins_with(p, {"\"sfm_data_version\""}); },
+     .matches = [](const fs::path& p) { return is_json(p) && begins_with(p, {{"\"sfm_data_version\""}}); },
      .read = read_openmvg},
     {.name = "OpenSfM",
      .form = "reconstruction.json",
      .files = {},
      .matches =
          [](const fs::path& p) {
-             return is_json(p) && begins_with(p, {"\"projection_type\""}) &&
-                    begins_with(p, {"\"shots\"", "\"cameras\""});
+             return is_json(p) && begins_with(p, {{"\"projection_type\""}, {"\"shots\"", "\"cameras\""}});
          },
      .read = read_opensfm},
     {.name = "nerfstudio",
      .form = "transforms.json",
      .files = {},
-     .matches = [](const fs::path& p) { return is_json(p) && begins_with(p, {"\"transform_matrix\""}); },
+     .matches = [](const fs::path& p) { return is_json(p) && begins_with(p, {{"\"transform_matrix\""}}); },
      .read = read_transforms},
     {.name = "Blocks Exchange",
      .form = ".xml",
      .files = {},
-     .matches = [](const fs::path& p) { return is_xml(p) && begins_with(p, {"<BlocksExchange"}); },
+     .matches = [](const fs::path& p) { return is_xml(p) && begins_with(p, {{"<BlocksExchange"}}); },
      .read = read_blocks_exchange},
     {.name = "Bundler",
      .form = ".out",
