@@ -60,4 +60,14 @@ std::string comparable_name(std::string_view name) {
     return n >= 0 ? std::string(mapped, mapped + n) : utf8;
 }
 
+std::vector<std::filesystem::path> files_called(const std::filesystem::path& folder, std::string_view name) {
+    const std::string wanted = comparable_name(name);
+    std::vector<std::filesystem::path> out;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.empty() ? "." : folder, error))
+        if (comparable_name(entry.path().filename().string()) == wanted)
+            out.push_back(folder / entry.path().filename());
+    return out;
+}
+
 }  // namespace vantage

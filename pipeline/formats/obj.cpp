@@ -185,16 +185,12 @@ class ObjReader {
 
 /// The only file in a folder whose name people would call the same; empty if there is none, or several.
 fs::path file_called(const fs::path& folder, const fs::path& name) {
-    std::error_code error;
-    fs::path found;
-    for (const fs::path& file : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
-        if (comparable_name(file.filename().string()) != comparable_name(name.string()) ||
-            !fs::is_regular_file(file, error))
-            continue;
-        if (!found.empty()) return {};
-        found = folder / file.filename();
-    }
-    return found;
+    std::vector<fs::path> found = files_called(folder, name.string());
+    std::erase_if(found, [](const fs::path& file) {
+        std::error_code error;
+        return !fs::is_regular_file(file, error);
+    });
+    return found.size() == 1 ? found[0] : fs::path();
 }
 
 /// Where the file that a library's name means should be, with backslashes for slashes: beside the OBJ, but

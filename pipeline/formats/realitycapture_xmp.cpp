@@ -8,6 +8,7 @@
 #include "pipeline/formats/left_out.h"
 #include "pipeline/formats/realitycapture.h"
 #include "pipeline/formats/xml_file.h"
+#include "pipeline/run/files_below.h"
 #include "pipeline/run/read_file.h"
 #include "scene/error.h"
 #include "values/lower_extension.h"
@@ -94,19 +95,13 @@ bool is_realitycapture_sidecar(const fs::path& file) {
 }
 
 std::vector<fs::path> realitycapture_sidecars(const fs::path& folder) {
-    std::vector<fs::path> out;
-    std::error_code error;
-    using Walk = fs::recursive_directory_iterator;
-    for (Walk at(folder, fs::directory_options::skip_permission_denied, error); at != Walk();
-         at.increment(error)) {
-        if (at.depth() == 2 || at->path().filename().native().starts_with('.'))
-            at.disable_recursion_pending();
+    std::vector<fs::path> out = files_below(folder, 2);
+    std::erase_if(out, [&](const fs::path& file) {
+        const fs::path above = file.parent_path().parent_path();
+        const bool is_below = file.lexically_relative(folder).has_parent_path();
         // In a folder below its namesake, it is a copy.
-        if (is_realitycapture_sidecar(at->path()) &&
-            (at.depth() == 0 || !fs::exists(at->path().parent_path().parent_path() / at->path().filename())))
-            out.push_back(at->path());
-    }
-    std::ranges::sort(out);
+        return !is_realitycapture_sidecar(file) || (is_below && fs::exists(above / file.filename()));
+    });
     return out;
 }
 

@@ -1,8 +1,8 @@
 #include "pipeline/input/discover.h"
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
+#include <iterator>
 #include <set>
 #include <span>
 #include <tuple>
@@ -13,7 +13,7 @@
 #include "pipeline/formats/ply.h"
 #include "pipeline/input/find_cameras.h"
 #include "pipeline/input/photo_matches.h"
-#include "pipeline/photos/photos.h"
+#include "pipeline/run/files_below.h"
 #include "scene/error.h"
 #include "values/lower_extension.h"
 
@@ -179,7 +179,10 @@ FoundInput search(const fs::path& given_folder, const InputFiles& given) {
     const fs::path folder = without_slash(given_folder);
     if (!fs::exists(folder)) throw Error(Exit::input, folder.string() + ": does not exist");
     if (!fs::is_directory(folder)) throw Error(Exit::input, folder.string() + ": not a folder");
-    const Files files = files_below(folder, 2);
+    const Files deep = files_below(folder, given.photos.empty() ? 3 : 2);  // photos may be deeper
+    Files files;
+    std::ranges::copy_if(deep, std::back_inserter(files),
+                         [&](const fs::path& file) { return distance(folder, file) <= 3; });
     FoundInput out{given, {}};
     InputFiles& found = out.files;
     for (fs::path* path : {&found.cameras, &found.photos}) *path = without_slash(*path);
@@ -194,8 +197,7 @@ FoundInput search(const fs::path& given_folder, const InputFiles& given) {
     attempt([&] { find_cameras(folder, files, found); });
     take_clouds(folder, files, found);
     if (found.photos.empty())
-        attempt(
-            [&] { found.photos = find_photos(folder, files_below(folder, 3), found.cameras, found.notes); });
+        attempt([&] { found.photos = find_photos(folder, deep, found.cameras, found.notes); });
     if (found.mesh.empty() && !found.points.empty()) drop_unmatched(folder, found);
     if (const auto usd = std::ranges::find_if(files, is_usd_file);
         usd != files.end() && found.mesh.empty() && found.points.empty())

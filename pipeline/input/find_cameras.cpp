@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -26,22 +27,23 @@ bool is_first_of(const CameraFormat& format, const fs::path& file) {
                                [&](const char* name) { return fs::exists(file.parent_path() / name); });
 }
 
-/// The files or folders of files in a format.
-Files files_of(const CameraFormat& format, const Files& files) {
-    std::set<fs::path> found;
-    for (const fs::path& f : files) {
-        if (format.files.empty() && format.matches(f))
-            found.insert(format.one_per_photo ? f.parent_path() : f);
-        if (is_first_of(format, f)) found.insert(f.parent_path());
+/// The files, or folders of files, in a format.
+struct FormatFiles {
+    const CameraFormat* format;
+    Files files;  ///< at least one
+};
+std::vector<FormatFiles> files_by_format(const Files& files) {
+    std::vector<FormatFiles> out;
+    for (const CameraFormat& format : camera_formats()) {
+        std::set<fs::path> found;
+        for (const fs::path& f : files) {
+            if (format.files.empty() && format.matches(f))
+                found.insert(format.one_per_photo ? f.parent_path() : f);
+            if (is_first_of(format, f)) found.insert(f.parent_path());
+        }
+        if (!found.empty()) out.push_back({&format, {found.begin(), found.end()}});
     }
-    return {found.begin(), found.end()};
-}
-
-/// Those of the first format that has any.
-Files camera_candidates(const Files& files) {
-    for (const CameraFormat& format : camera_formats())
-        if (Files found = files_of(format, files); !found.empty()) return found;
-    return {};
+    return out;
 }
 
 /// The deepest folder that holds both.
@@ -65,15 +67,14 @@ struct CameraChoice {
 };
 
 /// All files of cameras, by format. `near`: a folder that copies are farther from.
-std::vector<CameraChoice> all_camera_files(const fs::path& near, const Files& files) {
+std::vector<CameraChoice> choices(std::span<const FormatFiles> all, const fs::path& near) {
     std::vector<CameraChoice> out;
-    for (const CameraFormat& format : camera_formats()) {
-        Files found = files_of(format, files);
-        if (format.one_per_photo && found.size() > 1)
-            found.push_back(common_folder(found.front(), found.back()));  // they are sorted
-        for (const fs::path& path : found)
+    for (auto [format, files] : all) {
+        if (format->one_per_photo && files.size() > 1)
+            files.push_back(common_folder(files.front(), files.back()));  // they are sorted
+        for (const fs::path& path : files)
             if (std::ranges::count(out, path, &CameraChoice::path) == 0)
-                out.push_back({path, &format, distance(near, path)});
+                out.push_back({path, format, distance(near, path)});
     }
     return out;
 }
@@ -106,9 +107,9 @@ const CameraChoice& best_of(std::vector<CameraChoice>& all, const fs::path& fold
 }
 
 /// Notes the files that are not used. A single file is not read.
-fs::path best_fitting(const fs::path& root, const Files& files, InputFiles& found) {
+fs::path best_fitting(const fs::path& root, std::span<const FormatFiles> files, InputFiles& found) {
     const bool by_mesh = !found.mesh.empty() && common_folder(found.mesh, root) == root;
-    std::vector<CameraChoice> all = all_camera_files(by_mesh ? found.mesh.parent_path() : root, files);
+    std::vector<CameraChoice> all = choices(files, by_mesh ? found.mesh.parent_path() : root);
     if (all.size() < 2) return all.empty() ? fs::path() : all.front().path;
     const fs::path& folder = found.photos.empty() ? root : found.photos;
     const CameraChoice& best = best_of(all, folder, photos_below(folder));
@@ -138,7 +139,7 @@ struct CamerasOfBands {
 };
 std::optional<CamerasOfBands> cameras_of_bands(const fs::path& root, const Files& files,
                                                const std::string& how) {
-    CamerasOfBands out{camera_candidates(files), {}};
+    CamerasOfBands out{files, {}};
     std::set<fs::path> folders;
     for (const fs::path& cameras : out.cameras) {
         const fs::path folder = band_folder(root, cameras, how);
@@ -162,11 +163,12 @@ std::ptrdiff_t distance(const fs::path& from, const fs::path& to) {
 
 void find_cameras(const fs::path& folder, const Files& files, InputFiles& found) {
     if (!found.cameras.empty()) return;
-    const auto of_bands = found.photos.empty() && found.bands != bands_off
-                              ? cameras_of_bands(folder, files, found.bands)
+    const std::vector<FormatFiles> all = files_by_format(files);
+    const auto of_bands = !all.empty() && found.photos.empty() && found.bands != bands_off
+                              ? cameras_of_bands(folder, all.front().files, found.bands)
                               : std::nullopt;
     if (!of_bands) {
-        found.cameras = best_fitting(folder, files, found);
+        found.cameras = best_fitting(folder, all, found);
         return;
     }
     found.cameras = of_bands->cameras.front();

@@ -5,6 +5,7 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/input/stencils.h"
+#include "pipeline/run/files_below.h"
 #include "values/lower_extension.h"
 
 namespace vantage {

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "scene/error.h"
+#include "pipeline/run/files_below.h"
 #include "values/file_name.h"
 #include "values/lower_extension.h"
 
@@ -131,33 +131,11 @@ class Matches {
     std::map<std::string, std::set<std::vector<std::string>>> same_stem_;
 };
 
-/// `above`: the folders on the way, of which none is entered again.
-void add_files(const fs::path& folder, int levels, std::vector<fs::path> above,
-               std::vector<fs::path>& files) {
-    std::error_code error;
-    above.push_back(fs::canonical(folder, error));
-    if (std::ranges::count(above, above.back()) > 1) return;  // a link to a folder above
-    fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, error);
-    if (error) throw Error(Exit::input, folder.string() + ": cannot list the folder: " + error.message());
-    for (const fs::directory_entry& entry : it) {
-        if (is_hidden(entry.path())) continue;
-        if (entry.is_regular_file(error))
-            files.push_back(entry.path());
-        else if (levels > 0 && entry.is_directory(error))
-            add_files(entry.path(), levels - 1, above, files);
-    }
-}
-
 }  // namespace
 
 bool is_photo(const fs::path& file) {
     return has_photo_extension(file) && !is_hidden(file) &&
            !comparable_name(file.filename().string()).ends_with(".mask.png");
-}
-
-bool is_hidden(const fs::path& file) {
-    const std::string name = file.filename().string();
-    return name.starts_with(".") || name == "__MACOSX" || name == "@eaDir";
 }
 
 bool is_derived(const fs::path& folder) {
@@ -168,13 +146,6 @@ bool is_derived(const fs::path& folder) {
                                            "thumbnail", "thumbnails", "thumbs", "stereo", "segmentation",
                                            "semantics"},
         [&](const char* n) { return name == n; });
-}
-
-std::vector<fs::path> files_below(const fs::path& folder, int levels) {
-    std::vector<fs::path> files;
-    add_files(folder, levels, {}, files);
-    std::ranges::sort(files);
-    return files;
 }
 
 std::vector<fs::path> photos_below(const fs::path& folder) {
@@ -206,13 +177,10 @@ std::string name_below(const fs::path& folder, const fs::path& file) {
 }
 
 fs::path file_meant(const fs::path& folder, const std::string& name) {
-    std::vector<fs::path> same, alike;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-        const std::string own = entry.path().filename().string();
-        if (utf8_name(own) == name) same.push_back(entry.path());
-        if (comparable_name(own) == comparable_name(name)) alike.push_back(entry.path());
-    }
+    const std::vector<fs::path> alike = files_called(folder, name);
+    std::vector<fs::path> same;
+    std::ranges::copy_if(alike, std::back_inserter(same),
+                         [&](const fs::path& file) { return utf8_name(file.filename().string()) == name; });
     return same.size() == 1 ? same[0] : alike.size() == 1 ? alike[0] : fs::path();
 }
 

@@ -11,15 +11,8 @@ namespace vantage {
 /// Whether the file's extension is that of a photo. False for stencils (NAME.mask.png) and hidden files.
 bool is_photo(const std::filesystem::path& file);
 
-/// Whether programs keep such a file or folder for themselves: .NAME (._NAME of macOS too), __MACOSX, @eaDir.
-bool is_hidden(const std::filesystem::path& file);
-
 /// Whether a folder of this name holds what is computed from photos: masks, depth, normals, thumbnails.
 bool is_derived(const std::filesystem::path& folder);
-
-/// The files in a folder and in its subfolders, `levels` deep (0: in the folder itself), sorted; hidden ones
-/// are left out, symbolic links are followed. Throws Error(input).
-std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder, int levels);
 
 /// The photos in a folder and two levels below it, sorted; subfolders of derived pictures are left out.
 std::vector<std::filesystem::path> photos_below(const std::filesystem::path& folder);
@@ -45,9 +38,9 @@ struct PhotoMatch {
 
 /// Finds the photo of each camera, whose name may have folders, among `photos` in `folder`. Names are
 /// compared as by comparable_name(). The file must have all of the name's folders, or the name all of the
-/// file's folders below `folder`; a file that fits several names is no match. Of several files that fit a
-/// name, the one in folders of the name of the camera's group is taken, or the only one that no other camera
-/// names by its folder. If no file has the name's extension, one with another extension is taken.
+/// file's folders below `folder`; a file that fits several names is given to none. Of several files that fit
+/// a name, the one in folders of the name of the camera's group is taken, or the only one that no other
+/// camera names by its folder. If no file has the name's extension, one with another extension is taken.
 std::vector<PhotoMatch> match_photos(const std::filesystem::path& folder,
                                      const std::vector<std::filesystem::path>& photos,
                                      std::span<const CameraSet::Entry> cameras);

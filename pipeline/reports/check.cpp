@@ -15,6 +15,7 @@
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/package/stage_keys.h"
 #include "pipeline/package/staleness.h"
+#include "pipeline/run/files_below.h"
 #include "pipeline/stages/surface_samples.h"
 #include "remote/remote_package.h"
 #include "scene/package_reader.h"
