@@ -11,7 +11,7 @@
 #include "cli/stop_signals.h"
 #include "files/output_file.h"
 #include "pipeline/align/conventions.h"
-#include "pipeline/align/upside_down.h"
+#include "pipeline/align/open_turns.h"
 #include "pipeline/commands/apply_config.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/effect_option.h"

@@ -1,4 +1,4 @@
-#include "pipeline/align/upside_down.h"
+#include "pipeline/align/open_turns.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,5 +1,5 @@
 // Photos whose EXIF orientation leaves open which way up they are.
-#include "pipeline/align/upside_down.h"
+#include "pipeline/align/open_turns.h"
 
 #include <gtest/gtest.h>
 
