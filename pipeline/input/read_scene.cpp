@@ -96,7 +96,7 @@ std::map<fs::path, std::string> package_names(const fs::path& folder, const std:
     for (const fs::path& file : files) {
         std::string name = utf8_name(file.filename().string());
         if (count.at(name) > 1) {
-            name = utf8_name(file.lexically_relative(folder).generic_string());
+            name = name_below(folder, file);
             std::ranges::replace(name, '/', '_');
         }
         while (!taken.insert(name).second) name = "_" + name;
@@ -135,10 +135,7 @@ std::string name_of(const CameraSet::Entry& camera) {
 std::string alternatives(const std::vector<fs::path>& files, const fs::path& folder) {
     std::string out;
     for (std::size_t i = 0; i < files.size(); ++i)
-        out += (i == 0                 ? ""
-                : i + 1 < files.size() ? ", "
-                                       : " or ") +
-               utf8_name(files[i].lexically_relative(folder).generic_string());
+        out += (i == 0 ? "" : i + 1 < files.size() ? ", " : " or ") + name_below(folder, files[i]);
     return out;
 }
 
@@ -245,7 +242,7 @@ void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
     used.erase(fs::path());
     const std::map<fs::path, std::string> names = package_names(folder, used);
     const auto leave_out = [&](const fs::path& file, const std::string& why) {
-        scene.left_out.push_back({utf8_name(file.lexically_relative(folder).generic_string()), why});
+        scene.left_out.push_back({name_below(folder, file), why});
     };
     Stencils stencils;
     for (std::size_t i = 0; i < files.size(); ++i) {

@@ -42,8 +42,7 @@ PhotoFacts photo_facts(const std::filesystem::path& folder) {
         try {
             size = read_photo_header(file).size;
         } catch (const Error& e) {
-            facts.unreadable.push_back(
-                {utf8_name(file.lexically_relative(folder).generic_string()), reason_of(e, file)});
+            facts.unreadable.push_back({name_below(folder, file), reason_of(e, file)});
         }
         const std::string format = format_of(file);
         PhotoGroup& group = groups[{format, size.width, size.height}];
