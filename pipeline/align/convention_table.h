@@ -19,7 +19,7 @@ struct Convention {
 
 std::span<const Convention> convention_table();
 
-/// Conventions of the table. They change nothing where there is no transform, or no tangential term.
+/// Conventions of the table. Empty without a transform, or without tangential terms.
 std::optional<Camera> without_transform(Camera camera, const Similarity& transform);
 std::optional<Camera> swapped_tangential(Camera camera, const Similarity&);
 

@@ -55,8 +55,8 @@ ConventionTrials try_conventions(const SceneInput& scene, const FeatureSettings&
 
 /// Applies the convention that the user wants, or the one that try_conventions() chooses, and warns of one
 /// that is not as read, of cameras that do not agree with photos, and of a mesh that shows features off.
-/// Returns what was tried; nothing if the user wants one, or if there is no mesh. Throws Error(misplaced) if
-/// no convention makes the mesh fit.
+/// Returns the trials: none if the user wants a convention, or without a mesh. Throws Error(misplaced) if no
+/// convention makes the mesh fit.
 ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted, unsigned threads);
 
 /// "the mesh shows 2867 of 2899 features where photos do, to 1.3 px (median)", px of the first photo, or "not

@@ -73,7 +73,7 @@ TEST_F(Mtl, NamesMayHaveNumberSigns) {
     EXPECT_EQ(material_named(known, "#00FF00").value()[3], 255);
     EXPECT_EQ(material_named(known, "oak").value()[3], 64);
     EXPECT_FALSE(material_named(known, "ash"));
-    // A number is no comment.
+    // The # of a number does not begin a comment.
     const auto numbered = materials("newmtl Glass #1 # frame\nd 1\nnewmtl Glass #2 # pane\nd 0.25\n");
     EXPECT_EQ(material_named(numbered, "Glass #2").value()[3], 64);
     EXPECT_FALSE(material_named(numbered, "Glass #3"));
