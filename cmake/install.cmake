@@ -5,15 +5,15 @@ set(manual ${CMAKE_BINARY_DIR}/manual)
 
 install(TARGETS vantage RUNTIME DESTINATION bin COMPONENT vantage)
 install(TARGETS vantage_images LIBRARY DESTINATION lib/vantage COMPONENT vantage)
-install(DIRECTORY configs DESTINATION share/vantage COMPONENT vantage USE_SOURCE_PERMISSIONS)
-install(FILES desktop/vantage.thumbnailer DESTINATION share/thumbnailers COMPONENT vantage)
+install(DIRECTORY configs DESTINATION share/vantage COMPONENT vantage USE_SOURCE_PERMISSIONS PATTERN desktop EXCLUDE)
+install(FILES configs/desktop/vantage.thumbnailer DESTINATION share/thumbnailers COMPONENT vantage)
 install(DIRECTORY ${manual}/man1 DESTINATION share/man COMPONENT vantage PATTERN vantage-player* EXCLUDE)
 
 install(TARGETS vantage-player RUNTIME DESTINATION bin COMPONENT vantage-player)
 install(DIRECTORY ${CMAKE_BINARY_DIR}/share/locale DESTINATION share COMPONENT vantage-player)
-install(FILES desktop/vantage-player.desktop DESTINATION share/applications COMPONENT vantage-player)
-install(FILES desktop/vantage.svg DESTINATION share/icons/hicolor/scalable/apps COMPONENT vantage-player)
-install(FILES desktop/vantage.xml DESTINATION share/mime/packages COMPONENT vantage-player)
+install(FILES configs/desktop/vantage-player.desktop DESTINATION share/applications COMPONENT vantage-player)
+install(FILES configs/desktop/vantage.svg DESTINATION share/icons/hicolor/scalable/apps COMPONENT vantage-player)
+install(FILES configs/desktop/vantage.xml DESTINATION share/mime/packages COMPONENT vantage-player)
 install(DIRECTORY ${manual}/man1 DESTINATION share/man COMPONENT vantage-player FILES_MATCHING PATTERN vantage-player*)
 
 foreach(program vantage vantage-player)
@@ -24,7 +24,7 @@ endforeach()
 
 # The documents keep their places to each other, so that their links lead somewhere.
 install(FILES README.md LICENSE DESTINATION share/doc/vantage COMPONENT vantage)
-install(FILES scene/FORMAT.md DESTINATION share/doc/vantage/scene COMPONENT vantage)
+install(FILES scene/package/FORMAT.md DESTINATION share/doc/vantage/scene/package COMPONENT vantage)
 install(DIRECTORY docs data DESTINATION share/doc/vantage COMPONENT vantage)
 
 # Two Debian packages, by `cpack -G DEB` in the build folder.

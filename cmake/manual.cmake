@@ -1,6 +1,6 @@
 # The manual pages of the programs and their completion by shells, made from what they print with --describe.
 add_executable(vantage-manual ${CMAKE_CURRENT_LIST_DIR}/write_manual.cpp)
-target_link_libraries(vantage-manual PRIVATE vantage_cli vantage_files)
+target_link_libraries(vantage-manual PRIVATE vantage_base_cli)
 
 find_program(GZIP gzip REQUIRED)
 set(folder ${CMAKE_CURRENT_BINARY_DIR}/manual)

@@ -1,4 +1,4 @@
-// Headers that nearly every source includes, parsed once for all rooms. Sources still include what they use,
+// Headers that nearly every source includes, parsed once for all modules. Sources still include what they use,
 // so that the build also works with -DVANTAGE_PRECOMPILE=OFF.
 #include <Eigen/Core>
 #include <Eigen/Geometry>

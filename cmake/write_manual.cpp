@@ -3,12 +3,12 @@
 #include <fstream>
 #include <iostream>
 
-#include "cli/bash_completion.h"
-#include "cli/man_page.h"
-#include "cli/report_exception.h"
-#include "cli/zsh_completion.h"
-#include "files/make_folder.h"
-#include "scene/error.h"
+#include "base/cli/bash_completion.h"
+#include "base/cli/man_page.h"
+#include "base/cli/report_exception.h"
+#include "base/cli/zsh_completion.h"
+#include "base/files/make_folder.h"
+#include "base/text/error.h"
 
 namespace {
 

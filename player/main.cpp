@@ -1,9 +1,9 @@
 #include <csignal>
 
-#include "cli/report_exception.h"
-#include "player/commands/commands.h"
-#include "scene/lost_package.h"
-#include "values/large_pages.h"
+#include "base/cli/report_exception.h"
+#include "base/files/large_pages.h"
+#include "player/verbs/verbs.h"
+#include "scene/package/lost_package.h"
 
 int main(int argc, char** argv) {
     vantage::use_large_pages();

@@ -1,6 +1,6 @@
 // One blending pass: weighted average (de Melo 2017, eq. 3.1), unstructured lumigraph (after Buehler et al. 2001) or
 // best photo (Princ 2014, eq. 2.8). TAKES_ONE: the photo of the largest weight gives the color; otherwise square roots of
-// light are summed by weight: where photos disagree, their mean is then the one that looks closest to all of them. BLEND_*: the weight, as in player/render/blend_table.cpp.
+// light are summed by weight: where photos disagree, their mean is then the one that looks closest to all of them. BLEND_*: the weight, as in player/render/passes/blend_table.cpp.
 #include "photos.glsl"
 
 #ifdef ON_POINTS
@@ -81,7 +81,7 @@ float seen(uint photo, vec3 p, MaskPlace at) {
     return p.z > z.y + slack ? 0.0 : (p.z > z.x + slack ? beside : 1.0);
 }
 
-// Sampling rate by area, relative to the finest of all photos; the mask holds its log2 in sixths (scene/FORMAT.md).
+// Sampling rate by area, relative to the finest of all photos; the mask holds its log2 in sixths (scene/package/FORMAT.md).
 float density(vec4 masks) {
     return (switches & depth_mask_switch) != 0u ? max(exp2((masks.g * 255.0 - 255.0) / 6.0), 1e-6) : 1.0;
 }

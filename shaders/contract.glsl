@@ -285,7 +285,7 @@ const int tile_content_texels = 248;
 const int first_mask_level = 1;  // masks and depth have no finer level
 const int lens_cells = 64;       // of a lens table, per side
 
-// The lumigraph's weight (docs/method.md), computed by shaders/blend.frag and by pipeline/judge.
+// The lumigraph's weight (docs/method.md), computed by shaders/blend.frag and by pipeline/refine.
 const float default_sharpness = 0.07f;  // radians: the angle between rays at which the weight is 1/e
 // Ramps in reference pixels: pixels of a photo scaled to this width.
 const float reference_width = 3072.0f;
@@ -325,7 +325,7 @@ struct Photo {
     vec4 thumbnail;           // layer (-1: none), share of the layer's width and height, width in pixels
     vec4 false_color;         // linear
     vec4 gain;                // factors to the mean photo's exposure, linear light; 2 / diagonal, 1/pixels
-    vec4 falloff;             // of the lens: ln of its loss, times r^2, r^4, r^6; square of its range (scene/lens_table.h)
+    vec4 falloff;             // of the lens: ln of its loss, times r^2, r^4, r^6; square of its range (scene/package/contents/lens_table.h)
     uint color_base[level_count];  // index in `pages` of each level's first tile
     uint mask_base[level_count];
 };

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "scene/tiling.h"
+#include "base/values/tiling.h"
 
 /// Locations, bits and layouts that C++ and GLSL share.
 namespace vantage::shader {

@@ -41,7 +41,7 @@ TilePlace tile_place(vec2 size, int level, vec2 texel, uint base) {
 }
 
 #ifdef PHOTO_LENS
-// Where a photo's lens images what a pinhole camera images at a pixel, from the photo's table in `pages` (scene/lens_table.h).
+// Where a photo's lens images what a pinhole camera images at a pixel, from the photo's table in `pages` (scene/package/contents/lens_table.h).
 struct LensPlace {
     vec2 pixel;
     mat2 along;   // derivative by the pinhole camera's pixel

@@ -15,9 +15,9 @@
 
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/package/meta.h"
+#include "pipeline/output/meta.h"
 #include "pipeline/prepare/prepare.h"
-#include "pipeline/run/progress.h"
+#include "pipeline/run/until_stopped.h"
 #include "pipeline/synth/synthesize.h"
 
 namespace vantage {

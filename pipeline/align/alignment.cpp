@@ -8,15 +8,15 @@
 #include <numbers>
 #include <set>
 
+#include "base/text/error.h"
+#include "base/values/quantile.h"
 #include "pipeline/align/conventions.h"
 #include "pipeline/align/feature_errors.h"
 #include "pipeline/align/feature_points.h"
 #include "pipeline/align/photo_rays.h"
 #include "pipeline/align/start_poses.h"
 #include "pipeline/run/for_each_photo.h"
-#include "scene/error.h"
-#include "scene/small_motion.h"
-#include "values/quantile.h"
+#include "scene/camera/small_motion.h"
 
 namespace vantage {
 namespace {

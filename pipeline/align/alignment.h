@@ -3,7 +3,7 @@
 
 #include "pipeline/align/shared_features.h"
 #include "pipeline/input/scene_input.h"
-#include "scene/similarity.h"
+#include "scene/camera/similarity.h"
 
 namespace vantage {
 

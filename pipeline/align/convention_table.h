@@ -2,8 +2,8 @@
 #include <optional>
 #include <span>
 
-#include "scene/camera.h"
-#include "scene/similarity.h"
+#include "scene/camera/camera.h"
+#include "scene/camera/similarity.h"
 
 namespace vantage {
 

@@ -7,11 +7,11 @@
 #include <optional>
 #include <ranges>
 
+#include "base/text/error.h"
+#include "base/text/file_name.h"
+#include "base/values/quantile.h"
 #include "pipeline/align/convention_table.h"
 #include "pipeline/align/photo_rays.h"
-#include "scene/error.h"
-#include "values/file_name.h"
-#include "values/quantile.h"
 
 namespace vantage {
 namespace {

@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
+#include "base/values/main_box.h"
 #include "pipeline/align/shared_features.h"
 #include "pipeline/mesh/ray_scene.h"
-#include "scene/camera.h"
-#include "values/main_box.h"
+#include "scene/camera/camera.h"
 
 namespace vantage {
 

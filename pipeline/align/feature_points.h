@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/align/shared_features.h"
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 
 namespace vantage {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "scene/lens_inverse.h"
+#include "scene/camera/lens_inverse.h"
 
 namespace vantage {
 

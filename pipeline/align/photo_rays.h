@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 
 namespace vantage {
 

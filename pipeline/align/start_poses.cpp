@@ -6,9 +6,9 @@
 #include <limits>
 #include <numbers>
 
+#include "base/values/nearest_rotation.h"
+#include "base/values/quantile.h"
 #include "pipeline/run/for_each_photo.h"
-#include "values/nearest_rotation.h"
-#include "values/quantile.h"
 
 namespace vantage {
 namespace {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "pipeline/mesh/nearest_surface.h"
-#include "scene/mesh.h"
-#include "scene/similarity.h"
+#include "scene/camera/similarity.h"
+#include "scene/package/contents/mesh.h"
 
 namespace vantage {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "cli/command.h"
+#include "base/cli/command.h"
 
 /// The verbs, one file each. A verb's function adds its command to the program.
 namespace vantage {

@@ -4,9 +4,9 @@
 
 #include <cstdio>
 
-#include "files/make_folder.h"
-#include "files/output_file.h"
-#include "scene/error.h"
+#include "base/files/make_folder.h"
+#include "base/text/error.h"
+#include "scene/package/output_file.h"
 
 namespace vantage {
 

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "story/scene_file.h"
+#include "scene/story/scene_file.h"
 
 namespace vantage {
 

@@ -4,11 +4,11 @@
 #include <new>
 #include <opencv2/core.hpp>
 
-#include "cli/command.h"
-#include "cli/report_exception.h"
+#include "base/cli/command.h"
+#include "base/cli/report_exception.h"
+#include "base/text/error.h"
 #include "pipeline/commands/commands.h"
-#include "scene/error.h"
-#include "scene/lost_package.h"
+#include "scene/package/lost_package.h"
 
 namespace vantage {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "base/text/error.h"
+#include "base/text/lower_extension.h"
+#include "base/values/main_box.h"
 #include "pipeline/formats/las.h"
-#include "pipeline/formats/mesh.h"
-#include "scene/error.h"
-#include "values/lower_extension.h"
-#include "values/main_box.h"
+#include "pipeline/formats/meshes/read_mesh.h"
 
 namespace vantage {
 

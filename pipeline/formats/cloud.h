@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/mesh.h"
+#include "scene/package/contents/mesh.h"
 
 namespace vantage {
 
@@ -11,8 +11,8 @@ namespace vantage {
 bool is_cloud_file(const std::filesystem::path& file);
 
 /// Reads the points of a cloud, or the vertices of a mesh, with their colors and nothing else. Points with
-/// coordinates that are not finite, or 1e18 or more, and those far from all others (values/main_box.h) are
-/// dropped and counted in `warnings`. Throws Error(input), also if no point is left, and for LAZ and E57.
+/// coordinates that are not finite, or 1e18 or more, and those far from all others (base/values/main_box.h)
+/// are dropped and counted in `warnings`. Throws Error(input), also if no point is left, and for LAZ and E57.
 Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
 }  // namespace vantage

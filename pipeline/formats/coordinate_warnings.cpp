@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "values/main_box.h"
+#include "base/values/main_box.h"
 
 namespace vantage {
 namespace {

@@ -2,11 +2,11 @@
 #include <string>
 #include <vector>
 
-#include "scene/mesh.h"
+#include "scene/package/contents/mesh.h"
 
 namespace vantage {
 
-/// One line each about vertices far from all others (values/main_box.h) and about coordinates that were
+/// One line each about vertices far from all others (base/values/main_box.h) and about coordinates that were
 /// rounded to few digits far from zero: to single precision or to a power of ten, in steps of more than
 /// 1/100,000 of the mesh's size. Empty for points and for sound meshes. Positions must be finite. Lines do
 /// not name the file. `rounding` is the most by which a coordinate may be off, if that is known: it is said

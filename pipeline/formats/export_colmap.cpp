@@ -7,11 +7,11 @@
 #include <array>
 #include <sstream>
 
-#include "files/make_folder.h"
-#include "files/output_file.h"
-#include "pipeline/formats/conventions.h"
-#include "scene/error.h"
-#include "scene/replace_file.h"
+#include "base/files/make_folder.h"
+#include "base/files/replace_file.h"
+#include "base/text/error.h"
+#include "pipeline/formats/camera_axes.h"
+#include "scene/package/output_file.h"
 
 namespace vantage {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 
 namespace vantage {
 

@@ -4,8 +4,8 @@
 
 #include <ostream>
 
-#include "files/output_file.h"
-#include "scene/replace_file.h"
+#include "base/files/replace_file.h"
+#include "scene/package/output_file.h"
 
 namespace vantage {
 namespace {

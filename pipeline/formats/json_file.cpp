@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/text/parse_number.h"
 #include "pipeline/run/read_file.h"
-#include "values/parse_number.h"
 
 namespace vantage {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "files/located_json.h"
+#include "base/text/located_json.h"
 
 namespace vantage {
 

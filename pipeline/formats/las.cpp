@@ -8,8 +8,8 @@
 #include <fstream>
 #include <limits>
 
+#include "base/text/error.h"
 #include "pipeline/run/read_file.h"
-#include "scene/error.h"
 
 namespace vantage {
 namespace {

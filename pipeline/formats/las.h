@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/mesh.h"
+#include "scene/package/contents/mesh.h"
 
 namespace vantage {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
+#include "base/text/error.h"
+#include "base/text/parse_number.h"
 #include "pipeline/run/read_file.h"
-#include "scene/error.h"
-#include "values/parse_number.h"
 
 namespace vantage {
 

@@ -9,10 +9,10 @@
 #include <numeric>
 #include <optional>
 
-#include "scene/error.h"
-#include "scene/package_format.h"
-#include "values/file_name.h"
-#include "values/photo_names.h"
+#include "base/text/error.h"
+#include "base/text/file_name.h"
+#include "base/text/photo_names.h"
+#include "scene/package/package_format.h"
 
 namespace vantage {
 namespace {

@@ -7,15 +7,15 @@
 #include <span>
 #include <tuple>
 
-#include "pipeline/formats/cameras.h"
+#include "base/text/error.h"
+#include "base/text/lower_extension.h"
+#include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/formats/cloud.h"
-#include "pipeline/formats/mesh.h"
-#include "pipeline/formats/ply.h"
+#include "pipeline/formats/meshes/ply.h"
+#include "pipeline/formats/meshes/read_mesh.h"
 #include "pipeline/input/find_cameras.h"
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/run/files_below.h"
-#include "scene/error.h"
-#include "values/lower_extension.h"
 
 namespace vantage {
 namespace {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/text/error.h"
 #include "pipeline/input/scene_input.h"
-#include "scene/error.h"
 
 namespace vantage {
 

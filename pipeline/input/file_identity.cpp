@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include "base/text/error.h"
 #include "pipeline/run/read_file.h"
-#include "scene/error.h"
 
 namespace vantage {
 

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "scene/checksum.h"
+#include "base/files/checksum.h"
 
 namespace vantage {
 

@@ -8,11 +8,11 @@
 #include <tuple>
 #include <utility>
 
-#include "pipeline/formats/cameras.h"
+#include "base/text/error.h"
+#include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/photos/photos.h"
-#include "scene/error.h"
 
 namespace vantage {
 namespace {

@@ -10,9 +10,9 @@
 #include <fstream>
 #include <utility>
 
+#include "base/files/xdg_folder.h"
+#include "base/text/error.h"
 #include "pipeline/run/read_file.h"
-#include "scene/error.h"
-#include "values/xdg_folder.h"
 
 namespace vantage {
 namespace {

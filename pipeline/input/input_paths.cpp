@@ -1,12 +1,12 @@
 #include "pipeline/input/input_paths.h"
 
-#include "pipeline/formats/cameras.h"
+#include "base/text/lower_extension.h"
+#include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/input/stencils.h"
 #include "pipeline/run/files_below.h"
-#include "values/lower_extension.h"
 
 namespace vantage {
 

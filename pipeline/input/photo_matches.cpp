@@ -6,9 +6,9 @@
 #include <map>
 #include <set>
 
+#include "base/text/file_name.h"
+#include "base/text/lower_extension.h"
 #include "pipeline/run/files_below.h"
-#include "values/file_name.h"
-#include "values/lower_extension.h"
 
 namespace vantage {
 namespace {

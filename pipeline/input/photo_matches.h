@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/formats/cameras.h"
+#include "pipeline/formats/cameras/cameras.h"
 
 namespace vantage {
 

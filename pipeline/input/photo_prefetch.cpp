@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text/error.h"
 #include "pipeline/photos/photos.h"
 #include "pipeline/run/read_file.h"
-#include "scene/error.h"
 
 namespace vantage {
 

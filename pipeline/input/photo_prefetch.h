@@ -6,10 +6,10 @@
 #include <thread>
 #include <vector>
 
+#include "base/values/rgba_image.h"
 #include "pipeline/input/file_identity.h"
 #include "pipeline/input/scene_input.h"
 #include "pipeline/run/trace.h"
-#include "values/rgba_image.h"
 
 namespace vantage {
 

@@ -8,9 +8,11 @@
 #include <map>
 #include <set>
 
-#include "pipeline/formats/cameras.h"
+#include "base/text/error.h"
+#include "base/text/file_name.h"
+#include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/formats/cloud.h"
-#include "pipeline/formats/mesh.h"
+#include "pipeline/formats/meshes/read_mesh.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/photo_matches.h"
@@ -18,8 +20,6 @@
 #include "pipeline/photos/image_files.h"
 #include "pipeline/photos/photos.h"
 #include "pipeline/run/read_file.h"
-#include "scene/error.h"
-#include "values/file_name.h"
 
 namespace vantage {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "pipeline/input/file_identity.h"
 #include "pipeline/photos/image_files.h"
-#include "scene/camera.h"
-#include "scene/mesh.h"
-#include "scene/similarity.h"
+#include "scene/camera/camera.h"
+#include "scene/camera/similarity.h"
+#include "scene/package/contents/mesh.h"
 
 namespace vantage {
 

@@ -1,6 +1,6 @@
 #include "pipeline/input/stencils.h"
 
-#include "values/file_name.h"
+#include "base/text/file_name.h"
 
 namespace vantage {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/package_format.h"
+#include "scene/package/package_format.h"
 
 namespace vantage {
 

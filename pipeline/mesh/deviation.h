@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "scene/mesh.h"
+#include "scene/package/contents/mesh.h"
 
 namespace vantage {
 

@@ -14,8 +14,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "scene/error.h"
-#include "values/angle_between.h"
+#include "base/text/error.h"
+#include "base/values/angle_between.h"
 
 namespace vantage {
 namespace {

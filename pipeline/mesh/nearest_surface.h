@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "scene/mesh.h"
+#include "scene/package/contents/mesh.h"
 
 namespace vantage {
 

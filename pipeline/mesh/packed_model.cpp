@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/values/bytes_of.h"
 #include "pipeline/mesh/clusters.h"
-#include "values/bytes_of.h"
 
 namespace vantage {
 

@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "scene/mesh.h"
-#include "scene/opaque_part.h"
-#include "scene/package_format.h"
-#include "scene/package_writer.h"
-#include "values/main_box.h"
+#include "base/values/main_box.h"
+#include "scene/package/contents/mesh.h"
+#include "scene/package/contents/opaque_part.h"
+#include "scene/package/package_format.h"
+#include "scene/package/package_writer.h"
 
 namespace vantage {
 

@@ -9,8 +9,8 @@
 #include <deque>
 #include <span>
 
-#include "scene/point_cloud.h"
-#include "values/bytes_of.h"
+#include "base/values/bytes_of.h"
+#include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/mesh.h"
-#include "scene/package_writer.h"
+#include "scene/package/contents/mesh.h"
+#include "scene/package/package_writer.h"
 
 namespace vantage {
 

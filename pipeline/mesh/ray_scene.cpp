@@ -10,7 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 
 namespace vantage {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/mesh.h"
+#include "scene/package/contents/mesh.h"
 
 namespace vantage {
 

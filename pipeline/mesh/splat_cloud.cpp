@@ -2,8 +2,8 @@
 
 #include <cstring>
 
-#include "scene/error.h"
-#include "scene/point_cloud.h"
+#include "base/text/error.h"
+#include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "pipeline/mesh/point_tree.h"
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "values/principal_axes.h"
+#include "base/values/principal_axes.h"
 
 namespace vantage {
 namespace {

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "scene/mesh.h"
+#include "scene/package/contents/mesh.h"
 
 namespace vantage {
 

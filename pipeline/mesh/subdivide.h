@@ -1,6 +1,6 @@
 #pragma once
-#include "scene/mesh.h"
-#include "values/main_box.h"
+#include "base/values/main_box.h"
+#include "scene/package/contents/mesh.h"
 
 namespace vantage {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "values/grid.h"
+#include "base/values/grid.h"
 
 namespace vantage {
 

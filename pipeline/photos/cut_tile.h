@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <span>
 
-#include "scene/tiling.h"
+#include "base/values/tiling.h"
 
 namespace vantage {
 

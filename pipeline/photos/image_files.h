@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
+#include "base/values/rgba_image.h"
 #include "pipeline/photos/color_profile.h"
-#include "values/rgba_image.h"
 
 namespace vantage {
 

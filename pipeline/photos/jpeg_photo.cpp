@@ -6,7 +6,7 @@
 #include <memory>
 #include <string_view>
 
-#include "codec/jpeg_failure.h"
+#include "scene/codec/jpeg_failure.h"
 
 namespace vantage {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "values/srgb.h"
+#include "base/values/srgb.h"
 
 namespace vantage {
 namespace {

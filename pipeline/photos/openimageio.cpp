@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text/error.h"
+#include "base/text/lower_extension.h"
+#include "base/values/srgb.h"
 #include "pipeline/photos/heif_profile.h"
 #include "pipeline/photos/image_files.h"
 #include "pipeline/photos/tiff_flaw.h"
-#include "scene/error.h"
-#include "values/lower_extension.h"
-#include "values/srgb.h"
 
 namespace vantage {
 namespace {

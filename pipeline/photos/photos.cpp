@@ -6,11 +6,11 @@
 #include <array>
 #include <memory>
 
+#include "base/values/grid.h"
 #include "pipeline/photos/color_profile.h"
 #include "pipeline/photos/jpeg_photo.h"
 #include "pipeline/photos/reduced.h"
 #include "pipeline/run/read_file.h"
-#include "values/grid.h"
 
 namespace vantage {
 namespace {

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
+#include "base/text/error.h"
 #include "pipeline/photos/image_files.h"
-#include "scene/error.h"
 
 namespace vantage {
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "scene/tiling.h"
-#include "values/rgba_image.h"
+#include "base/values/rgba_image.h"
+#include "base/values/tiling.h"
 
 namespace vantage {
 

@@ -6,16 +6,16 @@
 #include <cmath>
 #include <cstring>
 
-#include "agreement/consensus_weights.h"
-#include "pipeline/package/earlier_package.h"
-#include "pipeline/package/tile_levels.h"
+#include "base/files/checksum.h"
+#include "base/text/error.h"
+#include "base/values/bytes_of.h"
+#include "base/values/tiling.h"
+#include "pipeline/output/earlier_package.h"
+#include "pipeline/output/tile_levels.h"
 #include "pipeline/refine/consensus.h"
 #include "pipeline/refine/verdict.h"
 #include "pipeline/run/for_each_photo.h"
-#include "scene/checksum.h"
-#include "scene/error.h"
-#include "scene/tiling.h"
-#include "values/bytes_of.h"
+#include "scene/agreement/consensus_weights.h"
 
 namespace vantage {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "pipeline/prepare/finish.h"
 #include "pipeline/refine/folds.h"
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

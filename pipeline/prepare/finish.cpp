@@ -4,18 +4,18 @@
 #include <future>
 #include <utility>
 
-#include "agreement/band_photos.h"
-#include "pipeline/package/meta.h"
+#include "base/files/part_file.h"
+#include "base/values/bytes_of.h"
+#include "pipeline/output/meta.h"
 #include "pipeline/prepare/consensus_masks.h"
 #include "pipeline/prepare/joined_bands.h"
-#include "pipeline/prepare/moved_photo.h"
+#include "pipeline/prepare/photo/moved_photo.h"
 #include "pipeline/prepare/registration_reuse.h"
 #include "pipeline/refine/folds.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/surroundings/find_surroundings.h"
-#include "scene/part_file.h"
-#include "scene/point_cloud.h"
-#include "values/bytes_of.h"
+#include "scene/agreement/band_photos.h"
+#include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
 namespace {

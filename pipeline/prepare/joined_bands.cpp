@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "values/bytes_of.h"
+#include "base/values/bytes_of.h"
 
 namespace vantage {
 namespace {

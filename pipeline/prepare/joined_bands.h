@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pipeline/prepare/finish.h"
-#include "scene/package_writer.h"
+#include "scene/package/package_writer.h"
 
 namespace vantage {
 

@@ -9,21 +9,21 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "pipeline/package/disk_space.h"
-#include "pipeline/package/meta.h"
-#include "pipeline/package/photo_records.h"
+#include "base/files/checksum.h"
+#include "base/files/part_file.h"
+#include "base/text/error.h"
+#include "base/values/bytes_of.h"
+#include "pipeline/output/disk_space.h"
+#include "pipeline/output/meta.h"
+#include "pipeline/output/photo_records.h"
 #include "pipeline/prepare/finish.h"
 #include "pipeline/prepare/joined_bands.h"
-#include "pipeline/prepare/photo_stages.h"
-#include "pipeline/prepare/plan.h"
+#include "pipeline/prepare/photo/photo_stages.h"
+#include "pipeline/prepare/prepare_plan.h"
 #include "pipeline/prepare/registration_reuse.h"
 #include "pipeline/prepare/resources.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/stages/mesh_in_view.h"
-#include "scene/checksum.h"
-#include "scene/error.h"
-#include "scene/part_file.h"
-#include "values/bytes_of.h"
 
 namespace vantage {
 namespace {

@@ -11,10 +11,10 @@
 
 #include "pipeline/input/scene_input.h"
 #include "pipeline/prepare/resources.h"
-#include "pipeline/run/progress.h"
 #include "pipeline/run/settings.h"
-#include "scene/package_format.h"
-#include "scene/package_writer.h"
+#include "pipeline/run/until_stopped.h"
+#include "scene/package/package_format.h"
+#include "scene/package/package_writer.h"
 
 namespace vantage {
 

@@ -4,11 +4,11 @@
 #include <array>
 #include <string>
 
-#include "pipeline/package/meta.h"
-#include "pipeline/package/photo_records.h"
-#include "scene/checksum.h"
-#include "scene/sound_records.h"
-#include "values/bytes_of.h"
+#include "base/files/checksum.h"
+#include "base/values/bytes_of.h"
+#include "pipeline/output/meta.h"
+#include "pipeline/output/photo_records.h"
+#include "scene/package/sound_records.h"
 
 namespace vantage {
 namespace {

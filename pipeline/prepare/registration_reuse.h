@@ -6,10 +6,10 @@
 
 #include "pipeline/input/identity_cache.h"
 #include "pipeline/input/scene_input.h"
-#include "pipeline/package/earlier_package.h"
-#include "pipeline/refine/registration.h"
-#include "scene/package_reader.h"
-#include "scene/package_writer.h"
+#include "pipeline/output/earlier_package.h"
+#include "pipeline/refine/poses/registration.h"
+#include "scene/package/package_reader.h"
+#include "scene/package/package_writer.h"
 
 namespace vantage {
 

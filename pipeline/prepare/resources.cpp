@@ -12,16 +12,16 @@
 #include <malloc.h>
 #endif
 
+#include "base/files/replace_file.h"
+#include "base/text/error.h"
+#include "base/text/lower_extension.h"
 #include "pipeline/input/identity_cache.h"
-#include "pipeline/package/disk_space.h"
+#include "pipeline/output/disk_space.h"
 #include "pipeline/refine/consensus.h"
 #include "pipeline/refine/folds.h"
 #include "pipeline/run/settings.h"
 #include "pipeline/surroundings/find_surroundings.h"
-#include "scene/error.h"
-#include "scene/package_reader.h"
-#include "scene/replace_file.h"
-#include "values/lower_extension.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 namespace {

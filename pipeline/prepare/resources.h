@@ -6,7 +6,7 @@
 
 #include "pipeline/input/scene_input.h"
 #include "pipeline/run/settings.h"
-#include "scene/package_layout.h"
+#include "scene/package/package_layout.h"
 
 namespace vantage {
 

@@ -8,10 +8,10 @@
 #include <tuple>
 #include <vector>
 
-#include "scene/package_reader.h"
-#include "values/angle_between.h"
-#include "values/principal_axes.h"
-#include "values/quantile.h"
+#include "base/values/angle_between.h"
+#include "base/values/principal_axes.h"
+#include "base/values/quantile.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 namespace {

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <span>
 
-#include "agreement/shared_discs.h"
-#include "agreement/surface_discs.h"
 #include "pipeline/presentation/kind_of_scan.h"
-#include "scene/package_format.h"
+#include "scene/agreement/shared_discs.h"
+#include "scene/agreement/surface_discs.h"
+#include "scene/package/package_format.h"
 
 namespace vantage {
 

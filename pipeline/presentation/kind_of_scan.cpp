@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "values/quantile.h"
+#include "base/values/quantile.h"
 
 namespace vantage {
 namespace {

@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "agreement/shared_discs.h"
-#include "agreement/surface_discs.h"
-#include "scene/camera.h"
+#include "scene/agreement/shared_discs.h"
+#include "scene/agreement/surface_discs.h"
+#include "scene/camera/camera.h"
 
 namespace vantage {
 

@@ -1,7 +1,7 @@
 #include "pipeline/presentation/presentation.h"
 
 #include "pipeline/presentation/up_direction.h"
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "values/angle_between.h"
-#include "values/principal_axes.h"
+#include "base/values/angle_between.h"
+#include "base/values/principal_axes.h"
 
 namespace vantage {
 namespace {

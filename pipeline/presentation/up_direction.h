@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "agreement/surface_discs.h"
-#include "scene/camera.h"
+#include "scene/agreement/surface_discs.h"
+#include "scene/camera/camera.h"
 
 namespace vantage {
 

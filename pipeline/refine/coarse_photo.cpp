@@ -7,8 +7,8 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "pipeline/package/tile_levels.h"
-#include "scene/tiling.h"
+#include "base/values/tiling.h"
+#include "pipeline/output/tile_levels.h"
 #include "shaders/contract.h"
 
 namespace vantage {

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "agreement/read_level.h"
-#include "scene/camera.h"
-#include "scene/package_reader.h"
-#include "values/grid.h"
+#include "base/values/grid.h"
+#include "scene/agreement/read_level.h"
+#include "scene/camera/camera.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "agreement/color_fit.h"
 #include "pipeline/refine/folds.h"
 #include "pipeline/refine/prediction.h"
-#include "scene/effects.h"
-#include "scene/package_format.h"
+#include "scene/agreement/color_fit.h"
+#include "scene/package/contents/effects.h"
+#include "scene/package/package_format.h"
 
 namespace vantage {
 

@@ -2,11 +2,11 @@
 #include <span>
 #include <vector>
 
-#include "agreement/consensus_map.h"
-#include "agreement/consensus_partners.h"
+#include "base/values/lru_cache.h"
 #include "pipeline/refine/color_agreement.h"
 #include "pipeline/refine/folds.h"
-#include "values/lru_cache.h"
+#include "scene/agreement/consensus_map.h"
+#include "scene/agreement/consensus_partners.h"
 
 namespace vantage {
 

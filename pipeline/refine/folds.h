@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "agreement/photo_pairs.h"
+#include "base/values/lru_cache.h"
 #include "pipeline/refine/coarse_photo.h"
-#include "pipeline/refine/sightings.h"
-#include "values/lru_cache.h"
+#include "pipeline/refine/poses/sightings.h"
+#include "scene/agreement/photo_pairs.h"
 
 namespace vantage {
 

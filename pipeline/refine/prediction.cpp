@@ -6,10 +6,10 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "agreement/color_fit.h"
+#include "base/values/srgb.h"
 #include "pipeline/refine/coarse_photo.h"
+#include "scene/agreement/color_fit.h"
 #include "shaders/contract.h"
-#include "values/srgb.h"
 
 namespace vantage {
 namespace {

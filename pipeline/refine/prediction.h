@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 #include <span>
 
-#include "pipeline/refine/sightings.h"
+#include "pipeline/refine/poses/sightings.h"
 
 namespace vantage {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/refine/prediction.h"
-#include "scene/effects.h"
+#include "scene/package/contents/effects.h"
 
 namespace vantage {
 

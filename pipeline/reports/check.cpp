@@ -10,22 +10,22 @@
 #include <optional>
 #include <utility>
 
+#include "base/text/file_name.h"
+#include "base/values/tiling.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/photo_matches.h"
-#include "pipeline/package/stage_keys.h"
-#include "pipeline/package/staleness.h"
+#include "pipeline/output/stage_keys.h"
+#include "pipeline/output/staleness.h"
 #include "pipeline/run/files_below.h"
 #include "pipeline/stages/surface_samples.h"
-#include "remote/remote_package.h"
-#include "scene/package_reader.h"
-#include "scene/package_shape.h"
-#include "scene/point_cloud.h"
-#include "scene/stored_tile.h"
-#include "scene/tiling.h"
-#include "story/story_file.h"
-#include "story/story_references.h"
-#include "values/file_name.h"
+#include "scene/package/contents/point_cloud.h"
+#include "scene/package/contents/stored_tile.h"
+#include "scene/package/package_reader.h"
+#include "scene/package/package_shape.h"
+#include "scene/remote/remote_package.h"
+#include "scene/story/story_file.h"
+#include "scene/story/story_references.h"
 
 namespace vantage {
 namespace {

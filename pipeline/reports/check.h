@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "base/text/error.h"
 #include "pipeline/reports/check_findings.h"
-#include "scene/error.h"
 
 namespace vantage {
 

@@ -2,8 +2,8 @@
 #include <span>
 #include <string>
 
-#include "scene/damaged_package.h"
-#include "scene/error.h"
+#include "base/text/error.h"
+#include "scene/package/damaged_package.h"
 
 namespace vantage {
 

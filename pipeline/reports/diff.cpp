@@ -10,11 +10,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "scene/bands.h"
-#include "scene/chunk_table.h"
-#include "scene/stored_tile.h"
-#include "scene/tiling.h"
-#include "values/json_text.h"
+#include "base/text/json_text.h"
+#include "base/values/tiling.h"
+#include "scene/package/chunk_table.h"
+#include "scene/package/contents/bands.h"
+#include "scene/package/contents/stored_tile.h"
 
 namespace vantage {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

@@ -5,18 +5,18 @@
 #include <span>
 #include <sstream>
 
-#include "files/explained_table.h"
-#include "files/make_folder.h"
-#include "files/markup.h"
-#include "files/output_file.h"
-#include "files/package_inputs.h"
-#include "files/page_style.h"
-#include "files/side_by_side.h"
-#include "pipeline/package/tile_levels.h"
+#include "base/files/make_folder.h"
+#include "base/files/replace_file.h"
+#include "base/files/side_by_side.h"
+#include "base/text/explained_table.h"
+#include "base/text/markup.h"
+#include "base/text/page_style.h"
+#include "pipeline/output/tile_levels.h"
 #include "pipeline/photos/image_files.h"
 #include "pipeline/reports/diff.h"
-#include "scene/replace_file.h"
-#include "scene/stored_tile.h"
+#include "scene/package/contents/stored_tile.h"
+#include "scene/package/output_file.h"
+#include "scene/package/package_inputs.h"
 
 namespace vantage {
 namespace {

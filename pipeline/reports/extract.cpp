@@ -8,22 +8,22 @@
 #include <fstream>
 #include <ostream>
 
-#include "files/make_folder.h"
-#include "files/output_file.h"
-#include "files/package_inputs.h"
+#include "base/files/make_folder.h"
+#include "base/files/replace_file.h"
+#include "base/values/bytes_of.h"
+#include "base/values/tiling.h"
 #include "pipeline/formats/export_colmap.h"
 #include "pipeline/formats/export_ply.h"
-#include "pipeline/package/tile_levels.h"
+#include "pipeline/output/tile_levels.h"
 #include "pipeline/photos/image_files.h"
-#include "scene/bands.h"
-#include "scene/damaged_package.h"
-#include "scene/package_reader.h"
-#include "scene/point_cloud.h"
-#include "scene/replace_file.h"
-#include "scene/stored_tile.h"
-#include "scene/tiling.h"
-#include "scene/value_layer.h"
-#include "values/bytes_of.h"
+#include "scene/package/contents/bands.h"
+#include "scene/package/contents/point_cloud.h"
+#include "scene/package/contents/stored_tile.h"
+#include "scene/package/contents/value_layer.h"
+#include "scene/package/damaged_package.h"
+#include "scene/package/output_file.h"
+#include "scene/package/package_inputs.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 namespace {

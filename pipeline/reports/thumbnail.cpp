@@ -1,9 +1,9 @@
 #include "pipeline/reports/thumbnail.h"
 
 #include "pipeline/photos/reduced.h"
-#include "scene/damaged_package.h"
-#include "scene/first_photo.h"
-#include "scene/stored_tile.h"
+#include "scene/package/contents/first_photo.h"
+#include "scene/package/contents/stored_tile.h"
+#include "scene/package/damaged_package.h"
 
 namespace vantage {
 RgbaImage thumbnail(const PackageReader& package, int longest) {

@@ -1,6 +1,6 @@
 #pragma once
-#include "scene/package_reader.h"
-#include "values/rgba_image.h"
+#include "base/values/rgba_image.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <limits>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 
 namespace vantage {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 
 namespace vantage {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 
 namespace vantage {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/effects.h"
-#include "scene/similarity.h"
+#include "scene/camera/similarity.h"
+#include "scene/package/contents/effects.h"
 
 namespace vantage {
 

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scene/replace_file.h"
-#include "values/json_text.h"
+#include "base/files/replace_file.h"
+#include "base/text/json_text.h"
 
 namespace vantage {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "values/grid.h"
-#include "values/simd.h"
+#include "base/values/grid.h"
+#include "base/values/simd.h"
 
 namespace vantage {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/values/grid.h"
+#include "base/values/tiling.h"
 #include "pipeline/visibility/frame_triangles.h"
-#include "scene/tiling.h"
-#include "values/grid.h"
 
 namespace vantage {
 namespace {

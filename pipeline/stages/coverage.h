@@ -5,8 +5,8 @@
 #include "pipeline/mesh/clusters.h"
 #include "pipeline/visibility/frame_triangles.h"
 #include "pipeline/visibility/photo_geometry.h"
-#include "scene/camera.h"
-#include "scene/package_format.h"
+#include "scene/camera/camera.h"
+#include "scene/package/package_format.h"
 
 namespace vantage {
 

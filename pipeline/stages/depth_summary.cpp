@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "values/quantile.h"
-#include "values/simd.h"
+#include "base/values/quantile.h"
+#include "base/values/simd.h"
 
 namespace vantage {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <limits>
 
-#include "scene/tiling.h"
-#include "values/simd.h"
+#include "base/values/simd.h"
+#include "base/values/tiling.h"
 
 namespace vantage {
 namespace {

@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "scene/error.h"
-#include "values/main_box.h"
+#include "base/text/error.h"
+#include "base/values/main_box.h"
 
 namespace vantage {
 namespace {

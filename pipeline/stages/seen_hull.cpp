@@ -8,7 +8,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "values/simd.h"
+#include "base/values/simd.h"
 
 namespace vantage {
 namespace {

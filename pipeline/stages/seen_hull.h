@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 
 namespace vantage {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <optional>
 
-#include "agreement/color_fit.h"
-#include "scene/halve.h"
-#include "scene/tiling.h"
-#include "values/grid.h"
-#include "values/srgb.h"
+#include "base/values/grid.h"
+#include "base/values/halve.h"
+#include "base/values/srgb.h"
+#include "base/values/tiling.h"
+#include "scene/agreement/color_fit.h"
 
 namespace vantage {
 namespace {

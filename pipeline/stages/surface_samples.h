@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "agreement/surface_discs.h"
+#include "base/values/rgba_image.h"
 #include "pipeline/visibility/photo_geometry.h"
-#include "scene/camera.h"
-#include "scene/lens_table.h"
-#include "scene/package_format.h"
-#include "values/rgba_image.h"
+#include "scene/agreement/surface_discs.h"
+#include "scene/camera/camera.h"
+#include "scene/package/contents/lens_table.h"
+#include "scene/package/package_format.h"
 
 namespace vantage {
 

@@ -8,9 +8,9 @@
 #include <cstring>
 #include <utility>
 
+#include "base/values/simd.h"
+#include "base/values/tiling.h"
 #include "pipeline/stages/binned_vertices.h"
-#include "scene/tiling.h"
-#include "values/simd.h"
 
 namespace vantage {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pipeline/surroundings/backdrop.h"
-#include "scene/package_format.h"
+#include "scene/package/package_format.h"
 
 namespace vantage {
 

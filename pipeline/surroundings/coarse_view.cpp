@@ -5,9 +5,9 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
-#include "agreement/read_level.h"
+#include "base/values/tiling.h"
 #include "pipeline/run/for_each_photo.h"
-#include "scene/tiling.h"
+#include "scene/agreement/read_level.h"
 
 namespace vantage {
 namespace {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "agreement/color_fit.h"
-#include "scene/camera.h"
-#include "scene/package_reader.h"
+#include "scene/agreement/color_fit.h"
+#include "scene/camera/camera.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "values/simd.h"
+#include "base/values/simd.h"
 
 namespace vantage {
 namespace {

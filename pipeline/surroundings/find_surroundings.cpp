@@ -6,14 +6,14 @@
 #include <future>
 #include <numeric>
 
+#include "base/values/bytes_of.h"
+#include "base/values/quantile.h"
+#include "base/values/srgb.h"
 #include "pipeline/refine/verdict.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/surroundings/backdrop_coverage.h"
 #include "pipeline/surroundings/judge_surroundings.h"
-#include "scene/surroundings.h"
-#include "values/bytes_of.h"
-#include "values/quantile.h"
-#include "values/srgb.h"
+#include "scene/package/contents/surroundings.h"
 
 namespace vantage {
 namespace {

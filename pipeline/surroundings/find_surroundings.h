@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "agreement/color_fit.h"
-#include "agreement/surface_discs.h"
 #include "pipeline/presentation/kind_of_scan.h"
-#include "scene/effects.h"
-#include "scene/package_reader.h"
+#include "scene/agreement/color_fit.h"
+#include "scene/agreement/surface_discs.h"
+#include "scene/package/contents/effects.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 
@@ -29,7 +29,7 @@ struct SurroundingsInput {
     unsigned threads = 0;
 };
 
-/// The decision, and the content of SURR (scene/surroundings.h): empty if the effect is off.
+/// The decision, and the content of SURR (scene/package/contents/surroundings.h): empty if the effect is off.
 struct Surroundings {
     EffectDecision decision;
     std::vector<std::byte> chunk;

@@ -7,7 +7,9 @@
 #include <opencv2/core.hpp>
 #include <optional>
 
-#include "agreement/shared_discs.h"
+#include "base/values/quantile.h"
+#include "base/values/srgb.h"
+#include "base/values/tiling.h"
 #include "pipeline/refine/prediction.h"
 #include "pipeline/refine/verdict.h"
 #include "pipeline/run/for_each_photo.h"
@@ -15,10 +17,8 @@
 #include "pipeline/visibility/photo_geometry.h"
 #include "pipeline/visibility/photo_projection.h"
 #include "pipeline/visibility/triangle_map.h"
-#include "scene/tiling.h"
+#include "scene/agreement/shared_discs.h"
 #include "shaders/contract.h"
-#include "values/quantile.h"
-#include "values/srgb.h"
 
 namespace vantage {
 namespace {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "agreement/color_fit.h"
 #include "pipeline/presentation/kind_of_scan.h"
 #include "pipeline/surroundings/backdrop.h"
-#include "scene/effects.h"
-#include "scene/package_reader.h"
+#include "scene/agreement/color_fit.h"
+#include "scene/package/contents/effects.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

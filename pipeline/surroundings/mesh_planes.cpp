@@ -3,9 +3,9 @@
 #include <iterator>
 #include <random>
 
+#include "base/values/principal_axes.h"
 #include "pipeline/presentation/up_direction.h"
 #include "pipeline/surroundings/planes.h"
-#include "values/principal_axes.h"
 
 namespace vantage {
 namespace {

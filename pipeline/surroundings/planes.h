@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "agreement/surface_discs.h"
 #include "pipeline/surroundings/coarse_view.h"
+#include "scene/agreement/surface_discs.h"
 
 namespace vantage {
 

@@ -4,7 +4,7 @@
 
 #include "pipeline/synth/material.h"
 #include "pipeline/synth/spec.h"
-#include "scene/mesh.h"
+#include "scene/package/contents/mesh.h"
 
 namespace vantage {
 

@@ -5,7 +5,7 @@
 
 #include "pipeline/mesh/ray_scene.h"
 #include "pipeline/synth/building.h"
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 
 namespace vantage {
 

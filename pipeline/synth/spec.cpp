@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 
 namespace vantage {
 namespace {

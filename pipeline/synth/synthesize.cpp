@@ -9,6 +9,8 @@
 #include <random>
 #include <sstream>
 
+#include "base/files/replace_file.h"
+#include "base/text/photo_names.h"
 #include "pipeline/formats/export_colmap.h"
 #include "pipeline/formats/export_ply.h"
 #include "pipeline/photos/image_files.h"
@@ -16,8 +18,6 @@
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/garden.h"
 #include "pipeline/synth/glass_case.h"
-#include "scene/replace_file.h"
-#include "values/photo_names.h"
 
 namespace vantage {
 namespace {

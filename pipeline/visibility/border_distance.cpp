@@ -6,10 +6,10 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "gl/context.h"
-#include "gl/object.h"
+#include "base/gl/context.h"
+#include "base/gl/object.h"
+#include "base/values/grid.h"
 #include "shaders/contract.h"
-#include "values/grid.h"
 
 namespace vantage {
 namespace {

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "gl/program.h"
+#include "base/gl/program.h"
 
 namespace vantage {
 

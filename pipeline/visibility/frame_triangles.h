@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "scene/camera.h"
-#include "scene/package_format.h"
+#include "scene/camera/camera.h"
+#include "scene/package/package_format.h"
 
 namespace vantage {
 

@@ -1,6 +1,7 @@
 #include "pipeline/visibility/geometry_renderer.h"
 
-#include "gl/context.h"
+#include "base/gl/context.h"
+#include "base/text/error.h"
 #include "pipeline/mesh/packed_model.h"
 #include "pipeline/mesh/stand_in.h"
 #include "pipeline/run/settings.h"
@@ -11,7 +12,6 @@
 #include "pipeline/visibility/near_distance.h"
 #include "pipeline/visibility/rasterize.h"
 #include "pipeline/visibility/splat.h"
-#include "scene/error.h"
 
 namespace vantage {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <limits>
 
-#include "gl/context.h"
-#include "gl/program.h"
+#include "base/gl/context.h"
+#include "base/gl/program.h"
 #include "shaders/contract.h"
 
 namespace vantage {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <span>
 
-#include "gl/object.h"
-#include "gl/program.h"
+#include "base/gl/object.h"
+#include "base/gl/program.h"
 #include "pipeline/visibility/photo_geometry.h"
 
 namespace vantage {

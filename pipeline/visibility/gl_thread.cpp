@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "gl/failure.h"
-#include "scene/error.h"
+#include "base/gl/failure.h"
+#include "base/text/error.h"
 
 namespace vantage {
 

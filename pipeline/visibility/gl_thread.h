@@ -6,7 +6,7 @@
 #include <mutex>
 #include <thread>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
 
 namespace vantage {
 

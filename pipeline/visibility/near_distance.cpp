@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "values/simd.h"
+#include "base/values/simd.h"
 
 namespace vantage {
 namespace {

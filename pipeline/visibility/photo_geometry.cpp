@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "scene/tiling.h"
+#include "base/values/tiling.h"
 
 namespace vantage {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 
 namespace vantage {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 
 namespace vantage {
 

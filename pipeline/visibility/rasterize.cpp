@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/values/simd.h"
 #include "pipeline/visibility/triangle_map.h"
-#include "values/simd.h"
 
 namespace vantage {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "values/grid.h"
+#include "base/values/grid.h"
 
 namespace vantage {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "values/simd.h"
+#include "base/values/simd.h"
 
 namespace vantage {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <chrono>
 
-#include "player/headset/xr_result.h"
-#include "scene/error.h"
+#include "base/text/error.h"
+#include "player/headset/runtime/xr_result.h"
 
 namespace vantage {
 namespace {

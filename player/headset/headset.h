@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "player/headset/headset_session.h"
+#include "player/headset/runtime/headset_session.h"
 
 namespace vantage {
 

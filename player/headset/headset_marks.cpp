@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "player/interface/band_section.h"
-#include "player/interface/photo_frustum.h"
+#include "player/interface/overlays/photo_frustum.h"
+#include "player/interface/sections/band_section.h"
 
 namespace vantage {
 namespace {

@@ -2,8 +2,8 @@
 #include <optional>
 #include <span>
 
-#include "player/headset/walk.h"
-#include "player/interface/measure_panel.h"
+#include "player/headset/locomotion/walk.h"
+#include "player/interface/sections/measure_panel.h"
 #include "player/interface/session.h"
 #include "player/panels/marks.h"
 #include "player/render/renderer.h"

@@ -5,22 +5,22 @@
 #include <array>
 #include <iterator>
 
-#include "player/interface/band_section.h"
-#include "player/interface/blending_section.h"
-#include "player/interface/choice.h"
-#include "player/interface/columns.h"
-#include "player/interface/cut_section.h"
-#include "player/interface/layer_section.h"
-#include "player/interface/object_section.h"
-#include "player/interface/photo_list_section.h"
-#include "player/interface/picture_section.h"
-#include "player/interface/point_section.h"
-#include "player/interface/status_section.h"
-#include "player/interface/story_panel.h"
+#include "base/text/formatted.h"
+#include "base/text/translation.h"
+#include "player/interface/sections/band_section.h"
+#include "player/interface/sections/blending_section.h"
+#include "player/interface/sections/choice.h"
+#include "player/interface/sections/columns.h"
+#include "player/interface/sections/cut_section.h"
+#include "player/interface/sections/layer_section.h"
+#include "player/interface/sections/object_section.h"
+#include "player/interface/sections/photo_list_section.h"
+#include "player/interface/sections/picture_section.h"
+#include "player/interface/sections/point_section.h"
+#include "player/interface/sections/status_section.h"
+#include "player/interface/tour/story_panel.h"
 #include "player/interface/unit_texts.h"
-#include "scene/point_cloud.h"
-#include "values/formatted.h"
-#include "values/translation.h"
+#include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
 namespace {

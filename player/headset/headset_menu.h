@@ -1,10 +1,10 @@
 #pragma once
-#include "player/headset/walk.h"
-#include "player/interface/measure_panel.h"
-#include "player/interface/note_picture.h"
+#include "player/composition/object_set.h"
+#include "player/headset/locomotion/walk.h"
+#include "player/interface/sections/measure_panel.h"
 #include "player/interface/session.h"
-#include "player/interface/told_story.h"
-#include "player/objects/object_set.h"
+#include "player/interface/tour/note_picture.h"
+#include "player/interface/tour/told_story.h"
 
 namespace vantage {
 

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "gl/context.h"
-#include "player/interface/cut_section.h"
-#include "player/interface/photo_frustum.h"
-#include "player/interface/story_panel.h"
+#include "base/gl/context.h"
+#include "base/text/error.h"
+#include "base/text/translation.h"
+#include "player/interface/overlays/photo_frustum.h"
+#include "player/interface/sections/cut_section.h"
+#include "player/interface/tour/story_panel.h"
 #include "player/options/frame_goal.h"
 #include "player/render/pace.h"
-#include "player/story/tour_stop.h"
 #include "player/survey/survey.h"
 #include "player/survey/survey_file.h"
+#include "player/tour/tour_stop.h"
 #include "player/window/start_session.h"
-#include "scene/error.h"
-#include "values/translation.h"
 
 namespace vantage {
 namespace {

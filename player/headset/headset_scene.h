@@ -2,21 +2,21 @@
 #include <functional>
 #include <vector>
 
-#include "player/headset/depth_picture.h"
+#include "player/composition/object_set.h"
 #include "player/headset/headset_marks.h"
 #include "player/headset/headset_menu.h"
-#include "player/headset/headset_session.h"
+#include "player/headset/locomotion/pointing.h"
+#include "player/headset/locomotion/vignette.h"
+#include "player/headset/locomotion/walk.h"
 #include "player/headset/menu_place.h"
-#include "player/headset/pointing.h"
+#include "player/headset/runtime/depth_picture.h"
+#include "player/headset/runtime/headset_session.h"
 #include "player/headset/scene_interface.h"
-#include "player/headset/vignette.h"
-#include "player/headset/walk.h"
 #include "player/interface/session.h"
-#include "player/objects/object_set.h"
 #include "player/options/show_options.h"
 #include "player/panels/mark_pass.h"
 #include "player/render/frame_clock.h"
-#include "player/window/asked_files.h"
+#include "player/window/input/asked_files.h"
 
 namespace vantage {
 

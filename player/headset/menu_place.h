@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "player/headset/hands.h"
-#include "player/headset/stance.h"
+#include "player/headset/locomotion/hands.h"
+#include "player/headset/locomotion/stance.h"
 #include "player/panels/panel.h"
 
 namespace vantage {

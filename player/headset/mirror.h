@@ -1,10 +1,10 @@
 #pragma once
 #include <optional>
 
-#include "gl/context.h"
-#include "gl/object.h"
-#include "player/camera/frame_size.h"
+#include "base/gl/context.h"
+#include "base/gl/object.h"
 #include "player/options/show_options.h"
+#include "player/view/frame_size.h"
 #include "player/window/glfw_window.h"
 
 namespace vantage {

@@ -5,13 +5,13 @@
 #include <optional>
 #include <thread>
 
+#include "base/text/translation.h"
 #include "player/headset/headset.h"
 #include "player/headset/headset_scene.h"
 #include "player/headset/mirror.h"
-#include "player/headset/xr_result.h"
-#include "player/options/opened_package.h"
+#include "player/headset/runtime/xr_result.h"
+#include "player/options/shown/opened_package.h"
 #include "player/window/start_session.h"
-#include "values/translation.h"
 
 namespace vantage {
 namespace {

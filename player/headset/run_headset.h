@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "player/options/show_options.h"
-#include "story/scene_file.h"
+#include "scene/story/scene_file.h"
 
 namespace vantage {
 

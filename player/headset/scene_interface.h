@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "player/interface/controls.h"
+#include "player/interface/sections/controls.h"
 #include "player/panels/panel_pass.h"
 
 struct ImGuiContext;

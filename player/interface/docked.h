@@ -1,7 +1,7 @@
 #pragma once
 #include <imgui.h>
 
-#include "player/camera/view.h"
+#include "player/view/view.h"
 
 namespace vantage {
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "player/render/blend_table.h"
-#include "values/translation.h"
+#include "base/text/translation.h"
+#include "player/render/passes/blend_table.h"
 
 namespace vantage {
 namespace {

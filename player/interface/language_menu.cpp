@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "values/translation.h"
+#include "base/text/translation.h"
 
 namespace vantage {
 namespace {

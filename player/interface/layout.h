@@ -1,6 +1,6 @@
 #pragma once
-#include "player/camera/view.h"
 #include "player/interface/session.h"
+#include "player/view/view.h"
 
 namespace vantage {
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "base/text/translation.h"
 #include "player/interface/language_menu.h"
-#include "player/interface/side_views.h"
+#include "player/interface/overlays/side_views.h"
 #include "player/interface/style.h"
-#include "values/translation.h"
 
 namespace vantage {
 namespace {

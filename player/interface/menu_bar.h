@@ -1,5 +1,5 @@
 #pragma once
-#include "player/interface/controls.h"
+#include "player/interface/sections/controls.h"
 #include "player/interface/session.h"
 #include "player/render/renderer.h"
 

@@ -8,11 +8,11 @@
 #include <numeric>
 #include <string>
 
-#include "player/interface/band_section.h"
+#include "base/text/translation.h"
 #include "player/interface/docked.h"
-#include "player/interface/photo_list_section.h"
+#include "player/interface/sections/band_section.h"
+#include "player/interface/sections/photo_list_section.h"
 #include "player/stream/stream_request.h"
-#include "values/translation.h"
 
 namespace vantage {
 

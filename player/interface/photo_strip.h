@@ -2,7 +2,7 @@
 #include <cmath>
 #include <map>
 
-#include "player/interface/controls.h"
+#include "player/interface/sections/controls.h"
 #include "player/interface/session.h"
 #include "player/render/renderer.h"
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "player/camera/camera_path.h"
+#include "base/text/translation.h"
 #include "player/plan/plan_scene.h"
-#include "values/translation.h"
+#include "player/view/camera_path.h"
 
 namespace vantage {
 

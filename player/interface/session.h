@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "player/camera/camera_spline.h"
-#include "player/camera/navigation.h"
-#include "player/camera/stereo.h"
-#include "player/interface/glide.h"
+#include "player/interface/overlays/glide.h"
 #include "player/interface/user_input.h"
 #include "player/render/frame_statistics.h"
 #include "player/render/pace.h"
 #include "player/render/render_settings.h"
 #include "player/survey/footprint.h"
 #include "player/survey/section.h"
+#include "player/view/camera_spline.h"
+#include "player/view/navigation.h"
+#include "player/view/stereo.h"
 
 namespace vantage {
 

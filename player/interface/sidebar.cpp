@@ -2,19 +2,19 @@
 
 #include <imgui.h>
 
-#include "player/interface/band_section.h"
-#include "player/interface/blending_section.h"
-#include "player/interface/columns.h"
-#include "player/interface/cut_section.h"
 #include "player/interface/docked.h"
-#include "player/interface/layer_section.h"
-#include "player/interface/object_section.h"
-#include "player/interface/orthophoto_section.h"
-#include "player/interface/photo_list_section.h"
-#include "player/interface/picture_section.h"
-#include "player/interface/point_section.h"
-#include "player/interface/status_section.h"
-#include "scene/point_cloud.h"
+#include "player/interface/sections/band_section.h"
+#include "player/interface/sections/blending_section.h"
+#include "player/interface/sections/columns.h"
+#include "player/interface/sections/cut_section.h"
+#include "player/interface/sections/layer_section.h"
+#include "player/interface/sections/object_section.h"
+#include "player/interface/sections/orthophoto_section.h"
+#include "player/interface/sections/photo_list_section.h"
+#include "player/interface/sections/picture_section.h"
+#include "player/interface/sections/point_section.h"
+#include "player/interface/sections/status_section.h"
+#include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
 namespace {

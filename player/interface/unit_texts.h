@@ -1,6 +1,6 @@
 #pragma once
+#include "base/text/translation.h"
 #include "player/survey/units.h"
-#include "values/translation.h"
 
 namespace vantage {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "player/camera/pinch.h"
+#include "player/view/pinch.h"
 
 namespace vantage {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "files/side_by_side.h"
-#include "player/camera/camera_path.h"
-#include "player/camera/navigation.h"
-#include "scene/bands.h"
-#include "scene/error.h"
-#include "scene/point_cloud.h"
+#include "base/files/side_by_side.h"
+#include "base/text/error.h"
+#include "player/view/camera_path.h"
+#include "player/view/navigation.h"
+#include "scene/package/contents/bands.h"
+#include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
 namespace {

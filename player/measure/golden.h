@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "player/camera/shots.h"
 #include "player/render/picture.h"
-#include "scene/package_reader.h"
+#include "player/view/shots.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

@@ -6,21 +6,21 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "files/junit.h"
-#include "files/make_folder.h"
-#include "files/output_file.h"
-#include "files/package_inputs.h"
-#include "gl/context.h"
-#include "player/camera/shots.h"
-#include "player/measure/finite_targets.h"
+#include "base/files/junit.h"
+#include "base/files/make_folder.h"
+#include "base/gl/context.h"
+#include "base/text/error.h"
+#include "base/text/formatted.h"
+#include "base/text/json_text.h"
+#include "player/measure/bench/finite_targets.h"
 #include "player/measure/golden.h"
-#include "player/options/blending_options.h"
 #include "player/options/memory_options.h"
-#include "player/options/package_options.h"
+#include "player/options/shown/blending_options.h"
+#include "player/options/shown/package_options.h"
 #include "player/render/picture.h"
-#include "scene/error.h"
-#include "values/formatted.h"
-#include "values/json_text.h"
+#include "player/view/shots.h"
+#include "scene/package/output_file.h"
+#include "scene/package/package_inputs.h"
 
 namespace vantage {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "values/srgb.h"
+#include "base/values/srgb.h"
 
 namespace vantage {
 namespace {

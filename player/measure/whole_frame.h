@@ -2,8 +2,8 @@
 #include <array>
 #include <vector>
 
-#include "player/measure/luminance.h"
-#include "player/measure/picture_metrics.h"
+#include "player/measure/evaluation/luminance.h"
+#include "player/measure/evaluation/picture_metrics.h"
 #include "player/render/renderer.h"
 
 namespace vantage {

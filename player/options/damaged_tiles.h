@@ -1,7 +1,7 @@
 #pragma once
 #include <cstddef>
 
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

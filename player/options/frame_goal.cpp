@@ -1,7 +1,7 @@
 #include "player/options/frame_goal.h"
 
-#include "cli/command.h"
-#include "gl/context.h"
+#include "base/cli/command.h"
+#include "base/gl/context.h"
 
 namespace vantage {
 

@@ -1,6 +1,6 @@
 #include "player/options/stereo_options.h"
 
-#include "cli/command.h"
+#include "base/cli/command.h"
 
 namespace vantage {
 

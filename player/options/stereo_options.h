@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/camera/stereo.h"
+#include "player/view/stereo.h"
 
 namespace vantage {
 

@@ -1,6 +1,6 @@
 #include "player/options/window_options.h"
 
-#include "cli/command.h"
+#include "base/cli/command.h"
 #include "player/options/frame_goal.h"
 
 namespace vantage {

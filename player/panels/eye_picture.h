@@ -1,8 +1,8 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "gl/program.h"
-#include "player/camera/view.h"
+#include "base/gl/program.h"
+#include "player/view/view.h"
 
 namespace vantage {
 

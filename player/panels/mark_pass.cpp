@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
 #include "shaders/contract.h"
 
 namespace vantage {

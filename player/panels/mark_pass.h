@@ -1,5 +1,5 @@
 #pragma once
-#include "gl/program.h"
+#include "base/gl/program.h"
 #include "player/panels/eye_picture.h"
 #include "player/panels/growing_buffer.h"
 #include "player/panels/marks.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
 #include "shaders/contract.h"
 
 namespace vantage {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "gl/program.h"
+#include "base/gl/program.h"
 #include "player/panels/distance_field_font.h"
 #include "player/panels/eye_picture.h"
 #include "player/panels/growing_buffer.h"

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "player/camera/camera_path.h"
-#include "player/camera/camera_spline.h"
-#include "player/camera/turntable.h"
+#include "base/text/error.h"
 #include "player/pictures/video_encoder.h"
-#include "player/story/story_views.h"
-#include "scene/error.h"
-#include "story/story_file.h"
+#include "player/tour/story_views.h"
+#include "player/view/camera_path.h"
+#include "player/view/camera_spline.h"
+#include "player/view/turntable.h"
+#include "scene/story/story_file.h"
 
 namespace vantage {
 namespace {

@@ -2,11 +2,11 @@
 #include <filesystem>
 #include <vector>
 
-#include "player/camera/navigation.h"
-#include "player/camera/shots.h"
 #include "player/options/show_options.h"
-#include "scene/package_reader.h"
-#include "story/story.h"
+#include "player/view/navigation.h"
+#include "player/view/shots.h"
+#include "scene/package/package_reader.h"
+#include "scene/story/story.h"
 
 namespace vantage {
 

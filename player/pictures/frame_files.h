@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "files/output_file.h"
+#include "scene/package/output_file.h"
 
 namespace vantage {
 

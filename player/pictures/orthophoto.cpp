@@ -5,20 +5,20 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "cli/progress_line.h"
-#include "files/make_folder.h"
-#include "files/output_file.h"
-#include "files/package_inputs.h"
-#include "files/png_rows.h"
-#include "gl/context.h"
+#include "base/cli/progress_line.h"
+#include "base/files/make_folder.h"
+#include "base/files/png_rows.h"
+#include "base/files/replace_file.h"
+#include "base/gl/context.h"
+#include "base/text/error.h"
+#include "base/text/formatted.h"
+#include "base/text/lower_extension.h"
 #include "player/pictures/tiff_rows.h"
 #include "player/render/picture.h"
 #include "player/survey/survey.h"
-#include "scene/error.h"
-#include "scene/point_cloud.h"
-#include "scene/replace_file.h"
-#include "values/formatted.h"
-#include "values/lower_extension.h"
+#include "scene/package/contents/point_cloud.h"
+#include "scene/package/output_file.h"
+#include "scene/package/package_inputs.h"
 
 namespace vantage {
 namespace {

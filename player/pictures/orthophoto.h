@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "player/options/blending_options.h"
-#include "player/options/light_options.h"
 #include "player/options/memory_options.h"
 #include "player/options/output_options.h"
-#include "player/options/package_options.h"
+#include "player/options/shown/blending_options.h"
+#include "player/options/shown/light_options.h"
+#include "player/options/shown/package_options.h"
 #include "player/render/renderer.h"
 #include "player/survey/picture_plane.h"
 

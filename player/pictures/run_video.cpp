@@ -6,21 +6,21 @@
 #include <filesystem>
 #include <optional>
 
-#include "cli/progress_line.h"
-#include "cli/stop_signals.h"
-#include "files/make_folder.h"
-#include "files/output_file.h"
-#include "files/package_inputs.h"
-#include "gl/context.h"
-#include "player/objects/stereo_picture.h"
+#include "base/cli/progress_line.h"
+#include "base/cli/stop_signals.h"
+#include "base/files/make_folder.h"
+#include "base/gl/context.h"
+#include "base/text/error.h"
+#include "player/composition/stereo_picture.h"
 #include "player/options/damaged_tiles.h"
 #include "player/pictures/flight_frames.h"
 #include "player/pictures/frame_files.h"
 #include "player/pictures/video_encoder.h"
 #include "player/render/picture.h"
-#include "player/story/story_background.h"
-#include "scene/error.h"
-#include "story/story_file.h"
+#include "player/tour/story_background.h"
+#include "scene/package/output_file.h"
+#include "scene/package/package_inputs.h"
+#include "scene/story/story_file.h"
 
 namespace vantage {
 namespace {

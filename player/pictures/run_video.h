@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "player/options/show_options.h"
-#include "scene/package_reader.h"
-#include "story/scene_file.h"
+#include "scene/package/package_reader.h"
+#include "scene/story/scene_file.h"
 
 namespace vantage {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/replace_file.h"
+#include "base/files/replace_file.h"
 
 struct tiff;  // libtiff's TIFF
 

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "scene/error.h"
-#include "values/lower_extension.h"
+#include "base/text/error.h"
+#include "base/text/lower_extension.h"
 
 extern char** environ;
 

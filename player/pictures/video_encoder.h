@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string>
 
+#include "base/files/descriptor.h"
+#include "base/files/replace_file.h"
 #include "player/render/picture.h"
-#include "scene/replace_file.h"
-#include "values/descriptor.h"
 
 namespace vantage {
 

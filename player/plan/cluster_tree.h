@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "player/camera/view.h"
-#include "scene/package_format.h"
+#include "player/view/view.h"
+#include "scene/package/package_format.h"
 
 namespace vantage {
 

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "player/camera/view.h"
+#include "player/view/view.h"
 
 namespace vantage {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "scene/lens_table.h"
+#include "scene/package/contents/lens_table.h"
 
 namespace vantage {
 

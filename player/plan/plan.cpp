@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "player/plan/photo_choice.h"
-#include "player/plan/photo_cover.h"
-#include "player/plan/shown_tiles.h"
+#include "player/plan/selection/photo_choice.h"
+#include "player/plan/selection/photo_cover.h"
+#include "player/plan/selection/shown_tiles.h"
 
 namespace vantage {
 namespace {

@@ -3,11 +3,11 @@
 #include <span>
 #include <vector>
 
-#include "player/camera/view.h"
-#include "player/plan/chosen_photos.h"
 #include "player/plan/plan_scene.h"
 #include "player/plan/plan_settings.h"
-#include "player/plan/tile_needs.h"
+#include "player/plan/selection/chosen_photos.h"
+#include "player/plan/selection/tile_needs.h"
+#include "player/view/view.h"
 
 namespace vantage {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/opaque_part.h"
-#include "scene/package_shape.h"
-#include "scene/surroundings.h"
+#include "scene/package/contents/opaque_part.h"
+#include "scene/package/contents/surroundings.h"
+#include "scene/package/package_shape.h"
 
 namespace vantage {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "player/plan/cluster_tree.h"
 #include "player/plan/lens_tables.h"
-#include "scene/bands.h"
-#include "scene/package_reader.h"
+#include "scene/package/contents/bands.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

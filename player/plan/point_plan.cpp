@@ -8,7 +8,7 @@
 #include <unordered_set>
 
 #include "player/plan/frustum.h"
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 
 namespace vantage {
 namespace {

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "player/camera/view.h"
-#include "scene/point_cloud.h"
+#include "player/view/view.h"
+#include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
 

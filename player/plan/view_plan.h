@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "player/camera/view.h"
 #include "player/plan/plan.h"
+#include "player/view/view.h"
 
 namespace vantage {
 

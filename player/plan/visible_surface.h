@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "player/camera/view.h"
 #include "player/plan/cluster_tree.h"
 #include "player/plan/plan_scene.h"
-#include "player/plan/shown_tiles.h"
+#include "player/plan/selection/shown_tiles.h"
+#include "player/view/view.h"
 
 namespace vantage {
 

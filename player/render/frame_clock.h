@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "gl/object.h"
+#include "base/gl/object.h"
 #include "player/render/pace.h"
 
 namespace vantage {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "gl/failure.h"
+#include "base/gl/failure.h"
 
 namespace vantage {
 namespace {

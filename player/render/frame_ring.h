@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "gl/object.h"
+#include "base/gl/object.h"
 
 namespace vantage {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "player/render/band_plans.h"
-#include "player/render/model_passes.h"
+#include "player/render/passes/model_passes.h"
 #include "player/stream/photo_store.h"
 
 namespace vantage {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 #include "shaders/contract.h"
 
 namespace vantage {

@@ -2,10 +2,10 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "gl/object.h"
+#include "base/gl/object.h"
 #include "player/plan/coarse_mesh.h"
 #include "player/plan/plan_scene.h"
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

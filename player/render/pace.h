@@ -1,6 +1,6 @@
 #pragma once
-#include "player/camera/frame_size.h"
-#include "player/camera/view.h"
+#include "player/view/frame_size.h"
+#include "player/view/view.h"
 
 namespace vantage {
 

@@ -5,9 +5,9 @@
 #include <array>
 #include <cstring>
 
-#include "files/png_file.h"
-#include "gl/context.h"
-#include "scene/error.h"
+#include "base/files/png_file.h"
+#include "base/gl/context.h"
+#include "base/text/error.h"
 
 namespace vantage {
 

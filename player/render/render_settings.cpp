@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "player/render/blend_table.h"
-#include "scene/package_reader.h"
+#include "player/render/passes/blend_table.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

@@ -5,14 +5,14 @@
 #include <limits>
 #include <optional>
 
-#include "player/camera/frame_size.h"
-#include "player/camera/view.h"
 #include "player/plan/plan_settings.h"
 #include "player/plan/section_plane.h"
-#include "player/plan/weights.h"
+#include "player/plan/selection/weights.h"
 #include "player/render/frame_report.h"
-#include "scene/color_map.h"
-#include "scene/value_layer.h"
+#include "player/view/frame_size.h"
+#include "player/view/view.h"
+#include "scene/package/contents/color_map.h"
+#include "scene/package/contents/value_layer.h"
 
 namespace vantage {
 

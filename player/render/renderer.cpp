@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include "gl/context.h"
-#include "player/render/blend_table.h"
-#include "player/render/full_frame_program.h"
-#include "scene/error.h"
-#include "scene/tiling.h"
+#include "base/gl/context.h"
+#include "base/text/error.h"
+#include "base/values/tiling.h"
+#include "player/render/passes/blend_table.h"
+#include "player/render/passes/full_frame_program.h"
 
 namespace vantage {
 namespace {

@@ -8,21 +8,21 @@
 #include <utility>
 #include <vector>
 
-#include "gl/program.h"
-#include "player/camera/view.h"
+#include "base/gl/program.h"
 #include "player/plan/plan.h"
 #include "player/render/band_plans.h"
 #include "player/render/coarsening.h"
-#include "player/render/frame_targets.h"
 #include "player/render/frame_tiles.h"
-#include "player/render/hole_filling.h"
-#include "player/render/model_passes.h"
-#include "player/render/point_pass.h"
-#include "player/render/point_picking.h"
+#include "player/render/passes/frame_targets.h"
+#include "player/render/passes/hole_filling.h"
+#include "player/render/passes/model_passes.h"
+#include "player/render/passes/point_pass.h"
+#include "player/render/passes/point_picking.h"
+#include "player/render/passes/transparent_pass.h"
+#include "player/render/passes/triangle_readback.h"
 #include "player/render/render_settings.h"
-#include "player/render/transparent_pass.h"
-#include "player/render/triangle_readback.h"
 #include "player/stream/photo_store.h"
+#include "player/view/view.h"
 
 namespace vantage {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "player/plan/weights.h"
+#include "player/plan/selection/weights.h"
 
 namespace vantage {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 
-#include "player/plan/tile_needs.h"
-#include "scene/package_format.h"
+#include "player/plan/selection/tile_needs.h"
+#include "scene/package/package_format.h"
 #include "shaders/contract.h"
 
 namespace vantage {

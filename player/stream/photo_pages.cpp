@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "scene/error.h"
-#include "scene/tiling.h"
+#include "base/text/error.h"
+#include "base/values/tiling.h"
 
 namespace vantage {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "player/plan/tile_needs.h"
+#include "player/plan/selection/tile_needs.h"
 #include "player/stream/tile_stream.h"
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

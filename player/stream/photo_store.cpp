@@ -5,8 +5,8 @@
 #include <cstring>
 #include <utility>
 
-#include "scene/error.h"
-#include "scene/tiling.h"
+#include "base/text/error.h"
+#include "base/values/tiling.h"
 
 namespace vantage {
 namespace {

@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "player/plan/tile_needs.h"
+#include "player/plan/selection/tile_needs.h"
 #include "player/stream/photo_block.h"
 #include "player/stream/photo_pages.h"
 #include "player/stream/residency.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 
 namespace vantage {
 namespace {

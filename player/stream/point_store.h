@@ -3,11 +3,11 @@
 #include <unordered_map>
 #include <vector>
 
-#include "gl/object.h"
+#include "base/gl/object.h"
 #include "player/stream/layer_pool.h"
 #include "player/stream/residency.h"
 #include "player/stream/tile_stream.h"
-#include "scene/point_cloud.h"
+#include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 
 namespace vantage {
 namespace {

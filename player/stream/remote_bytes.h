@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "player/stream/stream_request.h"
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

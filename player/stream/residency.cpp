@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "scene/stored_tile.h"
-#include "scene/tiling.h"
+#include "base/values/tiling.h"
+#include "scene/package/contents/stored_tile.h"
 #include "shaders/contract.h"
 
 namespace vantage {

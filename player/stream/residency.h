@@ -3,7 +3,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "gl/object.h"
+#include "base/gl/object.h"
 #include "player/stream/layer_pool.h"
 #include "player/stream/photo_pages.h"
 #include "player/stream/tile_array.h"

@@ -1,6 +1,6 @@
 #include "player/stream/stream_request.h"
 
-#include "scene/tiling.h"
+#include "base/values/tiling.h"
 
 namespace vantage {
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "agreement/consensus_map.h"
-#include "scene/package_reader.h"
-#include "scene/stored_tile.h"
+#include "scene/agreement/consensus_map.h"
+#include "scene/package/contents/stored_tile.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

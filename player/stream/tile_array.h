@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "gl/object.h"
+#include "base/gl/object.h"
 
 namespace vantage {
 

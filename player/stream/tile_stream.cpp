@@ -5,10 +5,10 @@
 #include <chrono>
 #include <cstring>
 
-#include "agreement/consensus_weights.h"
-#include "scene/error.h"
-#include "scene/stored_tile.h"
-#include "scene/tiling.h"
+#include "base/text/error.h"
+#include "base/values/tiling.h"
+#include "scene/agreement/consensus_weights.h"
+#include "scene/package/contents/stored_tile.h"
 
 namespace vantage {
 

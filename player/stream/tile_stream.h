@@ -15,7 +15,7 @@
 #include "player/stream/stream_request.h"
 #include "player/stream/streamed_so_far.h"
 #include "player/stream/upload_ring.h"
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

@@ -1,6 +1,6 @@
 #include "player/stream/upload_ring.h"
 
-#include "gl/failure.h"
+#include "base/gl/failure.h"
 
 namespace vantage {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "gl/object.h"
+#include "base/gl/object.h"
 
 namespace vantage {
 

@@ -9,10 +9,10 @@
 #include <numbers>
 #include <span>
 
+#include "base/text/formatted.h"
+#include "base/text/translation.h"
+#include "base/values/principal_axes.h"
 #include "player/survey/number_text.h"
-#include "values/formatted.h"
-#include "values/principal_axes.h"
-#include "values/translation.h"
 
 namespace vantage {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "values/formatted.h"
+#include "base/text/formatted.h"
 
 namespace vantage {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/sound_records.h"
+#include "scene/package/sound_records.h"
 
 namespace vantage {
 namespace {

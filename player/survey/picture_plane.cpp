@@ -6,8 +6,8 @@
 #include <sstream>
 #include <vector>
 
-#include "scene/error.h"
-#include "values/formatted.h"
+#include "base/text/error.h"
+#include "base/text/formatted.h"
 
 namespace vantage {
 namespace {

@@ -2,7 +2,7 @@
 #include <Eigen/Geometry>
 #include <string>
 
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <optional>
 
-#include "player/camera/view.h"
 #include "player/plan/plan_scene.h"
+#include "player/view/view.h"
 
 namespace vantage {
 

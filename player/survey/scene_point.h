@@ -3,11 +3,11 @@
 #include <optional>
 #include <span>
 
-#include "player/camera/view.h"
 #include "player/plan/plan_scene.h"
 #include "player/plan/section_plane.h"
 #include "player/survey/measurement.h"
 #include "player/survey/ray_cast.h"
+#include "player/view/view.h"
 
 namespace vantage {
 

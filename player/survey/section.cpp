@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "values/formatted.h"
+#include "base/text/formatted.h"
 
 namespace vantage {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "player/survey/measurement.h"
 #include "player/survey/units.h"
-#include "scene/package_format.h"
+#include "scene/package/package_format.h"
 
 namespace vantage {
 

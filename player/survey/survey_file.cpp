@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "files/located_json.h"
-#include "scene/error.h"
-#include "scene/replace_file.h"
+#include "base/files/replace_file.h"
+#include "base/text/error.h"
+#include "base/text/located_json.h"
 
 namespace vantage {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 
 namespace vantage {
 

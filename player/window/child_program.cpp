@@ -10,7 +10,7 @@
 #include <array>
 #include <cstring>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 
 extern char** environ;
 

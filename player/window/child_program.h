@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "values/descriptor.h"
+#include "base/files/descriptor.h"
 
 namespace vantage {
 

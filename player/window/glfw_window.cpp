@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
+#include "base/text/error.h"
+#include "base/text/translation.h"
 #include "player/interface/keys.h"
 #include "player/interface/style.h"
 #include "player/window/new_frame.h"
-#include "scene/error.h"
-#include "values/translation.h"
 
 namespace vantage {
 namespace {

@@ -2,9 +2,9 @@
 #include <optional>
 #include <string>
 
-#include "player/camera/shots.h"
-#include "player/window/touch_screen.h"
-#include "player/window/window_input.h"
+#include "player/view/shots.h"
+#include "player/window/input/touch_screen.h"
+#include "player/window/input/window_input.h"
 
 struct GLFWwindow;
 

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "player/interface/session.h"
-#include "player/story/attract_loop.h"
+#include "player/tour/attract_loop.h"
 
 namespace vantage {
 

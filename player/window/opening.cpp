@@ -11,11 +11,11 @@
 #include <future>
 #include <string>
 
-#include "gl/object.h"
-#include "remote/remote_package.h"
-#include "values/formatted.h"
-#include "values/is_url.h"
-#include "values/translation.h"
+#include "base/gl/object.h"
+#include "base/text/formatted.h"
+#include "base/text/is_url.h"
+#include "base/text/translation.h"
+#include "scene/remote/remote_package.h"
 
 namespace vantage {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "player/options/memory_options.h"
 #include "player/window/glfw_window.h"
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

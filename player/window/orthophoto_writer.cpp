@@ -2,12 +2,12 @@
 
 #include <utility>
 
-#include "player/interface/orthophoto_section.h"
-#include "player/window/numbered_file.h"
-#include "scene/bands.h"
-#include "scene/error.h"
-#include "values/formatted.h"
-#include "values/translation.h"
+#include "base/text/error.h"
+#include "base/text/formatted.h"
+#include "base/text/translation.h"
+#include "player/interface/sections/orthophoto_section.h"
+#include "player/window/input/numbered_file.h"
+#include "scene/package/contents/bands.h"
 
 namespace vantage {
 

@@ -4,10 +4,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "scene/replace_file.h"
-#include "values/is_url.h"
-#include "values/json_text.h"
-#include "values/xdg_folder.h"
+#include "base/files/replace_file.h"
+#include "base/files/xdg_folder.h"
+#include "base/text/is_url.h"
+#include "base/text/json_text.h"
 
 namespace vantage {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "player/camera/shots.h"
 #include "player/interface/session.h"
+#include "player/view/shots.h"
 
 namespace vantage {
 

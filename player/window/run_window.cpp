@@ -13,9 +13,13 @@
 #include <optional>
 #include <utility>
 
-#include "gl/context.h"
+#include "base/files/process_time.h"
+#include "base/gl/context.h"
+#include "base/text/error.h"
+#include "base/text/is_url.h"
+#include "base/text/translation.h"
 #include "player/window/glfw_window.h"
-#include "player/window/input.h"
+#include "player/window/input/input.h"
 #include "player/window/new_frame.h"
 #include "player/window/opening.h"
 #include "player/window/remembered.h"
@@ -23,12 +27,8 @@
 #include "player/window/shown_scene.h"
 #include "player/window/start_page.h"
 #include "player/window/start_session.h"
-#include "scene/bands.h"
-#include "scene/error.h"
-#include "scene/package_shape.h"
-#include "values/is_url.h"
-#include "values/process_time.h"
-#include "values/translation.h"
+#include "scene/package/contents/bands.h"
+#include "scene/package/package_shape.h"
 
 namespace vantage {
 namespace {

@@ -1,25 +1,25 @@
 #pragma once
 #include <optional>
 
-#include "player/interface/controls.h"
-#include "player/interface/cut_section.h"
+#include "player/composition/enlargement.h"
+#include "player/composition/stereo_picture.h"
 #include "player/interface/layout.h"
-#include "player/interface/measure_panel.h"
-#include "player/interface/open_dialog.h"
 #include "player/interface/photo_strip.h"
+#include "player/interface/sections/controls.h"
+#include "player/interface/sections/cut_section.h"
+#include "player/interface/sections/measure_panel.h"
+#include "player/interface/sections/open_dialog.h"
 #include "player/interface/session.h"
-#include "player/interface/story_editor.h"
-#include "player/interface/story_panel.h"
-#include "player/interface/told_story.h"
-#include "player/objects/enlargement.h"
-#include "player/objects/stereo_picture.h"
+#include "player/interface/tour/story_editor.h"
+#include "player/interface/tour/story_panel.h"
+#include "player/interface/tour/told_story.h"
 #include "player/options/show_options.h"
 #include "player/render/frame_clock.h"
 #include "player/render/renderer.h"
-#include "player/window/asked_files.h"
+#include "player/window/input/asked_files.h"
+#include "player/window/input/system_chooser.h"
 #include "player/window/kiosk.h"
 #include "player/window/orthophoto_writer.h"
-#include "player/window/system_chooser.h"
 
 namespace vantage {
 

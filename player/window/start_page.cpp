@@ -11,10 +11,10 @@
 #include <filesystem>
 #include <utility>
 
-#include "player/interface/open_dialog.h"
+#include "base/text/translation.h"
+#include "player/interface/sections/open_dialog.h"
+#include "player/window/input/system_chooser.h"
 #include "player/window/new_frame.h"
-#include "player/window/system_chooser.h"
-#include "values/translation.h"
 
 namespace vantage {
 namespace {

@@ -2,7 +2,7 @@
 #include <span>
 #include <string>
 
-#include "player/interface/controls.h"
+#include "player/interface/sections/controls.h"
 #include "player/interface/session.h"
 #include "player/window/glfw_window.h"
 

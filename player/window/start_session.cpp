@@ -2,14 +2,14 @@
 
 #include <utility>
 
-#include "player/camera/shots.h"
-#include "player/story/story_background.h"
+#include "base/text/error.h"
+#include "base/text/translation.h"
 #include "player/survey/photo_errors.h"
-#include "scene/bands.h"
-#include "scene/error.h"
-#include "scene/first_photo.h"
-#include "scene/point_cloud.h"
-#include "values/translation.h"
+#include "player/tour/story_background.h"
+#include "player/view/shots.h"
+#include "scene/package/contents/bands.h"
+#include "scene/package/contents/first_photo.h"
+#include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
 namespace {

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "player/interface/session.h"
-#include "player/interface/told_story.h"
+#include "player/interface/tour/told_story.h"
 #include "player/options/show_options.h"
 #include "player/window/remembered.h"
 

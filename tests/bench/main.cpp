@@ -1,6 +1,6 @@
 // vantage-bench: measures what accuracy costs in time and bytes.
-#include "cli/command.h"
-#include "cli/report_exception.h"
+#include "base/cli/command.h"
+#include "base/cli/report_exception.h"
 #include "tests/bench/run.h"
 
 int main(int argc, char** argv) {

@@ -12,11 +12,11 @@
 #include <optional>
 #include <thread>
 
-#include "cli/command.h"
-#include "files/make_folder.h"
-#include "gl/context.h"
+#include "base/cli/command.h"
+#include "base/files/make_folder.h"
+#include "base/gl/context.h"
+#include "base/text/error.h"
 #include "pipeline/input/file_identity.h"
-#include "scene/error.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/page/page.h"
 #include "tests/bench/plots/gnuplot.h"

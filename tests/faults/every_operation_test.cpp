@@ -3,7 +3,7 @@
 #include <array>
 #include <set>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 #include "tests/faults/number_from.h"
 #include "tests/faults/written_package.h"
 

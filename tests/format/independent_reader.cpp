@@ -1,8 +1,8 @@
 // independent_reader COMPACT RAW
 //
-// Reads two packages of one scene with nothing but what scene/FORMAT.md says, to prove that the text is
-// sufficient: it shares no line with the project. RAW is COMPACT after `vantage repack COMPACT -o RAW --tiles
-// raw`, so what the chunks of COMPACT decode to must be found there byte for byte.
+// Reads two packages of one scene with nothing but what scene/package/FORMAT.md says, to prove that the text
+// is sufficient: it shares no line with the project. RAW is COMPACT after `vantage repack COMPACT -o RAW
+// --tiles raw`, so what the chunks of COMPACT decode to must be found there byte for byte.
 
 #include <fcntl.h>
 #include <sys/mman.h>

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <set>
 
-#include "pipeline/formats/cameras.h"
-#include "scene/error.h"
-#include "tests/fuzz/fuzz_target.h"
-#include "tests/fuzz/memory_file.h"
+#include "base/text/error.h"
+#include "pipeline/formats/cameras/cameras.h"
+#include "tests/fuzz/support/fuzz_target.h"
+#include "tests/fuzz/support/memory_file.h"
 
 using namespace vantage;
 

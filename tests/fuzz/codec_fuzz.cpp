@@ -8,11 +8,11 @@
 #include <span>
 #include <vector>
 
-#include "codec/byte_planes.h"
-#include "codec/depth_values.h"
-#include "codec/jpeg_cells.h"
-#include "codec/jpeg_pixels.h"
-#include "tests/fuzz/fuzz_target.h"
+#include "scene/codec/byte_planes.h"
+#include "scene/codec/depth_values.h"
+#include "scene/codec/jpeg_cells.h"
+#include "scene/codec/jpeg_pixels.h"
+#include "tests/fuzz/support/fuzz_target.h"
 
 using namespace vantage::codec;
 

@@ -2,12 +2,12 @@
 // are within their bounds.
 #include <cstdlib>
 
-#include "pipeline/commands/apply_config.h"
+#include "base/text/error.h"
+#include "pipeline/commands/shared/apply_config.h"
 #include "pipeline/run/config_files.h"
 #include "pipeline/synth/spec.h"
-#include "scene/error.h"
-#include "tests/fuzz/fuzz_target.h"
-#include "tests/fuzz/memory_file.h"
+#include "tests/fuzz/support/fuzz_target.h"
+#include "tests/fuzz/support/memory_file.h"
 
 using namespace vantage;
 

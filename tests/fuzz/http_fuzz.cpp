@@ -6,11 +6,11 @@
 #include <string>
 #include <string_view>
 
-#include "remote/answer.h"
-#include "remote/origin.h"
-#include "remote/url.h"
-#include "scene/error.h"
-#include "tests/fuzz/fuzz_target.h"
+#include "base/text/error.h"
+#include "scene/remote/answer.h"
+#include "scene/remote/origin.h"
+#include "scene/remote/url.h"
+#include "tests/fuzz/support/fuzz_target.h"
 
 using namespace vantage;
 

@@ -2,10 +2,10 @@
 // hold.
 #include <cstdlib>
 
+#include "base/text/error.h"
 #include "pipeline/formats/las.h"
-#include "scene/error.h"
-#include "tests/fuzz/fuzz_target.h"
-#include "tests/fuzz/memory_file.h"
+#include "tests/fuzz/support/fuzz_target.h"
+#include "tests/fuzz/support/memory_file.h"
 
 using namespace vantage;
 

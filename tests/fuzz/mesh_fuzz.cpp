@@ -3,10 +3,10 @@
 // normals finite, and that attributes have one value per vertex.
 #include <cstdlib>
 
-#include "pipeline/formats/mesh.h"
-#include "scene/error.h"
-#include "tests/fuzz/fuzz_target.h"
-#include "tests/fuzz/memory_file.h"
+#include "base/text/error.h"
+#include "pipeline/formats/meshes/read_mesh.h"
+#include "tests/fuzz/support/fuzz_target.h"
+#include "tests/fuzz/support/memory_file.h"
 
 using namespace vantage;
 

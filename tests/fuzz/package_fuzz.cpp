@@ -9,17 +9,17 @@
 #include <numeric>
 #include <vector>
 
+#include "base/files/checksum.h"
+#include "base/text/error.h"
 #include "player/plan/plan.h"
 #include "player/plan/plan_scene.h"
 #include "player/plan/point_plan.h"
 #include "player/stream/photo_pages.h"
-#include "scene/checksum.h"
-#include "scene/error.h"
-#include "scene/package_shape.h"
-#include "scene/value_layer.h"
-#include "tests/fuzz/fuzz_target.h"
-#include "tests/fuzz/memory_file.h"
-#include "tests/fuzz/sound_package.h"
+#include "scene/package/contents/value_layer.h"
+#include "scene/package/package_shape.h"
+#include "tests/fuzz/support/fuzz_target.h"
+#include "tests/fuzz/support/memory_file.h"
+#include "tests/fuzz/support/sound_package.h"
 
 using namespace vantage;
 using package::DirectoryEntry;

@@ -1,12 +1,12 @@
 // Camera path files. Checks that every view read can be drawn.
 #include <cstdlib>
 
-#include "player/camera/camera_path.h"
-#include "player/camera/shots.h"
-#include "scene/error.h"
-#include "tests/fuzz/fuzz_target.h"
-#include "tests/fuzz/memory_file.h"
-#include "tests/fuzz/sound_package.h"
+#include "base/text/error.h"
+#include "player/view/camera_path.h"
+#include "player/view/shots.h"
+#include "tests/fuzz/support/fuzz_target.h"
+#include "tests/fuzz/support/memory_file.h"
+#include "tests/fuzz/support/sound_package.h"
 
 using namespace vantage;
 

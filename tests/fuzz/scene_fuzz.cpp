@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <optional>
 
-#include "scene/error.h"
-#include "story/scene_file.h"
-#include "tests/fuzz/fuzz_target.h"
-#include "tests/fuzz/memory_file.h"
+#include "base/text/error.h"
+#include "scene/story/scene_file.h"
+#include "tests/fuzz/support/fuzz_target.h"
+#include "tests/fuzz/support/memory_file.h"
 
 using namespace vantage;
 

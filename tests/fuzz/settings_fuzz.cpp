@@ -3,8 +3,8 @@
 #include <cstdlib>
 
 #include "player/window/remembered.h"
-#include "tests/fuzz/fuzz_target.h"
-#include "tests/fuzz/memory_file.h"
+#include "tests/fuzz/support/fuzz_target.h"
+#include "tests/fuzz/support/memory_file.h"
 
 using namespace vantage;
 

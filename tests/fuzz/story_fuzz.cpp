@@ -4,11 +4,11 @@
 #include <cstdlib>
 #include <optional>
 
-#include "scene/error.h"
-#include "story/story_file.h"
-#include "story/story_references.h"
-#include "tests/fuzz/fuzz_target.h"
-#include "tests/fuzz/memory_file.h"
+#include "base/text/error.h"
+#include "scene/story/story_file.h"
+#include "scene/story/story_references.h"
+#include "tests/fuzz/support/fuzz_target.h"
+#include "tests/fuzz/support/memory_file.h"
 
 using namespace vantage;
 

@@ -3,10 +3,10 @@
 #include <cstdlib>
 #include <string>
 
+#include "base/text/error.h"
 #include "player/survey/survey_file.h"
-#include "scene/error.h"
-#include "tests/fuzz/fuzz_target.h"
-#include "tests/fuzz/memory_file.h"
+#include "tests/fuzz/support/fuzz_target.h"
+#include "tests/fuzz/support/memory_file.h"
 
 using namespace vantage;
 

@@ -1,5 +1,5 @@
 // Invalid and nearly invalid cameras, and lenses that fold back.
-#include "pipeline/formats/cameras.h"
+#include "pipeline/formats/cameras/cameras.h"
 
 #include <gtest/gtest.h>
 
@@ -10,12 +10,12 @@
 #include <numbers>
 #include <random>
 
+#include "base/text/error.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/photos/image_files.h"
-#include "scene/error.h"
-#include "scene/package_reader.h"
-#include "scene/pinhole_image.h"
+#include "scene/package/contents/pinhole_image.h"
+#include "scene/package/package_reader.h"
 #include "tests/hard_cases/special_numbers.h"
 #include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"

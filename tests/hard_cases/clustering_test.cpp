@@ -11,8 +11,8 @@
 
 #include "pipeline/mesh/clusters.h"
 #include "player/plan/cluster_tree.h"
-#include "player/plan/photo_cover.h"
 #include "player/plan/plan.h"
+#include "player/plan/selection/photo_cover.h"
 #include "tests/hard_cases/special_numbers.h"
 
 using namespace vantage;

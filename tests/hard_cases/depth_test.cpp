@@ -9,12 +9,12 @@
 #include <numeric>
 #include <random>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/mesh/clusters.h"
 #include "pipeline/prepare/prepare.h"
-#include "pipeline/run/progress.h"
+#include "pipeline/run/until_stopped.h"
 #include "pipeline/stages/vertex_coordinates.h"
 #include "pipeline/visibility/frame_triangles.h"
 #include "pipeline/visibility/gl_geometry.h"
@@ -22,7 +22,7 @@
 #include "pipeline/visibility/rasterize.h"
 #include "player/plan/cluster_tree.h"
 #include "player/render/picture.h"
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 #include "tests/hard_cases/special_numbers.h"
 #include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
 #include "pipeline/stages/borders.h"
 #include "pipeline/visibility/border_distance.h"
 #include "pipeline/visibility/near_distance.h"
@@ -16,7 +16,6 @@
 using namespace vantage;
 
 namespace {
-
 
 struct Size {
     int width, height;

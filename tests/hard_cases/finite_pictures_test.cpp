@@ -4,10 +4,10 @@
 #include <fstream>
 #include <limits>
 
+#include "base/text/error.h"
 #include "pipeline/run/settings.h"
-#include "player/measure/finite_targets.h"
+#include "player/measure/bench/finite_targets.h"
 #include "prepared_scene.h"
-#include "scene/error.h"
 
 using namespace vantage;
 

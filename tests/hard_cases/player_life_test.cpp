@@ -10,11 +10,11 @@
 #include <limits>
 #include <random>
 
-#include "pipeline/prepare/repack.h"
-#include "player/camera/shots.h"
+#include "base/text/error.h"
+#include "pipeline/prepare/repack_package.h"
 #include "player/stream/layer_pool.h"
+#include "player/view/shots.h"
 #include "prepared_scene.h"
-#include "scene/error.h"
 #include "tests/one_line.h"
 
 using namespace vantage;

@@ -1,6 +1,6 @@
 // Random clouds, views and boxes: nothing that a view shows is culled, and stored positions are as exact as
 // FORMAT.md says.
-#include "scene/point_cloud.h"
+#include "scene/package/contents/point_cloud.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -2,10 +2,10 @@
 #include <memory>
 #include <numeric>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
 #include "pipeline/run/settings.h"
 #include "player/render/picture.h"
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 #include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 

@@ -7,19 +7,19 @@
 #include <cstring>
 #include <numeric>
 
-#include "agreement/read_level.h"
-#include "gl/context.h"
+#include "base/gl/context.h"
+#include "base/values/tiling.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/mesh/subdivide.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/reports/check.h"
-#include "pipeline/reports/coverage_pictures.h"
-#include "pipeline/run/progress.h"
+#include "pipeline/reports/page/coverage_pictures.h"
 #include "pipeline/run/settings.h"
+#include "pipeline/run/until_stopped.h"
 #include "player/render/picture.h"
-#include "scene/package_reader.h"
-#include "scene/tiling.h"
+#include "scene/agreement/read_level.h"
+#include "scene/package/package_reader.h"
 #include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <random>
 
-#include "agreement/color_fit.h"
-#include "pipeline/refine/common_motion.h"
-#include "pipeline/refine/pose_fit.h"
+#include "pipeline/refine/poses/common_motion.h"
+#include "pipeline/refine/poses/pose_fit.h"
+#include "scene/agreement/color_fit.h"
 
 using namespace vantage;
 using package::SampleRecord;

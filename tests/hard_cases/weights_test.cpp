@@ -1,5 +1,5 @@
 // Weights that are equal up to rounding, and that span twelve orders of magnitude.
-#include "player/plan/weights.h"
+#include "player/plan/selection/weights.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

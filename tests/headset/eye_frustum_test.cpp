@@ -1,4 +1,4 @@
-#include "player/headset/eye_frustum.h"
+#include "player/headset/runtime/eye_frustum.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
 #include "player/headset/headset_menu.h"
 #include "player/headset/scene_interface.h"
 #include "player/options/show_options.h"

@@ -1,4 +1,4 @@
-#include "player/headset/pointing.h"
+#include "player/headset/locomotion/pointing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "player/headset/stance.h"
+#include "player/headset/locomotion/stance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "player/headset/walk.h"
+#include "player/headset/locomotion/walk.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "tests/openxr/handles.h"
+#include "tests/openxr/calls/handles.h"
 #include "tests/openxr/world.h"
 
 namespace test_runtime {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/openxr/handles.h"
+#include "tests/openxr/calls/handles.h"
 
 namespace test_runtime {
 

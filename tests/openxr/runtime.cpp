@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "tests/openxr/calls.h"
-#include "tests/openxr/checks.h"
-#include "tests/openxr/handles.h"
+#include "tests/openxr/calls/checks.h"
+#include "tests/openxr/calls/handles.h"
 #include "tests/openxr/one_call.h"
 #include "tests/openxr/openxr_gl.h"
 #include "tests/openxr/world.h"

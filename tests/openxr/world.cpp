@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "tests/openxr/events.h"
+#include "tests/openxr/calls/events.h"
 
 namespace test_runtime {
 namespace {

@@ -1,6 +1,4 @@
 // Photos of all sizes and formats: whole, truncated, and mislabeled.
-#include "pipeline/photos/photos.h"
-
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
@@ -11,16 +9,17 @@
 #include <numeric>
 #include <random>
 
+#include "base/text/error.h"
+#include "base/values/halve.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/file_identity.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/package/tile_levels.h"
+#include "pipeline/output/tile_levels.h"
 #include "pipeline/photos/image_files.h"
+#include "pipeline/photos/photos.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/reports/check.h"
-#include "pipeline/run/progress.h"
-#include "scene/error.h"
-#include "scene/halve.h"
+#include "pipeline/run/until_stopped.h"
 #include "tests/icc_profile.h"
 #include "tests/image_file.h"
 #include "tests/made_scenes.h"

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <fstream>
 
+#include "base/text/error.h"
 #include "pipeline/input/file_identity.h"
 #include "pipeline/photos/image_files.h"
-#include "scene/error.h"
 #include "tests/image_file.h"
 #include "tests/temporary_folder.h"
 

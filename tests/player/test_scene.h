@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <random>
 
-#include "player/camera/view.h"
-#include "scene/package_format.h"
-#include "scene/tiling.h"
+#include "base/values/tiling.h"
+#include "player/view/view.h"
+#include "scene/package/package_format.h"
 
 // Photos, clusters and views for tests.
 namespace vantage {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 #include "tests/made_scenes.h"
 #include "tests/programs/garden_spec.h"
 #include "tests/temporary_folder.h"

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "base/files/part_file.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
-#include "pipeline/run/progress.h"
 #include "pipeline/run/settings.h"
-#include "scene/package_writer.h"
-#include "scene/part_file.h"
+#include "pipeline/run/until_stopped.h"
+#include "scene/package/package_writer.h"
 #include "tests/made_scenes.h"
 #include "tests/programs/run_program.h"
 #include "tests/temporary_folder.h"

@@ -18,14 +18,14 @@
 #include <sstream>
 #include <thread>
 
+#include "base/files/checksum.h"
+#include "base/text/file_name.h"
 #include "pipeline/commands/run_program.h"
 #include "pipeline/photos/image_files.h"
-#include "scene/checksum.h"
-#include "scene/package_reader.h"
-#include "scene/stored_tile.h"
+#include "scene/package/contents/stored_tile.h"
+#include "scene/package/package_reader.h"
 #include "tests/real_inputs/row.h"
 #include "tests/temporary_folder.h"
-#include "values/file_name.h"
 
 using namespace vantage;
 using namespace vantage::real_inputs;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 #include "tests/real_inputs/scan.h"
 
 namespace vantage::real_inputs {

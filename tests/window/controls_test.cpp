@@ -5,8 +5,8 @@
 #include <array>
 #include <set>
 
-#include "player/render/blend_table.h"
-#include "story/scene_file.h"
+#include "player/render/passes/blend_table.h"
+#include "scene/story/scene_file.h"
 #include "tests/window/window_test.h"
 
 using namespace vantage;

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "player/camera/photos_around.h"
+#include "player/view/photos_around.h"
 #include "tests/window/window_test.h"
 
 using namespace vantage;

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
+#include "base/text/translation.h"
 #include "player/interface/style.h"
 #include "player/render/pace.h"
-#include "player/window/input.h"
+#include "player/window/input/input.h"
 #include "player/window/new_frame.h"
 #include "player/window/start_session.h"
-#include "values/translation.h"
 
 namespace vantage {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "player/window/input/window_input.h"
 #include "player/window/shown_scene.h"
-#include "player/window/window_input.h"
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

@@ -5,10 +5,10 @@
 #include <set>
 #include <sstream>
 
+#include "base/text/translation.h"
 #include "player/interface/help_panel.h"
-#include "player/render/blend_table.h"
+#include "player/render/passes/blend_table.h"
 #include "tests/window/window_test.h"
-#include "values/translation.h"
 
 using namespace vantage;
 

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "player/render/picture.h"
-#include "story/story_file.h"
+#include "scene/story/story_file.h"
 #include "tests/window/window_test.h"
 
 using namespace vantage;

@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-#include "values/process_time.h"
+#include "base/files/process_time.h"
 
 int main() {
     if (!glfwInit()) return 1;

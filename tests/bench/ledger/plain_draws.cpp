@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <vector>
 
-#include "gl/context.h"
-#include "gl/object.h"
-#include "player/camera/navigation.h"
-#include "scene/package_reader.h"
+#include "base/gl/context.h"
+#include "base/gl/object.h"
+#include "player/view/navigation.h"
+#include "scene/package/package_reader.h"
 
 using namespace vantage;
 

@@ -4,8 +4,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "files/make_folder.h"
-#include "scene/error.h"
+#include "base/files/make_folder.h"
+#include "base/text/error.h"
 #include "tests/bench/scenes/crop.h"
 
 namespace vantage::bench {

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "gl/context.h"
-#include "player/measure/flight.h"
-#include "player/measure/picture_metrics.h"
+#include "base/gl/context.h"
+#include "player/measure/bench/flight.h"
+#include "player/measure/evaluation/picture_metrics.h"
 #include "tests/bench/measure/exhibit.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/scenes/evenly_spread.h"

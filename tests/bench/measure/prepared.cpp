@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 #include "tests/bench/measure/run_program.h"
 #include "tests/bench/measure/timing.h"
 

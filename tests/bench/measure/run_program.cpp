@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 
 extern char** environ;
 

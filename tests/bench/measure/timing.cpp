@@ -1,6 +1,6 @@
 #include "tests/bench/measure/timing.h"
 
-#include "values/quantile.h"
+#include "base/values/quantile.h"
 
 namespace vantage::bench {
 

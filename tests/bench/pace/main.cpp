@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <string>
 
-#include "player/measure/plot.h"
+#include "player/measure/bench/plot.h"
 #include "tests/simulated_pace.h"
 
 namespace {

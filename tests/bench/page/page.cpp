@@ -6,9 +6,9 @@
 #include <string_view>
 #include <utility>
 
-#include "files/markup.h"
-#include "files/page_style.h"
-#include "scene/error.h"
+#include "base/text/error.h"
+#include "base/text/markup.h"
+#include "base/text/page_style.h"
 #include "tests/bench/page/page_parts.h"
 #include "tests/bench/results/quantity.h"
 

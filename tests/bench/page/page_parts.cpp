@@ -12,10 +12,10 @@
 #include <set>
 #include <string_view>
 
-#include "files/make_folder.h"
-#include "files/markup.h"
-#include "pipeline/reports/base64.h"
-#include "scene/error.h"
+#include "base/files/make_folder.h"
+#include "base/text/error.h"
+#include "base/text/markup.h"
+#include "pipeline/reports/page/base64.h"
 #include "tests/bench/results/front.h"
 #include "tests/bench/results/quantity.h"
 

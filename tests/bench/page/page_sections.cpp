@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string_view>
 
-#include "files/markup.h"
+#include "base/text/markup.h"
 #include "tests/bench/page/page_parts.h"
 #include "tests/bench/results/front.h"
 #include "tests/bench/results/quantity.h"

@@ -12,15 +12,15 @@
 #include <optional>
 #include <random>
 
-#include "gl/context.h"
-#include "pipeline/formats/mesh.h"
+#include "base/gl/context.h"
+#include "base/text/error.h"
+#include "pipeline/formats/meshes/read_mesh.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
-#include "pipeline/run/progress.h"
+#include "pipeline/run/until_stopped.h"
 #include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
-#include "scene/error.h"
 #include "tests/bench/painter/bsp_tree.h"
 
 namespace vantage {

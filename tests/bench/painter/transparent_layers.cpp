@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/opaque_part.h"
+#include "scene/package/contents/opaque_part.h"
 
 namespace vantage {
 

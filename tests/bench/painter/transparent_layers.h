@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "player/camera/view.h"
-#include "scene/package_reader.h"
+#include "player/view/view.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

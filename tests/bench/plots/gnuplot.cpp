@@ -8,8 +8,8 @@
 #include <iterator>
 #include <sstream>
 
-#include "files/markup.h"
-#include "scene/error.h"
+#include "base/text/error.h"
+#include "base/text/markup.h"
 #include "tests/bench/measure/run_program.h"
 #include "tests/bench/plots/axis.h"
 #include "tests/bench/plots/plot_labels.h"

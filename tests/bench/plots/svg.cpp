@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "files/markup.h"
+#include "base/text/markup.h"
 #include "tests/bench/results/quantity.h"
 
 namespace vantage::bench {

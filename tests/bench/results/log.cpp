@@ -3,7 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 
 namespace vantage::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "values/quantile.h"
+#include "base/values/quantile.h"
 
 namespace vantage::bench {
 namespace {

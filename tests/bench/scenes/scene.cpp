@@ -7,18 +7,18 @@
 #include <fstream>
 #include <numeric>
 
-#include "files/make_folder.h"
+#include "base/files/make_folder.h"
+#include "base/text/error.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/file_identity.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/for_each_photo.h"
-#include "pipeline/run/progress.h"
+#include "pipeline/run/until_stopped.h"
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/garden.h"
 #include "pipeline/synth/synthesize.h"
-#include "player/measure/photo_pixels.h"
-#include "scene/error.h"
+#include "player/measure/evaluation/photo_pixels.h"
 #include "tests/bench/scenes/crop.h"
 #include "tests/bench/scenes/surface_points.h"
 

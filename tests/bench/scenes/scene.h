@@ -7,8 +7,8 @@
 
 #include "pipeline/input/scene_input.h"
 #include "pipeline/synth/spec.h"
-#include "player/camera/view.h"
 #include "player/render/picture.h"
+#include "player/view/view.h"
 
 namespace vantage::bench {
 

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <random>
 
+#include "base/text/error.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "scene/error.h"
 #include "tests/datasets.h"
 
 namespace vantage {

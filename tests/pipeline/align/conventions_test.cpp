@@ -9,12 +9,12 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "base/text/error.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/photos/image_files.h"
 #include "pipeline/photos/photos.h"
 #include "pipeline/photos/reduced.h"
-#include "scene/error.h"
 #include "tests/datasets.h"
 #include "tests/temporary_folder.h"
 

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "pipeline/commands/apply_config.h"
+#include "base/text/error.h"
 #include "pipeline/commands/commands.h"
-#include "scene/error.h"
+#include "pipeline/commands/shared/apply_config.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;

@@ -10,11 +10,11 @@
 #include <random>
 #include <sstream>
 
-#include "files/png_file.h"
-#include "pipeline/formats/cameras.h"
+#include "base/files/png_file.h"
+#include "base/text/error.h"
+#include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "scene/error.h"
 #include "tests/datasets.h"
 #include "tests/pipeline/formats/exported_cameras.h"
 #include "tests/temporary_folder.h"

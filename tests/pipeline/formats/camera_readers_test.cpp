@@ -5,8 +5,8 @@
 #include <fstream>
 #include <numbers>
 
-#include "pipeline/formats/cameras.h"
-#include "pipeline/formats/realitycapture.h"
+#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/formats/cameras/realitycapture.h"
 #include "tests/temporary_folder.h"
 
 namespace vantage {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "pipeline/formats/mesh.h"
+#include "pipeline/formats/meshes/read_mesh.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 
 namespace vantage::exported {
 

@@ -10,8 +10,8 @@
 #include <sstream>
 #include <variant>
 
-#include "pipeline/formats/mesh.h"
-#include "scene/error.h"
+#include "base/text/error.h"
+#include "pipeline/formats/meshes/read_mesh.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;

@@ -8,11 +8,11 @@
 #include <iomanip>
 #include <sstream>
 
-#include "pipeline/formats/cameras.h"
-#include "pipeline/formats/mesh.h"
+#include "base/text/error.h"
+#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/formats/meshes/read_mesh.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "scene/error.h"
 #include "tests/datasets.h"
 #include "tests/temporary_folder.h"
 

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <fstream>
 
+#include "base/text/error.h"
 #include "pipeline/formats/cloud.h"
-#include "scene/error.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;

@@ -10,7 +10,7 @@
 #include <random>
 #include <set>
 
-#include "scene/point_cloud.h"
+#include "scene/package/contents/point_cloud.h"
 
 using namespace vantage;
 using package::PointNode;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "scene/tiling.h"
+#include "base/values/tiling.h"
 
 using namespace vantage;
 

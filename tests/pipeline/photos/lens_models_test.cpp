@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "scene/lens.h"
+#include "scene/camera/lens.h"
 
 namespace vantage {
 namespace {

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/values/quantile.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "scene/package_reader.h"
-#include "values/quantile.h"
+#include "scene/package/package_reader.h"
 
 namespace vantage {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <opencv2/core.hpp>
 
-#include "values/srgb.h"
+#include "base/values/srgb.h"
 
 using namespace vantage;
 

@@ -11,7 +11,7 @@
 #include "pipeline/photos/photos.h"
 #include "pipeline/prepare/finish.h"
 #include "pipeline/prepare/prepare.h"
-#include "pipeline/refine/common_motion.h"
+#include "pipeline/refine/poses/common_motion.h"
 #include "pipeline/run/settings.h"
 #include "pipeline/synth/building.h"
 #include "tests/made_scenes.h"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <fstream>
 
+#include "base/text/error.h"
 #include "pipeline/mesh/ray_scene.h"
 #include "pipeline/synth/building.h"
 #include "pipeline/synth/synthesize.h"
-#include "scene/error.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;

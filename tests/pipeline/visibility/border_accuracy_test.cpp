@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
 #include "pipeline/run/settings.h"
 #include "pipeline/stages/borders.h"
 #include "pipeline/visibility/near_distance.h"

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <random>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/mesh/packed_model.h"
 #include "pipeline/mesh/ray_scene.h"
-#include "pipeline/package/chunk_plan.h"
+#include "pipeline/output/chunk_plan.h"
 #include "pipeline/stages/vertex_coordinates.h"
 #include "pipeline/synth/synthesize.h"
 #include "pipeline/visibility/gl_geometry.h"

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
 #include "player/panels/eye_picture.h"
 
 namespace vantage {

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "gl/context.h"
-#include "player/render/blend_program.h"
+#include "base/gl/context.h"
+#include "player/render/passes/blend_program.h"
 #include "player/stream/photo_block.h"
 
 using namespace vantage;

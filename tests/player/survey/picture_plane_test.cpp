@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/text/error.h"
 #include "player/pictures/orthophoto.h"
-#include "scene/error.h"
 #include "tests/player/test_scene.h"
 
 using namespace vantage;

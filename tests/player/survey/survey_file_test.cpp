@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "scene/error.h"
+#include "base/text/error.h"
 #include "tests/temporary_folder.h"
 
 namespace vantage {

@@ -3,7 +3,10 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
+#include "base/values/grid.h"
+#include "base/values/quantile.h"
+#include "base/values/tiling.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
@@ -11,14 +14,11 @@
 #include "pipeline/stages/borders.h"
 #include "pipeline/visibility/border_distance.h"
 #include "pipeline/visibility/photo_geometry.h"
-#include "scene/tiling.h"
 #include "tests/bench/measure/exhibit.h"
 #include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/scenes/model.h"
 #include "tests/bench/sweeps/sweep.h"
-#include "values/grid.h"
-#include "values/quantile.h"
 
 namespace vantage::bench {
 namespace {

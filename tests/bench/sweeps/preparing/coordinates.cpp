@@ -6,16 +6,16 @@
 #include <array>
 #include <cmath>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
+#include "base/values/quantile.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 #include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/scenes/model.h"
 #include "tests/bench/scenes/surface_points.h"
 #include "tests/bench/sweeps/sweep.h"
-#include "values/quantile.h"
 
 namespace vantage::bench {
 namespace {

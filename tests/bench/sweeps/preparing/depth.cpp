@@ -5,19 +5,19 @@
 #include <cmath>
 #include <limits>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
+#include "base/values/grid.h"
+#include "base/values/tiling.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/mesh/ray_scene.h"
 #include "pipeline/visibility/photo_geometry.h"
-#include "scene/tiling.h"
 #include "tests/bench/measure/exhibit.h"
 #include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/scenes/model.h"
 #include "tests/bench/scenes/surface_points.h"
 #include "tests/bench/sweeps/sweep.h"
-#include "values/grid.h"
 
 namespace vantage::bench {
 namespace {

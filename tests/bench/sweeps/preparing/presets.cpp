@@ -1,10 +1,10 @@
 // The presets of configs/ among other combinations of settings: preparation, bytes and frame times.
 #include <fmt/format.h>
 
+#include "base/values/quantile.h"
 #include "tests/bench/measure/pictures.h"
 #include "tests/bench/measure/prepared.h"
 #include "tests/bench/sweeps/sweep.h"
-#include "values/quantile.h"
 
 namespace vantage::bench {
 namespace {
@@ -73,13 +73,12 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const fs::p
 }  // namespace
 
 extern const Sweep presets_sweep;
-const Sweep presets_sweep{
-    "presets",
-    "Presets among other settings",
-    "Which settings are on the Pareto front, and how far from it are the presets?",
-    "the held-out photo, or the ray-cast picture",
-    "not applicable: no setting is exact",
-    {{"prepare_s", "psnr"}, {"package_bytes", "psnr"}, {"frame_ms", "psnr"}},
-    jobs};
+const Sweep presets_sweep{"presets",
+                          "Presets among other settings",
+                          "Which settings are on the Pareto front, and how far from it are the presets?",
+                          "the held-out photo, or the ray-cast picture",
+                          "not applicable: no setting is exact",
+                          {{"prepare_s", "psnr"}, {"package_bytes", "psnr"}, {"frame_ms", "psnr"}},
+                          jobs};
 
 }  // namespace vantage::bench

@@ -1,14 +1,14 @@
 // What validation of files, lenses and pictures costs.
 #include <cstring>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
+#include "base/values/tiling.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "player/measure/finite_targets.h"
+#include "player/measure/bench/finite_targets.h"
 #include "player/render/renderer.h"
-#include "scene/lens.h"
-#include "scene/package_shape.h"
-#include "scene/tiling.h"
+#include "scene/camera/lens.h"
+#include "scene/package/package_shape.h"
 #include "tests/bench/measure/pictures.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/sweeps/sweep.h"

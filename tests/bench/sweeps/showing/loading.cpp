@@ -1,7 +1,7 @@
 // What is loaded before the first picture: thumbnails only, coarser levels, everything.
 #include <fmt/format.h>
 
-#include "gl/context.h"
+#include "base/gl/context.h"
 #include "tests/bench/measure/exhibit.h"
 #include "tests/bench/measure/pictures.h"
 #include "tests/bench/measure/timing.h"

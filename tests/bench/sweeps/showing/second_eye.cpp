@@ -3,11 +3,11 @@
 #include <span>
 #include <vector>
 
-#include "gl/context.h"
-#include "player/camera/camera_path.h"
-#include "player/camera/stereo.h"
-#include "player/measure/flight.h"
+#include "base/gl/context.h"
+#include "player/measure/bench/flight.h"
 #include "player/render/renderer.h"
+#include "player/view/camera_path.h"
+#include "player/view/stereo.h"
 #include "tests/bench/measure/looked_at.h"
 #include "tests/bench/measure/pictures.h"
 #include "tests/bench/measure/timing.h"

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "player/camera/camera_path.h"
+#include "base/values/quantile.h"
+#include "player/view/camera_path.h"
 #include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/pictures.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/sweeps/sweep.h"
-#include "values/quantile.h"
 
 namespace vantage::bench {
 namespace {

@@ -1,8 +1,8 @@
 // Pictures for two eyes: photos chosen once for both, or for each by itself.
 #include <fmt/format.h>
 
-#include "gl/context.h"
-#include "player/camera/stereo.h"
+#include "base/gl/context.h"
+#include "player/view/stereo.h"
 #include "tests/bench/measure/looked_at.h"
 #include "tests/bench/measure/pictures.h"
 #include "tests/bench/measure/timing.h"

@@ -2,8 +2,8 @@
 #include <array>
 #include <random>
 
-#include "player/measure/photo_pixels.h"
-#include "scene/tiling.h"
+#include "base/values/tiling.h"
+#include "player/measure/evaluation/photo_pixels.h"
 #include "tests/bench/scenes/crop.h"
 #include "tests/bench/sweeps/sweep.h"
 #include "tests/bench/sweeps/tiles/tile_pixels.h"

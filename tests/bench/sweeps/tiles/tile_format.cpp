@@ -8,9 +8,9 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "gl/context.h"
-#include "gl/object.h"
-#include "scene/tiling.h"
+#include "base/gl/context.h"
+#include "base/gl/object.h"
+#include "base/values/tiling.h"
 #include "tests/bench/measure/exhibit.h"
 #include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/timing.h"

@@ -1,6 +1,6 @@
 #pragma once
-#include "gl/context.h"
-#include "gl/object.h"
+#include "base/gl/context.h"
+#include "base/gl/object.h"
 #include "tests/bench/sweeps/tiles/tile_pixels.h"
 
 namespace vantage::bench {

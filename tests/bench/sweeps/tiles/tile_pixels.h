@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/package_reader.h"
+#include "scene/package/package_reader.h"
 #include "tests/bench/results/measurement.h"
 
 namespace vantage::bench {

@@ -3,12 +3,12 @@
 #include <array>
 #include <unordered_set>
 
-#include "gl/context.h"
-#include "gl/object.h"
+#include "base/gl/context.h"
+#include "base/gl/object.h"
+#include "base/values/tiling.h"
 #include "pipeline/mesh/ray_scene.h"
-#include "player/measure/photo_pixels.h"
-#include "player/plan/sampling.h"
-#include "scene/tiling.h"
+#include "player/measure/evaluation/photo_pixels.h"
+#include "player/plan/selection/sampling.h"
 #include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/scenes/crop.h"

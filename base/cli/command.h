@@ -1,0 +1,142 @@
+#pragma once
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "base/cli/described_command.h"
+
+/// The command lines of the programs, read by CLI11, which only command.cpp includes.
+namespace vantage {
+
+/// An option, flag or argument, completed where it is added. It refers to its Command, which must outlive it.
+class Option {
+  public:
+    Option group(const std::string& heading) const;  ///< of --help; default "Options"
+    Option type(const std::string& kind) const;      ///< of the value: FILE, FOLDER, PACKAGE, PHOTO, ...
+    Option required() const;
+    /// Of a list: also takes several values in one word, "a,b".
+    Option commas() const;
+    /// Of a list: takes one word only each time it is given, so that arguments may follow.
+    Option one_word() const;
+    Option needs(const Option& other) const;
+    Option excludes(const Option& other) const;
+    /// Lists values in --help and for completion. Others are accepted: they are files, or are checked later.
+    Option suggests(std::vector<std::string> values) const;
+
+  private:
+    friend class Command;
+    struct Entry;
+    explicit Option(Entry& entry) : entry_(&entry) {}
+    Entry* entry_;
+};
+
+template <class T>
+using NamedValues = std::initializer_list<std::pair<const char*, std::type_identity_t<T>>>;
+
+/// A program or one of its verbs: its options, and what it does. A handle: copies refer to the same command.
+///
+/// `names` are those of an option, "-o,--output", or of an argument, "FILE". `value` must outlive run(); what
+/// it is before is the default that --help shows, unless it is empty or out of range. A value that does not
+/// fit is a usage error that names the option and what was expected.
+class Command {
+  public:
+    Command(const std::string& name, const std::string& description);
+
+    /// Sets `value` to `sets`.
+    template <class T>
+    Option flag(const std::string& names, T& value, const std::string& help,
+                std::type_identity_t<T> sets = true) const {
+        return add_flag(names, help, [&value, sets] { value = sets; });
+    }
+    Option text(const std::string& names, std::string& value, const std::string& help) const;
+    Option file(const std::string& names, std::string& value, const std::string& help) const;
+    Option file(const std::string& names, std::filesystem::path& value, const std::string& help) const;
+    /// Both limits are included.
+    Option integer(const std::string& names, std::integral auto& value, std::int64_t least, std::int64_t most,
+                   const std::string& help) const {
+        return add_integer(names, std::int64_t(value), least, most, help, [&value](std::int64_t given) {
+            value = static_cast<std::remove_cvref_t<decltype(value)>>(given);
+        });
+    }
+    /// Both limits are included; neither NaN nor infinity is accepted.
+    Option real(const std::string& names, std::floating_point auto& value, double least, double most,
+                const std::string& help) const {
+        return add_real(names, double(value), least, most, help, [&value](double given) {
+            value = static_cast<std::remove_cvref_t<decltype(value)>>(given);
+        });
+    }
+    /// Such as 800M; K, M, G, T are powers of 1024. 0: no default.
+    Option bytes(const std::string& names, std::uint64_t& value, const std::string& help) const;
+    /// One of the named values.
+    template <class T>
+    Option choice(const std::string& names, T& value, NamedValues<T> table, const std::string& help) const {
+        return choice(names, value, std::vector<std::pair<std::string, T>>(table.begin(), table.end()), help);
+    }
+    template <class T>
+    Option choice(const std::string& names, T& value, std::vector<std::pair<std::string, T>> table,
+                  const std::string& help) const {
+        std::vector<std::string> words;
+        std::string initial;
+        for (const auto& [word, named] : table) {
+            words.push_back(word);
+            if (named == value) initial = word;
+        }
+        return add_choice(names, initial, words, help,
+                          [&value, table = std::move(table)](std::size_t i) { value = table[i].second; });
+    }
+    Option choice(const std::string& names, std::string& value, const std::vector<std::string>& words,
+                  const std::string& help) const;
+    Option choices(const std::string& names, std::vector<std::string>& values,
+                   const std::vector<std::string>& words, const std::string& help) const;
+    Option list(const std::string& names, std::vector<std::string>& values, const std::string& help) const;
+    /// Two finite numbers in one word, "1,2", or in two.
+    Option pair(const std::string& names, std::vector<double>& values, const std::string& help) const;
+    /// --force, for commands that write files (see output_file).
+    void force(bool& value) const;
+    void version(const std::string& text) const;
+
+    /// Paragraphs, examples and exit codes at the end of --help.
+    void notes(const std::string& text) const;
+    /// What the command does: it returns the exit code. It gets this command, whose options may be asked for.
+    void action(std::function<int(const Command&)> run) const;
+    void action(std::function<int()> run) const;
+    Command verb(const std::string& name, const std::string& description) const;
+
+    /// Parses the arguments (without the program's name) and does what they ask for: --help, a verb's action
+    /// or the program's. `--describe`, which --help does not list, prints described() as a line, of which the
+    /// build makes the manual and the completion of shells. Returns the exit code. Throws what actions throw,
+    /// and Error(usage) without a verb if there is no other action.
+    int run(const std::vector<std::string>& arguments) const;
+    /// Gives --`name` these values, at least one, if the command line did not. Throws Error(usage) for an
+    /// unknown option or a wrong value, with `place` in front, such as a file.
+    void give(const std::string& name, const std::vector<std::string>& values,
+              const std::string& place) const;
+    bool given(const std::string& group) const;  ///< whether any option of a group was
+    DescribedCommand described() const;
+
+  private:
+    struct Node;
+    using Words = std::vector<std::string>;
+    Option add(const std::string& names, DescribedOption described,
+               std::function<void(const Words&)> take) const;
+    Option add_flag(const std::string& names, const std::string& help, std::function<void()> set) const;
+    Option add_integer(const std::string& names, std::int64_t initial, std::int64_t least, std::int64_t most,
+                       const std::string& help, std::function<void(std::int64_t)> set) const;
+    Option add_real(const std::string& names, double initial, double least, double most,
+                    const std::string& help, std::function<void(double)> set) const;
+    Option add_choice(const std::string& names, const std::string& initial, const Words& words,
+                      const std::string& help, std::function<void(std::size_t)> set) const;
+    std::shared_ptr<Node> node_;
+};
+
+/// The exit codes of both programs (Exit), for the end of --help. Each program returns some of them.
+std::string exit_codes_text();
+
+}  // namespace vantage

@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "base/cli/described_command.h"
+
+namespace vantage {
+
+/// A script for zsh that completes the program's verbs, options, values and files, with their descriptions.
+std::string zsh_completion(const DescribedCommand& program);
+
+}  // namespace vantage

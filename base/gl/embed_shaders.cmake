@@ -1,0 +1,10 @@
+# Writes OUT, a C++ file with the text of every shader in DIR.
+file(GLOB files ${DIR}/*.vert ${DIR}/*.frag ${DIR}/*.comp ${DIR}/*.glsl)
+set(text "#include \"base/gl/embedded_shaders.h\"\nnamespace vantage::gl {\nnamespace {\nconst EmbeddedShader table[] = {\n")
+foreach(f ${files})
+  get_filename_component(n ${f} NAME)
+  file(READ ${f} t)
+  string(APPEND text "{\"${n}\", R\"GLSL(${t})GLSL\"},\n")
+endforeach()
+string(APPEND text "};\n}\nstd::span<const EmbeddedShader> embedded_shaders() { return table; }\n}\n")
+file(WRITE ${OUT} "${text}")

@@ -1,0 +1,14 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "base/text/lower_case.h"
+
+namespace vantage {
+
+/// The extension of a file's name with its dot, ASCII letters in lower case; empty if it has none.
+inline std::string lower_extension(const std::filesystem::path& file) {
+    return lower_case(file.extension().string());
+}
+
+}  // namespace vantage

@@ -1,9 +1,0 @@
-#!/usr/bin/env bash
-# Writes the texts of the window as a template of the catalogs. usage: extract.sh FILE.pot
-# After texts have changed: extract.sh new.pot; msgmerge --update languages/de.po new.pot; translate what is fuzzy or empty.
-set -euo pipefail
-cd "$(dirname "$0")/.."
-keywords=(tr tr_count:1,2 marked shown_name explain button checkbox radio choose slider combo:1 choice:1 choice:2 icon_button
-  section:1 section:2 menu_item menu toggle share_slider:2)
-xgettext --language=C++ --from-code=UTF-8 --sort-by-file --no-wrap --add-comments=Translators --package-name=Vantage \
-  --keyword "${keywords[@]/#/--keyword=}" --output="$1" $(ls player/*/*.cpp player/*/*.h | grep -v 'remembered.cpp\|player/options/')

@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include "base/text/error.h"
+#include "pipeline/align/alignment.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/commands/shared/input_options.h"
+#include "pipeline/input/input_paths.h"
+#include "pipeline/input/read_scene.h"
+#include "scene/package/output_file.h"
+#include "scene/story/scene_file.h"
+
+namespace vantage {
+namespace {
+
+struct AlignOptions {
+    InputOptions input;
+    PrepareSettings settings;
+    std::string out;
+    bool force = false;
+};
+
+void print(const Alignment& a) {
+    fmt::print("features {} that photos share, {} of them on the mesh, to {:.1f} px (median)\n", a.features,
+               a.on_mesh, a.median);
+    fmt::print("agree    {:.2f} of 1; the next best alignment {:.2f}\n", a.agreement, a.next);
+    const Similarity& s = a.mesh_from_cameras;
+    fmt::print("scale    {:.8g} mesh units per camera unit, within {:.2g} %\n", s.scale, 100 * a.scale);
+    fmt::print("certain  to {:.2f} px in the photos: {:.2g} degrees, {:.2g} mesh units (standard errors)\n",
+               a.pixels, a.degrees, a.move);
+}
+
+int run_align(const AlignOptions& o) {
+    if (!is_scene_file(o.out)) throw Error(Exit::usage, o.out + ": expected a name that ends in .toml");
+    const FoundInput found = find_input(o.input, o.settings);
+    if (found.lacks) throw *found.lacks;
+    const InputFiles& files = found.files;
+    if (files.mesh.empty() || files.cameras.empty())
+        throw Error(Exit::usage, "align: expected a mesh, cameras and photos");
+    const std::filesystem::path out =
+        output_file(o.out, Product::scene, Inputs{input_paths(files), {}}, o.force);
+    const SceneInput scene = read_scene(files);
+    fmt::print("mesh     {}\ncameras  {} ({})\nphotos   {} ({})\n", files.mesh.string(),
+               files.cameras.string(), scene.camera_format, files.photos.string(), scene.photos.size());
+    std::fflush(stdout);
+    const Alignment a = align(scene);
+    print(a);
+    SceneObject object;
+    object.name = out.stem().string();
+    object.input = {{}, files.mesh, files.cameras, files.photos, files.points, a.mesh_from_cameras};
+    write_scene_file(out, {object});
+    fmt::print("scene    {}\n", out.string());
+    return int(Exit::ok);
+}
+
+}  // namespace
+
+void add_align(const Command& program) {
+    auto o = std::make_shared<AlignOptions>();
+    const Command c =
+        program.verb("align", "Find where a mesh belongs that is in another frame than its cameras");
+    c.notes(
+        "Features that photos share are triangulated and fitted to the mesh, with rotation, translation and "
+        "scale.\n"
+        "The scene file holds the similarity; it is refused where photos do not settle it.\n"
+        "Examples:\n  vantage align scans/chapel -o chapel.toml\n"
+        "  vantage prepare chapel.toml -o chapel\n"
+        "  vantage align --mesh laser.ply --cameras sparse --photos images -o laser.toml");
+    add_input_options(c, o->input, o->settings);
+    c.file("-o,--output", o->out, "the scene file to write, NAME.toml").required();
+    c.force(o->force);
+    c.action([o] { return run_align(*o); });
+}
+
+}  // namespace vantage

@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/text/json_text.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/output/effect_costs.h"
+#include "pipeline/output/meta.h"
+#include "pipeline/prepare/registration_reuse.h"
+#include "scene/package/contents/bands.h"
+#include "scene/package/contents/point_cloud.h"
+#include "scene/package/package_reader.h"
+#include "scene/remote/remote_package.h"
+
+namespace vantage {
+namespace {
+
+struct InfoOptions {
+    std::string file;
+    bool json = false;
+};
+
+nlohmann::json describe_package(const PackageReader& reader) {
+    nlohmann::json out = parse_meta(reader);
+    const package::SceneRecord& s = reader.scene();
+    out["bytes"] = reader.size();
+    out["vertices"] = s.vertices;
+    out["triangles"] = s.triangles;
+    out["clusters"] = s.clusters;
+    if (points_only(s)) {
+        for (const char* of_mesh : {"vertices", "triangles", "clusters"}) out.erase(of_mesh);
+        out["points"] = read_point_cloud(reader)->points;
+        out["photos"] = nlohmann::json::array();
+    }
+    out["origin"] = s.origin;
+    out["up"] = s.up;
+    if (s.first_photo < reader.photos().size()) out["first_photo"] = reader.photos()[s.first_photo].name;
+    const std::vector<Band> bands = read_bands(reader);
+    for (const Band& band : bands)
+        if (bands.size() > 1) out["bands"].push_back(band.name);
+    for (const package::PhotoRecord& p : reader.photos())
+        out["photos"].push_back({{"name", p.name},
+                                 {"width", p.width},
+                                 {"height", p.height},
+                                 {"held_out", bool(p.flags & package::photo_held_out)},
+                                 {"registered", bool(p.flags & package::photo_registered)},
+                                 {"focal", {p.fx, p.fy}},
+                                 {"visible_vertices", p.visible_vertices},
+                                 {"gain", p.gain},
+                                 {"falloff", p.falloff},
+                                 {"hull_area", p.hull_area},
+                                 {"depth", {p.z_min, p.z_max}}});
+    for (std::uint32_t i = 0; i < reader.photos().size(); ++i)
+        if (const Lens lens = lens_of(reader, i); lens.distorts())
+            out["photos"][i]["lens"] = name(lens.model);
+    for (std::size_t i = 0; bands.size() > 1 && i < reader.photos().size(); ++i)
+        out["photos"][i]["band"] = bands[reader.photos()[i].band].name;
+    for (const package::PairRecord& p : pairs_of(reader))
+        out["pairs"].push_back({{"photos", {reader.photos()[p.a].name, reader.photos()[p.b].name}},
+                                {"corners", p.corners},
+                                {"found", p.matches},
+                                {"median_px", p.median},
+                                {"p90_px", p.p90},
+                                {"shift_px", p.shift},
+                                {"angle", p.angle},
+                                {"ln_color_ratio", p.color}});
+    return out;
+}
+
+void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
+    const auto count = [&](const char* key) { return j[key].get<std::uint64_t>(); };
+    const std::string shape =
+        j.contains("points") ? fmt::format("{} point{}", count("points"), count("points") == 1 ? "" : "s")
+                             : fmt::format("{} vertices, {} triangles in {} clusters", count("vertices"),
+                                           count("triangles"), count("clusters"));
+    fmt::print(
+        "{}\n{}, {} photos, {:.1f} MB\nup is {:.3g}{}\n\neffects\n", j["tool"].get<std::string>(), shape,
+        j["photos"].size(), double(count("bytes")) / 1e6, fmt::join(j["up"].get<std::vector<double>>(), " "),
+        j.contains("first_photo") ? "; opens at the place of " + j["first_photo"].get<std::string>() : "");
+    for (const auto& e : j["effects"])
+        fmt::print("  {:<18} {:<4}{} {}\n", e["name"].get<std::string>(), e["on"].get<bool>() ? "on" : "off",
+                   e["forced"].get<bool>() ? "(forced)" : "", e["evidence"].get<std::string>());
+    fmt::print("\n");
+    for (const std::string& line : table_of(costs)) fmt::print("  {}\n", line);
+    fmt::print("\nphotos\n");
+    for (const auto& p : j["photos"])
+        fmt::print("  {:<24} {}{}x{}  sees {:.1f} % of the {}{}\n", p["name"].get<std::string>(),
+                   p.contains("band") ? p["band"].get<std::string>() + ", " : "", p["width"].get<int>(),
+                   p["height"].get<int>(), 100 * p["visible_vertices"].get<double>(),
+                   j.contains("points") ? "points" : "vertices",
+                   p["held_out"].get<bool>()     ? ", held out"
+                   : p["registered"].get<bool>() ? ", camera registered"
+                                                 : "");
+    for (const char* kind : {"warnings", "findings"})
+        for (const auto& w : j.value(kind, nlohmann::json::array()))
+            fmt::print("warning  {}\n", w.get<std::string>());
+}
+
+}  // namespace
+
+void add_info(const Command& program) {
+    auto o = std::make_shared<InfoOptions>();
+    const Command c = program.verb("info", "Show what a package contains, and which effects are on and why");
+    c.notes(
+        "Examples:\n  vantage info --json chapel.vantage\n  vantage info "
+        "https://example.org/scans/chapel.vantage");
+    c.file("FILE", o->file, "the package, or its URL").type("PACKAGE").required();
+    c.flag("--json", o->json, "machine-readable output");
+    c.action([o] {
+        const PackageReader package = open_package(o->file);
+        const nlohmann::json j = describe_package(package);
+        if (o->json)
+            fmt::print("{}\n", json_text(j));
+        else
+            print_package(j, effect_costs(package, {}));
+        return int(Exit::ok);
+    });
+}
+
+}  // namespace vantage

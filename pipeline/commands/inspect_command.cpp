@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "base/cli/report_exception.h"
+#include "base/text/json_text.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/commands/shared/input_options.h"
+#include "pipeline/reports/facts/facts_json.h"
+#include "pipeline/reports/facts/facts_text.h"
+
+namespace vantage {
+namespace {
+
+struct InspectOptions {
+    InputOptions input;
+    PrepareSettings settings;
+    bool json = false;
+};
+
+/// As find_input(); an input that cannot be searched has no parts.
+FoundInput find_anything(const InspectOptions& o) {
+    try {
+        return find_input(o.input, o.settings);
+    } catch (const Error& e) {
+        return {{}, e};
+    }
+}
+
+/// Throws as find_input(), unless `anything` is asked for.
+InputFacts facts_of(const InspectOptions& o, bool anything) {
+    const auto start = std::chrono::steady_clock::now();
+    return input_facts(anything ? find_anything(o) : find_input(o.input, o.settings), o.settings,
+                       "scene.vantage", start);
+}
+
+/// The exit code; an error is printed after what is known.
+int finish(const InputFacts& facts) {
+    if (!facts.error) return int(facts.exit());
+    std::fflush(stdout);
+    try {
+        throw *facts.error;
+    } catch (...) {
+        return report_exception("vantage");
+    }
+}
+
+int inspect_one(const InspectOptions& o) {
+    const InputFacts facts = facts_of(o, o.json);
+    fmt::print("{}", o.json ? json_text(facts_json(facts)) + "\n" : facts_text(facts));
+    return finish(facts);
+}
+
+/// Each of a scene file's objects. The exit code is that of the first error; otherwise incomplete if photos
+/// of any object would be left out.
+int inspect_objects(const InspectOptions& o) {
+    nlohmann::json all = nlohmann::json::array();
+    int code = int(Exit::ok);
+    for (const SceneObject& object : read_scene_file(o.input.input, SceneUse::prepare)) {
+        InspectOptions one = o;
+        take_input(object.input, one.input, one.settings);
+        const InputFacts facts = facts_of(one, true);
+        if (o.json) {
+            all.push_back(facts_json(facts));
+            all.back()["name"] = object.name;
+        } else {
+            fmt::print("object   {}\n{}", object.name, facts_text(facts));
+        }
+        const int here = finish(facts);
+        if (code == int(Exit::ok) || (code == int(Exit::incomplete) && here != int(Exit::ok))) code = here;
+    }
+    if (o.json) fmt::print("{}\n", json_text({{"objects", all}, {"exit_code", code}}));
+    return code;
+}
+
+}  // namespace
+
+void add_inspect(const Command& program) {
+    auto o = std::make_shared<InspectOptions>();
+    const Command c = program.verb(
+        "inspect", "Show what an input holds, what would be left out, and what preparing it would need");
+    c.notes(
+        "Reads the mesh, the cameras and the headers of the photos, decodes no photo and writes nothing.\n"
+        "Examples:\n  vantage inspect scans/chapel\n"
+        "  vantage inspect --mesh m.ply --cameras bundle.out --photos images --json\n"
+        "Exit code: as 'vantage prepare' would end: 0 with all photos, 9 if photos would be left out, or "
+        "that "
+        "of\nthe error, which is printed after what was found.");
+    add_input_options(c, o->input, o->settings);
+    c.flag("--json", o->json, "machine-readable output");
+    c.action(
+        [o] { return is_scene_of_objects(o->input, o->settings) ? inspect_objects(*o) : inspect_one(*o); });
+}
+
+}  // namespace vantage

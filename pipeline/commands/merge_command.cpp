@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include "pipeline/commands/commands.h"
+#include "pipeline/commands/shared/progress_option.h"
+#include "pipeline/commands/shared/skipped_photos.h"
+#include "pipeline/output/staleness.h"
+#include "pipeline/prepare/merge_packages.h"
+#include "scene/package/output_file.h"
+#include "scene/package/package_inputs.h"
+
+namespace vantage {
+namespace {
+
+struct MergeOptions {
+    std::vector<std::string> shares;
+    std::string out;
+    ProgressStyle progress = ProgressStyle::automatic;
+    bool remove = false, force = false;
+};
+
+/// The shares, and what they were prepared from.
+Inputs inputs_of_shares(const std::vector<std::string>& shares) {
+    Inputs out{{shares.begin(), shares.end()}, {}};
+    try {
+        out.contents = inputs_of(PackageReader(shares.front(), PackageReader::Expect::part)).contents;
+    } catch (const Error&) {  // no share: merge() says so
+    }
+    return out;
+}
+
+int run_merge(MergeOptions o) {
+    o.out = output_file(o.out, Product::package, inputs_of_shares(o.shares), o.force).string();
+    {
+        ProgressLine line(o.progress);
+        merge({o.shares.begin(), o.shares.end()}, o.out, shown_until_signal(line));
+    }
+    if (o.remove)
+        for (const std::string& share : o.shares) std::filesystem::remove(share);
+    fmt::print("package  {} ({:.1f} MB of {} shares)\n", o.out,
+               double(std::filesystem::file_size(o.out)) / 1e6, o.shares.size());
+    return int(report_left_out(left_out_of(PackageReader(o.out))));
+}
+
+}  // namespace
+
+void add_merge(const Command& program) {
+    auto o = std::make_shared<MergeOptions>();
+    const Command c = program.verb("merge", "Join the shares of a preparation into one package");
+    c.notes(
+        "Each share is written by 'vantage prepare INPUT -o SHARE --shard i/n', on any machine. The result "
+        "is\n"
+        "byte-for-byte the package of a single run. An interrupted merge continues when it is run again.\n"
+        "Example:\n  vantage merge chapel-*.share -o chapel.vantage --remove");
+    c.list("SHARES", o->shares, "all shares of one preparation, in any order").type("FILE").required();
+    c.file("-o,--output", o->out, "the package to write").required();
+    add_progress(c, o->progress);
+    c.force(o->force);
+    c.flag("--remove", o->remove, "remove the shares when the package is complete");
+    c.action([o] { return run_merge(*o); });
+}
+
+}  // namespace vantage

@@ -1,0 +1,386 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <optional>
+
+#include "base/cli/stop_signals.h"
+#include "base/files/part_file.h"
+#include "base/text/error.h"
+#include "base/text/parse_number.h"
+#include "pipeline/align/conventions.h"
+#include "pipeline/align/open_turns.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/commands/prepare_scene.h"
+#include "pipeline/commands/shared/apply_config.h"
+#include "pipeline/commands/shared/effect_option.h"
+#include "pipeline/commands/shared/input_options.h"
+#include "pipeline/commands/shared/progress_option.h"
+#include "pipeline/commands/shared/skipped_photos.h"
+#include "pipeline/input/input_paths.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/output/meta.h"
+#include "pipeline/output/stage_table.h"
+#include "pipeline/output/staleness.h"
+#include "pipeline/prepare/finish.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/prepare/resources.h"
+#include "pipeline/reports/page/report.h"
+#include "pipeline/run/config_files.h"
+#include "pipeline/run/settings.h"
+#include "pipeline/run/trace.h"
+#include "scene/package/damaged_package.h"
+#include "scene/package/output_file.h"
+
+namespace vantage {
+namespace {
+
+/// What is corrected where photos disagree.
+enum class Refine { off, color, full };
+
+struct PrepareOptions {
+    InputOptions input;
+    std::string out, config, share, trace, report;
+    ProgressStyle progress = ProgressStyle::automatic;
+    Refine refine = Refine::full;
+    std::vector<std::string> effects, conventions{convention_auto};
+    PrepareSettings settings;
+    bool explain = false, strict = false, rehash = false, no_report = false, force = false;
+
+    bool writes_report() const { return !no_report && share.empty(); }
+};
+
+/// "3/8": the third of eight shares.
+Share share(const std::string& text) {
+    constexpr unsigned most = 65536;
+    Share s;
+    if (text.empty()) return s;
+    const std::size_t slash = std::min(text.find('/'), text.size() - 1);
+    if (!parse_number(text.substr(0, slash), s.share) || !parse_number(text.substr(slash + 1), s.shares) ||
+        s.share < 1 || s.share > s.shares || s.shares > most)
+        throw Error(Exit::usage,
+                    fmt::format("--shard {}: expected i/n, i from 1 to n, n up to {}", text, most));
+    return s;
+}
+
+/// The files to write, with links followed. Throws Error(usage) if one of them must not be replaced.
+void resolve_outputs(PrepareOptions& o, const InputFiles& files) {
+    Inputs inputs{input_paths(files), {}};
+    if (!o.config.empty()) inputs.files.push_back(find_preset(o.config));
+    if (o.writes_report()) o.report = std::filesystem::path(o.out).replace_extension(".html").string();
+    o.out = output_file(o.out, Product::package, inputs, o.force).string();
+    for (const std::filesystem::path& own :
+         {std::filesystem::path(o.out), part_of(o.out), packing_of(o.out), displaced_part_of(o.out)})
+        inputs.files.push_back(own);
+    if (o.writes_report()) {
+        o.report = output_file(o.report, Product::page, inputs, o.force).string();
+        inputs.files.emplace_back(o.report);
+    }
+    if (!o.trace.empty()) o.trace = output_file(o.trace, Product::trace, inputs, o.force).string();
+}
+
+/// The photos that the existing package lacks, if it is sound and what this run would make; otherwise
+/// nullopt.
+std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const InputFiles& files,
+                                                  IdentityCache& identities) {
+    if (!std::filesystem::exists(o.out)) return {};
+    try {
+        const PackageReader package(o.out);
+        if (!changed_settings(package, o.settings).empty() ||
+            !changed_inputs(package, files, identities).empty())
+            return {};
+        if (const std::string damage = damage_of(package, identities); !damage.empty()) {
+            fmt::print("package  {} is damaged and is repaired: {}\n", o.out, damage);
+            return {};
+        }
+        return left_out_of(package);
+    } catch (const DamagedPackage& e) {
+        if (e.defect() == Defect::newer_format)
+            throw Error(Exit::input, std::string(e.what()) + "; not overwritten");
+        return {};
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+void print_warnings(const SceneInput& scene) {
+    for (const std::string& w : scene.warnings) fmt::print("warning  {}\n", w);
+    std::fflush(stdout);
+}
+
+void print_scene(const SceneInput& scene, const ConventionTrials& fit) {
+    if (!scene.files.mesh.empty())
+        fmt::print("mesh     {} ({} vertices, {} triangles)\n", scene.files.mesh.string(),
+                   scene.mesh.positions.size(), scene.mesh.triangles.size());
+    if (!scene.files.cameras.empty())
+        fmt::print("cameras  {}{} ({})\n", scene.files.cameras.string(),
+                   scene.files.more_cameras.empty()
+                       ? ""
+                       : fmt::format(" and {} more", scene.files.more_cameras.size()),
+                   scene.camera_format);
+    if (!scene.files.photos.empty())
+        fmt::print("photos   {} ({})\n", scene.files.photos.string(), scene.photos.size());
+    for (std::uint32_t b = 0; scene.bands.size() > 1 && b < scene.bands.size(); ++b)
+        fmt::print("band     {} ({})\n", scene.bands[b],
+                   std::ranges::count(scene.photos, b, &PhotoInput::band));
+    if (!scene.points.positions.empty())
+        fmt::print("points   {}{} ({})\n", scene.files.points.front().string(),
+                   scene.files.points.size() > 1 ? " and others" : "", scene.points.positions.size());
+    if (scene.convention != as_read) fmt::print("taken    with --convention {}\n", scene.convention);
+    if (const std::string text = fit_of(fit, scene); !text.empty()) fmt::print("fit      {}\n", text);
+    for (const std::string& n : scene.files.notes) fmt::print("note     {}\n", n);
+    print_warnings(scene);
+}
+
+std::string some(const std::vector<std::string>& photos) {
+    const std::string first = photos.front();
+    return photos.size() == 1 ? first : fmt::format("{} photos, the first {}", photos.size(), first);
+}
+
+/// Prints how many chunks each stage made and kept; with `why`, the reasons.
+void print_done(const PrepareResult& done, bool why) {
+    std::size_t kept = 0;
+    for (const PrepareResult::Stage& s : done.stages) kept += s.kept;
+    for (std::size_t s = 0; s < done.stages.size() && (why || kept > 0); ++s) {
+        fmt::print("{:<12} {} made, {} kept\n", stage_row(package::Stage(s)).name, done.stages[s].made,
+                   done.stages[s].kept);
+        for (const auto& [reason, photos] : done.stages[s].why)
+            if (why) fmt::print("             {}: {}\n", some(photos), reason);
+    }
+}
+
+void print_needs(const ResourceEstimate& n) {
+    fmt::print("needs    {}\n", in_words(n));
+    std::fflush(stdout);
+}
+
+PrepareResult prepare_shown(const PrepareOptions& o, SceneInput scene, IdentityCache& identities,
+                            Trace& trace, std::chrono::steady_clock::time_point start) {
+    ProgressLine line(o.progress);
+    const PrepareRun run{&stop_on_signals(InFlight::finished),
+                         o.strict,
+                         &identities,
+                         share(o.share),
+                         &trace,
+                         print_needs,
+                         true,
+                         start};
+    return prepare(
+        std::move(scene), o.settings, o.out, [&](const Progress& p) { line.show(p); }, run);
+}
+
+SceneInput read_traced(const InputFiles& files, Trace& trace) {
+    const Traced traced(&trace, "import");
+    return read_scene(files);
+}
+
+/// "A.jpg, B.jpg and 3 more".
+std::string first_of(std::vector<std::string> names) {
+    constexpr std::size_t most = 20;
+    const std::size_t more = names.size() - std::min(names.size(), most);
+    names.resize(names.size() - more);
+    return fmt::format("{}{}", fmt::join(names, ", "), more ? fmt::format(" and {} more", more) : "");
+}
+
+/// How a photo lies without an EXIF orientation that it needs.
+const char* lies(int orientation) {
+    if (orientation == 3) return "upside down";
+    return orientation == 6 || orientation == 8 ? "turned by 90 degrees" : "mirrored";
+}
+
+/// One warning for all photos of one EXIF orientation; `found`: that they lie wrong.
+void warn_of_turns(SceneInput& scene, const std::vector<std::uint32_t>& photos, bool found) {
+    std::map<std::pair<int, int>, std::vector<std::string>> names;  // by orientation and what is open of it
+    for (const std::uint32_t i : photos) {
+        const PhotoInput& p = scene.photos[i];
+        names[{p.orientation, p.open_turn}].push_back(p.name);
+    }
+    for (const auto& [how, of] : names) {
+        const auto [orientation, open] = how;
+        const char* taken = orientation == open ? "pixels are taken as stored" : "turned as the file says";
+        const char* but = !found                ? ""
+                          : orientation == open ? ", but the cameras are of the photos as displayed"
+                                                : ", but the pixels had been turned before";
+        scene.warnings.push_back(
+            fmt::format("{}{} for the cameras, {}: {}; {}{} (EXIF orientation {})", found ? "" : "perhaps ",
+                        lies(open), found ? "as neighboring photos show" : "neighboring photos do not tell",
+                        first_of(of), taken, but, orientation));
+    }
+}
+
+/// Photos whose size tells nothing, but whose neighbors show that they are turned by 90 degrees, are turned.
+void settle_turns(SceneInput& scene, unsigned threads) {
+    OpenTurns turns = find_open_turns(scene.photos, {.threads = threads});
+    std::vector<std::string> displayed;
+    std::erase_if(turns.found, [&](std::uint32_t i) {
+        PhotoInput& p = scene.photos[i];
+        const bool turns_by_size = p.open_turn >= 5 && p.decoded.width != p.decoded.height;
+        if (turns_by_size) take_as_displayed(p), displayed.push_back(p.name);
+        return turns_by_size;
+    });
+    if (!displayed.empty())
+        scene.warnings.push_back(
+            fmt::format("turned as their EXIF orientation says, because their cameras "
+                        "have no size and neighboring photos agree only so: {}",
+                        first_of(displayed)));
+    warn_of_turns(scene, turns.found, true);
+    warn_of_turns(scene, turns.unknown, false);
+}
+
+ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& settings, Trace& trace) {
+    const Traced traced(&trace, "conventions");
+    // Each thread takes about 70 MB, which the estimate does not know.
+    const unsigned threads = settings.memory > 0 ? 1 : std::min(2u, threads_of(settings));
+    settle_turns(scene, threads);
+    return settle_convention(scene, settings.convention, threads);
+}
+
+/// If the mesh does not fit, what was found in it may be the reason.
+ConventionTrials settled_or_warned(SceneInput& scene, const PrepareSettings& settings, Trace& trace) {
+    try {
+        return settle_traced(scene, settings, trace);
+    } catch (const Error& e) {
+        if (e.code() == Exit::misplaced) print_warnings(scene);
+        throw;
+    }
+}
+
+int run_prepare(PrepareOptions o) {
+    o.settings.convention = wanted_conventions(o.conventions);
+    for (const EffectRow& row : effect_table())
+        if ((row.basis == Basis::pixels && o.refine != Refine::full) ||
+            (row.basis == Basis::colors && o.refine == Refine::off))
+            o.settings.effects[row.effect] = EffectChoice::off;
+    choose_effects(o.effects, o.settings.effects);
+    const auto start = std::chrono::steady_clock::now();
+    const FoundInput found = find_input(o.input, o.settings);
+    if (found.lacks) throw *found.lacks;
+    const InputFiles& files = found.files;
+    resolve_outputs(o, files);
+    IdentityCache identities(default_identity_cache(), o.rehash);
+    publish_interrupted(o.out);
+    if (const auto lacking = current(o, files, identities)) {
+        fmt::print("package  {} is current, nothing to do\n", o.out);
+        return int(report_left_out(*lacking));
+    }
+    Trace trace;
+    SceneInput scene = read_traced(files, trace);
+    const ConventionTrials fit = settled_or_warned(scene, o.settings, trace);
+    print_scene(scene, fit);
+    const PrepareResult done = prepare_shown(o, std::move(scene), identities, trace, start);
+    if (!o.trace.empty()) write_trace(o.trace, trace.spans());
+    const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (o.writes_report())
+        write_report(o.report, PackageReader(o.out),
+                     ReportRun{done, trace.spans(), s, double(memory_peak()) / 1e6});
+    if (done.agreement)
+        for (const std::string& w : done.agreement->registration.warnings) fmt::print("warning  {}\n", w);
+    print_done(done, o.explain);
+    fmt::print("package  {} ({:.1f} MB, {:.1f} s)\n", o.out, double(std::filesystem::file_size(o.out)) / 1e6,
+               s);
+    fmt::print("memory   {:.0f} MB peak\n", double(memory_peak()) / 1e6);
+    if (o.writes_report()) fmt::print("report   {}\n", o.report);
+    return int(report_left_out(done.left_out));
+}
+
+/// The scene file's objects, with the same settings, into packages in the output folder.
+int run_prepare_scene(const PrepareOptions& o) {
+    if (!o.share.empty() || !o.trace.empty())
+        throw Error(Exit::usage,
+                    o.input.input + ": --shard and --trace are for one package, not for a scene file");
+    return prepare_scene(o.input.input, o.out, o.force, [&](const SceneObject& object) {
+        PrepareOptions one = o;
+        take_input(object.input, one.input, one.settings);
+        one.out = object.package.string();
+        return run_prepare(one);
+    });
+}
+
+/// By the names that META has, too.
+template <class Enum>
+std::vector<std::pair<std::string, Enum>> named(std::initializer_list<Enum> values) {
+    std::vector<std::pair<std::string, Enum>> out;
+    for (const Enum value : values) out.emplace_back(name(value), value);
+    return out;
+}
+
+}  // namespace
+
+void add_prepare(const Command& program) {
+    auto o = std::make_shared<PrepareOptions>();
+    const Command c = program.verb("prepare", "Prepare a mesh and its photos into one package");
+    c.notes(
+        "Examples:\n  vantage prepare scans/chapel -o chapel.vantage\n"
+        "  vantage prepare --mesh m.ply --cameras bundle.out --photos images -o m.vantage\n"
+        "  vantage prepare chapel -o look.vantage --config preview\n"
+        "  vantage prepare chapel -o c.vantage --effect per-fragment=on --hold-out 0003,0007\n"
+        "  vantage prepare chapel -o raw.vantage --effect compact=off    # raw tiles, not JPEG\n"
+        "  vantage prepare chapel -o c.vantage --deviation-from chapel-2019.ply\n"
+        "  vantage prepare chapel -o c.vantage --points scanner.ply\n"
+        "  vantage prepare panel -o panel.vantage --bands folders\n"
+        "  vantage prepare chapel -o chapel-3.share --shard 3/8\n"
+        "  vantage prepare church.toml -o church    # several objects, see the README\n"
+        "Run again, it continues where it was interrupted and repeats only what a change affects.");
+    PrepareSettings& settings = o->settings;
+    add_input_options(c, o->input, settings);
+    c.list("--deviation-from", settings.deviation_from,
+           "measure the mesh's signed distance from this mesh or point cloud, as a scalar layer; may be "
+           "repeated")
+        .type("FILE");
+    c.list("--convention", o->conventions,
+           "where cameras or mesh differ from what their format says: auto (the photos decide), as-read, or "
+           "one or more of the others")
+        .type("NAME")
+        .suggests(convention_names())
+        .commas()
+        .one_word();
+    c.file("-o,--output", o->out, "the package to write; of a scene file: the folder for packages")
+        .required();
+    c.file("--config", o->config,
+           "preset to use, or a TOML file with settings; the command line overrides them")
+        .suggests({presets.begin(), presets.end()});
+    c.choice("--distance", settings.distance,
+             named({DistanceMethod::automatic, DistanceMethod::exact, DistanceMethod::jump_flooding}),
+             "how the distance from depth borders is computed: exactly, or by jump flooding with OpenGL; "
+             "auto: by jump flooding on a GPU");
+    c.real("--border-width", settings.border_width, 1, 4096,
+           "distance at which the border mask reaches 1, in px of a photo 3072 px wide");
+    c.real("--border-threshold", settings.border_threshold, 1e-6, 10,
+           "relative depth step that makes a border");
+    c.integer("--thumbnail", settings.thumbnail, 16, 4096, "long side of the thumbnails in px");
+    c.integer("--photo-size", settings.photo_size, 0, 1 << 16,
+              "reduce photos to this long side in px; 0 = full size");
+    c.flag("--vertex-coordinates", settings.vertex_coordinates,
+           "store texture coordinates per vertex, for the player's --coordinates vertex, even if the scene "
+           "does not ask for them");
+    c.choice("--refine", o->refine, {{"off", Refine::off}, {"color", Refine::color}, {"full", Refine::full}},
+             "full: correct cameras and colors and mask moving objects where photos disagree; color: correct "
+             "colors only; off: change nothing");
+    c.choice("--judge", settings.judge, {{"on", true}, {"off", false}},
+             "on: left-out photos must confirm what --refine corrects; off: faster, thresholds alone decide");
+    c.choice("--render-by", settings.render_by,
+             named({RenderBy::automatic, RenderBy::opengl, RenderBy::processor}),
+             "renderer of the model as seen from the photos; auto: a GPU if there is one");
+    c.integer("--threads", settings.threads, 0, 1024, "photos in flight; 0 = all cores");
+    c.bytes("--memory", settings.memory, "memory limit in bytes, such as 800M: fewer photos in flight");
+    c.list("--hold-out", settings.hold_out, "photos to store as cameras only, without their pixels")
+        .type("PHOTO")
+        .commas();
+    c.flag("--explain", o->explain, "print how often each stage ran, and why");
+    c.flag("--strict", o->strict, "stop at the first unusable photo instead of leaving it out");
+    c.flag("--rehash", o->rehash, "detect changed files by content, not by size and timestamps");
+    c.text("--shard", o->share, "i/n: only every n-th photo, for 'vantage merge'").type("I/N");
+    c.flag("--no-report", o->no_report, "do not write a report (NAME.html) next to the package");
+    c.force(o->force);
+    c.file("--trace", o->trace, "write a trace of all threads for Perfetto or chrome://tracing");
+    add_progress(c, o->progress);
+    add_effects(c, o->effects);
+    c.action([o, c] {
+        if (!o->config.empty()) apply_config(c, o->config);
+        return is_scene_of_objects(o->input, o->settings) ? run_prepare_scene(*o) : run_prepare(*o);
+    });
+}
+
+}  // namespace vantage

@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string>
+
+#include "pipeline/commands/commands.h"
+#include "pipeline/commands/shared/progress_option.h"
+#include "pipeline/prepare/repack_package.h"
+#include "scene/package/contents/effects.h"
+#include "scene/package/output_file.h"
+#include "scene/package/package_inputs.h"
+#include "scene/package/package_reader.h"
+
+namespace vantage {
+namespace {
+
+struct RepackOptions {
+    std::string file, out;
+    ProgressStyle progress = ProgressStyle::automatic;
+    bool compact = true, force = false;
+};
+
+int run_repack(const RepackOptions& o) {
+    std::uint64_t before = 0;
+    std::string out;
+    {
+        const PackageReader package(o.file);
+        before = package.size();
+        Inputs inputs = inputs_of(package);
+        inputs.files.emplace_back(o.file);
+        out = output_file(o.out, Product::package, inputs, o.force).string();
+    }
+    {
+        ProgressLine line(o.progress);
+        repack(o.file, o.compact, out, shown_until_signal(line));
+    }
+    fmt::print("package  {} ({:.1f} MB, before {:.1f} MB)\n", out, double(PackageReader(out).size()) / 1e6,
+               double(before) / 1e6);
+    return 0;
+}
+
+}  // namespace
+
+void add_repack(const Command& program) {
+    auto o = std::make_shared<RepackOptions>();
+    const Command c = program.verb("repack", "Write a package again with its tiles in another form");
+    c.notes(
+        "Needs only the package. A photo's own JPEG is in a package only if 'vantage prepare' put it there; "
+        "raw tiles become JPEG of high quality.\n"
+        "Examples:\n  vantage repack chapel.vantage -o small.vantage\n"
+        "  vantage repack chapel.vantage -o chapel-raw.vantage --tiles raw");
+    c.file("FILE", o->file, "the package").type("PACKAGE").required();
+    c.file("-o,--output", o->out, "the package to write").required();
+    c.choice("--tiles", o->compact, {{"jpeg", true}, {"raw", false}},
+             "jpeg: some 10 times shorter, decoded while shown; raw: as they are shown");
+    c.force(o->force);
+    add_progress(c, o->progress);
+    c.action([o] { return run_repack(*o); });
+}
+
+}  // namespace vantage

@@ -1,0 +1,18 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/cli/command.h"
+#include "scene/package/contents/effects.h"
+
+namespace vantage {
+
+/// Adds --effect. Its texts, such as "exposure=off", are for choose_effects().
+void add_effects(const Command& command, std::vector<std::string>& texts);
+
+/// Applies "NAME=on|off|auto" to `choices`. Throws Error(usage) for a text of another form and an unknown
+/// effect.
+void choose_effects(const std::vector<std::string>& texts, std::map<Effect, EffectChoice>& choices);
+
+}  // namespace vantage

@@ -1,0 +1,66 @@
+#include "pipeline/commands/shared/input_options.h"
+
+#include "base/text/error.h"
+#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/formats/meshes/read_mesh.h"
+
+namespace vantage {
+
+void add_input_options(const Command& c, InputOptions& o, PrepareSettings& settings) {
+    c.file("INPUT", o.input,
+           "folder with a mesh or a point cloud, cameras and photos; or a scene file, NAME.toml, that lists "
+           "several");
+    c.file("--mesh", o.mesh, std::string("mesh file: ") + mesh_format_names);
+    c.file("--cameras", o.cameras, camera_format_names());
+    c.file("--photos", o.photos, "folder of photos").type("FOLDER");
+    c.list(
+         "--points", settings.points,
+         "point cloud to show, with the mesh in the same coordinates or alone: PLY, LAS, OBJ, STL, OFF; may "
+         "be repeated")
+        .type("FILE");
+    c.file("--bands", settings.bands,
+           "photo sets that are shown one at a time: auto (by folders named visible, infrared, uvf, raking, "
+           "before, ...), folders (each is a band), off, or a TOML file with the patterns of each band, such "
+           "as infrared = [\"ir/*\", \"*_nir.tif\"]")
+        .suggests({"auto", "folders", "off"});
+}
+
+FoundInput find_input(const InputOptions& o, const PrepareSettings& settings) {
+    InputFiles given{.mesh = o.mesh, .cameras = o.cameras, .photos = o.photos};
+    given.bands = settings.bands;
+    given.align = settings.align;
+    given.points.assign(settings.points.begin(), settings.points.end());
+    given.compared.assign(settings.deviation_from.begin(), settings.deviation_from.end());
+    FoundInput found = o.input.empty() ? FoundInput{given, {}} : search(o.input, given);
+    if (found.lacks) return found;
+    const InputFiles& files = found.files;
+    const bool photos = !files.cameras.empty() && !files.photos.empty(),
+               neither = files.cameras.empty() && files.photos.empty();
+    const Error incomplete(
+        Exit::usage,
+        "expected an INPUT folder, or --mesh, --cameras and --photos together, or --points in "
+        "place of --mesh, alone or with both of the others");
+    if (files.mesh.empty() && files.points.empty() && neither) throw incomplete;
+    if (files.mesh.empty() ? files.points.empty() || !(photos || neither) : !photos)
+        found.lacks = incomplete;
+    else if (files.mesh.empty() && !files.compared.empty())
+        found.lacks =
+            Error(Exit::usage, "--deviation-from: there is no mesh of which to measure the deviation");
+    return found;
+}
+
+bool is_scene_of_objects(const InputOptions& o, const PrepareSettings& settings) {
+    if (!is_scene_file(o.input) || std::filesystem::is_directory(o.input)) return false;
+    if (!o.mesh.empty() || !o.cameras.empty() || !o.photos.empty() || !settings.points.empty() ||
+        !settings.deviation_from.empty())
+        throw Error(Exit::usage, o.input + ": a scene file names the inputs of its objects itself");
+    return true;
+}
+
+void take_input(const SceneObject::Input& in, InputOptions& o, PrepareSettings& settings) {
+    o = {in.folder.string(), in.mesh.string(), in.cameras.string(), in.photos.string()};
+    for (const std::filesystem::path& cloud : in.points) settings.points.push_back(cloud.string());
+    settings.align = in.align;
+}
+
+}  // namespace vantage

@@ -1,0 +1,12 @@
+#pragma once
+#include <vector>
+
+#include "base/text/error.h"
+#include "pipeline/input/scene_input.h"
+
+namespace vantage {
+
+/// Prints the photos that a package lacks, one per line. Returns `incomplete` if there are any, else `ok`.
+Exit report_left_out(const std::vector<UnusablePhoto>& left_out);
+
+}  // namespace vantage

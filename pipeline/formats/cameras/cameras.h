@@ -1,0 +1,102 @@
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/text/error.h"
+#include "scene/camera/camera.h"
+#include "scene/camera/similarity.h"
+
+namespace vantage {
+
+/// Error(input) of a file that is valid, but in which no camera has a pose.
+class NoCamera : public Error {
+  public:
+    explicit NoCamera(const std::string& message) : Error(Exit::input, message) {}
+};
+
+/// The cameras of a file.
+struct CameraSet {
+    /// What the intrinsics are measured in. Without the size of the photo in the file, that of the photo
+    /// itself is taken.
+    enum class Unit {
+        pixels,              ///< the size is known
+        pixels_from_corner,  ///< the size is not
+        pixels_from_center,  ///< of the photo, as are the principal points of those that follow
+        photo_width,
+        longer_side
+    };
+    struct Entry {
+        std::string photo;  ///< name in the file, folders included
+        Camera camera;
+        Unit unit = Unit::pixels;
+        std::string group = {};  ///< of photos in the file, perhaps their folder; empty: none
+    };
+    std::string format;  ///< display name: "COLMAP text", "Bundler", ...
+    std::vector<Entry> entries;
+    std::vector<std::string> warnings;
+    /// What the file says that leads from its frame to the mesh's; done to `entries` (of the first, if they
+    /// differ).
+    Similarity transform{};
+};
+
+/// A camera format: a file, or a folder of files with fixed names.
+struct CameraFormat {
+    const char* name;                ///< in messages: "Bundler"
+    const char* form;                ///< what the user passes, in messages: ".out"
+    std::vector<const char*> files;  ///< names of the files in the folder; empty if the format is one file
+    bool (*matches)(
+        const std::filesystem::path& path);  ///< whether the path is of this format, by its content
+    CameraSet (*read)(const std::filesystem::path& path);  ///< of a path that matches
+    /// Other files that read() reads; null if there are none.
+    std::vector<std::filesystem::path> (*companions)(const std::filesystem::path& path) = nullptr;
+    bool one_per_photo = false;  ///< a file for each photo: the folder is read
+};
+
+/// All formats; if several match, the first is read.
+std::span<const CameraFormat> camera_formats();
+
+/// The formats for messages: "COLMAP folder (...), Bundler .out, ...".
+std::string camera_format_names();
+
+/// The files that read_cameras reads: those of the first format that matches, or `path` if none does.
+std::vector<std::filesystem::path> camera_files(const std::filesystem::path& path);
+
+/// Reads cameras in the first format that matches. This and the readers below throw Error(input) naming the
+/// file and the item.
+CameraSet read_cameras(const std::filesystem::path& path);
+
+CameraSet read_colmap_text(const std::filesystem::path& folder);
+CameraSet read_colmap_binary(const std::filesystem::path& folder);
+/// Photo names come from list.txt or NAME.list.txt next to the file, or from list.txt in the folder above.
+CameraSet read_bundler(const std::filesystem::path& file);
+/// The list of photo names that read_bundler reads; empty if there is none.
+std::filesystem::path bundler_list(const std::filesystem::path& file);
+/// Reads the rasters of a MeshLab project. CenterPx is measured from the photo's upper left corner, as in
+/// programs that write projects with an off-center principal point (MeshLab itself uses it for the size
+/// only). A mesh with a transformation is an error, because the mesh is not read through the project.
+CameraSet read_meshlab(const std::filesystem::path& file);
+/// Agisoft Metashape's cameras.xml, and that of PhotoScan before 1.0. Of several chunks, the one with the
+/// most poses. Cameras that are disabled, without pose, of a rig or of another lens than `frame` are left
+/// out.
+CameraSet read_metashape(const std::filesystem::path& file);
+/// The XMP sidecars of RealityCapture and RealityScan in a folder.
+CameraSet read_realitycapture_xmp(const std::filesystem::path& folder);
+/// A list of cameras with columns that the user chose; angles omega, phi and kappa are refused, because their
+/// meaning differs between versions.
+CameraSet read_realitycapture_csv(const std::filesystem::path& file);
+/// Meshroom's and AliceVision's .sfm, as JSON.
+CameraSet read_meshroom(const std::filesystem::path& file);
+/// sfm_data.json.
+CameraSet read_openmvg(const std::filesystem::path& file);
+/// reconstruction.json of OpenSfM and OpenDroneMap; of several reconstructions, the largest.
+CameraSet read_opensfm(const std::filesystem::path& file);
+/// transforms.json of nerfstudio and instant-ngp.
+CameraSet read_transforms(const std::filesystem::path& file);
+/// Blocks Exchange XML of ContextCapture and iTwin Capture.
+CameraSet read_blocks_exchange(const std::filesystem::path& file);
+/// .rzml of MatchMover and ImageModeler (REALVIZ, Autodesk): the frames of a sequence.
+CameraSet read_matchmover(const std::filesystem::path& file);
+
+}  // namespace vantage

@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+
+#include "scene/package/contents/mesh.h"
+
+namespace vantage {
+
+/// Whether an OFF file is of its binary kind.
+bool is_binary_off(const std::filesystem::path& file);
+
+/// Reads a text OFF file (Geomview: OFF, COFF, NOFF, CNOFF, STOFF; also without the word) at double
+/// precision: vertices, their normals and colors (by color_bytes(), with alpha if all have it), and polygons,
+/// which become triangle fans. Colors of faces are skipped. Corners that refer to no vertex become
+/// `no_vertex`. Throws Error(input) with the line.
+Mesh read_off(const std::filesystem::path& file);
+
+}  // namespace vantage

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+
+#include "scene/package/package_writer.h"
+
+namespace vantage {
+
+/// What disk_space_for() returns if the file system does not tell.
+inline constexpr std::uint64_t unknown_space = ~std::uint64_t(0);
+
+/// Bytes that preparing the package takes on the disk, at most: an estimate if chunks are compact, whose part
+/// and package exist at the same time.
+std::uint64_t disk_space_needed(const PackageLayout& layout);
+
+/// Bytes available on disk for the package `out`, including those that its part already occupies.
+std::uint64_t disk_space_for(const std::filesystem::path& out);
+
+/// Whether files beside `out` are kept in memory, so that writing them is not limited by a disk.
+bool is_in_memory(const std::filesystem::path& out);
+
+/// Makes sure that the package fits on the disk. A finished package stays until the new one is complete; only
+/// if the disk cannot hold both, the old file itself becomes the part to be resumed, provided it has the same
+/// layout and no process has it open. Throws Error(storage).
+void ensure_disk_space(const std::filesystem::path& out, const PackageLayout& layout);
+
+}  // namespace vantage

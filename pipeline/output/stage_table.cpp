@@ -1,0 +1,135 @@
+#include "pipeline/output/stage_table.h"
+
+#include <algorithm>
+
+namespace vantage {
+namespace {
+
+using package::PhotoRecord;
+using package::Stage;
+
+void key_thumbnail(Fingerprint& f, const SceneKey& scene) { f.add(scene.settings.thumbnail); }
+
+/// The methods of distances in the keys of masks.
+constexpr int exact_distances = 1, flooded_distances = 5;
+
+void key_masks(Fingerprint& f, const SceneKey& scene) {
+    f.add(scene.distance == DistanceMethod::exact ? exact_distances : flooded_distances)
+        .add(scene.settings.border_width)
+        .add(scene.settings.border_threshold)
+        .add(scene.reference_density);
+}
+
+void key_samples(Fingerprint& f, const SceneKey& scene) { f.add(scene.reference_density); }
+
+void adopt_tiles(const PhotoRecord& from, PhotoRecord& to) {
+    to.flags |= from.flags & package::photo_has_alpha;
+}
+
+void adopt_coordinates(const PhotoRecord& from, PhotoRecord& to) {
+    std::copy_n(from.corrected_direction, 3, to.corrected_direction);
+    to.hull_area = from.hull_area;
+    to.seen_distance = from.seen_distance;
+    to.z_min = from.z_min;
+    to.z_max = from.z_max;
+    to.visible_vertices = from.visible_vertices;
+}
+
+}  // namespace
+
+std::span<const StageRow> stage_table() {
+    static const std::array<StageRow, stage_count> table{{
+        {.stage = Stage::thumbnail,
+         .name = "thumbnail",
+         .version = 2,
+         .pixels = PixelInput::all,
+         .model = false,
+         .held_out = false,
+         .settings = {"photo_size", "thumbnail"},
+         .key = key_thumbnail,
+         .adopt = nullptr},
+        {.stage = Stage::tiles,
+         .name = "tiles",
+         .version = 4,
+         .pixels = PixelInput::all,
+         .model = false,
+         .held_out = false,
+         .settings = {"photo_size"},
+         .key = nullptr,
+         .adopt = adopt_tiles},
+        {.stage = Stage::masks,
+         .name = "masks",
+         .version = 5,
+         .pixels = PixelInput::alpha,
+         .model = true,
+         .held_out = false,
+         .settings = {"photo_size", "distance", "render_by", "border_width", "border_threshold"},
+         .key = key_masks,
+         .adopt = nullptr},
+        {.stage = Stage::coordinates,
+         .name = "coordinates",
+         .version = 4,
+         .pixels = PixelInput::none,
+         .model = true,
+         .held_out = true,
+         .settings = {"photo_size", "render_by"},
+         .key = nullptr,
+         .adopt = adopt_coordinates},
+        {.stage = Stage::coverage,
+         .name = "coverage",
+         .version = 4,
+         .pixels = PixelInput::none,
+         .model = true,
+         .held_out = false,
+         .settings = {"photo_size", "render_by"},
+         .key = nullptr,
+         .adopt = nullptr},
+        {.stage = Stage::samples,
+         .name = "samples",
+         .version = 4,
+         .pixels = PixelInput::all,
+         .model = true,
+         .held_out = false,
+         .settings = {"photo_size", "render_by"},
+         .key = key_samples,
+         .adopt = nullptr},
+    }};
+    return table;
+}
+
+const StageRow& stage_row(Stage stage) { return stage_table()[std::size_t(stage)]; }
+
+std::vector<LeveledChunk> chunks_of(Stage stage, int levels) {
+    std::vector<LeveledChunk> chunks = chunks_of_photo(levels);
+    std::erase_if(chunks, [&](const LeveledChunk& c) { return c.row->stage != stage; });
+    return chunks;
+}
+
+std::vector<Stage> stages_of(const PhotoRecord& record) {
+    const bool held_out = record.flags & package::photo_held_out;
+    std::vector<Stage> stages;
+    for (const StageRow& row : stage_table())
+        if (!held_out || row.held_out) stages.push_back(row.stage);
+    return stages;
+}
+
+bool StageSet::needs_model() const {
+    return std::ranges::any_of(stage_table(),
+                               [&](const StageRow& row) { return (*this)[row.stage] && row.model; });
+}
+
+bool StageSet::needs_pixels(bool has_alpha) const {
+    return std::ranges::any_of(stage_table(), [&](const StageRow& row) {
+        return (*this)[row.stage] &&
+               (row.pixels == PixelInput::all || (row.pixels == PixelInput::alpha && has_alpha));
+    });
+}
+
+StageSet stages_on_model() {
+    StageSet set;
+    for (const StageRow& row : stage_table())
+        if (row.model) set.add(row.stage);
+    return set;
+}
+
+}  // namespace vantage

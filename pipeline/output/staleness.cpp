@@ -1,0 +1,289 @@
+#include "pipeline/output/staleness.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+
+#include "base/text/error.h"
+#include "base/text/file_name.h"
+#include "base/text/json_text.h"
+#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/input/band_groups.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/photo_matches.h"
+#include "pipeline/input/stencils.h"
+#include "pipeline/output/meta.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using Changes = std::vector<InputChange>;
+
+void add_missing(const std::string& file, Changes& out) {
+    out.push_back({InputChange::Kind::missing, file + ": no longer exists"});
+}
+
+void add_new(const fs::path& file, Changes& out) {
+    out.push_back({InputChange::Kind::added, file.string() + ": was added after the package was prepared"});
+}
+
+void add_changed(const fs::path& file, Changes& out) {
+    out.push_back(
+        {InputChange::Kind::changed, file.string() + ": has changed since the package was prepared"});
+}
+
+/// A file, and what META lists as its companions.
+void compare(const fs::path& file, const json& was, IdentityCache& identities, Changes& out) {
+    if (!fs::exists(file)) return add_missing(file.string(), out);
+    const bool same = fs::file_size(file) == was.at("bytes").get<std::uint64_t>() &&
+                      identities.of(file) == FileIdentity{was.at("bytes"), was.at("xxh3")};
+    if (!same) add_changed(file, out);
+    for (const json& companion : was.value("companions", json::array()))
+        compare(file_named(file.parent_path(), companion.at("name").get<std::string>()), companion,
+                identities, out);
+    for (const json& name : was.value("absent", json::array()))
+        if (const fs::path added = file_named(file.parent_path(), name.get<std::string>()); fs::exists(added))
+            add_new(added, out);
+}
+
+void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& identities, Changes& out) {
+    const std::vector<fs::path> now = cameras.empty() ? std::vector<fs::path>() : camera_files(cameras);
+    const fs::path folder = fs::is_directory(cameras) ? cameras : cameras.parent_path();
+    std::set<std::string> known;
+    for (const json& was : meta.at("inputs").at("cameras")) {
+        const auto name = was.at("name").get<std::string>();
+        const auto file = std::ranges::find_if(now, [&](const fs::path& f) {
+            return comparable_name(name_below(folder, f)) == comparable_name(name);
+        });
+        compare(file == now.end() ? folder / name : *file, was, identities, out);
+        known.insert(comparable_name(name));
+    }
+    // Files of a format that is preferred, or that the format reads if they are there.
+    for (const fs::path& file : now)
+        if (!known.contains(comparable_name(name_below(folder, file)))) add_new(file, out);
+}
+
+/// Camera files of bands, by their paths in the photos' folder, and the file that names the bands.
+void compare_bands(const json& meta, const InputFiles& files, IdentityCache& identities, Changes& out) {
+    const json& inputs = meta.at("inputs");
+    std::set<fs::path> known;
+    for (const json& was : inputs.value("more_cameras", json::array())) {
+        const fs::path file = file_named(files.photos, was.at("name").get<std::string>());
+        compare(file, was, identities, out);
+        known.insert(file);
+    }
+    for (const fs::path& more : files.more_cameras)
+        for (const fs::path& file : camera_files(more))
+            if (!known.contains(file)) add_new(file, out);
+    if (!is_bands_file(files.bands)) return;
+    if (inputs.contains("bands"))
+        compare(files.bands, inputs.at("bands"), identities, out);
+    else
+        add_new(files.bands, out);
+}
+
+/// The files of a list of META's inputs. Of several files of the same name, one has to be as it was.
+void compare_listed(const json& meta, const char* list, const std::vector<fs::path>& files,
+                    IdentityCache& identities, Changes& out) {
+    for (const json& was : meta.at("inputs").value(list, json::array())) {
+        Changes changes;
+        std::size_t named = 0, changed = 0;
+        for (const fs::path& file : files) {
+            if (utf8_name(file.filename().string()) != was.at("name").get<std::string>()) continue;
+            const std::size_t before = changes.size();
+            compare(file, was, identities, changes);
+            ++named, changed += changes.size() > before;
+        }
+        if (named > 0 && changed == named) out.push_back(changes.front());
+    }
+}
+
+/// The mesh, of which there may be none in a scene of points only; what was one may have become the other.
+void compare_mesh(const json& meta, const fs::path& mesh, IdentityCache& identities, Changes& out) {
+    const json was = meta.at("inputs").value("mesh", json{});
+    if (was.is_object() && mesh.empty())
+        add_missing(was.at("name").get<std::string>(), out);
+    else if (was.is_object())
+        compare(mesh, was, identities, out);
+    else if (!mesh.empty())
+        add_new(mesh, out);
+}
+
+/// In a scene of points only, all clouds have to be there.
+void compare_only_clouds(const json& meta, const std::vector<fs::path>& files, Changes& out) {
+    if (meta.at("inputs").contains("mesh")) return;
+    std::set<std::string> now, before;
+    for (const fs::path& file : files) now.insert(utf8_name(file.filename().string()));
+    for (const json& was : meta.at("inputs").value("points", json::array())) {
+        before.insert(was.at("name").get<std::string>());
+        if (!now.contains(was.at("name").get<std::string>()))
+            add_missing(was.at("name").get<std::string>(), out);
+    }
+    for (const fs::path& file : files)
+        if (!before.contains(utf8_name(file.filename().string()))) add_new(file, out);
+}
+
+/// Photos that the package neither has nor left out.
+void add_new_photos(const json& meta, const fs::path& folder, Changes& out) {
+    std::set<fs::path> left_out;
+    for (const json& l : meta.at("left_out"))
+        left_out.insert(file_named(folder, l.at("name").get<std::string>()));
+    std::vector<fs::path> used;
+    for (const json& file : meta.at("inputs").at("photos"))
+        used.push_back(file_named(folder, file.get<std::string>()));
+    for (const fs::path& photo : unused_photos(folder, photos_below(folder), used))
+        if (!left_out.contains(photo)) add_new(photo, out);
+}
+
+void compare_photos(const PackageReader& package, const json& meta, const fs::path& folder,
+                    IdentityCache& identities, Changes& out) {
+    const auto photos = package.photos();
+    const json& files = meta.at("inputs").at("photos");
+    for (std::size_t i = 0; i < photos.size() && i < files.size(); ++i) {
+        if (photos[i].flags & package::photo_held_out) continue;
+        const json was{{"bytes", photos[i].source_bytes}, {"xxh3", photos[i].source_checksum}};
+        compare(file_named(folder, files[i].get<std::string>()), was, identities, out);
+    }
+}
+
+void compare_stencils(const PackageReader& package, const json& meta, const fs::path& folder,
+                      IdentityCache& identities, Changes& out) {
+    const auto photos = package.photos();
+    const json& files = meta.at("inputs").at("photos");
+    const json stencils = meta.at("inputs").value("stencils", json::object());
+    Stencils found;
+    for (std::size_t i = 0; i < photos.size() && i < files.size(); ++i) {
+        const fs::path stencil = found.of(file_named(folder, files[i].get<std::string>()));
+        const json was = stencils.value(photos[i].name, json{});
+        if (was.is_object() && stencil.empty())
+            add_missing(was.at("name").get<std::string>(), out);
+        else if (was.is_object())
+            compare(stencil, was, identities, out);
+        else if (!stencil.empty())
+            add_new(stencil, out);
+    }
+}
+
+/// Photos that were left out and whose file has appeared, changed or disappeared. Of a photo without a camera
+/// only whether it is there matters.
+void compare_left_out(const json& meta, const fs::path& folder, IdentityCache& identities, Changes& out) {
+    for (const json& l : meta.at("left_out")) {
+        const fs::path photo = file_named(folder, l.at("name").get<std::string>());
+        const bool exists = fs::exists(photo);
+        if (exists != l.at("there").get<bool>()) {
+            if (exists)
+                add_new(photo, out);
+            else
+                add_missing(photo.string(), out);
+        } else if (exists && l.at("why") != without_camera) {
+            const std::optional<FileIdentity> now = identities.try_of(photo);
+            const auto was =
+                l.contains("bytes") ? std::optional(FileIdentity{l["bytes"], l["xxh3"]}) : std::nullopt;
+            if (now != was) add_changed(photo, out);
+        }
+    }
+}
+
+/// There are no photos any more, or never were.
+Changes without_photos(const PackageReader& package, Changes out) {
+    for (const package::PhotoRecord& p : package.photos()) add_missing(p.name, out);
+    return out;
+}
+
+}  // namespace
+
+Changes changed_inputs(const PackageReader& package, const InputFiles& files, IdentityCache& identities) {
+    const json meta = parse_meta(package);
+    try {
+        Changes out;
+        compare_mesh(meta, files.mesh, identities, out);
+        // Where earlier packages list the materials of an OBJ.
+        for (const json& was : meta.at("inputs").value("materials", json::array()))
+            compare(file_named(files.mesh.parent_path(), was.at("name").get<std::string>()), was, identities,
+                    out);
+        compare_listed(meta, "compared", files.compared, identities, out);
+        compare_listed(meta, "points", files.points, identities, out);
+        compare_only_clouds(meta, files.points, out);
+        compare_cameras(meta, files.cameras, identities, out);
+        compare_bands(meta, files, identities, out);
+        if (files.photos.empty()) return without_photos(package, std::move(out));
+        compare_photos(package, meta, files.photos, identities, out);
+        compare_stencils(package, meta, files.photos, identities, out);
+        compare_left_out(meta, files.photos, identities, out);
+        add_new_photos(meta, files.photos, out);
+        return out;
+    } catch (const json::exception& e) {
+        throw Error(Exit::damaged, package.path().string() + ": META: " + e.what());
+    }
+}
+
+std::vector<std::string> names_listed(const PackageReader& package, const char* list) {
+    std::vector<std::string> out;
+    const json meta = parse_meta(package);
+    try {
+        for (const json& was : meta.at("inputs").value(list, json::array()))
+            if (was.at("name") != meta.at("inputs").value("mesh", json::object()).value("name", ""))
+                out.push_back(was.at("name").get<std::string>());
+    } catch (const json::exception& e) {
+        throw Error(Exit::damaged, package.path().string() + ": META: " + e.what());
+    }
+    return out;
+}
+
+std::string bands_wanted(const PackageReader& package) {
+    const json meta = parse_meta(package);
+    const json config = meta.value("config", json::object());
+    const json wanted = config.value("bands", json(bands_auto));
+    return wanted.is_string() ? wanted.get<std::string>() : bands_auto;
+}
+
+std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings) {
+    const json meta = parse_meta(package), now = settings_json(settings);
+    std::vector<std::string> out;
+    if (const json was = meta.value("tool", json{}); was != tool_name)
+        out.push_back("prepared by " + json_text(was, -1) + ", this is " + tool_name);
+    // Of a color profile that was not converted; up to version 0.6.1.
+    for (const json& warning : meta.value("warnings", json::array()))
+        if (warning.is_string() && warning.get<std::string>().ends_with("', treated as sRGB"))
+            out.push_back(warning.get<std::string>());
+    const json was = meta.value("config", json::object());
+    for (const auto& [key, value] : now.items())
+        if (const json before = was.value(key, json{}); before != value)
+            out.push_back("setting " + key + ": was " + json_text(before, -1) + ", is now " +
+                          json_text(value, -1));
+    for (const char* const key : {"bands", "convention", "align"})  // stored only if they are not the default
+        if (was.contains(key) && !now.contains(key))
+            out.push_back(std::string("setting ") + key + ": was " + json_text(was.at(key), -1) +
+                          ", is now not given");
+    return out;
+}
+
+std::string damage_of(const PackageReader& package, IdentityCache& identities) {
+    const std::string stamp = stamp_of(package.path());
+    if (identities.known_sound(stamp)) return {};
+    const std::vector<Mismatch> found = mismatches(package, true, 1);
+    if (found.empty()) identities.remember_sound(package.path(), stamp);
+    return found.empty() ? std::string() : found.front().text;
+}
+
+std::vector<UnusablePhoto> left_out_of(const PackageReader& package) {
+    std::vector<UnusablePhoto> out;
+    const json meta = parse_meta(package);
+    for (const json& l : meta.value("left_out", json::array()))
+        out.push_back({l.value("name", ""), l.value("why", "")});
+    const auto photos = package.photos();
+    const auto states = package.records<package::PhotoState>(package::Type::states);
+    for (std::size_t i = 0; i < photos.size() && i < states.size(); ++i)
+        if (photos[i].flags & package::photo_left_out)
+            out.push_back({photos[i].name,
+                           {states[i].left_out, ::strnlen(states[i].left_out, sizeof states[i].left_out)}});
+    std::ranges::sort(out, {}, &UnusablePhoto::photo);
+    return out;
+}
+
+}  // namespace vantage

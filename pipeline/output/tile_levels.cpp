@@ -1,0 +1,134 @@
+#include "pipeline/output/tile_levels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/values/halve.h"
+#include "pipeline/photos/cut_tile.h"
+#include "scene/codec/byte_planes.h"
+#include "scene/codec/depth_values.h"
+#include "scene/codec/jpeg_cells.h"
+#include "scene/codec/jpeg_header.h"
+#include "scene/codec/jpeg_pixels.h"
+
+namespace vantage {
+namespace {
+
+using package::Form;
+using package::Type;
+
+constexpr int thumbnail_quality = 95;  ///< of JPEG
+
+/// The texels of a level that a tile shows, packed.
+std::vector<std::byte> cut_inner_part(std::span<const std::byte> texels, const Level& level,
+                                      std::size_t tile) {
+    const TilePart part = inner_part(level, tile);
+    const auto left = std::size_t(tile_left(level, tile) + part.left),
+               top = std::size_t(tile_top(level, tile) + part.top), width = std::size_t(part.width());
+    std::vector<std::byte> out;
+    out.reserve(4 * width * std::size_t(part.height()));
+    for (std::size_t y = top; y < top + std::size_t(part.height()); ++y) {
+        const auto row = texels.subspan(4 * (y * std::size_t(level.width) + left), 4 * width);
+        out.insert(out.end(), row.begin(), row.end());
+    }
+    return out;
+}
+
+Form form_for(Type type, std::span<const std::byte> texels) {
+    if (type == Type::depth) return Form::depth;
+    return type == Type::tiles && is_opaque(texels) ? Form::jpeg : Form::planes;
+}
+
+/// Adds a picture to blocks that share the header of the first.
+void add_jpeg(std::span<const std::byte> rgba, int width, int height, int quality, CodedBlocks& out) {
+    const std::vector<std::byte> jpeg = codec::encode_jpeg(rgba, width, height, quality);
+    const auto header = codec::parse_jpeg_header(jpeg);
+    if (!header) throw std::logic_error("libjpeg-turbo wrote a JPEG of an unexpected kind");
+    const std::span all(jpeg);
+    if (out.ends.empty()) out.shared.assign(jpeg.begin(), jpeg.begin() + std::ptrdiff_t(header->bytes));
+    out.add(all.subspan(header->bytes));
+}
+
+/// False if a tile cannot have this form.
+bool add_tile(std::span<const std::byte> texels, int width, int height, int quality, CodedBlocks& out) {
+    if (out.form == Form::jpeg) {
+        add_jpeg(texels, width, height, quality, out);
+        return true;
+    }
+    const auto block = out.form == Form::depth ? codec::encode_depth(texels, width, height)
+                                               : codec::encode_planes(texels, width, height);
+    out.add(block);
+    return !block.empty();
+}
+
+bool write_coded_tiles(PackageWriter& writer, Type type, std::uint32_t photo, std::uint32_t level,
+                       std::span<const std::byte> texels, const Level& size, int quality) {
+    CodedBlocks blocks{.form = form_for(type, texels)};
+    for (std::size_t tile = 0; tile < std::size_t(size.tiles()); ++tile) {
+        const TilePart part = inner_part(size, tile);
+        if (!add_tile(cut_inner_part(texels, size, tile), part.width(), part.height(), quality, blocks))
+            return false;
+    }
+    return writer.write_coded(type, photo, level, blocks);
+}
+
+}  // namespace
+
+int level_quality(std::span<const std::byte> jpeg, std::uint32_t level) {
+    if (level == 0) return color_quality;  // once more than its own
+    const double coarse = std::ldexp(codec::quantization_of(jpeg), -int(level));
+    // As libjpeg scales its tables.
+    const double quality = coarse < 1 ? 100 - 50 * coarse : 50 / coarse;
+    return std::clamp(int(std::lround(quality)), 1, color_quality);
+}
+
+bool write_own_jpeg(PackageWriter& writer, std::uint32_t photo, std::span<const std::byte> jpeg) {
+    if (!writer.compact(Type::tiles, photo, 0)) return false;
+    auto cells = codec::divide_jpeg(jpeg);
+    if (!cells) return false;
+    return writer.write_coded(
+        Type::tiles, photo, 0,
+        {Form::cells, std::move(cells->header), std::move(cells->bytes), std::move(cells->ends)});
+}
+
+void write_thumbnail(PackageWriter& writer, std::uint32_t photo, std::span<const std::byte> texels,
+                     const Level& size) {
+    if (writer.compact(Type::thumbnail, photo) && is_opaque(texels)) {
+        CodedBlocks block{.form = Form::jpeg};
+        add_jpeg(texels, size.width, size.height, thumbnail_quality, block);
+        if (writer.write_coded(Type::thumbnail, photo, 0, block)) return;
+    }
+    writer.write(Type::thumbnail, photo, texels);
+}
+
+void write_tiles(PackageWriter& writer, package::Type type, std::uint32_t photo, std::uint32_t level,
+                 std::span<const std::byte> texels, const Level& size, int quality) {
+    if (writer.compact(type, photo, level) &&
+        write_coded_tiles(writer, type, photo, level, texels, size, quality))
+        return;
+    writer.write_blocks(type, photo, level, [&](std::size_t number, std::span<std::byte> tile) {
+        cut_tile(texels, size, number, tile);
+    });
+}
+
+RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint32_t level,
+                    const RgbaImage& image, int quality) {
+    const auto texels = std::as_bytes(std::span(image.rgba));
+    if (!writer.compact(Type::tiles, photo, level) || !is_opaque(texels)) return image;
+    const Level size{image.width, image.height};
+    RgbaImage out{image.width, image.height, std::vector<std::uint8_t>(image.rgba.size())};
+    std::vector<std::byte> decoded;
+    for (std::size_t tile = 0; tile < std::size_t(size.tiles()); ++tile) {
+        const TilePart part = inner_part(size, tile);
+        const auto jpeg =
+            codec::encode_jpeg(cut_inner_part(texels, size, tile), part.width(), part.height(), quality);
+        decoded.resize(4 * std::size_t(part.width()) * std::size_t(part.height()));
+        if (!codec::decode_jpeg(jpeg, part.width(), part.height(), decoded))
+            throw std::logic_error("libjpeg-turbo cannot read what it wrote");
+        copy_content(decoded, part, size, tile, std::as_writable_bytes(std::span(out.rgba)));
+    }
+    return out;
+}
+
+}  // namespace vantage

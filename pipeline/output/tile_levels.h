@@ -1,0 +1,39 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/values/rgba_image.h"
+#include "base/values/tiling.h"
+#include "scene/agreement/read_level.h"
+#include "scene/package/package_reader.h"
+#include "scene/package/package_writer.h"
+
+namespace vantage {
+
+/// Quality of color in JPEG that is not the photo's own, 1 to 100, at most.
+inline constexpr int color_quality = 97;
+/// Quality of a level: it rounds half as coarsely, per level, as the photo's own JPEG (empty: none), as the
+/// means of four pixels have half the error of each.
+int level_quality(std::span<const std::byte> jpeg, std::uint32_t level);
+
+/// Cuts a level of 4-byte texels into tiles and writes them to the package; in a shorter form, if the chunk
+/// is compact: opaque color as JPEG, depth rounded, masks and other color without loss.
+void write_tiles(PackageWriter& writer, package::Type type, std::uint32_t photo, std::uint32_t level,
+                 std::span<const std::byte> texels, const Level& size, int quality = color_quality);
+
+/// A level of color as it is read after write_tiles(): rounded, if it is stored as JPEG. What is made of it
+/// is then the same as what is made later from the package.
+RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint32_t level,
+                    const RgbaImage& image, int quality);
+
+/// Writes the finest level of a photo as its JPEG's own coefficients. False if the chunk is not compact, or
+/// the JPEG is not of a kind that can be divided.
+bool write_own_jpeg(PackageWriter& writer, std::uint32_t photo, std::span<const std::byte> jpeg);
+
+/// Writes a photo's thumbnail: RGBA texels, which may be stored as JPEG.
+void write_thumbnail(PackageWriter& writer, std::uint32_t photo, std::span<const std::byte> texels,
+                     const Level& size);
+
+}  // namespace vantage

@@ -1,0 +1,23 @@
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pipeline/run/until_stopped.h"
+#include "scene/package/package_reader.h"
+
+namespace vantage {
+
+/// Joins the shares that `prepare` made of one scene (PrepareRun::share) into a package identical, byte for
+/// byte, to that of a single run. An interrupted merge is resumed. Throws Error(input) unless each share is
+/// given exactly once and all come from the same inputs and settings; Error(damaged) if a share is damaged.
+void merge(const std::vector<std::filesystem::path>& shares, const std::filesystem::path& out,
+           const OnProgress& progress = {});
+
+/// Copies the parts of one scene into one package with this META and scene record, and recomputes the results
+/// that depend on all photos. Throws Error(damaged) if a part is damaged.
+void join(std::span<const PackageReader> parts, const std::string& meta, const package::SceneRecord& scene,
+          const std::filesystem::path& out, const OnProgress& progress = {});
+
+}  // namespace vantage

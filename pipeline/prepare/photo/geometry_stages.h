@@ -1,0 +1,57 @@
+#pragma once
+#include <cstdint>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/values/rgba_image.h"
+#include "pipeline/mesh/packed_model.h"
+#include "pipeline/output/stage_table.h"
+#include "pipeline/run/trace.h"
+#include "pipeline/stages/surface_samples.h"
+#include "pipeline/visibility/geometry_renderer.h"
+#include "scene/package/contents/lens_table.h"
+#include "scene/package/package_writer.h"
+
+namespace vantage {
+
+/// Inputs of the stages that use the model; the same for all photos.
+struct GeometryContext {
+    const PackedModel& model;
+    const std::vector<SurfaceDisc>& discs;
+    GeometryRenderer& renderer;
+    double reference_density;               ///< of the depth mask
+    double border_width, border_threshold;  ///< as in PrepareSettings
+    PackageWriter& writer;
+    Trace* trace = nullptr;  ///< may be null
+};
+
+/// A photo's index, name and camera.
+struct PosedPhoto {
+    std::uint32_t index;
+    std::string name;
+    Intrinsics intrinsics;
+    Pose pose;                      ///< relative to the origin
+    std::optional<LensTable> lens;  ///< nothing if the photo is as a pinhole camera takes it
+};
+
+/// The pixel data that these stages read, as of a pinhole camera.
+struct CoarsePixels {
+    /// At `mask_level`, one byte per texel; empty if the photo is opaque: valid where the lens images it.
+    std::vector<std::uint8_t> valid;
+    RgbaImage samples;  ///< at `sample_level`
+};
+/// Validity of a level's texels: 1 where the photo is opaque, else 0.
+std::vector<std::uint8_t> validity(const RgbaImage& level);
+
+/// Projects the model into the photo and selects the triangles that may reach into its frame.
+PhotoView view_of(const GeometryContext& context, const PosedPhoto& photo);
+
+/// Writes those of texture coordinates, masks, coverage and color samples that are in `missing`, from the
+/// rendered `geometry` and from `pixels` (awaited only if needed). Stores its measurements in `record`.
+void make_from_geometry(const GeometryContext& context, const PosedPhoto& photo, const StageSet& missing,
+                        const PhotoView& view, PhotoGeometry geometry, std::future<CoarsePixels> pixels,
+                        package::PhotoRecord& record);
+
+}  // namespace vantage

@@ -1,0 +1,14 @@
+#pragma once
+#include <cstdint>
+
+#include "pipeline/prepare/photo/geometry_stages.h"
+#include "scene/package/package_reader.h"
+
+namespace vantage {
+
+/// Changes a photo's pose (relative to the origin) and rewrites the chunks that depend on it, from the
+/// photo's pixels in the package. Thread-safe for different photos. Throws Error(damaged), Error(storage).
+void move_photo(const GeometryContext& context, const PackageReader& part, std::uint32_t photo,
+                const Pose& pose, package::PhotoRecord& record, package::PhotoState& state);
+
+}  // namespace vantage

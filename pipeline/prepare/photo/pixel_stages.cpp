@@ -1,0 +1,116 @@
+#include "pipeline/prepare/photo/pixel_stages.h"
+
+#include <algorithm>
+
+#include "base/text/error.h"
+#include "base/values/bytes_of.h"
+#include "base/values/halve.h"
+#include "pipeline/output/tile_levels.h"
+#include "pipeline/photos/photos.h"
+#include "pipeline/photos/reduced.h"
+#include "pipeline/stages/surface_samples.h"
+#include "scene/package/contents/pinhole_image.h"
+
+namespace vantage {
+namespace {
+
+using package::Stage;
+using package::Type;
+
+RgbaImage decoded(const PhotoJob& job, PhotoFile& file) {
+    if (auto image = job.context.prefetch.take(job.at.index, file.identity())) return std::move(*image);
+    const Traced traced(job.context.trace, "decode", job.photo.name);
+    return decode_photo(job.photo.file, file.bytes(), job.photo.decoded);
+}
+
+/// Throws Error(input) if its size is not the photo's.
+RgbaImage read_stencil(const std::filesystem::path& file, const RgbaImage& photo) {
+    try {
+        return read_unprofiled(file, {photo.width, photo.height});
+    } catch (const Error& e) {
+        throw Error(e.code(), "its stencil " + file.filename().string() + ": " + reason_of(e, file));
+    }
+}
+
+/// Makes the photo transparent where the stencil is dark (below 128) or transparent.
+void cut_out(RgbaImage& image, const RgbaImage& stencil) {
+    for (std::size_t p = 0; p < image.rgba.size(); p += 4)
+        if (stencil.rgba[p] < 128 || stencil.rgba[p + 3] < 128) image.rgba[p + 3] = 0;
+    image.opaque = false;
+}
+
+/// A photo's pixels; `own`: those of its file, unchanged.
+struct Pixels {
+    RgbaImage image;
+    bool own;
+};
+
+Pixels decode_pixels(const PhotoJob& job, PhotoFile& file, const package::PhotoRecord& r) {
+    RgbaImage image = decoded(job, file);
+    const bool whole = job.photo.stencil.empty();
+    if (!whole) cut_out(image, read_stencil(job.photo.stencil, image));
+    const bool full_size = image.width == int(r.width) && image.height == int(r.height);
+    const bool own = whole && full_size && !job.photo.profile.converts;
+    const int longest = int(std::max(r.width, r.height));
+    if (std::max(image.width, image.height) > longest)
+        image = reduced(image, thumbnail_size(image.width, image.height, longest));
+    return {std::move(image), own};
+}
+
+/// At `mask_level`, of a photo that is not opaque.
+std::vector<std::uint8_t> valid_texels(const PhotoJob& job, const RgbaImage& level) {
+    if (!job.at.lens) return validity(level);
+    const Traced traced(job.context.trace, "lens", job.photo.name);
+    return validity(pinhole_image(level, *job.at.lens, mask_level));
+}
+
+/// Writes thumbnail and tile pyramid. `jpeg`: the photo's file, if level 0 can be taken from it, else empty.
+void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
+                  std::span<const std::byte> jpeg, package::PhotoRecord& r,
+                  std::promise<CoarsePixels>& found) {
+    const Traced traced(job.context.trace, "tiles", r.name);
+    PackageWriter& writer = job.context.writer;
+    const std::uint32_t i = job.at.index;
+    const bool opaque = is_opaque(level);
+    if (!opaque) r.flags |= package::photo_has_alpha;
+    CoarsePixels coarse;
+    // Samples are those of what is stored, so that they are the same if they are made again from it.
+    const std::uint32_t sampled = std::min(std::uint32_t(sample_level), r.levels - 1);
+    bool thumbnail_missing = missing[Stage::thumbnail];
+    const std::uint32_t last = std::max(r.levels, std::uint32_t(sample_level) + 1);
+    for (std::uint32_t l = 0; l < last; ++l) {
+        if (l == std::uint32_t(mask_level) && !opaque) coarse.valid = valid_texels(job, level);
+        const bool own = l == 0 && !jpeg.empty();
+        if (l == sampled)
+            coarse.samples = own ? level : as_stored(writer, i, l, level, level_quality(jpeg, l));
+        if (l > sampled && l <= std::uint32_t(sample_level)) coarse.samples = halve(coarse.samples);
+        if (l == std::uint32_t(sample_level)) found.set_value(std::move(coarse));
+        if (l < r.levels && missing[Stage::tiles] && !(own && write_own_jpeg(writer, i, jpeg)))
+            write_tiles(writer, Type::tiles, i, l, bytes_of(level.rgba), {level.width, level.height},
+                        level_quality(jpeg, l));
+        RgbaImage next = halve(level);
+        // The coarsest level that still has the thumbnail's detail is the cheapest to reduce.
+        const int wanted = int(std::max(r.thumbnail_width, r.thumbnail_height));
+        if (thumbnail_missing && (std::max(next.width, next.height) < wanted || l + 1 == last)) {
+            const RgbaImage small = reduced(level, {int(r.thumbnail_width), int(r.thumbnail_height)});
+            write_thumbnail(writer, i, bytes_of(small.rgba), {small.width, small.height});
+            thumbnail_missing = false;
+        }
+        level = std::move(next);
+    }
+}
+
+}  // namespace
+
+void make_pixels(const PhotoJob& job, const StageSet& missing, PhotoFile& file, package::PhotoRecord& r,
+                 std::promise<CoarsePixels>& coarse) {
+    Pixels pixels = decode_pixels(job, file, r);
+    const bool kept =
+        job.context.key.compact && pixels.own && is_upright_jpeg(file.bytes(), {int(r.width), int(r.height)});
+    if (!kept) file.release();
+    const auto jpeg = kept ? file.bytes() : std::span<const std::byte>{};
+    write_pixels(job, missing, std::move(pixels.image), jpeg, r, coarse);
+    file.release();
+}
+
+}  // namespace vantage

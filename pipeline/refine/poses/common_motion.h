@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pipeline/refine/poses/surface_matches.h"
+#include "scene/camera/camera.h"
+#include "scene/camera/small_motion.h"
+
+namespace vantage {
+
+/// Derivative of the pixel with respect to the point in camera space, which must be in front of the camera.
+Eigen::Matrix<double, 2, 3> pixel_derivative(const Intrinsics& k, const Eigen::Vector3d& in_camera);
+/// Derivative of the pixel at which the camera sees S(x), with respect to S. x must be in front of the
+/// camera.
+Eigen::Matrix<double, 2, 7> motion_derivative(const Intrinsics& k, const Pose& pose, const Eigen::Vector3d& x,
+                                              const MotionFrame& frame);
+
+/// The common motion of all cameras: the similarity S for which the given cameras project S(x) closest to
+/// where the new ones project x. Least squares over the tracks' points, linearized for motions of a few
+/// pixels. The identity if the tracks do not determine it.
+Similarity common_motion(std::span<const Intrinsics> intrinsics, std::span<const Pose> given,
+                         std::span<const Pose> now, std::span<const Track> tracks);
+
+/// Median distance in pixels between the projections of the tracks' points under two sets of cameras, in one
+/// photo or in all; 0 if there are none.
+double median_motion(std::span<const Intrinsics> intrinsics, std::span<const Pose> a, std::span<const Pose> b,
+                     std::span<const Track> tracks, std::optional<std::uint32_t> photo = {});
+
+}  // namespace vantage

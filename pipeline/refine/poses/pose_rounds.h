@@ -1,0 +1,84 @@
+#pragma once
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "pipeline/refine/poses/common_motion.h"
+#include "pipeline/refine/poses/pose_fit.h"
+#include "pipeline/refine/poses/registration.h"
+
+namespace vantage {
+
+/// Poses with which photos agree better.
+struct PoseSolution {
+    std::vector<PhotoRegistration> photos;
+    std::vector<Pose> poses;            ///< of all photos, moved or not
+    std::vector<FittedCamera> cameras;  ///< `fixed` are those that were not moved
+    Matching matched;                   ///< under these poses
+    double before = 0, after = 0;       ///< median displacement of holdout corners, px
+    double sigma = 1;                   ///< of the anchor that the poses were fitted with, px
+    /// Motion of all cameras that was taken back, px, median; 0 if some cameras were fixed from the start.
+    double common_motion = 0;
+};
+
+/// How thoroughly photos are matched: a trial tells in a tenth of the time whether a fit is worth while.
+enum class Effort { trial, full };
+
+/// Alternates between matching photos and fitting their poses.
+class PoseRounds {
+  public:
+    explicit PoseRounds(const RegistrationInput& input, Effort effort = Effort::full);
+
+    /// Fits the poses of the given photos to all others, which stay. Throws Error(damaged).
+    PoseSolution fit_some(std::span<const std::uint32_t> photos) const;
+    /// Fits all poses. Their common motion is a gauge freedom: all cameras can slide along the model together
+    /// without pairs disagreeing. The frame belongs to the survey, so the motion is taken back. Throws
+    /// Error(damaged).
+    PoseSolution fit_all() const;
+    /// The given poses moved together; `uncertainty`: of that motion, px. Throws Error(damaged).
+    PoseSolution moved_together(const Similarity& common, double uncertainty) const;
+
+    /// The solution's poses, fitted to the same matches, with the same anchor, except those of one photo.
+    std::vector<Pose> poses_without(const PoseSolution& solution, std::uint32_t photo) const;
+    /// The solution's poses, changed as those of a few cameras change when the photo's matches are dropped
+    /// from a fit to the others, which stay. Empty if the photo has no match with any of them.
+    std::vector<Pose> poses_without(const PoseSolution& solution, std::uint32_t photo,
+                                    std::span<const std::uint32_t> fitted) const;
+    /// A photo's pose fitted to its matches with the others, which stay: to those found under the given poses
+    /// (null), or under a solution's. The pose in `poses` if there are none.
+    Pose resection(const PoseSolution* solution, std::span<const Pose> poses, std::uint32_t photo) const;
+    const std::vector<Pose>& given() const { return given_; }
+    /// Median distance in px between a photo's content under two poses of its camera.
+    double motion(const PoseSolution& solution, std::span<const Pose> a, std::span<const Pose> b,
+                  std::uint32_t photo) const;
+
+  private:
+    using Poses = std::vector<Pose>;
+    using Pairs = std::vector<PhotoPair>;
+    /// Under the given poses, when it is first asked for; by any thread.
+    const Matching& as_given() const;
+    int finest() const { return long_sides_.back(); }
+    /// Of the given poses in px, from the displacement of holdout corners.
+    double expected_error(const Matching& matched) const;
+    Matching match(const Poses& poses, const Pairs& pairs, int long_side) const;
+    std::vector<PoseChange> solve(const std::vector<FittedCamera>& cameras, const Pairs& pairs,
+                                  std::vector<PoseChange> change, double sigma,
+                                  std::span<const int> long_sides) const;
+    std::vector<Pose> fit_without(const PoseSolution& solution, std::span<const FittedCamera> cameras,
+                                  std::span<const Track> tracks, bool free) const;
+    void take_back_common_motion(PoseSolution& solution) const;
+    void keep_improved(PoseSolution& solution, const Pairs& pairs, std::vector<PoseChange> change,
+                       const Matching& before) const;
+
+    const RegistrationInput& in_;
+    Pairs pairs_;
+    std::vector<Intrinsics> intrinsics_;
+    std::vector<FittedCamera> cameras_;
+    Poses given_;
+    int corners_;                      ///< per photo
+    std::span<const int> long_sides_;  ///< of the rounds, px; the last one is the finest
+    mutable std::once_flag matched_;
+    mutable Matching before_;  ///< see as_given()
+};
+
+}  // namespace vantage

@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+#include "pipeline/refine/folds.h"
+#include "pipeline/refine/poses/pose_rounds.h"
+
+namespace vantage {
+
+/// For each photo with pixels, the poses of the cameras that the solution moved, fitted again to its matches
+/// without those of the photo: of those cameras on which it had a say, the package::poses_without_photo that
+/// share the most surface with it; other cameras stay. Sorted by the photo, then by the camera. The matches
+/// are those found under the solution's poses.
+std::vector<PoseWithout> poses_without_each(const PoseRounds& rounds, const PoseSolution& solution,
+                                            const Folds& folds);
+
+}  // namespace vantage

@@ -1,0 +1,46 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/reports/facts/range.h"
+
+namespace vantage {
+
+/// Cameras of one photo size and lens model.
+struct LensFacts {
+    std::size_t cameras = 0;
+    std::size_t calibrations = 0;  ///< number of different intrinsics and lenses among them
+    int width = 0, height = 0;     ///< px; 0 if the file of cameras does not say
+    CameraSet::Unit unit{};        ///< of the focal lengths
+    LensModel model{};
+    Range focal_x{}, focal_y{};
+    Range view_x{}, view_y{};  ///< fields of view in degrees; empty if they depend on the photo's size
+    struct Coefficient {
+        const char* name;
+        Range value;
+    };
+    std::vector<Coefficient> coefficients{};  ///< those that are not 0 for all cameras
+};
+
+struct CameraFacts {
+    std::size_t cameras = 0;        ///< in the files
+    Eigen::AlignedBox3d centers;    ///< box of the cameras' positions in input units
+    std::vector<LensFacts> lenses;  ///< those of most cameras first
+};
+
+/// Numbers that are not finite, and focal lengths that are not positive, do not count.
+CameraFacts camera_facts(std::span<const CameraSet::Entry> cameras);
+
+/// "px", "photo width" or "longer side".
+const char* name(CameraSet::Unit unit);
+
+/// The angle in degrees that a camera sees between the left and the right edge of its frame (`axis` 0), or
+/// the upper and the lower (1), through its principal point and its lens. Where the lens's equation ends
+/// inside the frame, the angle ends as well. NaN without the frame's size.
+double field_of_view(const Camera& camera, int axis);
+
+}  // namespace vantage

@@ -1,0 +1,11 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+
+#include "pipeline/reports/facts/input_facts.h"
+
+namespace vantage {
+
+/// The facts for programs; docs/inspect.md lists the keys, all of which are always there.
+nlohmann::json facts_json(const InputFacts& facts);
+
+}  // namespace vantage

@@ -1,0 +1,65 @@
+#pragma once
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/text/error.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/scene_input.h"
+#include "pipeline/prepare/resources.h"
+#include "pipeline/reports/facts/camera_facts.h"
+#include "pipeline/reports/facts/photo_facts.h"
+#include "pipeline/reports/facts/scale_facts.h"
+#include "pipeline/reports/facts/shape_facts.h"
+#include "pipeline/run/settings.h"
+#include "scene/package/contents/effects.h"
+
+namespace vantage {
+
+/// What an input is, as far as it can be told before it is prepared. Parts are missing if the input lacks
+/// them or they cannot be read.
+struct InputFacts {
+    InputFiles files;
+    std::optional<ShapeFacts> mesh{}, points{};  ///< points: all clouds together
+    std::string camera_format{};                 ///< display name
+    std::optional<CameraFacts> cameras{};  ///< lenses and positions: of usable photos, if there is a scene
+    std::optional<PhotoFacts> photos{};
+    std::vector<std::string> warnings{};
+
+    /// Only if the scene can be read.
+    struct Scene {
+        struct Band {
+            std::string name;
+            std::size_t photos;
+        };
+        std::size_t photos = 0;   ///< that can be used
+        std::vector<Band> bands;  ///< if there are several
+        std::optional<ScaleFacts> scale;
+    };
+    std::optional<Scene> scene{};
+    std::vector<UnusablePhoto> left_out{};  ///< without a scene: photos that cannot be read
+
+    /// Only if the scene can be prepared, or is misplaced.
+    struct Plan {
+        std::vector<std::string> not_seeing;  ///< names of photos that do not see the mesh
+        std::vector<EffectDecision> effects;  ///< those decided from all photos are still open
+        ResourceEstimate needs{};
+    };
+    std::optional<Plan> plan{};
+
+    std::optional<Error> error{};  ///< with which `prepare` would end
+
+    /// How `prepare` would end: with the error, Exit::incomplete if photos are left out, or Exit::ok.
+    Exit exit() const;
+};
+
+/// Looks at an input without preparing it: reads the mesh, the cameras and the photos' headers, and writes
+/// nothing. `settings` are those of a preparation that began at `start`, whose package would be `out`. What
+/// is wrong with the input is in the result.
+InputFacts input_facts(const FoundInput& found, const PrepareSettings& settings,
+                       const std::filesystem::path& out, std::chrono::steady_clock::time_point start);
+
+}  // namespace vantage

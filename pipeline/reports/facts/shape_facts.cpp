@@ -1,0 +1,21 @@
+#include "pipeline/reports/facts/shape_facts.h"
+
+#include "base/text/file_name.h"
+#include "base/values/main_box.h"
+
+namespace vantage {
+
+ShapeFacts shape_facts(const Mesh& mesh) {
+    const MainBox box = main_box(mesh);
+    ShapeFacts facts{.vertices = mesh.positions.size(),
+                     .triangles = mesh.triangles.size(),
+                     .low = box.low,
+                     .high = box.high,
+                     .strays = box.strays.size(),
+                     .colors = !mesh.colors.empty(),
+                     .layers = {}};
+    for (const ScalarLayer& layer : mesh.scalars) facts.layers.push_back(utf8_name(layer.name));
+    return facts;
+}
+
+}  // namespace vantage

@@ -1,0 +1,14 @@
+#pragma once
+#include <span>
+#include <string>
+
+#include "pipeline/refine/color_agreement.h"
+#include "scene/package/package_format.h"
+
+namespace vantage {
+
+/// HTML: the color differences between photos and the gains that correct them, per photo, and the lenses'
+/// falloff.
+std::string colors_part(std::span<const package::PhotoRecord> photos, const ColorRefinement& refinement);
+
+}  // namespace vantage

@@ -1,0 +1,77 @@
+#include "pipeline/reports/page/mask_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/agreement/read_level.h"
+
+namespace vantage {
+
+// From Okabe and Ito's palette, which color-blind readers can tell apart.
+const std::array<MaskColor, 6> mask_colors{{
+    {"full weight", "seen from the front, as near as by any photo, away from edges", {255, 255, 255}},
+    {"at a slant", "the surface is turned away from the camera", {0, 114, 178}},
+    {"from afar", "other photos are nearer, or have a longer lens, and show finer detail", {0, 158, 115}},
+    {"near an edge",
+     "close to the photo's own edge, or to an outline behind which the surface is hidden",
+     {230, 159, 0}},
+    {"contradicted", "other photos agree on something else there, and are shown instead", {194, 24, 91}},
+    {"nothing seen", "no surface of the model", {200, 200, 200}},
+}};
+
+namespace {
+
+using package::PhotoRecord;
+using package::Type;
+
+enum Color : std::size_t { full, slant, far, edge, contradicted, nothing };
+
+double focal(const PhotoRecord& p) { return std::sqrt(p.fx * p.fy); }
+
+std::array<std::uint8_t, 3> mixed(Color color, double share) {
+    std::array<std::uint8_t, 3> out = mask_colors[full].color;
+    for (std::size_t c = 0; c < 3; ++c)
+        out[c] = std::uint8_t(std::lround(out[c] + share * (mask_colors[color].color[c] - out[c])));
+    return out;
+}
+
+/// `fullest`: the depth code of the finest density of the scene.
+std::array<std::uint8_t, 3> shown(const std::uint8_t* masks, double fullest) {
+    if (masks[0] == 0 && masks[1] == 0 && masks[2] == 0 && masks[3] == 0) return mask_colors[nothing].color;
+    const double density = std::exp2((masks[1] - fullest) / 12);
+    const std::array<std::pair<double, Color>, 4> factors{{{masks[0] / 255.0, slant},
+                                                           {std::min(1.0, density), far},
+                                                           {masks[2] / 255.0, edge},
+                                                           {masks[3] / 255.0, contradicted}}};
+    const auto [least, color] = *std::ranges::min_element(factors, {}, &std::pair<double, Color>::first);
+    return mixed(color, 1 - least);
+}
+
+}  // namespace
+
+double best_density(std::span<const PhotoRecord> photos) {
+    double finest = 0;
+    for (const PhotoRecord& p : photos)
+        if (p.seen_distance > 0) finest = std::max(finest, focal(p) / p.seen_distance);
+    return finest;
+}
+
+RgbaImage mask_picture(const PackageReader& package, std::uint32_t photo, double finest, int longest) {
+    const PhotoRecord& p = package.photos()[photo];
+    int level = mask_level;
+    while (level + 1 < mask_levels_end(int(p.levels)) && int(std::max(p.width, p.height)) >> level > longest)
+        ++level;
+    RgbaImage out{1, 1, {200, 200, 200, 255}, true};
+    if (!package.find(Type::masks, photo, std::uint32_t(level))) return out;
+    const double reference = package.scene().reference_density;
+    const double fullest = finest > 0 && reference > 0 ? 255 + 12 * std::log2(finest / reference) : 255;
+    out = read_level_image(package, p, photo, Type::masks, level);
+    for (std::size_t i = 0; i < out.rgba.size(); i += 4) {
+        const auto color = shown(&out.rgba[i], fullest);
+        std::ranges::copy(color, out.rgba.begin() + std::ptrdiff_t(i));
+        out.rgba[i + 3] = 255;
+    }
+    return out;
+}
+
+}  // namespace vantage

@@ -1,0 +1,14 @@
+#pragma once
+#include <span>
+#include <string>
+
+#include "pipeline/refine/poses/registration.h"
+#include "scene/package/package_format.h"
+
+namespace vantage {
+
+/// HTML: the displacements between photos of the same surface, per photo and for the worst pairs as maps, and
+/// the cameras that were moved.
+std::string registration_part(std::span<const package::PhotoRecord> photos, const Registration& registration);
+
+}  // namespace vantage

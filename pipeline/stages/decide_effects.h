@@ -1,0 +1,22 @@
+#pragma once
+#include <map>
+#include <vector>
+
+#include "pipeline/input/scene_input.h"
+#include "scene/package/contents/effects.h"
+
+namespace vantage {
+
+/// Decides for each effect whether the scene needs it, with the measurement and its evidence in words.
+/// `choices` overrides the decision.
+std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effect, EffectChoice>& choices);
+
+/// Whether inspect() turns the effect `transparency` on: the model is packed before. Unless forced, not for a
+/// mesh without any triangle to see: programs that do not use alpha write 0.
+bool has_transparency(const Mesh& mesh, const std::map<Effect, EffectChoice>& choices);
+
+/// The finest sampling of the surface by any photo, in pixels per unit: the maximum of sqrt(fx fy) / z over a
+/// sample of the vertices inside each photo. 1 if no vertex is inside a photo.
+double finest_density(const SceneInput& scene);
+
+}  // namespace vantage

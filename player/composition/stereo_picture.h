@@ -1,0 +1,35 @@
+#pragma once
+#include <array>
+
+#include "base/gl/object.h"
+#include "base/gl/program.h"
+#include "player/composition/object_set.h"
+#include "player/view/stereo.h"
+
+namespace vantage {
+
+/// Makes one picture of those of two eyes. Belongs to the OpenGL thread.
+class StereoPicture {
+  public:
+    /// Makes room for eyes' pictures of this size, unless there is.
+    void fit(FrameSize eye);
+    /// Takes the picture of an eye, 0: left, 1: right, sRGB with its first row at the top.
+    GLuint target(std::size_t eye) const { return targets_.at(eye).id(); }
+    /// Shows both in the framebuffer `target`, which stays bound. `flip`: its first row is at the bottom.
+    void show(StereoMode mode, FrameSize frame, GLuint target, bool flip);
+
+  private:
+    FrameSize eye_;
+    gl::Texture pictures_;
+    std::array<gl::Framebuffer, 2> targets_;
+    gl::Program program_;
+    gl::VertexArray no_vertices_;
+};
+
+/// Renders all objects as one eye or two see them, with `side` * `side` samples per pixel, in one picture;
+/// `now` as for ObjectSet::draw.
+Picture take_picture(ObjectSet& objects, StereoPicture& stereo, StereoMode mode, std::span<const View> eyes,
+                     const RenderSettings& settings, std::span<const std::uint32_t> photos, int side,
+                     double now);
+
+}  // namespace vantage

@@ -1,0 +1,21 @@
+#pragma once
+#include "base/gl/program.h"
+#include "player/composition/object_set.h"
+#include "player/headset/runtime/headset_session.h"
+
+namespace vantage {
+
+/// Tells a headset how far away what it shows is, so that it can show frames that are late from where the
+/// head is by then. Belongs to the OpenGL thread.
+class DepthPicture {
+  public:
+    /// Copies the depth of a frame of this size into the framebuffer `target`. `scale`: scene units per
+    /// meter.
+    DepthLimits copy(const DrawnDepth& depth, FrameSize size, double scale, GLuint target);
+
+  private:
+    gl::Program program_;
+    gl::VertexArray no_vertices_;
+};
+
+}  // namespace vantage

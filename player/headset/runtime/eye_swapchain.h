@@ -1,0 +1,43 @@
+#pragma once
+#include <vector>
+
+#include "base/gl/object.h"
+#include "player/headset/runtime/openxr.h"
+#include "player/view/frame_size.h"
+
+namespace vantage {
+
+/// The pictures that the runtime takes of one eye, colors or depth. Move-only; belongs to the OpenGL thread
+/// and must not outlive the session.
+class EyeSwapchain {
+  public:
+    /// `format`: of OpenGL; `depth`: of depth instead of colors. Throws Error(graphics) or XrLost.
+    EyeSwapchain(XrSession session, FrameSize size, std::int64_t format, bool depth);
+    ~EyeSwapchain();
+    EyeSwapchain(EyeSwapchain&& other) noexcept;
+    EyeSwapchain& operator=(EyeSwapchain&&) = delete;
+
+    /// Takes an image, to be drawn into, when the runtime no longer needs it.
+    void acquire();
+    /// The framebuffer of the one that was taken last.
+    GLuint target() const { return targets_.at(taken_).id(); }
+    /// Gives it back; it is shown with the frame that ends next.
+    void release();
+    XrSwapchain get() const { return swapchain_; }
+    FrameSize size() const { return size_; }
+
+  private:
+    XrSwapchain swapchain_ = XR_NULL_HANDLE;
+    FrameSize size_;
+    bool acquired_ = false;
+    std::uint32_t taken_ = 0;
+    std::vector<gl::Framebuffer> targets_;  ///< per image
+};
+
+/// The format of colors among those that the runtime offers: sRGB with 8 bits. Throws Error(graphics) if
+/// there is none.
+std::int64_t color_format(XrSession session);
+/// That of depth, 0 if there is none.
+std::int64_t depth_format(XrSession session);
+
+}  // namespace vantage

@@ -1,0 +1,105 @@
+#include "player/headset/runtime/graphics_session.h"
+
+#include <string>
+
+#include "base/text/error.h"
+#include "player/headset/runtime/openxr_graphics.h"
+#include "player/headset/runtime/shared_context.h"
+#include "player/headset/runtime/xr_result.h"
+
+namespace vantage {
+namespace {
+
+/// The configuration that a context of GLX was made with.
+GLXFBConfig configuration_of(Display* display, GLXContext context) {
+    int id = 0, screen = 0, count = 0;
+    glXQueryContext(display, context, GLX_FBCONFIG_ID, &id);
+    glXQueryContext(display, context, GLX_SCREEN, &screen);
+    const int wanted[] = {GLX_FBCONFIG_ID, id, 0};
+    GLXFBConfig* found = glXChooseFBConfig(display, screen, wanted, &count);
+    const GLXFBConfig out = count > 0 ? found[0] : nullptr;
+    if (found) XFree(found);
+    if (!out) throw Error(Exit::graphics, "--xr: the window's configuration of GLX is not found");
+    return out;
+}
+
+EGLConfig egl_configuration_of(EGLDisplay display, EGLContext context) {
+    EGLint id = 0, count = 0;
+    eglQueryContext(display, context, EGL_CONFIG_ID, &id);
+    const EGLint wanted[] = {EGL_CONFIG_ID, id, EGL_NONE};
+    EGLConfig out = nullptr;
+    eglChooseConfig(display, wanted, &out, 1, &count);  // none for a context without one
+    return out;
+}
+
+std::string text_of(XrVersion v) {
+    return std::to_string(XR_VERSION_MAJOR(v)) + "." + std::to_string(XR_VERSION_MINOR(v));
+}
+
+XrGraphicsBindingOpenGLXlibKHR glx_binding() {
+    auto out = typed<XrGraphicsBindingOpenGLXlibKHR>(XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR);
+    out.xDisplay = glXGetCurrentDisplay();
+    out.glxContext = glXGetCurrentContext();
+    out.glxDrawable = glXGetCurrentDrawable();
+    out.glxFBConfig = configuration_of(out.xDisplay, out.glxContext);
+    if (XVisualInfo* visual = glXGetVisualFromFBConfig(out.xDisplay, out.glxFBConfig)) {
+        out.visualid = std::uint32_t(visual->visualid);
+        XFree(visual);
+    }
+    return out;
+}
+
+XrGraphicsBindingEGLMNDX egl_binding() {
+    auto out = typed<XrGraphicsBindingEGLMNDX>(XR_TYPE_GRAPHICS_BINDING_EGL_MNDX);
+    out.getProcAddress = reinterpret_cast<decltype(out.getProcAddress)>(eglGetProcAddress);
+    out.display = eglGetCurrentDisplay();
+    out.context = eglGetCurrentContext();
+    out.config = egl_configuration_of(out.display, out.context);
+    return out;
+}
+
+/// Asks for the versions of OpenGL that the runtime takes, which must come before a session. Throws
+/// Error(graphics) if they do not include this context's.
+void expect_version(XrInstance instance, XrSystemId system) {
+    PFN_xrGetOpenGLGraphicsRequirementsKHR requirements = nullptr;
+    expect(xrGetInstanceProcAddr(instance, "xrGetOpenGLGraphicsRequirementsKHR",
+                                 reinterpret_cast<PFN_xrVoidFunction*>(&requirements)),
+           "xrGetInstanceProcAddr");
+    auto limits = typed<XrGraphicsRequirementsOpenGLKHR>(XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR);
+    expect(requirements(instance, system, &limits), "xrGetOpenGLGraphicsRequirementsKHR");
+    GLint major = 0, minor = 0;
+    glGetIntegerv(GL_MAJOR_VERSION, &major);
+    glGetIntegerv(GL_MINOR_VERSION, &minor);
+    const XrVersion has = XR_MAKE_VERSION(major, minor, 0);
+    // The highest version is the newest one that a runtime was tested with; newer ones work.
+    if (has < XR_MAKE_VERSION(XR_VERSION_MAJOR(limits.minApiVersionSupported),
+                              XR_VERSION_MINOR(limits.minApiVersionSupported), 0))
+        throw Error(Exit::graphics, "--xr: the OpenXR runtime needs OpenGL " +
+                                        text_of(limits.minApiVersionSupported) + ", and this is " +
+                                        text_of(has));
+}
+
+}  // namespace
+
+XrSession make_session(const XrRuntime& runtime, XrSystemId system) {
+    expect_version(runtime.get(), system);
+    auto info = typed<XrSessionCreateInfo>(XR_TYPE_SESSION_CREATE_INFO);
+    info.systemId = system;
+    XrSession out = XR_NULL_HANDLE;
+    const auto create = [&](const auto& binding) {
+        info.next = &binding;
+        const SharedContext shared;
+        expect(xrCreateSession(runtime.get(), &info, &out), "xrCreateSession");
+    };
+    if (eglGetCurrentContext() == EGL_NO_CONTEXT)
+        create(glx_binding());
+    else if (runtime.extensions().egl)
+        create(egl_binding());
+    else
+        throw Error(Exit::graphics,
+                    "--xr: this OpenXR runtime needs an X display for OpenGL, and there is "
+                    "none (DISPLAY)");
+    return out;
+}
+
+}  // namespace vantage

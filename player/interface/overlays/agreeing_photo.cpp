@@ -1,0 +1,21 @@
+#include "player/interface/overlays/agreeing_photo.h"
+
+#include <vector>
+
+#include "player/interface/sections/band_section.h"
+#include "player/plan/plan.h"
+
+namespace vantage {
+
+std::optional<std::uint32_t> agreeing_photo(const PlanScene& scene, const View& view,
+                                            const BandSettings& bands) {
+    const std::vector<double> agreement = agreements(scene, view);
+    std::optional<std::uint32_t> best;
+    for (std::uint32_t i = 0; i < scene.photos.size(); ++i)
+        if (scene.photos[i].levels && is_shown(bands, scene.photos[i]) &&
+            (!best || agreement[i] > agreement[*best]))
+            best = i;
+    return best;
+}
+
+}  // namespace vantage

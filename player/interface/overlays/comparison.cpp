@@ -1,0 +1,128 @@
+#include "player/interface/overlays/comparison.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+#include "base/text/formatted.h"
+#include "base/text/translation.h"
+#include "base/values/srgb.h"
+#include "player/interface/overlays/agreeing_photo.h"
+
+namespace vantage {
+namespace {
+
+/// Text on a dark plate in the picture, recorded as "Legend". `share`: of its width that is left of `x`.
+void plate(Controls& c, float x, float y, float share, const std::string& text) {
+    const float em = ImGui::GetFontSize();
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 low(x - share * size.x, y), high(low.x + size.x, y + size.y);
+    list.AddRectFilled(ImVec2(low.x - 0.5f * em, low.y - 0.25f * em),
+                       ImVec2(high.x + 0.5f * em, high.y + 0.25f * em), IM_COL32(20, 23, 28, 220), 0.3f * em);
+    c.note("Legend", low, high);
+    list.AddText(low, IM_COL32_WHITE, text.c_str());
+}
+
+/// A handle as high as the free area, around the line.
+void drag_wiper(Controls& c, Session& s, const Area& frame) {
+    const float em = ImGui::GetFontSize(), x = float(frame.width * s.settings.wiper), top = float(s.free.top),
+                high = float(s.free.height);
+    ImGui::SetNextWindowPos(ImVec2(x - em, top));
+    ImGui::SetNextWindowSize(ImVec2(2 * em, high));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    ImGui::Begin("##wiper", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleVar(2);
+    ImGui::InvisibleButton("##line", ImVec2(2 * em, high));
+    c.note("Wiper");
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsItemActive())
+        s.settings.wiper =
+            std::clamp(double(ImGui::GetIO().MousePos.x) / std::max(1.0, frame.width), 0.0, 1.0);
+    ImGui::End();
+    const ImVec2 middle(x, top + high / 2);
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddCircleFilled(middle, 0.9f * em, IM_COL32_WHITE);
+    list.AddTriangleFilled(ImVec2(x - 0.7f * em, middle.y), ImVec2(x - 0.2f * em, middle.y - 0.35f * em),
+                           ImVec2(x - 0.2f * em, middle.y + 0.35f * em), IM_COL32_BLACK);
+    list.AddTriangleFilled(ImVec2(x + 0.7f * em, middle.y), ImVec2(x + 0.2f * em, middle.y + 0.35f * em),
+                           ImVec2(x + 0.2f * em, middle.y - 0.35f * em), IM_COL32_BLACK);
+}
+
+/// The colors of the shader's count_color, sRGB.
+void count_ramp(ImVec2 low, float width, float height) {
+    constexpr float stops[5][3] = {{0.058f, 0, 0.089f},
+                                   {0.042f, 0.084f, 0.258f},
+                                   {0.014f, 0.279f, 0.262f},
+                                   {0.114f, 0.584f, 0.119f},
+                                   {0.983f, 0.799f, 0.019f}};
+    const auto color = [&](int i) {
+        const auto encoded = [&](int c) { return float(srgb_from_linear(double(stops[i][c]))); };
+        return ImGui::ColorConvertFloat4ToU32(ImVec4(encoded(0), encoded(1), encoded(2), 1));
+    };
+    for (int i = 0; i < 4; ++i)
+        ImGui::GetBackgroundDrawList()->AddRectFilledMultiColor(
+            ImVec2(low.x + width * float(i) / 4, low.y),
+            ImVec2(low.x + width * float(i + 1) / 4, low.y + height), color(i), color(i + 1), color(i + 1),
+            color(i));
+}
+
+}  // namespace
+
+void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& frame) {
+    const RenderSettings& r = s.settings;
+    if (r.compare == Compare::nothing || r.compare_photo >= scene.photos.size()) return;
+    const std::string photo = formatted(tr("photo %s"), scene.photos[r.compare_photo].name);
+    const float em = ImGui::GetFontSize(), y = float(s.free.top) + em;
+    const auto both = [&](double line) {
+        const float x = float(line * frame.width);
+        plate(c, x - 1.5f * em, y, 1, tr("model"));
+        plate(c, x + 1.5f * em, y, 0, photo);
+    };
+    switch (r.compare) {
+        case Compare::side_by_side:
+            return both(0.5);
+        case Compare::wiper:
+            both(r.wiper);
+            return drag_wiper(c, s, frame);
+        case Compare::difference:
+            return plate(c, float(s.free.left + s.free.width / 2), y, 0.5f,
+                         formatted(tr("difference from photo %s, doubled; black: none"),
+                                   scene.photos[r.compare_photo].name));
+        default:
+            return;
+    }
+}
+
+void toggle_comparison(Session& s, const PlanScene& scene, const View& view, double now) {
+    if (s.settings.compare != Compare::nothing) {
+        s.settings.compare = Compare::nothing;
+        return;
+    }
+    const auto photo = agreeing_photo(scene, view, s.settings.bands);
+    if (!photo) return;
+    s.settings.compare = Compare::wiper;
+    s.settings.bands.how = BandView::mix;  // one comparison at a time
+    fly_to(s, *photo, scene.photos[*photo], now);
+}
+
+void false_color_legend(Controls& c, const Session& s) {
+    const float em = ImGui::GetFontSize(), x = float(s.free.left) + em,
+                y = float(s.free.top + s.free.height) - 2 * em;
+    if (s.settings.show == Show::sources)
+        plate(c, x, y, 0, tr("each color is a photo: the one outlined in that color in the strip"));
+    if (s.settings.show != Show::coverage) return;
+    const std::string most = std::to_string(s.report.photos);
+    const std::string before = tr("photos that show the surface: 0 ");
+    plate(c, x, y, 0, before + std::string(24, ' ') + " " + most);
+    const float from = x + ImGui::CalcTextSize(before.c_str()).x,
+                width = ImGui::CalcTextSize(std::string(24, ' ').c_str()).x;
+    count_ramp(ImVec2(from, y), width, em);
+}
+
+}  // namespace vantage

@@ -1,0 +1,18 @@
+#pragma once
+#include "player/interface/sections/controls.h"
+#include "player/interface/session.h"
+#include "player/plan/plan_scene.h"
+
+namespace vantage {
+
+/// What the picture compares: names of both sides, and the wiper's line, which can be dragged. `frame`: the
+/// whole window, pixels.
+void comparison(Controls& controls, Session& session, const PlanScene& scene, const Area& frame);
+
+/// Flies to the photo that agrees best with the view, and compares the model with it; or ends the comparison.
+void toggle_comparison(Session& session, const PlanScene& scene, const View& view, double now);
+
+/// What the false colors of the picture mean.
+void false_color_legend(Controls& controls, const Session& session);
+
+}  // namespace vantage

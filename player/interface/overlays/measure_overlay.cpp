@@ -1,0 +1,87 @@
+#include "player/interface/overlays/measure_overlay.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "player/interface/overlays/scene_line.h"
+
+namespace vantage {
+namespace {
+
+using Eigen::Vector3d;
+using Segments = std::vector<std::pair<Vector3d, Vector3d>>;
+
+constexpr ImU32 shadow = IM_COL32(0, 0, 0, 190);
+
+ImU32 color_of(MeasureLook look) {
+    return look == MeasureLook::selected     ? IM_COL32(120, 200, 255, 255)
+           : look == MeasureLook::unfinished ? IM_COL32(255, 255, 255, 255)
+                                             : IM_COL32(255, 205, 70, 255);
+}
+
+/// Where a height is read off: straight up from the first point, then level to the second.
+Segments height_segments(const Vector3d& from, const Vector3d& to, const Vector3d& up) {
+    const Vector3d corner = from + up * up.dot(to - from);
+    return {{from, corner}, {corner, to}};
+}
+
+void draw_label(ImDrawList& list, const ImVec2& at, const std::string& text, ImU32 color) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 frame = ImGui::GetIO().DisplaySize;
+    const ImVec2 low(std::max(0.0f, std::min(at.x + 8, frame.x - size.x - 10)),
+                     std::max(0.0f, at.y - size.y - 6)),
+        high(low.x + size.x + 10, low.y + size.y + 4);
+    list.AddRectFilled(low, high, IM_COL32(15, 18, 22, 215), 4);
+    list.AddText(ImVec2(low.x + 5, low.y + 2), color, text.c_str());
+}
+
+}  // namespace
+
+std::vector<Vector3d> points_from(const Measurement& m, const Vector3d& origin) {
+    std::vector<Vector3d> out;
+    for (const SurveyPoint& point : m.points) out.emplace_back(point.position - origin);
+    return out;
+}
+
+Segments lines_of(Measure measure, const std::vector<Vector3d>& p, const Vector3d& up) {
+    if (measure == Measure::height && p.size() == 2) return height_segments(p[0], p[1], up);
+    Segments out;
+    for (std::size_t i = 1; i < p.size(); ++i) out.emplace_back(p[i - 1], p[i]);
+    if (measure == Measure::area && p.size() > 2) out.emplace_back(p.back(), p.front());
+    return out;
+}
+
+Vector3d label_place(Measure measure, const std::vector<Vector3d>& p, const Vector3d& up) {
+    if (measure == Measure::polyline || p.size() == 1) return p.back();
+    if (measure == Measure::angle && p.size() == 3) return p[1];
+    if (measure == Measure::height) return p[0] + up * (up.dot(p[1] - p[0]) / 2);
+    Vector3d sum = Vector3d::Zero();
+    for (const Vector3d& v : p) sum += v;
+    return sum / double(p.size());
+}
+
+void draw_measurement(const Measurement& m, const std::string& label, const View& view,
+                      const Vector3d& origin, const Vector3d& up, MeasureLook look) {
+    if (m.points.empty()) return;
+    const std::vector<Vector3d> p = points_from(m, origin);
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const ImU32 color = color_of(look);
+    const Segments segments = lines_of(m.measure, p, up);
+    for (const auto& [a, b] : segments) scene_line(list, view, a, b, shadow, 4);
+    for (const auto& [a, b] : segments) scene_line(list, view, a, b, color, 2);
+    for (const Vector3d& v : p) {
+        const auto at = project(view.intrinsics, view.cam_from_origin, v);
+        if (!at || !in_frame(view.intrinsics, at->pixel)) continue;
+        const ImVec2 center(float(at->pixel.x()), float(at->pixel.y()));
+        list.AddCircleFilled(center, 5, shadow);
+        list.AddCircleFilled(center, 3.5f, color);
+    }
+    const auto at = project(view.intrinsics, view.cam_from_origin, label_place(m.measure, p, up));
+    if (!at || !in_frame(view.intrinsics, at->pixel) || label.empty()) return;
+    draw_label(list, ImVec2(float(at->pixel.x()), float(at->pixel.y())), label, color);
+}
+
+}  // namespace vantage

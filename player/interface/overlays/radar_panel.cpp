@@ -1,0 +1,72 @@
+#include "player/interface/overlays/radar_panel.h"
+
+#include <imgui.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/text/translation.h"
+#include "player/interface/overlays/weight_color.h"
+#include "player/interface/sections/band_section.h"
+
+namespace vantage {
+
+void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const View& view, double now) {
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos(ImVec2(float(s.free.left + s.free.width) - 18 * em, float(s.free.top) + em),
+                            ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize(ImVec2(17 * em, 18.6f * em));
+    if (!ImGui::Begin(shown_name("Radar").c_str(), &s.panels.radar, ImGuiWindowFlags_NoResize))
+        return ImGui::End();
+    const PlanScene& scene = renderer.scene();
+    const Eigen::Vector3d up = s.camera.up, east = up.unitOrthogonal(), north = up.cross(east);
+    const Eigen::Vector3d eye = view.cam_from_origin.center();
+    double reach = scene.size / 2;
+    for (const Pose& pose : scene.poses) reach = std::max(reach, pose.center().norm());
+    reach = std::max(reach, eye.norm()) * 1.08;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float side = 16 * em, scale = side / 2 / float(reach);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto place = [&](const Eigen::Vector3d& p) {
+        return ImVec2(low.x + side / 2 + float(p.dot(east)) * scale,
+                      low.y + side / 2 - float(p.dot(north)) * scale);
+    };
+    list.AddRectFilled(low, ImVec2(low.x + side, low.y + side), IM_COL32(20, 24, 30, 255), 4);
+    for (const ClusterTree::Node& node : scene.tree.nodes)
+        if (node.count <= 8) {
+            const Eigen::Vector3d middle = (node.low + node.high) / 2, half = (node.high - node.low) / 2;
+            const auto w = float(east.cwiseAbs().dot(half)) * scale,
+                       h = float(north.cwiseAbs().dot(half)) * scale;
+            const ImVec2 c = place(middle);
+            list.AddRectFilled(ImVec2(c.x - w, c.y - h), ImVec2(c.x + w, c.y + h),
+                               IM_COL32(120, 130, 145, 26));
+        }
+    const ViewWeights weights = view_weights(view, scene.photos, s.settings.weights);
+    const auto arrow = [&](const Pose& pose, ImU32 color, float size) {
+        const ImVec2 at = place(pose.center());
+        const ImVec2 to = place(pose.center() + pose.direction() * (double(size) / double(scale)));
+        list.AddLine(at, to, color, 1.5f);
+        list.AddCircleFilled(at, size / 4, color);
+    };
+    ImGui::InvisibleButton("##radar", ImVec2(side, side));
+    controls.note("Radar map");
+    const bool clicked = ImGui::IsItemClicked();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    std::uint32_t nearest = 0;
+    double best = 1e30;
+    for (std::uint32_t i = 0; i < scene.poses.size(); ++i) {
+        if (!is_shown(s.settings.bands, scene.photos[i])) continue;
+        arrow(scene.poses[i],
+              weight_color(weights.distance[i], weights.angle[i], renderer.uses(i) ? 1.0f : 0.5f), 14);
+        const ImVec2 at = place(scene.poses[i].center());
+        const double d = std::hypot(double(at.x - mouse.x), double(at.y - mouse.y));
+        if (d < best) best = d, nearest = i;
+    }
+    arrow(view.cam_from_origin, IM_COL32(255, 255, 255, 255), 24);
+    if (clicked && best < 16) fly_to(s, nearest, scene.photos[nearest], now);
+    ImGui::End();
+}
+
+}  // namespace vantage

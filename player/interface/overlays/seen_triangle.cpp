@@ -1,0 +1,20 @@
+#include "player/interface/overlays/seen_triangle.h"
+
+#include <algorithm>
+
+#include "player/render/passes/triangle_readback.h"
+
+namespace vantage {
+
+std::uint32_t seen_triangle(const SeenTriangles& seen, const Eigen::Vector2d& pixel) {
+    const Intrinsics& k = seen.view.intrinsics;
+    if (seen.triangles.empty() || !in_frame(k, pixel)) return 0;
+    const std::size_t across = std::size_t(std::max(1, k.width / TriangleReadback::step)),
+                      down = seen.triangles.size() / across;
+    if (down == 0) return 0;
+    const std::size_t x = std::min(across - 1, std::size_t(pixel.x() * double(across) / k.width)),
+                      y = std::min(down - 1, std::size_t(pixel.y() * double(down) / k.height));
+    return seen.triangles[y * across + x];
+}
+
+}  // namespace vantage

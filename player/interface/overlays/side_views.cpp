@@ -1,0 +1,26 @@
+#include "player/interface/overlays/side_views.h"
+
+#include "base/text/translation.h"
+#include "player/survey/picture_plane.h"
+#include "player/survey/survey.h"
+
+namespace vantage {
+
+void side_views_menu(Controls& c, Session& s, const PackageReader& package, double now) {
+    struct Side {
+        const char *label, *plane;
+    };
+    constexpr Side sides[] = {{marked("From the front"), "front"},
+                              {marked("From the back"), "back"},
+                              {marked("From the left"), "left"},
+                              {marked("From the right"), "right"},
+                              {marked("From the top"), "top"}};
+    for (const auto& [label, plane] : sides) {
+        if (!c.menu_item(label, "")) continue;
+        const PicturePlane side = parse_plane(plane, up_of(package.scene()));
+        s.flight = Session::Flight{
+            {s.camera, stand_beside(package.scene(), side.right, side.up, s.camera.up)}, now, 0.7};
+    }
+}
+
+}  // namespace vantage

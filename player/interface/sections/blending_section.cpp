@@ -1,0 +1,108 @@
+#include "player/interface/sections/blending_section.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "base/text/translation.h"
+#include "player/interface/sections/choice.h"
+#include "player/interface/sections/columns.h"
+#include "player/render/passes/blend_table.h"
+#include "scene/package/package_shape.h"
+
+namespace vantage {
+namespace {
+
+void blend_controls(Controls& c, RenderSettings& r) {
+    int blend = int(r.blend);
+    for (const BlendRow& row : blend_table()) {
+        if (&row != &blend_table().front()) behind_the_last(row.label);
+        c.radio(row.label, &blend, int(row.blend));
+        c.explain(row.help);
+    }
+    r.blend = Blend(blend);
+    c.slider("Sharpness", &r.weights.sharpness, 0.01, 1.0, "%.3f rad", ImGuiSliderFlags_Logarithmic);
+    c.explain(
+        "Small: each point mainly from the photo whose ray is closest to yours. Large: more of the others.");
+    ImGui::BeginDisabled(r.blend != Blend::average);
+    c.slider("Prefer near", &r.weights.exponent, 0.0, 32.0, "%.1f");
+    ImGui::EndDisabled();
+    c.explain("How strongly near photos are preferred. For Average.");
+    c.checkbox("Consensus", &r.consensus);
+    c.explain("Leaves out colors that differ from those of most photos.");
+    in_second_column("Fill holes");
+    c.checkbox("Fill holes", &r.fill_holes);
+    c.explain("Continues colors into surface that no photo sees.");
+}
+
+void weights_of_average(Controls& c, WeightSettings& w, bool average) {
+    ImGui::BeginDisabled(!average);
+    c.checkbox("Near photos", &w.distance);
+    ImGui::EndDisabled();
+    c.explain("Prefers photos taken close to your position. For Average.");
+    in_second_column("Facing photos");
+    ImGui::BeginDisabled(!average);
+    c.checkbox("Facing photos", &w.angle_mask);
+    ImGui::EndDisabled();
+    c.explain("Prefers photos that face the surface. For Average.");
+}
+
+void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
+    WeightSettings& w = s.settings.weights;
+    weights_of_average(c, w, s.settings.blend == Blend::average);
+    c.checkbox("Similar rays", &w.angle);
+    c.explain("Prefers photos whose rays are close to yours.");
+    in_second_column("One ray per photo");
+    c.checkbox("One ray per photo", &w.angle_per_photo);
+    c.explain("Compares one ray per photo, instead of one for each point.");
+    c.checkbox("Occlusion", &w.depth_mask);
+    c.explain("Leaves out what is hidden from a photo.");
+    in_second_column("Soft borders");
+    c.checkbox("Soft borders", &w.border_mask);
+    c.explain("Fades photos out towards their edges and towards silhouettes.");
+    ImGui::BeginDisabled(!effect_on(renderer.package().scene(), Effect::consensus));
+    c.checkbox("Passers-by", &w.consensus_mask);
+    ImGui::EndDisabled();
+    c.explain("Gives little weight to a photo where prepare found that it disagrees with the others.");
+    in_second_column("Field of view");
+    c.checkbox("Field of view", &w.fov_normalization);
+    c.explain("Compares distances as if all photos had your field of view.");
+    c.checkbox("Aim at what is seen", &w.corrected_directions);
+    c.explain("A photo's direction is that to the middle of what it sees, not that of its lens.");
+    in_second_column("Freeze weights");
+    if (c.checkbox("Freeze weights", &s.freeze)) {
+        s.settings.weights_from.reset();
+        if (s.freeze) s.settings.weights_from = view_of(s.camera, 1280, 720);
+    }
+    c.explain("Keeps the weights of this view while you move, to see where each photo is used.");
+}
+
+void photo_controls(Controls& c, RenderSettings& r, const Renderer& renderer) {
+    static const char* const choices[] = {marked("cover the view"), marked("nearest")};
+    choice(c, "Choose to", r.choice, choices);
+    c.explain("Which photos are blended: those that cover the view together, or those nearest to you.");
+    c.slider("Photos", &r.photos, 1, std::max(1, int(renderer.scene().photos.size())));
+    c.explain("How many photos are blended. More photos take more time.");
+    c.slider("Per pass", &r.photos_per_pass, 1, most_photos_per_pass);
+    c.explain("How many photos are drawn at once. Does not change the picture.");
+    c.slider("Angle limit", &r.angle_limit, 10.0, 180.0, "%.0f deg");
+    c.explain("Leaves out photos that look in a direction further than this from yours.");
+    static const char* const coordinates[] = {marked("as the scene asks"), marked("per vertex"),
+                                              marked("per fragment")};
+    ImGui::BeginDisabled(!has_coordinates(renderer.package()));
+    choice(c, "Coordinates", r.coordinates, coordinates);
+    ImGui::EndDisabled();
+    c.explain("Whether the mesh's vertices or every pixel is projected into the photos.");
+}
+
+}  // namespace
+
+void blending_section(Controls& c, Session& s, const Renderer& renderer) {
+    blend_controls(c, s.settings);
+    ImGui::TextDisabled("%s", tr("What counts"));
+    weight_controls(c, s, renderer);
+    ImGui::TextDisabled("%s", tr("Which photos"));
+    photo_controls(c, s.settings, renderer);
+}
+
+}  // namespace vantage

@@ -1,0 +1,11 @@
+#pragma once
+#include "player/interface/sections/controls.h"
+#include "player/interface/session.h"
+#include "player/render/renderer.h"
+
+namespace vantage {
+
+/// How photos are blended: mode, weights, and which photos.
+void blending_section(Controls& controls, Session& session, const Renderer& renderer);
+
+}  // namespace vantage

@@ -1,0 +1,14 @@
+#pragma once
+#include "player/interface/sections/controls.h"
+
+namespace vantage {
+
+/// A list of the values of an enum that ends with `count`, by texts for them.
+template <class Enum, int count>
+void choice(Controls& c, const char* name, Enum& value, const char* const (&texts)[count]) {
+    static_assert(count == int(Enum::count));
+    int index = int(value);
+    if (c.choice(name, &index, texts, count)) value = Enum(index);
+}
+
+}  // namespace vantage

@@ -1,0 +1,37 @@
+#include "player/interface/sections/columns.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "base/text/translation.h"
+
+namespace vantage {
+namespace {
+
+/// Whether a check box of this name ends inside the window if it begins there.
+bool fits(const char* name, float begin) {
+    const float wide = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
+                       ImGui::CalcTextSize(tr(name), nullptr, true).x;
+    return begin + wide <= ImGui::GetContentRegionMax().x;
+}
+
+}  // namespace
+
+void in_second_column(const char* name) {
+    const float column = 11 * ImGui::GetFontSize();
+    const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+    if (end <= column && fits(name, column)) ImGui::SameLine(column);
+}
+
+void behind_the_last(const char* name) {
+    const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+    if (fits(name, end + ImGui::GetStyle().ItemSpacing.x)) ImGui::SameLine();
+}
+
+float width_beside_names() {
+    const float names = 9.5f * ImGui::GetFontSize();
+    return -std::min(names, 0.55f * ImGui::GetContentRegionAvail().x);
+}
+
+}  // namespace vantage

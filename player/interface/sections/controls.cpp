@@ -1,0 +1,168 @@
+#include "player/interface/sections/controls.h"
+
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+
+#include "base/files/replace_file.h"
+#include "base/text/translation.h"
+
+namespace vantage {
+
+std::string shown_name(const char* name) {
+    const char* translated = tr(name);
+    return translated == name ? name : std::string(translated) + "###" + name;
+}
+
+void Controls::begin_frame() {
+    places_.clear();
+    closes_menus_ = false;
+    ++frame_;
+}
+
+void Controls::note(const char* name) {
+    const char* recorded = std::strstr(name, "##");
+    places_.push_back({recorded ? recorded + 2 : name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
+}
+
+void Controls::write_places(const std::filesystem::path& file, bool rests) const {
+    const UnfinishedFile unfinished(file);  // not flushed to the disk in every frame
+    {
+        std::ofstream out(unfinished.part());
+        out << "frame\t" << frame_ << (rests ? "\trests\n" : "\tmoves\n");
+        for (const Place& p : places_)
+            out << p.name << '\t' << p.low.x << '\t' << p.low.y << '\t' << p.high.x - p.low.x << '\t'
+                << p.high.y - p.low.y << '\n';
+    }
+    unfinished.finish();
+}
+
+void Controls::explain(const char* text) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
+    ImGui::TextUnformatted(tr(text));
+    ImGui::PopTextWrapPos();
+    note("Tooltip");
+    ImGui::EndTooltip();
+}
+
+bool Controls::button(const char* name) {
+    const bool pressed = ImGui::Button(shown_name(name).c_str());
+    note(name);
+    return pressed;
+}
+
+bool Controls::checkbox(const char* name, bool* value) {
+    const bool changed = ImGui::Checkbox(shown_name(name).c_str(), value);
+    note(name);
+    return changed;
+}
+
+bool Controls::radio(const char* name, int* value, int choice) {
+    const bool changed = ImGui::RadioButton(shown_name(name).c_str(), value, choice);
+    note(name);
+    return changed;
+}
+
+/// The name for the place beside the next control, or above it, if that is where it fits.
+std::string Controls::name_beside(const char* name) const {
+    const float room =
+        ImGui::GetContentRegionAvail().x - ImGui::CalcItemWidth() - ImGui::GetStyle().ItemInnerSpacing.x;
+    if (!width_fixed_ || ImGui::CalcTextSize(tr(name), nullptr, true).x <= room) return shown_name(name);
+    ImGui::TextUnformatted(tr(name));
+    return std::string("##") + name;
+}
+
+bool Controls::slider(const char* name, int* value, int low, int high) {
+    const bool changed =
+        ImGui::SliderInt(name_beside(name).c_str(), value, low, high, "%d", ImGuiSliderFlags_AlwaysClamp);
+    note(name);
+    return changed;
+}
+
+bool Controls::slider(const char* name, double* value, double low, double high, const char* format,
+                      ImGuiSliderFlags flags) {
+    const bool changed = ImGui::SliderScalar(name_beside(name).c_str(), ImGuiDataType_Double, value, &low,
+                                             &high, format, flags | ImGuiSliderFlags_AlwaysClamp);
+    note(name);
+    return changed;
+}
+
+bool Controls::combo(const char* name, int* value, const char* const names[], int count) {
+    return list(name, value, names, count, [](const char* text) { return text; });
+}
+
+bool Controls::choice(const char* name, int* value, const char* const texts[], int count) {
+    return list(name, value, texts, count, tr);
+}
+
+bool Controls::list(const char* name, int* value, const char* const names[], int count,
+                    const char* (*in_language)(const char*)) {
+    bool changed = false;
+    const bool open = ImGui::BeginCombo(name_beside(name).c_str(), in_language(names[*value]));
+    note(name);
+    if (!open) return false;
+    if (closes_menus_) ImGui::CloseCurrentPopup();
+    for (int i = 0; i < count; ++i) {
+        const bool chosen = ImGui::Selectable(in_language(names[i]), i == *value);
+        note(names[i]);
+        if (chosen && i != *value) {
+            *value = i;
+            changed = true;
+        }
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
+ImVec2 Controls::icon_button_size(const char* name, bool with_label) {
+    const float em = ImGui::GetFontSize();
+    return {2.2f * em + (with_label ? ImGui::CalcTextSize(tr(name)).x + 0.6f * em : 0), 2.2f * em};
+}
+
+bool Controls::icon_button(const char* name, Icon icon, bool lit, bool with_label) {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 low = ImGui::GetCursorScreenPos(), size = icon_button_size(name, with_label),
+                 high(low.x + size.x, low.y + size.y);
+    const bool pressed = ImGui::InvisibleButton(name, size);
+    note((std::string("Bar ") + name).c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (ImGui::IsItemActive() || ImGui::IsItemHovered() || lit)
+        list.AddRectFilled(low, high,
+                           ImGui::GetColorU32(ImGui::IsItemActive()    ? ImGuiCol_ButtonActive
+                                              : ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered
+                                                                       : ImGuiCol_Header),
+                           ImGui::GetStyle().FrameRounding);
+    const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
+    draw_icon(list, icon, ImVec2(low.x + 1.1f * em, low.y + 1.1f * em), 1.25f * em, color);
+    if (with_label) list.AddText(ImVec2(low.x + 2.1f * em, low.y + 0.6f * em), color, tr(name));
+    return pressed;
+}
+
+void Controls::section(const char* name, bool* open) {
+    ImGui::SetNextItemOpen(*open);
+    *open = ImGui::CollapsingHeader(shown_name(name).c_str());
+    note((std::string("Section ") + name).c_str());
+}
+
+bool Controls::menu_item(const char* name, const char* key, bool selected) {
+    const bool pressed = ImGui::MenuItem(shown_name(name).c_str(), key, selected);
+    note(name);
+    return pressed;
+}
+
+bool Controls::menu(const char* name) {
+    const bool open = ImGui::BeginMenu(shown_name(name).c_str());
+    note(name);
+    if (open && closes_menus_) ImGui::CloseCurrentPopup();
+    return open;
+}
+
+bool Controls::popup(const char* name) {
+    const bool open = ImGui::BeginPopup(name);
+    if (open && closes_menus_) ImGui::CloseCurrentPopup();
+    return open;
+}
+
+}  // namespace vantage

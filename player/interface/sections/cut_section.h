@@ -1,0 +1,29 @@
+#pragma once
+#include <vector>
+
+#include "player/interface/sections/controls.h"
+#include "player/interface/session.h"
+#include "player/survey/section.h"
+
+namespace vantage {
+
+/// The planes that the session cuts the model with: none, one, or those of a box.
+std::vector<SectionPlane> sections_of(Cut& cut, const PlanScene& scene);
+
+/// The section of the sidebar: where the model is cut.
+void cut_section(Controls& controls, Session& session, const PlanScene& scene, const Eigen::Vector3d& origin);
+
+/// The lines of the cut over the picture.
+class CutLines {
+  public:
+    /// Draws them over `view`, and the edges of a box; finds them again if the planes or the meshes have
+    /// changed.
+    void show(std::span<const PlacedMesh> meshes, std::span<const SectionPlane> planes, const View& view);
+
+  private:
+    std::vector<SectionPlane> planes_;
+    std::size_t meshes_ = 0;
+    std::vector<SectionLine> lines_;
+};
+
+}  // namespace vantage

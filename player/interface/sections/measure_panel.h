@@ -1,0 +1,87 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "player/interface/overlays/measure_overlay.h"
+#include "player/interface/sections/controls.h"
+#include "player/interface/session.h"
+#include "player/render/renderer.h"
+#include "player/survey/scene_point.h"
+#include "player/survey/survey_saver.h"
+
+namespace vantage {
+
+/// In the mode for measuring, takes the keys that it acts on from the session's input: Enter, Backspace and
+/// Esc; and double clicks, which end a measurement there. Nothing in other modes.
+void take_measuring_keys(Session& session);
+
+/// The mode for measuring: clicks on the model set points; and the panel with the measurements, which are
+/// read from a file beside the package when the mode begins, and written whenever they change.
+class MeasurePanel {
+  public:
+    /// `package` must outlive it.
+    explicit MeasurePanel(const PackageReader& package);
+
+    /// Acts on the session's input, and draws measurements and the panel, while session.panels.measure.
+    /// `meshes`: those that are shown.
+    void show(Controls& controls, Session& session, std::span<const PlacedMesh> meshes, const View& view,
+              double now);
+
+    /// The same in steps, for pointers that are not in the window. Begins and ends the mode as the session
+    /// says; whether it is on.
+    bool attend(Session& session, double now);
+    /// Measurements are being saved, or attend() has something to say about that.
+    bool saves() const { return file_.busy(); }
+    /// The point of the surface that is pointed at; nothing: none.
+    void point_at(const std::optional<SurveyPoint>& point) { under_ = point; }
+    /// Sets the point that is pointed at.
+    void set_point(Session& session, double now);
+    /// Ends a measurement with the points that it has, if these are enough.
+    void end();
+    void remove_last_point();
+    /// The panel's controls.
+    void content(Controls& controls, Session& session, double now);
+    struct Drawn {
+        Measurement measurement;
+        std::string label;
+        MeasureLook look;
+    };
+    /// All measurements, the one being made last.
+    std::vector<Drawn> drawn() const;
+    const Eigen::Vector3d& up() const { return survey_.up; }  ///< in the input's coordinates
+
+  private:
+    void begin(Session& session, double now);
+    void look_under_pointer(const Session& session, std::span<const PlacedMesh> meshes, const View& view);
+    void take_keys(Session& session);
+    void take_clicks(Session& session, std::span<const PlacedMesh> meshes, const View& view, double now);
+    void add(const SurveyPoint& point);
+    void evaluate_all();
+    void changed();
+    void choice_of_measure(Controls& controls, bool keyboard);
+    void under_pointer(Controls& controls) const;
+    void scale_section(Controls& controls);
+    void list(Controls& controls);
+    void selected_section(Controls& controls, Session& session, double now);
+    void select(std::size_t measurement);
+    std::string free_name(Measure measure) const;
+    Snapping snapping(const Session& session) const;
+
+    const PackageReader* package_;
+    Eigen::Vector3d origin_;
+    SurveySaver file_;
+    Survey survey_;
+    std::vector<Measured> values_;  ///< of the measurements
+    bool active_ = false;
+    Measurement next_{"", Measure::distance, {}};  ///< being measured
+    bool to_vertices_ = false;
+    std::optional<SurveyPoint> under_;
+    std::optional<std::size_t> selected_;
+    std::array<char, 256> name_{};  ///< of the selected one, as edited
+    double known_length_ = 0;       ///< of the selected distance, to set the scale by
+};
+
+}  // namespace vantage

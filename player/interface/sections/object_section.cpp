@@ -1,0 +1,97 @@
+#include "player/interface/sections/object_section.h"
+
+#include <imgui.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "base/text/translation.h"
+
+namespace vantage {
+namespace {
+
+/// "Only##Only NAME"
+std::string of(const SceneObject& object, const std::string& label, const std::string& recorded) {
+    return label + "##" + recorded + " " + object.name;
+}
+
+/// Sliders for where an object stands.
+bool placement_sliders(Controls& c, ObjectSet& objects, std::size_t object, double size) {
+    const SceneObject& o = objects.at(object);
+    Placement p = o.placement;
+    bool changed = false;
+    constexpr const char* axes[] = {"x", "y", "z"};
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::string move = std::string("Move ") + axes[axis];
+        changed |= c.slider(of(o, std::string(tr("Move")) + " " + axes[axis], move + " of").c_str(),
+                            &p.move[axis], -2 * size, 2 * size, "%.3f");
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::string turn = std::string("Turn ") + axes[axis];
+        changed |= c.slider(of(o, std::string(tr("Turn")) + " " + axes[axis], turn + " of").c_str(),
+                            &p.turn[axis], -180, 180, "%.1f deg");
+    }
+    changed |= c.slider(of(o, tr("Scale"), "Scale of").c_str(), &p.scale, 0.01, 100, "%.3f",
+                        ImGuiSliderFlags_Logarithmic);
+    if (changed) objects.place(object, p);
+    return changed;
+}
+
+bool opacity_slider(Controls& c, ObjectSet& objects, std::size_t object) {
+    const SceneObject& o = objects.at(object);
+    double opacity = o.opacity;
+    if (!c.slider(of(o, tr("Opacity"), "Opacity of").c_str(), &opacity, 0, 1, "%.2f")) return false;
+    objects.set_opacity(object, opacity);
+    return true;
+}
+
+/// One object's rows. Sets `removed` if it is to be removed.
+bool object_row(Controls& c, ObjectSet& objects, std::size_t object, double size, bool& removed) {
+    const SceneObject o = objects.at(object);
+    bool shown = o.shown, changed = false;
+    if (c.checkbox(o.name.c_str(), &shown)) objects.show_object(object, shown), changed = true;
+    bool* open = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(of(o, "open", "open").c_str()));
+    if (c.button(of(o, tr("Only this"), "Only").c_str())) objects.show_only(object), changed = true;
+    if (object > 0) {
+        ImGui::SameLine();
+        if (c.button(of(o, tr("Place"), "Position of").c_str())) *open = !*open;
+        ImGui::SameLine();
+        removed = c.button(of(o, tr("Remove"), "Remove").c_str());
+    }
+    changed |= opacity_slider(c, objects, object);
+    if (object > 0 && *open) changed |= placement_sliders(c, objects, object, size);
+    return changed;
+}
+
+}  // namespace
+
+bool object_section(Controls& c, Session& session, ObjectSet& objects, double size) {
+    bool changed = false;
+    std::size_t remove = 0;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        bool removed = false;
+        changed |= object_row(c, objects, i, size, removed);
+        if (removed) remove = i;
+    }
+    if (objects.size() == 1) ImGui::TextDisabled("%s", tr("Drop a package on the window to add it."));
+    if (c.button("Save scene")) session.save_scene = true;
+    c.explain("Writes a scene file with these packages and where they stand.");
+    if (remove > 0) objects.remove(remove), changed = true;
+    return changed;
+}
+
+void drop_dialog(Controls& c, Session& session) {
+    if (session.dropped.empty()) return;
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    if (ImGui::Begin(shown_name("Dropped package").c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+        ImGui::TextUnformatted(std::filesystem::path(session.dropped).filename().c_str());
+        if (c.button("Open in place of the scene")) session.open = std::exchange(session.dropped, "");
+        if (c.button("Add to the scene")) session.add = std::exchange(session.dropped, "");
+        if (c.button("Cancel")) session.dropped.clear();
+    }
+    ImGui::End();
+}
+
+}  // namespace vantage

@@ -1,0 +1,130 @@
+#include "player/interface/sections/open_dialog.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <tuple>
+#include <utility>
+
+#include "base/text/is_url.h"
+#include "base/text/lower_case.h"
+#include "base/text/lower_extension.h"
+#include "base/text/translation.h"
+#include "player/interface/keys.h"
+#include "scene/story/scene_file.h"
+
+namespace vantage {
+namespace {
+
+constexpr const char* title = marked("Open a package");
+
+int taps(Session& s, int key) {
+    int n = 0;
+    while (take_key(s, key)) ++n;
+    return n;
+}
+
+}  // namespace
+
+void OpenDialog::list(const std::filesystem::path& folder) {
+    std::error_code error;
+    folder_ = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
+    if (error) folder_ = folder;
+    entries_.clear();
+    for (std::filesystem::directory_iterator at(folder_, error), end; !error && at != end;
+         at.increment(error)) {
+        const std::string name = at->path().filename().string();
+        std::error_code unknown;
+        const bool is_folder = at->is_directory(unknown);
+        const bool shown = is_folder ? !name.starts_with('.')
+                                     : lower_extension(at->path()) == ".vantage" || is_scene_file(name);
+        if (shown) entries_.push_back({name + (is_folder ? "/" : ""), at->path(), is_folder});
+    }
+    std::ranges::sort(entries_, {},
+                      [](const Entry& e) { return std::tuple(!e.folder, lower_case(e.label), e.label); });
+    if (folder_.has_relative_path()) entries_.insert(entries_.begin(), {"../", folder_.parent_path(), true});
+    trouble_ = error ? error.message() : "";
+    selected_ = entries_.size();
+    typed_[0] = 0;
+    ++texts_;
+    focus_ = true;
+}
+
+void OpenDialog::select(std::size_t entry) {
+    selected_ = entry;
+    std::snprintf(typed_.data(), typed_.size(), "%s", entries_[entry].path.c_str());
+    ++texts_;
+    focus_ = scroll_ = true;
+}
+
+/// Enters the folder, or opens the file, that is typed or selected.
+void OpenDialog::accept(Session& s) {
+    const std::string typed = typed_.data();
+    if (typed.empty()) return;
+    const std::filesystem::path path = is_url(typed) ? std::filesystem::path(typed) : folder_ / typed;
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) return list(path);
+    s.open = path.string();
+    closes_ = true;
+}
+
+void OpenDialog::move_by_keys(Session& s) {
+    const int by = taps(s, key::down) - taps(s, key::up), count = int(entries_.size());
+    if (by == 0 || count == 0) return;
+    const int from = selected_ < entries_.size() ? int(selected_) : by > 0 ? -1 : count;
+    select(std::size_t(std::clamp(from + by, 0, count - 1)));
+}
+
+void OpenDialog::entries(Controls& c, Session& s) {
+    ImGui::BeginChild("##entries", ImVec2(520, 260), true);
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        const char* label = entries_[i].label.c_str();
+        const bool chosen = ImGui::Selectable(label, i == selected_, ImGuiSelectableFlags_DontClosePopups);
+        const bool doubled = s.input.double_clicked && ImGui::IsItemHovered();
+        if (chosen || doubled) select(i);
+        if (doubled) {
+            accept(s);
+            break;  // of another folder from now on
+        }
+        c.note(label);
+        if (scroll_ && i == selected_) ImGui::SetScrollHereY();
+    }
+    scroll_ = false;
+    if (!trouble_.empty()) ImGui::TextUnformatted(trouble_.c_str());
+    ImGui::EndChild();
+}
+
+void OpenDialog::show(Controls& c, Session& s) {
+    const bool open = ImGui::IsPopupOpen(shown_name(title).c_str());  // maybe since another scene was shown
+    if (s.open_asked || (open && folder_.empty())) list(start_);
+    if (std::exchange(s.open_asked, false)) ImGui::OpenPopup(shown_name(title).c_str());
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    if (!ImGui::BeginPopupModal(shown_name(title).c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize))
+        return;
+    closes_ = take_key(s, key::escape);
+    if (!closes_) content(c, s);
+    if (closes_) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    if (closes_) ImGui::SetWindowFocus(nullptr);  // the text field gives the keyboard back at once
+}
+
+void OpenDialog::content(Controls& c, Session& s) {
+    move_by_keys(s);
+    ImGui::TextDisabled("%s", folder_.c_str());
+    entries(c, s);
+    if (focus_) ImGui::SetKeyboardFocusHere();
+    focus_ = false;
+    ImGui::SetNextItemWidth(520);
+    ImGui::PushID(texts_);
+    ImGui::InputText("##file", typed_.data(), typed_.size());
+    ImGui::PopID();
+    c.note("File name");
+    const bool entered = take_key(s, key::enter) || take_key(s, key::keypad_enter);
+    if (c.button("Open") || entered) accept(s);
+    ImGui::SameLine();
+    closes_ |= c.button("Cancel");
+}
+
+}  // namespace vantage

@@ -1,0 +1,42 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "player/interface/sections/controls.h"
+#include "player/interface/session.h"
+
+namespace vantage {
+
+/// Asks for a package or a scene file to open: lists folders and files, and accepts any path or URL.
+class OpenDialog {
+  public:
+    /// `start`: the folder that is listed first.
+    explicit OpenDialog(std::filesystem::path start) : start_(std::move(start)) {}
+    void show(Controls& controls, Session& session);
+
+  private:
+    struct Entry {
+        std::string label;  ///< a folder's ends with a slash
+        std::filesystem::path path;
+        bool folder;
+    };
+    void list(const std::filesystem::path& folder);
+    void select(std::size_t entry);
+    void content(Controls& controls, Session& session);
+    void entries(Controls& controls, Session& session);
+    void move_by_keys(Session& session);
+    void accept(Session& session);
+
+    std::filesystem::path start_, folder_;
+    std::vector<Entry> entries_;
+    std::string trouble_;       ///< why the folder was not listed
+    std::size_t selected_ = 0;  ///< entries_.size(): none
+    std::array<char, 4096> typed_{};
+    int texts_ = 0;  ///< how often the text was set: a text field in use would keep its own
+    bool focus_ = false, scroll_ = false, closes_ = false;
+};
+
+}  // namespace vantage

@@ -1,0 +1,149 @@
+#include "player/interface/sections/photo_list_section.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/text/formatted.h"
+#include "base/text/lower_case.h"
+#include "base/text/translation.h"
+#include "player/interface/sections/band_section.h"
+#include "player/interface/sections/columns.h"
+#include "player/survey/ray_cast.h"
+
+namespace vantage {
+namespace {
+
+std::optional<double> error_of(const Session& s, std::uint32_t photo) {
+    const auto& errors = s.photo_list.errors;
+    return photo < errors.size() ? errors[photo] : std::nullopt;
+}
+
+/// Those that the filter and the point leave, in the order in which they are listed.
+std::vector<std::uint32_t> listed(const Session& s, const PlanScene& scene) {
+    std::vector<std::uint32_t> out;
+    const std::string filter = lower_case(s.photo_list.filter.data());
+    const auto passes = [&](std::uint32_t p) {
+        return is_shown(s.settings.bands, scene.photos[p]) &&
+               lower_case(scene.photos[p].name).find(filter) != std::string::npos;
+    };
+    if (s.photo_list.by_point && s.photo_list.point) {
+        for (const Footprint& f : s.photo_list.showing)
+            if (passes(f.photo)) out.push_back(f.photo);
+        return out;
+    }
+    for (std::uint32_t p = 0; p < scene.photos.size(); ++p)
+        if (passes(p)) out.push_back(p);
+    const auto error = [&](std::uint32_t p) { return error_of(s, p).value_or(-1); };
+    if (s.photo_list.worst_first) std::ranges::stable_sort(out, std::ranges::greater(), error);
+    return out;
+}
+
+void use(Session& s, std::uint32_t photo, bool used) {
+    std::erase(s.photos, photo);
+    if (used) s.photos.insert(std::ranges::upper_bound(s.photos, photo), photo);
+}
+
+/// What there is to know of it: at the point, or as a whole.
+std::string remark(const Session& s, const package::PhotoRecord& photo, std::uint32_t number) {
+    const auto at = std::ranges::find(s.photo_list.showing, number, &Footprint::photo);
+    if (!photo.levels) return tr("left out");
+    if (s.photo_list.by_point && s.photo_list.point && at != s.photo_list.showing.end())
+        return formatted(tr("pixels of %.3g"), at->size);
+    const auto error = error_of(s, number);
+    return formatted(tr("%.0f %%, %+.1f stops"), 100 * photo.visible_vertices,
+                     -std::log2(std::max(photo.gain[1], 1e-9))) +
+           (error ? formatted(tr(", %.1f px"), *error) : "");
+}
+
+void row(Controls& c, Session& s, const PlanScene& scene, std::uint32_t photo, double now) {
+    const package::PhotoRecord& p = scene.photos[photo];
+    const std::string name = p.name;
+    bool used = std::ranges::binary_search(s.photos, photo);
+    ImGui::BeginDisabled(!p.levels);
+    if (c.checkbox(("##Use " + name).c_str(), &used)) use(s, photo, used);
+    c.explain("Use this photo.");
+    ImGui::SameLine();
+    if (c.button((name + "##Fly to " + name).c_str())) fly_to(s, photo, p, now);
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", remark(s, p, photo).c_str());
+    c.explain(
+        "How much of the mesh it sees; how much brighter than the others it was exposed; how many pixels its "
+        "content is off from that of others. Of a point: the size of a pixel there.");
+}
+
+void point_line(const Session& s) {
+    const Session::PhotoList& list = s.photo_list;
+    if (!list.by_point) return;
+    if (!list.point)
+        ImGui::TextUnformatted(tr("Click on the model."));
+    else
+        ImGui::Text(tr_count("%zu photo shows the point", "%zu photos show the point", list.showing.size()),
+                    list.showing.size());
+}
+
+}  // namespace
+
+void use_all(Session& s, const PlanScene& scene) {
+    s.photos.clear();
+    for (std::uint32_t p = 0; p < scene.photos.size(); ++p)
+        if (scene.photos[p].levels) s.photos.push_back(p);
+}
+
+void photo_list_section(Controls& c, Session& s, const Renderer& renderer, double now) {
+    const PlanScene& scene = renderer.scene();
+    Session::PhotoList& list = s.photo_list;
+    if (s.keyboard) {
+        ImGui::InputText(shown_name("Name contains").c_str(), list.filter.data(), list.filter.size());
+        c.note("Name contains");
+    }
+    if (s.keyboard) {
+        c.checkbox("Of a point", &list.by_point);
+        c.explain(
+            "Lists the photos that show the point you click on the model, those with the finest pixels "
+            "first.");
+        in_second_column("Worst first");
+    }
+    c.checkbox("Worst first", &list.worst_first);
+    c.explain("Those first whose content is farthest off from that of others, with the cameras as given.");
+    if (!list.by_point) list.point.reset();
+    point_line(s);
+    const std::vector<std::uint32_t> photos = listed(s, scene);
+    if (c.button("Use only these")) s.photos = photos, std::ranges::sort(s.photos);
+    std::erase_if(s.photos, [&](std::uint32_t p) { return !scene.photos[p].levels; });
+    ImGui::SameLine();
+    if (c.button("Use all")) use_all(s, scene);
+    ImGui::BeginChild("##photos", ImVec2(0, 12 * ImGui::GetFontSize()), true);
+    ImGuiListClipper clipper;
+    clipper.Begin(int(photos.size()));
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            row(c, s, scene, photos[std::size_t(i)], now);
+    ImGui::EndChild();
+}
+
+void pick_listed_point(Session& s, const PlanScene& scene, const View& view) {
+    Session::PhotoList& list = s.photo_list;
+    if (!list.by_point || !s.panels.expert || !s.panels.photo_list) return;
+    if (!s.panels.measure && !ImGui::GetIO().WantCaptureMouse)
+        for (const Click& click : s.input.clicks)
+            if (const auto hit = first_hit(scene, ray_through(view, {click.x, click.y}))) {
+                list.point = hit->position;
+                list.showing = footprints(scene, hit->triangle, hit->position);
+            }
+    const auto at = list.point ? project(view.intrinsics, view.cam_from_origin, *list.point) : std::nullopt;
+    if (!at) return;
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const ImVec2 middle(float(at->pixel.x()), float(at->pixel.y()));
+    draw.AddCircle(middle, 7, IM_COL32_BLACK, 0, 4);
+    draw.AddCircle(middle, 7, IM_COL32_WHITE, 0, 2);
+}
+
+bool shows_listed_point(const Session& s, std::uint32_t photo) {
+    return s.photo_list.point && std::ranges::count(s.photo_list.showing, photo, &Footprint::photo) > 0;
+}
+
+}  // namespace vantage

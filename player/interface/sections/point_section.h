@@ -1,0 +1,11 @@
+#pragma once
+#include "player/interface/sections/controls.h"
+#include "player/interface/session.h"
+#include "player/render/renderer.h"
+
+namespace vantage {
+
+/// How the point cloud is shown. The package must have one.
+void point_section(Controls& controls, Session& session, const Renderer& renderer);
+
+}  // namespace vantage

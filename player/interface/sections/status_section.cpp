@@ -1,0 +1,69 @@
+#include "player/interface/sections/status_section.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+#include "base/text/formatted.h"
+#include "base/text/translation.h"
+
+namespace vantage {
+namespace {
+
+constexpr float MiB = 1024 * 1024;
+
+/// Noted under its English name.
+void budget_bar(Controls& c, const char* name, double held, double budget) {
+    const std::string text = formatted(tr("%.0f of %.0f MiB"), held / double(MiB), budget / double(MiB));
+    ImGui::ProgressBar(float(budget > 0 ? held / budget : 0), ImVec2(-4 * ImGui::GetFontSize(), 0),
+                       text.c_str());
+    c.note(name);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(tr(name));
+}
+
+/// Of a package on a server.
+void transfer_lines(const Renderer& renderer) {
+    const auto traffic = renderer.package().traffic();
+    if (!traffic) return;
+    ImGui::Text(tr("network %.0f kB/s, %.1f MB; cache %.1f MB"), traffic->bytes_per_second / 1e3,
+                double(traffic->bytes_received) / 1e6, double(traffic->bytes_from_cache) / 1e6);
+    if (const std::string failure = renderer.failure(); !failure.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 0.5f, 0.4f, 1));
+        ImGui::TextWrapped("%s", failure.c_str());
+        ImGui::PopStyleColor();
+    } else if (traffic->offline) {
+        ImGui::TextUnformatted(tr("the server cannot be reached: shown from the cache"));
+    }
+}
+
+}  // namespace
+
+void status_section(Controls& c, const Session& s, const Renderer& renderer, std::uint64_t graphics_budget) {
+    const float highest = *std::ranges::max_element(s.frame_ms);
+    ImGui::PlotLines("##frames", s.frame_ms.data(), int(s.frame_ms.size()), 0, "", 0,
+                     std::max(1.0f, highest * 1.1f), ImVec2(-1, 4 * ImGui::GetFontSize()));
+    const FrameStatistics& f = s.statistics;
+    ImGui::Text(tr("%.1f ms per frame, median %.1f"), f.mean, f.median);
+    ImGui::Text(tr("99 %% below %.1f, 99.9 %% below %.1f"), f.p99, f.p999);
+    if (s.pace.scale < 1)
+        ImGui::Text(tr("in motion: %.0f %% of the resolution%s"), 100 * s.pace.scale,
+                    s.pace.swift ? tr(", fewer photos") : "");
+    const FrameReport& r = s.report;
+    ImGui::Text(tr("%zu photos in %zu passes, %zu draws"), r.photos, r.passes, r.draws);
+    ImGui::Text(tr("%zu tiles, %zu to come; %.1f MiB uploaded"), r.tiles, r.tiles_to_come,
+                double(r.uploaded) / double(MiB));
+    if (renderer.scene().has_transparency())
+        ImGui::Text(tr("%zu transparent fragments, %zu approximated"), r.fragments, r.fragments_approximated);
+    const Residency& held = renderer.store().residency();
+    ImGui::Text(tr("graphics memory: %.0f of %.0f MiB"), double(gl::memory_held()) / double(MiB),
+                double(graphics_budget) / double(MiB));
+    budget_bar(c, marked("tiles"), double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,
+               double(held.layout().bytes()));
+    transfer_lines(renderer);
+    if (r.tiles_damaged)
+        ImGui::TextColored(ImVec4(1, 0.5f, 0.4f, 1), tr("%zu damaged tiles not shown"), r.tiles_damaged);
+}
+
+}  // namespace vantage

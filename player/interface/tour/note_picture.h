@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <future>
+#include <span>
+
+#include "base/gl/object.h"
+#include "player/render/picture.h"
+
+namespace vantage {
+
+/// Reads a PNG or JPEG file of at most 64 MiB and 40 megapixels. Throws Error(input) naming the file.
+Picture read_note_picture(const std::filesystem::path& file);
+
+/// Reduces a picture by whole factors until neither side exceeds `most` pixels.
+Picture reduced_picture(Picture picture, int most);
+
+/// The picture of the note whose card is open, as a texture. Belongs to the OpenGL thread. Its destructor
+/// waits for a file that is being read.
+class NotePicture {
+  public:
+    /// Begins to load the file, in the background, if it is not the one that was loaded last. Until it is
+    /// there, without a file, or if it cannot be read, there is no picture.
+    void load(const std::filesystem::path& file);
+    /// Once per frame: takes what was loaded.
+    void attend();
+    bool loading() const { return read_.valid(); }
+    /// 0: there is none.
+    GLuint texture() const { return texture_.id(); }
+    int width() const { return width_; }
+    int height() const { return height_; }
+    /// Why it was not read; empty if it was.
+    const std::string& trouble() const { return trouble_; }
+
+  private:
+    struct Read {
+        std::filesystem::path file;
+        Picture picture;
+        std::string trouble;
+    };
+    static Read read(const std::filesystem::path& file);
+    void take(const Read& read);
+
+    std::filesystem::path file_;
+    std::future<Read> read_;
+    std::string trouble_;
+    gl::Texture texture_;
+    int width_ = 0, height_ = 0;
+};
+
+}  // namespace vantage

@@ -1,0 +1,33 @@
+#pragma once
+#include <array>
+#include <optional>
+
+#include "player/interface/overlays/note_markers.h"
+#include "player/interface/sections/controls.h"
+#include "player/interface/session.h"
+#include "player/interface/tour/told_story.h"
+
+namespace vantage {
+
+/// The panel with which a curator writes a story: adds notes where the middle of the view meets the surface,
+/// edits the open one, orders them, makes a tour of them, and saves. Texts are edited in the language that is
+/// shown.
+class StoryEditor {
+  public:
+    void show(Controls& controls, ToldStory& told, Session& session, const View& view,
+              const SurfaceAt& surface, bool* shown, double now);
+
+  private:
+    void add(ToldStory& told, const Session& session, const View& view, const SurfaceAt& surface);
+    void fields(Controls& controls, ToldStory& told);
+    void buttons(Controls& controls, ToldStory& told, const Session& session);
+    void take(const ToldStory& told);
+
+    std::optional<std::size_t> edited_;  ///< the note whose texts are in the fields
+    std::string language_;               ///< that they are in
+    std::array<char, 501> title_{};
+    std::array<char, 20001> text_{};
+    std::array<char, 501> picture_{};
+};
+
+}  // namespace vantage

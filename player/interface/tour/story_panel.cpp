@@ -1,0 +1,123 @@
+#include "player/interface/tour/story_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "base/text/formatted.h"
+#include "base/text/translation.h"
+#include "player/interface/docked.h"
+
+namespace vantage {
+namespace {
+
+void language_choice(Controls& c, const ToldStory& told, Session& s) {
+    const std::vector<std::string> languages = languages_of(told.story);
+    if (languages.size() < 2) return;
+    std::vector<const char*> names;
+    int chosen = 0;
+    for (const std::string& l : languages) {
+        if (l == told.language || (l == told.story.language && !std::ranges::count(languages, told.language)))
+            chosen = int(names.size());
+        names.push_back(l.c_str());
+    }
+    if (c.combo("Language", &chosen, names.data(), int(names.size())))
+        s.language = languages[std::size_t(chosen)];
+}
+
+void tour_buttons(Controls& c, ToldStory& told, Session& s, double now) {
+    for (std::size_t i = 0; i < told.story.tours.size(); ++i) {
+        const StoryTour& tour = told.story.tours[i];
+        const std::string& title = text_in(told.story, tour.title, told.language);
+        const std::string name = title.empty() ? tour.id : title;
+        const bool plays = told.playing && told.playing->tour == i;
+        ImGui::PushID(int(i));
+        const std::string recorded = (plays ? "Stop " : "Play ") + name;
+        if (c.button(
+                (formatted(plays ? tr("Stop %s") : tr("Play %s"), name.c_str()) + "##" + recorded).c_str())) {
+            if (plays)
+                s.flight.reset();
+            else
+                play_tour(told, s, i, now);
+        }
+        ImGui::PopID();
+    }
+}
+
+}  // namespace
+
+std::string note_label(const ToldStory& told, std::size_t note) {
+    const StoryNote& n = told.story.notes[note];
+    const std::string& title = text_in(told.story, n.title, told.language);
+    return std::to_string(note + 1) + "  " + (title.empty() ? n.id : title);
+}
+
+void story_content(Controls& c, ToldStory& told, Session& s, double now) {
+    language_choice(c, told, s);
+    for (std::size_t i = 0; i < told.story.notes.size(); ++i) {
+        ImGui::PushID(int(i));
+        if (ImGui::Selectable(note_label(told, i).c_str(), told.open == i)) open_note(told, s, i, now);
+        c.note(("List " + std::to_string(i + 1)).c_str());
+        ImGui::PopID();
+    }
+    tour_buttons(c, told, s, now);
+    if (!told.trouble.empty()) ImGui::TextWrapped("%s", told.trouble.c_str());
+}
+
+void note_content(Controls& c, ToldStory& told, NotePicture& picture, Session& s, float width,
+                  float picture_height, double now) {
+    const std::size_t at = *told.open, count = told.story.notes.size();
+    const StoryNote& note = told.story.notes[at];
+    picture.load(note.picture.empty() ? std::filesystem::path() : told.file.parent_path() / note.picture);
+    if (picture.texture()) {
+        const float scale = std::min(
+            1.0f, std::min(width / float(picture.width()), picture_height / float(picture.height())));
+        ImGui::Image(ImTextureID(std::uintptr_t(picture.texture())),
+                     ImVec2(scale * float(picture.width()), scale * float(picture.height())));
+        c.note("Picture of the note");
+    } else if (!picture.trouble().empty()) {
+        ImGui::TextWrapped("%s", picture.trouble().c_str());
+    }
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    ImGui::TextUnformatted(text_in(told.story, note.text, told.language).c_str());
+    ImGui::PopTextWrapPos();
+    if (count > 1 && c.button("Previous note")) open_note(told, s, (at + count - 1) % count, now);
+    if (count > 1) ImGui::SameLine();
+    if (count > 1 && c.button("Next note")) open_note(told, s, (at + 1) % count, now);
+}
+
+void story_panel(Controls& c, ToldStory& told, Session& s, bool* shown, double now) {
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos(ImVec2(float(s.free.left + s.free.width) - 12, float(s.free.top) + 12),
+                            ImGuiCond_Appearing, ImVec2(1, 0));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(16 * em, 4 * em),
+                                        ImVec2(23 * em, std::max(8 * em, 0.6f * float(s.free.height))));
+    const std::string& title = text_in(told.story, told.story.title, told.language);
+    if (!ImGui::Begin(((title.empty() ? tr("Story") : title) + "###story").c_str(), shown,
+                      ImGuiWindowFlags_AlwaysAutoResize))
+        return ImGui::End();
+    keep_within(s.free);
+    story_content(c, told, s, now);
+    ImGui::End();
+}
+
+void note_card(Controls& c, ToldStory& told, NotePicture& picture, Session& s, double now) {
+    if (!told.open || *told.open >= told.story.notes.size()) return;
+    const float em = ImGui::GetFontSize(), high = float(s.free.height),
+                width = std::min(27 * em, float(s.free.width) - 24);
+    ImGui::SetNextWindowPos(ImVec2(float(s.free.left) + 12, float(s.free.top) + 12), ImGuiCond_Appearing);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 6 * em), ImVec2(width, std::max(8 * em, 0.9f * high)));
+    bool shown = true;
+    if (ImGui::Begin((note_label(told, *told.open) + "###card").c_str(), &shown,
+                     ImGuiWindowFlags_AlwaysAutoResize)) {
+        keep_within(s.free);
+        note_content(c, told, picture, s, width - 2 * ImGui::GetStyle().WindowPadding.x, 0.4f * high, now);
+    }
+    ImGui::End();
+    if (!shown) told.open.reset();
+}
+
+}  // namespace vantage

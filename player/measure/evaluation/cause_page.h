@@ -1,0 +1,19 @@
+#pragma once
+#include <ostream>
+#include <vector>
+
+#include "player/measure/evaluation/held_out.h"
+
+namespace vantage {
+
+/// Name of the file with the crops of a photo's worst region: NAME-CAUSE.png.
+std::string region_file(const LeftOut& result, const WorstRegion& region);
+
+/// Writes the part of the page that divides the squared error among its causes, as HTML: a table of all
+/// photos together, one row per photo, and for each cause the worst regions of all photos.
+void write_causes(std::ostream& out, const std::vector<LeftOut>& results);
+
+/// Writes the crops of one photo's worst regions.
+void write_regions_of(std::ostream& out, const LeftOut& result);
+
+}  // namespace vantage

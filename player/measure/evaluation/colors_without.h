@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "scene/agreement/color_fit.h"
+#include "scene/package/contents/bands.h"
+#include "scene/package/package_reader.h"
+
+namespace vantage {
+
+/// Fits the photos' colors again as if one of them did not exist, so that its rendered view owes it nothing.
+class ColorsWithout {
+  public:
+    /// Reads the photos' samples of the surface. Throws Error(damaged).
+    explicit ColorsWithout(const PackageReader& package);
+
+    /// Gains, and falloff if that is on, fitted without `photo` to the others of its band.
+    PhotoColors colors(std::uint32_t photo) const;
+    /// The package's records with these colors, as far as the effects are on for the photo's band.
+    std::vector<package::PhotoRecord> records(const PhotoColors& colors, std::uint32_t photo) const;
+    std::vector<package::PhotoRecord> records(std::uint32_t photo) const {
+        return records(colors(photo), photo);
+    }
+
+    const PhotoSamples& samples() const { return samples_; }
+
+  private:
+    const PackageReader& package_;
+    PhotoSamples samples_;
+    std::vector<std::uint32_t> lens_;  ///< per photo
+    std::vector<Band> bands_;
+};
+
+}  // namespace vantage

@@ -1,0 +1,247 @@
+#include "player/measure/evaluation/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <sstream>
+
+#include "base/files/make_folder.h"
+#include "base/files/replace_file.h"
+#include "base/gl/context.h"
+#include "base/text/error.h"
+#include "player/measure/evaluation/cause_page.h"
+#include "player/measure/evaluation/colors_without.h"
+#include "player/measure/evaluation/evaluation_page.h"
+#include "player/measure/evaluation/evaluation_table.h"
+#include "player/measure/evaluation/held_out.h"
+#include "player/view/shots.h"
+#include "scene/agreement/consensus_without.h"
+#include "scene/agreement/registered_without.h"
+
+namespace vantage {
+namespace {
+
+void write_pictures(const std::filesystem::path& folder, const LeftOut& r, const LeftOutPictures& p) {
+    write_png(folder / (r.name + "-photo.png"), p.photo);
+    write_png(folder / (r.name + "-rendered.png"), p.rendered);
+    write_png(folder / (r.name + "-difference.png"), p.difference);
+    write_png(folder / (r.name + "-causes.png"), p.causes);
+    for (std::size_t i = 0; i < r.worst.size(); ++i)
+        write_png(folder / region_file(r, r.worst[i]), p.worst[i]);
+}
+
+/// The change since an earlier evaluation, if it contains the photo.
+void compare(const EvaluateOptions& o, LeftOut& r, const LeftOutPictures& p) {
+    const std::filesystem::path file = o.against / (r.name + "-rendered.png");
+    if (!std::filesystem::exists(file)) return;
+    const Picture before = read_png(file);
+    if (before.width != p.photo.width || before.height != p.photo.height)
+        throw Error(Exit::input, file.string() + ": is " + std::to_string(before.width) + "x" +
+                                     std::to_string(before.height) + ", expected " +
+                                     std::to_string(p.photo.width) + "x" + std::to_string(p.photo.height) +
+                                     " (the size at this --level)");
+    std::vector<bool> both = scored_pixels(before);
+    for (std::size_t i = 0; i < both.size(); ++i) both[i] = both[i] && p.scored[i];
+    r.change = change_of(p.photo, before, p.rendered, both);
+    for (const auto& [place, kind] :
+         {std::pair{r.change->better, "-better.png"}, std::pair{r.change->worse, "-worse.png"}})
+        if (place)
+            write_png(o.folder / (r.name + kind),
+                      side_by_side(std::array{&p.photo, &before, &p.rendered}, *place));
+}
+
+void write_regions(const std::filesystem::path& file, const PackageReader& package,
+                   const std::vector<RegionError>& regions) {
+    std::ostringstream out;
+    out.precision(10);
+    out << "x,y,z,radius,pixels,uncoloured,rms\n";
+    const auto clusters = package.records<package::ClusterRecord>(package::Type::clusters);
+    const double* origin = package.scene().origin;
+    for (std::size_t c = 0; c < regions.size(); ++c) {
+        if (regions[c].pixels == 0) continue;
+        for (std::size_t i = 0; i < 3; ++i) out << clusters[c].center[i] + origin[i] << ',';
+        out << clusters[c].radius << ',' << regions[c].pixels << ',' << regions[c].uncolored << ','
+            << regions[c].rms() << '\n';
+    }
+    replace_file(file, out.view());
+}
+
+/// Green to red for 0 to 40 gray levels, blue where mostly no other photo shows what a photo sees, gray where
+/// no photo was compared.
+std::array<int, 3> error_color(const RegionError& r) {
+    if (r.pixels == 0) return {128, 128, 128};
+    if (2 * r.uncolored > r.pixels) return {60, 90, 255};
+    const double t = std::clamp(r.rms() / 40, 0.0, 1.0);
+    return {int(255 * std::min(1.0, 2 * t)), int(255 * std::min(1.0, 2 - 2 * t)), 40};
+}
+
+/// The model as ASCII PLY, one color per triangle, relative to the package's origin.
+void write_model(const std::filesystem::path& file, const PackageReader& package,
+                 const std::vector<RegionError>& regions) {
+    const auto positions = package.records<Eigen::Vector3f>(package::Type::positions);
+    const auto indices = package.records<std::uint32_t>(package::Type::indices);
+    const auto clusters = package.records<package::ClusterRecord>(package::Type::clusters);
+    std::ostringstream out;
+    out << "ply\nformat ascii 1.0\nelement vertex " << positions.size()
+        << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << indices.size() / 3
+        << "\nproperty list uchar uint vertex_indices\nproperty uchar red\nproperty uchar green\n"
+           "property uchar blue\nend_header\n";
+    for (const Eigen::Vector3f& p : positions) out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    for (std::size_t c = 0; c < clusters.size(); ++c) {
+        const auto [red, green, blue] = error_color(c < regions.size() ? regions[c] : RegionError{});
+        for (std::size_t t = clusters[c].first_triangle;
+             t < clusters[c].first_triangle + clusters[c].triangles; ++t)
+            out << "3 " << indices[3 * t] << ' ' << indices[3 * t + 1] << ' ' << indices[3 * t + 2] << ' '
+                << red << ' ' << green << ' ' << blue << '\n';
+    }
+    replace_file(file, out.view());
+}
+
+void print_changes(const std::filesystem::path& against, const std::vector<LeftOut>& results) {
+    double decibels = 0, ssim = 0, sharp_before = 0, sharp_after = 0, n = 0;
+    std::printf("\n%-20s %7s %7s %7s %8s %7s %7s\n", "against", "gain", "now", "change", "SSIM", "sharp",
+                "now");
+    for (const std::size_t i : by_change(results)) {
+        const auto& [before, after, better, worse] = *results[i].change;
+        std::printf("%-20s %7.2f %7.2f %+7.2f %+8.4f %7.2f %7.2f\n", results[i].name.c_str(),
+                    before.psnr_gain, after.psnr_gain, after.psnr_gain - before.psnr_gain,
+                    after.ssim - before.ssim, before.sharpness, after.sharpness);
+        ++n;
+        decibels += after.psnr_gain - before.psnr_gain;
+        ssim += after.ssim - before.ssim;
+        sharp_before += before.sharpness;
+        sharp_after += after.sharpness;
+    }
+    if (n == 0)
+        std::printf("%s contains none of these photos\n", against.c_str());
+    else
+        std::printf("%-20s %23.2f %+8.4f %7.2f %7.2f\n", "mean", decibels / n, ssim / n, sharp_before / n,
+                    sharp_after / n);
+}
+
+void print_remarks(const std::vector<LeftOut>& results) {
+    for (const std::size_t i : worst_first(results))
+        for (const std::string& s : results[i].remarks)
+            std::printf("%s: %s\n", results[i].name.c_str(), s.c_str());
+}
+
+/// Of the table's first column.
+int name_width(const PackageReader& package, const std::vector<std::uint32_t>& photos) {
+    std::size_t width = 5;
+    const std::vector<std::string> stems = package.photo_stems();
+    for (const std::uint32_t p : photos) width = std::max(width, stems[p].size());
+    return int(width);
+}
+
+/// The photos to leave out: those of --photo, or every n-th. Photos without pixels are skipped.
+std::vector<std::uint32_t> photos_to_leave_out(const PackageReader& package, const EvaluateOptions& o,
+                                               const std::vector<std::uint32_t>& in_use) {
+    std::vector<std::uint32_t> out = named_photos(package, o.package.photos);
+    if (out.empty())
+        for (std::size_t i = 0; i < in_use.size(); i += std::size_t(o.every)) out.push_back(in_use[i]);
+    std::erase_if(out, [&](std::uint32_t p) { return package.photos()[p].levels == 0; });
+    return out;
+}
+
+void expect_earlier(const EvaluateOptions& o) {
+    if (o.against.empty()) return;
+    if (!std::filesystem::is_directory(o.against))
+        throw Error(Exit::input,
+                    o.against.string() + ": not a folder, expected that of an earlier evaluation");
+    std::error_code none;
+    if (std::filesystem::equivalent(o.against, o.folder, none))
+        throw Error(Exit::usage,
+                    o.against.string() + ": would be overwritten, expected another folder for -o");
+}
+
+/// Cameras that were moved together, on which the photos left out had a say.
+void report_registration(const PackageReader& package) {
+    if (effect_on(package.scene(), Effect::registration) &&
+        !package.find(package::Type::registration_without))
+        std::printf(
+            "the cameras were moved together, with the photos left out; for figures without them, use "
+            "vantage prepare --hold-out\n");
+}
+
+/// The package's results without a photo that is left out.
+class SceneWithout {
+  public:
+    SceneWithout(const PackageReader& package, bool consensus_masks)
+        : colors_(package), fits_colors_(uses_colors(package.scene())) {
+        if (consensus_masks && effect_on(package.scene(), Effect::consensus))
+            consensus_.emplace(package, colors_.samples());
+    }
+    /// Shows the others' masks as they are without the photo. Returns the records.
+    std::vector<package::PhotoRecord> leave_out(std::uint32_t photo, Renderer& renderer) {
+        const PhotoColors colors = fits_colors_ ? colors_.colors(photo) : PhotoColors{};
+        std::vector<package::PhotoRecord> out = colors_.records(colors, photo);
+        if (effect_on(renderer.package().scene(), Effect::registration))
+            use_poses_without(renderer.package(), photo, out);
+        if (consensus_) {
+            consensus_->leave_out(photo, colors, out);
+            renderer.use_weights([this](std::uint32_t other) { return consensus_->of(other); });
+        }
+        return out;
+    }
+
+  private:
+    static bool uses_colors(const package::SceneRecord& scene) {
+        return effect_on(scene, Effect::exposure) || effect_on(scene, Effect::falloff) ||
+               effect_on(scene, Effect::consensus);
+    }
+
+    ColorsWithout colors_;
+    bool fits_colors_;
+    std::optional<ConsensusWithout> consensus_;
+};
+
+}  // namespace
+
+int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
+    const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
+    const std::vector<std::uint32_t> left_out = photos_to_leave_out(
+        package, o,
+        o.blending.bands.band.empty()
+            ? photos
+            : photos_in_use(package, o.package, band_settings(package, o.blending.bands).shown));
+    if (left_out.empty()) throw Error(Exit::input, package.path().string() + ": no photos to leave out");
+    expect_earlier(o);
+    make_folder(o.folder);
+    RenderSettings settings = render_settings(package, o.blending, Purpose::pictures);
+    settings.fill_holes = false;   // the whole frame is scored besides
+    settings.points.show = false;  // photos are scored
+    settings.transparency = Transparency::off;
+    report_registration(package);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, memory_budget(o.memory));
+    SceneWithout without(package, settings.weights.consensus_mask);
+    std::vector<LeftOut> results;
+    std::vector<RegionError> regions(renderer.scene().clusters.size());
+    const int names = name_width(package, left_out);
+    print_heading(names);
+    for (const std::uint32_t p : left_out) {
+        LeftOutPictures pictures;
+        settings.bands = {.shown = package.photos()[p].band};  // the others of its band predict it
+        const int level = std::min(o.level, int(package.photos()[p].levels) - 1);
+        const auto records = without.leave_out(p, renderer);
+        results.push_back(leave_out(renderer, settings, photos, records, p, level, regions, pictures));
+        write_pictures(o.folder, results.back(), pictures);
+        if (!o.against.empty()) compare(o, results.back(), pictures);
+        print_row(results.back(), names);
+    }
+    remark(results);
+    print_means(results, names);
+    print_causes(results);
+    print_remarks(results);
+    if (!o.against.empty()) print_changes(o.against, results);
+    write_photos(o.folder / "photos.csv", results);
+    write_regions(o.folder / "regions.csv", package, regions);
+    write_model(o.folder / "regions.ply", package, regions);
+    write_evaluation_page(o.folder, package.path().filename().string() + ": each photo left out", results,
+                          o.worst);
+    std::printf("%s\n", (o.folder / "index.html").c_str());
+    return int(Exit::ok);
+}
+
+}  // namespace vantage

@@ -1,0 +1,33 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "player/measure/evaluation/held_out.h"
+
+namespace vantage {
+
+/// The error of all frames together that has one cause.
+struct CauseTotal {
+    Cause cause = Cause::count;
+    double share = 0, colored_share = 0;        ///< of all photos' squared errors, see CauseSquares
+    double decibels = 0, colored_decibels = 0;  ///< by which PSNR would rise without it: mean over the photos
+                                                ///< of the frame, of the colored pixels
+    std::size_t worst = 0;                      ///< index of the photo with most of it
+};
+
+/// One per cause that has any error, largest share first.
+std::vector<CauseTotal> cause_totals(const std::vector<LeftOut>& results);
+
+/// Prints the heading of the table of photos. `names`: width of the first column.
+void print_heading(int names);
+void print_row(const LeftOut& result, int names);
+/// Prints the means over photos with a colored pixel, if there are any.
+void print_means(const std::vector<LeftOut>& results, int names);
+/// Prints one line per cause that has any error.
+void print_causes(const std::vector<LeftOut>& results);
+
+/// Writes one line per photo, with the same values and more, as CSV. Throws Error(storage).
+void write_photos(const std::filesystem::path& file, const std::vector<LeftOut>& results);
+
+}  // namespace vantage

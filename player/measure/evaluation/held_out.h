@@ -1,0 +1,57 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "player/measure/evaluation/change.h"
+#include "player/measure/evaluation/relative_brightness.h"
+#include "player/measure/evaluation/worst_regions.h"
+#include "player/measure/whole_frame.h"
+#include "player/render/renderer.h"
+
+namespace vantage {
+
+/// A photo compared with its view rendered from the other photos.
+struct LeftOut {
+    std::uint32_t photo = 0;
+    std::string name;                ///< without extension
+    PictureScore score;              ///< over the colored pixels
+    FrameScore frame;                ///< over all pixels, as the window shows them
+    CauseSquares causes{};           ///< the frame's squared error after gains
+    std::vector<WorstRegion> worst;  ///< at most four, of different causes
+    double colored = 0;              ///< share of the photo's pixels on the surface that have a color
+    double over_nearest = 0;  ///< dB above the nearest photo alone, gains fitted, over pixels that both color
+    std::array<double, 2> shift{0, 0};  ///< photo pixels at full size, see shift_of
+    RelativeBrightness brightness;      ///< of the photo
+    std::vector<std::string> remarks;   ///< likely problems
+    std::optional<Change> change;       ///< since an earlier evaluation of the same photo
+};
+
+/// The error of the pictures on a part of the model.
+struct RegionError {
+    std::size_t pixels = 0, uncolored = 0;
+    double squares = 0;  ///< sum of squared differences after gains, over three channels
+    double rms() const;  ///< gray levels of 255; 0 if nothing is colored
+};
+
+struct LeftOutPictures {
+    Picture photo, rendered, difference;
+    Picture shown;   ///< the whole frame, see as_in_window; gains applied
+    Picture causes;  ///< see cause_picture
+    std::vector<Picture>
+        alone;  ///< from single photos, gains applied: the nearest, and those that agree best
+    std::vector<Picture> worst;  ///< of LeftOut::worst, see region_picture
+    std::vector<bool> scored;    ///< one flag per pixel: both photo and rendered picture show it
+};
+
+/// Compares a photo with its view rendered from the others (`photos` without it), at a pyramid level, with
+/// 2x2 samples per pixel. `records`: see ColorsWithout. Adds the errors to `regions`, one per cluster.
+LeftOut leave_out(Renderer& renderer, RenderSettings settings, std::span<const std::uint32_t> photos,
+                  std::span<const package::PhotoRecord> records, std::uint32_t photo, int level,
+                  std::vector<RegionError>& regions, LeftOutPictures& pictures);
+
+/// Adds remarks to photos with likely problems; an unusually low SSIM is judged against all results.
+void remark(std::vector<LeftOut>& results);
+
+}  // namespace vantage

@@ -1,0 +1,36 @@
+#pragma once
+#include <string>
+
+#include "player/options/shown/band_options.h"
+#include "player/render/render_settings.h"
+#include "scene/package/package_reader.h"
+
+namespace vantage {
+
+class Command;
+
+/// What is blended, and how.
+struct BlendingOptions {
+    RenderSettings render;
+    int photos = -1;  ///< to blend; -1: default, 0: all
+    std::string holes, exposure;
+    BandOptions bands;
+    bool given = false;  ///< an option of blending_group was on the command line
+};
+inline constexpr const char* blending_group = "Blending";
+/// Those that all commands use that draw photos, with --band.
+void add_blending_options(const Command& command, BlendingOptions& options);
+void add_blended_option(const Command& command, BlendingOptions& options);
+void add_holes_option(const Command& command, BlendingOptions& options);
+void add_surroundings_option(const Command& command, BlendingOptions& options);
+void add_transparency_option(const Command& command, BlendingOptions& options);
+
+/// Determines defaults: a window blends few photos and shades holes; pictures blend all and leave holes
+/// transparent.
+enum class Purpose { window, pictures };
+
+/// The settings that the options give, completed by the package's effects and by defaults. Throws
+/// Error(usage) for an unknown photo.
+RenderSettings render_settings(const PackageReader& package, const BlendingOptions& options, Purpose purpose);
+
+}  // namespace vantage

@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/package/package_reader.h"
+
+namespace vantage {
+
+class Command;
+class Option;
+
+/// The package, and a selection of its photos.
+struct PackageOptions {
+    std::string file;
+    std::vector<std::string> exclude;  ///< photos that are not blended
+    std::vector<std::string> photos;   ///< to look from, or to leave out
+};
+/// FILE, whose help ends in `more`.
+Option add_package_argument(const Command& command, PackageOptions& options, const std::string& more = {});
+void add_exclude_option(const Command& command, PackageOptions& options);
+void add_photo_option(const Command& command, PackageOptions& options);
+
+/// All photos but the excluded ones. Throws Error(usage) for an unknown name.
+std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& options);
+
+/// Those of them that are of one band.
+std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& options,
+                                         std::uint32_t band);
+
+}  // namespace vantage

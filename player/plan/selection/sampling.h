@@ -1,0 +1,36 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+
+#include "player/view/view.h"
+#include "scene/package/package_format.h"
+
+namespace vantage {
+
+/// A point on a surface, relative to the origin, and the steps on its tangent plane from one sample of a
+/// view's picture to the next, along the picture's rows and columns.
+struct SurfaceSample {
+    Eigen::Vector3d position, along_x, along_y;
+    double coarser = 0;  ///< levels of detail that may be missing, because the photo has little weight
+};
+/// `samples` per side of a pixel. Empty if the point is behind the viewer or its plane is seen edge-on.
+std::optional<SurfaceSample> surface_sample(const View& view, const Eigen::Vector3d& position,
+                                            const Eigen::Vector3d& normal, double samples);
+
+/// log2 of the photo pixels from one sample to the next, along the shorter step but at least a quarter of the
+/// longer, as in footprint_of() in shaders/blend.frag. The point must be in front of the photo's camera.
+double level_of_detail(const SurfaceSample& sample, const Intrinsics& photo, const Pose& photo_from_origin);
+
+/// The range of levels of detail of a surface's samples: level 0 is one photo pixel per sample, each further
+/// level twice as many per side.
+struct LevelRange {
+    double finest, coarsest;
+};
+
+/// The levels that shaders/blend.frag computes for fragments of a cluster, from the cluster's bounding sphere
+/// and normal cone, but no finer than for a surface slanted by 60 degrees in the photo. `samples` per side of
+/// a pixel.
+LevelRange sampled_levels(const package::ClusterRecord& cluster, const Intrinsics& photo,
+                          const Pose& photo_from_origin, const View& view, double samples);
+
+}  // namespace vantage

@@ -1,0 +1,35 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "player/plan/selection/sampling.h"
+#include "scene/package/contents/lens_table.h"
+#include "scene/package/package_format.h"
+
+namespace vantage {
+
+inline constexpr std::uint32_t most_levels = 12;
+
+/// Tiles of one photo, by level; each list ascending, without duplicates. Depth has the tiles of the masks.
+struct TileNeeds {
+    std::array<std::vector<std::uint32_t>, most_levels> color, masks;
+    std::size_t tiles() const;  ///< number; a tile of masks and its depth count as one
+};
+
+/// A cluster and the levels on which its fragments sample the photo.
+struct ClusterLevels {
+    std::uint32_t cluster;
+    LevelRange levels;
+};
+/// The tiles of one photo that these clusters sample: each cluster's recorded extent, on its levels. `lens`:
+/// null if the photo has none.
+TileNeeds tile_needs(const package::PhotoRecord& photo, const LensTable* lens,
+                     std::span<const package::CoverageRecord> coverage,
+                     std::span<const ClusterLevels> clusters);
+
+/// The color tiles that show the whole photo with `density` samples per photo pixel, along a side.
+TileNeeds whole_photo_needs(const package::PhotoRecord& photo, double density);
+
+}  // namespace vantage

@@ -1,0 +1,41 @@
+#pragma once
+#include <vector>
+
+#include "player/view/view.h"
+#include "scene/package/package_format.h"
+#include "shaders/contract.h"
+
+namespace vantage {
+
+/// The weights that are applied, and their parameters.
+struct WeightSettings {
+    bool distance = true;  ///< [M]: from viewpoint to camera center, relative to the other photos
+    bool angle = true;  ///< between rays at the surface; with `angle_per_photo`, between viewing directions
+    bool angle_per_photo = false;
+    bool angle_mask = true, depth_mask = true, border_mask = true, consensus_mask = true;
+    bool fov_normalization = false;  ///< compare distances as if all fields of view were equal [M] 4.1 to 4.3
+    bool corrected_directions = false;  ///< [P]: a photo's direction is toward the middle of what it sees
+    double exponent = 2;                ///< of the distance and per-photo angle weights
+    double sharpness =
+        shader::default_sharpness;  ///< radians: the angle between rays at which the weight is 1/e
+    bool operator==(const WeightSettings&) const = default;
+};
+
+/// 1 for the smallest value, decreasing linearly to `floor` for the largest; all equal: all 1. Values must be
+/// finite. A range below `indistinct` is rounding and counts as `indistinct`.
+std::vector<double> nearest_is_one(const std::vector<double>& values, double floor = 1e-3,
+                                   double indistinct = 0);
+
+/// The factors of the photos' dynamic weights, per photo in (0, 1]: distance is 1 for the nearest photo,
+/// angle for the one with the most similar direction.
+struct ViewWeights {
+    std::vector<double> distance, angle;
+};
+ViewWeights view_weights(const View& view, std::span<const package::PhotoRecord> photos,
+                         const WeightSettings& settings);
+
+/// Dynamic weight of each photo for a view, in [1e-9, 1].
+std::vector<double> dynamic_weights(const View& view, std::span<const package::PhotoRecord> photos,
+                                    const WeightSettings& settings);
+
+}  // namespace vantage

@@ -1,0 +1,28 @@
+#include "player/render/passes/blend_table.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/text/translation.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::array table{
+    BlendRow{Blend::lumigraph, "lumigraph", marked("Lumigraph"),
+             marked("by the angle between the rays to viewer and photo, fading at borders"),
+             "BLEND_LUMIGRAPH", false},
+    BlendRow{Blend::average, "average", marked("Average"), marked("by distance, angle and all masks"), "",
+             false},
+    BlendRow{Blend::best, "best", marked("Best photo"), marked("each point from one photo"), "BLEND_BEST",
+             true},
+};
+static_assert(table.size() == std::size_t(Blend::count), "each mode has a row");
+
+}  // namespace
+
+std::span<const BlendRow> blend_table() { return table; }
+
+const BlendRow& blend_row(Blend blend) { return *std::ranges::find(table, blend, &BlendRow::blend); }
+
+}  // namespace vantage

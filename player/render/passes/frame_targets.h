@@ -1,0 +1,48 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/gl/object.h"
+#include "player/render/passes/picture_samples.h"
+#include "player/view/frame_size.h"
+
+namespace vantage {
+
+/// The bare surface as a frame shows it, with its depth and the numbers of its triangles (from 1).
+struct SurfaceTargets {
+    gl::Texture depth, shaded, triangles;
+    gl::Framebuffer target;
+};
+
+/// The render targets of a frame: the bare surface, the picture of photos that others are replacing, two
+/// float targets of sums (best photo and consensus read one and write the other), and the samples of each
+/// eye's picture. They may have room for larger frames.
+struct FrameTargets {
+    int width = 0, height = 0;             ///< of the frame, pixels; up to `room`
+    FrameSize room;                        ///< of the textures
+    SurfaceTargets layers;                 ///< of both eyes, if each has its own surface
+    std::vector<SurfaceTargets> surfaces;  ///< one per eye, from `layers`; or one that eyes use in turn
+    std::size_t surface_number = 0;        ///< of the eye that was painted last
+    gl::Texture sums[2], before;
+    std::vector<std::array<gl::Framebuffer, 2>> sums_targets;  ///< per surface, which gives them its depth
+    gl::Framebuffer before_target;
+    std::vector<PictureSamples> samples;  ///< per eye
+
+    FrameSize size() const { return {width, height}; }
+    /// Of the eye that was painted last. There must be targets.
+    const SurfaceTargets& surface() const { return surfaces[surface_number]; }
+    const gl::Framebuffer& sums_target(int sums) const {
+        return sums_targets[surface_number][std::size_t(sums)];
+    }
+    static std::uint64_t bytes(FrameSize room, std::size_t eyes = 1, std::size_t surfaces = 1);
+};
+
+/// Draws into a framebuffer, in a frame of this size.
+void bind_target(GLuint framebuffer, FrameSize size);
+
+/// For frames of at most this size, drawn for one eye or two, with as many surfaces or one. Throws
+/// Error(usage) for a size that the graphics card cannot draw.
+FrameTargets make_frame_targets(FrameSize room, std::size_t eyes = 1, std::size_t surfaces = 1);
+
+}  // namespace vantage

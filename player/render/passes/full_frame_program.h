@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/gl/program.h"
+#include "player/view/frame_size.h"
+
+namespace vantage {
+
+/// A program that runs a fragment shader once per pixel of the viewport: three vertices without attributes.
+gl::Program full_frame_program(const char* label, const char* fragment_shader,
+                               const std::vector<std::string>& defines = {});
+
+/// Makes such a program current for all pixels of the framebuffer `target`, which has this size; without
+/// depth and blending.
+void begin_full_frame(const gl::Program& program, GLuint target, FrameSize size);
+
+}  // namespace vantage

@@ -1,0 +1,69 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+
+#include "base/gl/object.h"
+#include "base/gl/readback.h"
+#include "player/render/passes/frame_targets.h"
+#include "player/render/render_settings.h"
+
+namespace vantage {
+
+/// Fragments of transparent surfaces.
+struct FragmentCount {
+    std::size_t fragments = 0;     ///< in front of what is opaque
+    std::size_t approximated = 0;  ///< of these: not sorted, for lack of room
+};
+
+/// The buffers in which transparent surfaces are collected: weighted sums (McGuire and Bavoil 2013) and, in
+/// exact mode, a list of fragments per pixel (Yang et al. 2010), which resolve sorts. Belongs to the OpenGL
+/// thread.
+class TransparentPass {
+  public:
+    /// Room in lists: this many fragments per pixel on average; what finds none goes to the sums.
+    static constexpr std::uint64_t layers_per_pixel = 4;
+    /// Lists take at most this, in bytes.
+    static constexpr std::uint64_t most_list_bytes = std::uint64_t(512) << 20;
+
+    /// `list_bytes`: of graphics memory for lists.
+    explicit TransparentPass(std::uint64_t list_bytes) : list_bytes_(list_bytes) {}
+    void release();
+    /// Creates the buffers for frames of at most the targets' room, with the depth of the model's. Nothing if
+    /// the mode is off.
+    void fit(const FrameTargets& targets, Transparency mode);
+    std::uint64_t bytes(int width, int height, Transparency mode) const;
+    /// The mode that fit() was called with.
+    Transparency mode() const { return mode_; }
+    /// How many fragments the lists hold.
+    std::uint32_t capacity() const { return capacity_; }
+
+    /// Pixels from the first of a row to that of the next one, in the lists' heads.
+    int row() const { return room_.width; }
+
+    /// Calls `draw` with targets and lists that are empty and bound, and whatever is behind the frame's depth
+    /// rejected.
+    void collect(FrameSize frame, const std::function<void()>& draw);
+    /// Makes what was collected the input of resolve.
+    void bind() const;
+    /// Starts reading back how many fragments there were, after resolve. Does nothing while an earlier count
+    /// is in flight.
+    void capture();
+    /// Takes the count that has arrived; `wait` waits for the one in flight. True if there is a new one.
+    bool update(bool wait);
+    const FragmentCount& count() const { return count_; }
+
+  private:
+    std::uint32_t capacity_for(int width, int height) const;
+
+    std::uint64_t list_bytes_;
+    Transparency mode_ = Transparency::off;
+    FrameSize room_;
+    std::uint32_t capacity_ = 0;
+    gl::Texture sums_, transmitted_;
+    gl::Framebuffer target_;
+    gl::Buffer heads_, fragments_;
+    gl::Readback counts_;
+    FragmentCount count_;
+};
+
+}  // namespace vantage

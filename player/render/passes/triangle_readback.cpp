@@ -1,0 +1,53 @@
+#include "player/render/passes/triangle_readback.h"
+
+#include <algorithm>
+#include <array>
+
+namespace vantage {
+
+void TriangleReadback::release() {
+    small_target_ = {};
+    small_ = {};
+    pixels_.release();
+    room_ = {};
+}
+
+void TriangleReadback::capture(const FrameTargets& targets, const View& view) {
+    if (pixels_.pending()) return;
+    const auto smaller = [](int pixels) { return std::max(1, pixels / step); };
+    if (const FrameSize room{smaller(targets.room.width), smaller(targets.room.height)}; room != room_) {
+        small_ = gl::make_texture_2d("seen triangles", GL_R32UI, room.width, room.height);
+        small_target_ = gl::make_framebuffer("seen triangles", std::array{small_.id()}, 0);
+        pixels_.allocate("seen triangles", std::size_t(room.width) * std::size_t(room.height));
+        room_ = room;
+    }
+    if (!pixels_) return;
+    const int width = smaller(targets.width), height = smaller(targets.height);
+    captured_pixels_ = std::size_t(width) * std::size_t(height);
+    glNamedFramebufferReadBuffer(targets.surface().target.id(), GL_COLOR_ATTACHMENT1);
+    glBlitNamedFramebuffer(targets.surface().target.id(), small_target_.id(), 0, 0, targets.width,
+                           targets.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, pixels_.id());
+    glGetTextureSubImage(small_.id(), 0, 0, 0, 0, width, height, 1, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                         GLsizei(4 * captured_pixels_), nullptr);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    pixels_.begin();
+    captured_ = view;
+}
+
+bool TriangleReadback::update(bool wait, std::size_t triangles, std::span<const std::uint32_t> stands_for) {
+    const auto all = pixels_.take(wait);
+    if (!all) return false;
+    const auto arrived = all->first(captured_pixels_);
+    arrived_.assign(arrived.begin(), arrived.end());
+    for (std::uint32_t& number : arrived_)
+        if (number > triangles && number - triangles <= stands_for.size())
+            number = stands_for[number - triangles - 1] + 1;
+    view_ = captured_;
+    if (arrived_ == triangles_) return false;
+    std::swap(arrived_, triangles_);
+    ++version_;
+    return true;
+}
+
+}  // namespace vantage

@@ -1,0 +1,46 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/gl/object.h"
+#include "base/gl/readback.h"
+#include "player/plan/view_plan.h"
+#include "player/render/passes/frame_targets.h"
+#include "player/view/view.h"
+
+namespace vantage {
+
+/// Reads back which triangles a frame shows, at every second pixel of every second row, without waiting for
+/// the graphics card unless asked to. Plans cover what is seen, not what lies behind it.
+class TriangleReadback {
+  public:
+    static constexpr int step = 2;  ///< pixels
+
+    /// Graphics memory for frames of this size.
+    static std::uint64_t bytes(int width, int height) {
+        return std::uint64_t(width / step + 1) * std::uint64_t(height / step + 1) * 8;
+    }
+    /// Frees the graphics memory until the next capture.
+    void release();
+    /// Starts reading what `targets` show of `view`. Does nothing while an earlier frame is in flight.
+    void capture(const FrameTargets& targets, const View& view);
+    /// Takes the triangles that have arrived; `wait` waits for those in flight. True if they have changed.
+    /// Beyond `triangles` of the scene, they are numbers of a coarse mesh: those that its triangles stand for
+    /// are taken.
+    bool update(bool wait, std::size_t triangles, std::span<const std::uint32_t> stands_for);
+
+    SeenTriangles seen() const { return {triangles_, view_, version_}; }
+
+  private:
+    FrameSize room_;  ///< of `small_`
+    std::size_t captured_pixels_ = 0;
+    gl::Texture small_;
+    gl::Framebuffer small_target_;
+    gl::Readback pixels_;
+    View view_{}, captured_{};
+    std::vector<std::uint32_t> triangles_, arrived_;
+    std::uint64_t version_ = 0;
+};
+
+}  // namespace vantage

@@ -1,0 +1,33 @@
+#include "player/tour/attract_loop.h"
+
+#include <algorithm>
+
+#include "player/view/turntable.h"
+
+namespace vantage {
+namespace {
+
+/// Once around the target of `home`.
+AttractLoop turn_around(const Navigation& home, double seconds) {
+    constexpr int positions = 720;  // half a degree apart
+    AttractLoop out{turntable(home, positions), {}, seconds};
+    out.positions.push_back(home);
+    return out;
+}
+
+}  // namespace
+
+std::optional<AttractLoop> attract_loop(const Story& story, const Navigation& home, const InputAxes& axes,
+                                        const std::string& story_file) {
+    if (!story.attract) return {};
+    const StoryAttract& attract = *story.attract;
+    if (attract.turn > 0) return turn_around(home, attract.turn);
+    const auto tour = std::ranges::find(story.tours, attract.tour, &StoryTour::id);
+    const auto& stops = tour != story.tours.end() ? tour->stops : attract.stops;
+    if (stops.empty()) return {};
+    auto along = std::make_shared<const CameraSpline>(keys_of(story, stops, {}, axes, story_file));
+    const double seconds = along->seconds();
+    return AttractLoop{{}, std::move(along), seconds};
+}
+
+}  // namespace vantage

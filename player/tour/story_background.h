@@ -1,0 +1,10 @@
+#pragma once
+#include "player/render/render_settings.h"
+#include "scene/story/story.h"
+
+namespace vantage {
+
+/// The background of a story, as it is rendered.
+Background background_of(const StoryBackground& background);
+
+}  // namespace vantage

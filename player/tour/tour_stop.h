@@ -1,0 +1,16 @@
+#pragma once
+#include <cstddef>
+
+#include "scene/story/story.h"
+
+namespace vantage {
+
+/// The stop that a tour flies to or stays at, counted from 0, and when it is reached, seconds.
+struct TourStop {
+    std::size_t stop;
+    double reached;
+};
+/// So many seconds after the tour's start; after its end, the last one. The tour has stops.
+TourStop tour_stop(const StoryTour& tour, double seconds);
+
+}  // namespace vantage

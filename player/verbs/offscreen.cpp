@@ -1,0 +1,179 @@
+#include "player/verbs/offscreen.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "base/cli/progress_line.h"
+#include "base/files/make_folder.h"
+#include "base/files/png_rows.h"
+#include "base/gl/context.h"
+#include "base/text/error.h"
+#include "base/text/lower_extension.h"
+#include "player/composition/object_set.h"
+#include "player/composition/panorama_picture.h"
+#include "player/composition/stereo_picture.h"
+#include "player/options/damaged_tiles.h"
+#include "player/render/picture.h"
+#include "player/survey/survey.h"
+#include "player/view/shots.h"
+#include "scene/package/output_file.h"
+#include "scene/package/package_inputs.h"
+#include "shaders/contract.h"
+
+namespace vantage {
+namespace {
+
+std::vector<Shot> shots(const PackageReader& package, const ShowOptions& options) {
+    const PictureOptions& o = options.pictures;
+    std::optional<FrameSize> size;
+    if (!options.output.size.empty()) size = parse_size(options.output.size);
+    std::vector<Shot> out;
+    const std::vector<std::string> stems = package.photo_stems();
+    for (const std::uint32_t p : named_photos(package, options.package.photos))
+        out.push_back(photo_shot(package.photos()[p], stems[p], size, o.scale));
+    FrameSize frame = size.value_or(FrameSize{1280, 720});
+    if (!size && o.scale != 1)
+        frame = {std::max(1, int(std::lround(1280 * o.scale))), std::max(1, int(std::lround(720 * o.scale)))};
+    if (!o.view.empty()) {
+        auto [view, distance] = parse_view_and_distance(o.view, package, frame);
+        out.push_back({.name = "view", .view = std::move(view), .distance = distance});
+    }
+    if (!o.path.empty())
+        for (Shot& shot : read_path(o.path, package, frame)) out.push_back(std::move(shot));
+    if (out.empty()) throw Error(Exit::usage, "--offscreen needs --photo, --view or --path");
+    return out;
+}
+
+/// With the metadata by which viewers know a panorama, if it is one for one eye: GPano has no field for two.
+void write_picture(const std::filesystem::path& file, const Picture& picture, const ShowOptions& o) {
+    if (!o.pictures.panorama || o.stereo.mode != StereoMode::off) return write_png(file, picture);
+    PngRows out(file, picture.width, picture.height, panorama_xmp({picture.width, picture.height}));
+    const std::size_t row = 4 * std::size_t(picture.width);
+    for (std::size_t at = 0; at < picture.rgba.size(); at += row)
+        out.add(std::span(picture.rgba).subspan(at, row));
+    out.finish();
+}
+
+/// The file for a picture: the output file itself if there is one picture and the output is not a folder,
+/// otherwise a file in the output folder.
+std::filesystem::path picture_file(const std::string& output, const std::string& name, std::size_t count) {
+    const std::filesystem::path out = output.empty() ? (count == 1 ? name + ".png" : ".") : output;
+    const bool file = count == 1 && lower_extension(out) == ".png" && !std::filesystem::is_directory(out);
+    return file ? out : out / (name + ".png");
+}
+
+/// The files for all pictures, with links followed. Throws Error(usage) if one must not be replaced, or if
+/// two pictures have the same name.
+std::vector<std::filesystem::path> picture_files(const PackageReader& package, const ShowOptions& o,
+                                                 const std::vector<Shot>& shots) {
+    Inputs inputs = inputs_of(package);
+    if (!o.pictures.path.empty()) inputs.files.emplace_back(o.pictures.path);
+    std::vector<std::filesystem::path> out;
+    std::set<std::string> names;
+    for (const Shot& shot : shots) {
+        if (!names.insert(shot.name).second)
+            throw Error(Exit::usage, shot.name + ".png: two pictures have this name; take them in two runs");
+        out.push_back(output_file(picture_file(o.output.file, shot.name, shots.size()), Product::png, inputs,
+                                  o.output.force));
+    }
+    return out;
+}
+
+double colored_share(const Picture& p) {
+    std::size_t colored = 0;
+    for (std::size_t i = 3; i < p.rgba.size(); i += 4) colored += p.rgba[i] > 0;
+    return p.rgba.empty() ? 0 : 4.0 * double(colored) / double(p.rgba.size());
+}
+
+std::string consisted_of(const FrameReport& r) {
+    return "  " + std::to_string(r.photos) + " photos in " + std::to_string(r.passes) + " passes  " +
+           std::to_string(r.tiles) + " tiles" +
+           (r.tiles_missing ? " (" + std::to_string(r.tiles_missing) + " missing)" : "");
+}
+
+/// For one eye or two.
+Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader& package, const Shot& shot,
+                    RenderSettings settings, std::span<const std::uint32_t> photos, const ShowOptions& o) {
+    const FrameSize size = o.output.size.empty() ? FrameSize{4096, 2048} : parse_size(o.output.size);
+    const int side = o.pictures.samples ? o.pictures.samples : 1;
+    const Panorama middle = panorama_at(shot.view, up_of(package.scene()), size);
+    if (o.stereo.mode == StereoMode::off) return take_panorama(scene, middle, settings, photos, side);
+    settings.every_tile = false;  // hundreds of views read nearly the same ones
+    const StereoPanorama panorama =
+        stereo_panorama(middle, eye_distance(o.stereo.eyes, shot.distance),
+                        nearest_around(scene.meshes(), middle.eye, shot.distance));
+    ProgressLine progress(o.output.quiet ? ProgressStyle::none : ProgressStyle::automatic, 10);
+    return take_stereo_panorama(scene, stereo, o.stereo.mode, panorama, settings, photos, side,
+                                [&](std::size_t done, std::size_t count) {
+                                    progress.show({"slices", "", done, count});
+                                });
+}
+
+/// What the ends of the color map stand for, if a layer was shown.
+void print_legend(const Renderer& renderer, const RenderSettings& settings) {
+    if (settings.layer.layer < 0) return;
+    const ValueLayer& layer = renderer.layers()[std::size_t(settings.layer.layer)];
+    const auto [map, range] = layer_legend(layer, settings.layer);
+    std::printf("layer %s  %g to %g, %s%s\n", layer.name.c_str(), range.low, range.high, name_of(map),
+                settings.layer.logarithmic ? ", logarithmic" : "");
+}
+
+}  // namespace
+
+int run_offscreen(const PackageReader& package, const ShowOptions& options,
+                  const std::vector<SceneObject>& objects) {
+    const PictureOptions& o = options.pictures;
+    if (o.panorama && options.stereo.mode == StereoMode::checkerboard)
+        throw Error(Exit::usage,
+                    "--panorama with --stereo checkerboard: expected over-under, side-by-side or anaglyph");
+    const std::vector<Shot> wanted = shots(package, options);
+    const std::vector<std::filesystem::path> files = picture_files(package, options, wanted);
+    const std::vector<std::uint32_t> photos = photos_in_use(package, options.package);
+    RenderSettings settings = render_settings(package, options.blending, Purpose::pictures);
+    settings.layer = layer_settings(package, options.layer);
+    settings.light = light_settings(options.light);
+    settings.points = point_settings(options.points);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, memory_budget(options.memory));
+    ObjectSet scene(renderer, objects, memory_budget(options.memory));
+    const bool own_pixels = o.scale == 1 && options.output.size.empty() && o.view.empty() && o.path.empty();
+    const int side = o.samples ? o.samples : own_pixels ? 1 : 2;
+    StereoPicture stereo;
+    const auto picture_of_shot = [&](const Shot& shot) {
+        if (o.panorama) return panorama_of(scene, stereo, package, shot, settings, photos, options);
+        const std::vector<View> eyes = views_of(options.stereo, shot.view, shot.distance);
+        return take_picture(scene, stereo, options.stereo.mode, eyes, settings, photos, side, 0);
+    };
+    std::size_t damaged = 0;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const Shot& shot = wanted[i];
+        const std::filesystem::path& file = files[i];
+        const auto start = std::chrono::steady_clock::now();
+        if (shot.band && !options.blending.bands.given()) settings.bands.shown = *shot.band;
+        const Picture picture = picture_of_shot(shot);
+        if (i == 0 && !options.output.quiet) print_legend(renderer, settings);
+        if (file.has_parent_path()) make_folder(file.parent_path());
+        write_picture(file, picture, options);
+        const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const FrameReport& r = picture.report;
+        damaged = r.tiles_damaged;
+        if (!options.output.quiet)
+            std::printf("%s  %dx%d%s  %.3f %% colored  %.2f s\n", file.c_str(), picture.width, picture.height,
+                        o.panorama ? "" : consisted_of(r).c_str(), 100 * colored_share(picture), s);
+        if (r.fragments_approximated > 0)
+            std::fprintf(
+                stderr,
+                "vantage-player: %s: %zu of %zu transparent fragments are approximated: more than fit "
+                "into memory, or than %d at a pixel\n",
+                file.c_str(), r.fragments_approximated, r.fragments, shader::most_sorted_fragments);
+        std::fflush(stdout);
+    }
+    return exit_for_damaged_tiles(package, damaged);
+}
+
+}  // namespace vantage

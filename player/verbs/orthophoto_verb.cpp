@@ -1,0 +1,48 @@
+#include "player/options/shown/opened_package.h"
+#include "player/pictures/orthophoto.h"
+#include "player/verbs/verbs.h"
+
+namespace vantage {
+
+void add_orthophoto(const Command& program) {
+    const auto o = std::make_shared<OrthophotoOptions>();
+    const Command c = program.verb(
+        "orthophoto", "Project the model on a plane, at right angles, and write a picture true to scale");
+    add_package_argument(c, o->package).required();
+    add_exclude_option(c, o->package);
+    add_output_options(c, o->output);
+    add_quiet_option(c, o->output);
+    add_memory_options(c, o->memory);
+    add_blending_options(c, o->blending);
+    add_holes_option(c, o->blending);
+    add_transparency_option(c, o->blending);
+    add_light_options(c, o->light);
+    const std::string group = "Orthophoto";
+    c.text("--plane", o->plane,
+           "top, bottom, front, back, left or right; or a point, the normal toward the viewer and the "
+           "picture's up direction: PX,PY,PZ,NX,NY,NZ[,UX,UY,UZ]")
+        .group(group);
+    c.real("--resolution", o->resolution, 1e-12, 1e12, "units of the model per pixel")
+        .required()
+        .group(group);
+    c.text("--extent", o->extent,
+           "LEFT,BOTTOM,RIGHT,TOP in coordinates of the plane (default: the whole model)")
+        .group(group);
+    c.integer("--samples", o->samples, 1, 8, "samples per side of a pixel").group(group);
+    c.notes(
+        "Writes a picture, transparent where nothing is: a GeoTIFF (.tif), or a PNG and beside it a world "
+        "file\n"
+        "(.pgw). Both tell its place on the plane.\n"
+        "With z up, top has the model's x to the right and y upwards, and front is seen along y. The plane's "
+        "coordinates\n"
+        "begin at the model's origin, or at the point that is given.\n"
+        "Examples:\n"
+        "  vantage-player orthophoto chapel.vantage --resolution 0.005 -o plan.tif\n"
+        "  vantage-player orthophoto chapel.vantage --plane front --resolution 0.002 --extent -3,0,3,5 -o "
+        "door.png\n"
+        "  vantage-player orthophoto chapel.vantage --plane 0,0,0,1,-1,0 --resolution 0.01 --light raking -o "
+        "relief.png");
+    c.action([o] { return run_orthophoto(opened_package(o->package.file, o->memory, o->output.quiet), *o); });
+}
+
+}  // namespace vantage

@@ -1,0 +1,56 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "player/view/camera_spline.h"
+#include "player/view/navigation.h"
+#include "scene/package/package_reader.h"
+
+namespace vantage {
+
+/// A flight: one position per frame.
+struct CameraPath {
+    std::string name;
+    std::vector<Navigation> frames;
+};
+
+/// From `start`: "still"; "orbit", 60 degrees to either side and back; "approach", to a third of the distance
+/// and back; "jump", facing away from the model, then turned by 180 degrees at the middle frame; "flight",
+/// smooth and random, reproducible by `seed`. Throws Error(usage) for any other name.
+CameraPath scripted_path(const std::string& name, const Navigation& start, int frames, unsigned seed = 1);
+
+/// The views in a file (see read_path), interpolated evenly to `frames` positions. Throws Error(input).
+CameraPath recorded_path(const std::string& file, const PackageReader& package, int frames);
+
+/// The views in a file with their times, see read_path; without times, `seconds` apart. Throws Error(input).
+std::vector<KeyView> path_keys(const std::string& file, const PackageReader& package, double seconds);
+
+/// The views in a file, see read_path; their targets are `distance` away. Throws Error(input).
+std::vector<Navigation> recorded_stops(const std::string& file, const PackageReader& package,
+                                       double distance = 1);
+
+/// At the photos' cameras, from the first one always to the nearest that is left. Photos without pixels are
+/// skipped.
+std::vector<Navigation> photo_stops(const PackageReader& package, std::span<const std::uint32_t> photos);
+
+/// From stop to stop in straight lines, in equal steps of at most `step` radians: the angle by which the
+/// camera turns, or by which it moves around its target, whichever is larger. Throws Error(usage) for more
+/// than a million frames.
+std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double step);
+
+/// A position as parse_view() takes it, with commas.
+std::string view_text(const Navigation& position, const PackageReader& package);
+
+/// Writes positions in the format of read_path, with a band for each unless `bands` is empty, and with times
+/// if so many of them are met `per_second`. Throws Error(storage).
+void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,
+                const PackageReader& package, std::span<const std::string> bands = {},
+                std::optional<double> per_second = {});
+
+/// Interpolates from `a` (share 0) to `b` (share 1); extrapolates beyond.
+Navigation between(const Navigation& a, const Navigation& b, double share);
+
+}  // namespace vantage

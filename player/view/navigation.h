@@ -1,0 +1,61 @@
+#pragma once
+#include <Eigen/Core>
+
+#include "player/view/view.h"
+#include "scene/package/package_reader.h"
+
+namespace vantage {
+
+/// A camera moved by hand: it orbits a target, or flies. Coordinates relative to the origin.
+struct Navigation {
+    Eigen::Vector3d eye, target, up;
+    Eigen::Matrix3d R;  ///< cam_from_origin
+    double fov = 45;    ///< vertical, degrees
+    double aspect = 0;  ///< width over height of what `fov` was chosen for, such as a photo; 0: any
+};
+
+/// At the photo's camera, facing its direction; the target is at the distance of the surface it sees.
+Navigation stand_at(const package::PhotoRecord& photo, const Eigen::Vector3d& up);
+
+/// At a view, with the target `distance` away on its axis.
+Navigation stand_at(const View& view, const Eigen::Vector3d& up, double distance);
+
+/// In front of the whole model, a little above it, with the target in its middle; for scenes without photos.
+Navigation stand_before(const package::SceneRecord& scene, const Eigen::Vector3d& up);
+
+/// In front of the whole model, in the direction in which a picture with these axes (of length 1, at right
+/// angles) is seen; `up`: of the scene.
+Navigation stand_beside(const package::SceneRecord& scene, const Eigen::Vector3d& right,
+                        const Eigen::Vector3d& picture_up, const Eigen::Vector3d& up);
+
+/// At the photo's camera, or before the model if the package has no photos.
+Navigation home_of(const PackageReader& package, std::uint32_t photo);
+
+/// The view that `prepare` chose for the scene; for other bands than that of its photo, at the camera of the
+/// photo nearest to it.
+Navigation first_view(const PackageReader& package, std::uint32_t band);
+
+/// Orbits the target by angles in radians: `right` about up, `down` about the camera's x axis. Stops 3
+/// degrees from the poles.
+void orbit(Navigation& n, double right, double down);
+/// The same about a point other than the target.
+void orbit_about(Navigation& n, const Eigen::Vector3d& pivot, double right, double down);
+/// Turns the camera in place, by the same angles.
+void look(Navigation& n, double right, double down);
+/// Moves eye and target along the camera's axes (x right, y down, z ahead).
+void fly(Navigation& n, const Eigen::Vector3d& step);
+/// Scales the eye's distance from the target by `factor`, clamped to [0.01, 100].
+void approach(Navigation& n, double factor);
+/// Scales the distance of eye and target from a point, which stays where it is in the picture. The eye's ends
+/// in [nearest, farthest].
+void approach_point(Navigation& n, const Eigen::Vector3d& point, double factor, double nearest,
+                    double farthest);
+/// From the same direction, at this distance, with a point in the middle, which becomes the target.
+Navigation facing(const Navigation& n, const Eigen::Vector3d& point, double distance);
+
+View view_of(const Navigation& n, int width, int height);
+/// The same with the field of view, `fov` high and `aspect` times as wide, fitted into a part of the frame
+/// and centered there. `free` is enlarged to at least one pixel.
+View view_of(const Navigation& n, int width, int height, const Area& free);
+
+}  // namespace vantage

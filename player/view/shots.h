@@ -1,0 +1,47 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "player/view/frame_size.h"
+#include "player/view/view.h"
+#include "scene/package/package_reader.h"
+
+namespace vantage {
+
+/// A picture to take: its view, and its file name without extension.
+struct Shot {
+    std::string name;
+    View view;
+    std::optional<std::uint32_t> band{};  ///< to show; nothing: not said
+    std::optional<double> at{};           ///< seconds after a flight begins; nothing: not said
+    double distance = 1;                  ///< from the eye to what it is looking at
+};
+
+/// "1280x720". Throws Error(usage).
+FrameSize parse_size(const std::string& text);
+
+/// Indices of photos by name (with or without extension), each once; "all" for every photo. Throws
+/// Error(usage) for an unknown or ambiguous name.
+std::vector<std::uint32_t> named_photos(const PackageReader& package, const std::vector<std::string>& names);
+
+/// From the photo's own camera, with its intrinsics at `scale`, or with the whole photo fitted into `size`.
+/// `name`: of the picture.
+Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std::optional<FrameSize> size,
+                double scale);
+
+/// "EX,EY,EZ,TX,TY,TZ", eye and target in the input's coordinates, with the vertical field of view in degrees
+/// as an optional seventh number (default 45); separated by commas or spaces. Throws Error(usage).
+View parse_view(const std::string& text, const PackageReader& package, FrameSize size);
+
+/// The same, and the distance from the eye to the target.
+std::pair<View, double> parse_view_and_distance(const std::string& text, const PackageReader& package,
+                                                FrameSize size);
+
+/// One view per line, as in parse_view, followed by at=SECONDS if it is met at a time of a flight, and by
+/// band=NAME if it is to show a band; skips empty lines and lines that start with #. Named 0000, 0001, ...
+/// Throws Error(input), also if the times are not in order.
+std::vector<Shot> read_path(const std::string& file, const PackageReader& package, FrameSize size);
+
+}  // namespace vantage

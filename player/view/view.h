@@ -1,0 +1,81 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <span>
+
+#include "player/view/frame_size.h"
+#include "scene/camera/camera.h"
+#include "scene/package/package_format.h"
+
+namespace vantage {
+
+/// The exposure that a view shows: `gain` relative to the mean photo's exposure, and the lens's falloff
+/// toward the corners, as in PhotoRecord.
+struct Exposure {
+    std::array<float, 3> gain{1, 1, 1}, falloff{0, 0, 0};
+    std::uint32_t band = 0;  ///< whose photos it is relative to
+    bool operator==(const Exposure&) const = default;
+};
+/// The photo's exposure and lens.
+Exposure exposure_of(const package::PhotoRecord& photo);
+
+/// A rectangle of a frame: its upper left corner and its size, in pixels.
+struct Area {
+    double left = 0, top = 0, width = 0, height = 0;
+};
+
+/// A camera to render from; positions are relative to the package's origin.
+struct View {
+    Intrinsics intrinsics;
+    Pose cam_from_origin;
+    Exposure exposure{};
+    /// 0: perspective. Otherwise orthographic: points are projected along the camera's axis, and at every
+    /// depth as large as those at this depth are in perspective. The eye is that far away: directions and
+    /// levels of detail, which are computed as in perspective, are then right to 1 / orthographic_distance.
+    double orthographic_depth = 0;
+};
+
+/// The size of a view's picture.
+inline FrameSize frame_size(const View& view) { return {view.intrinsics.width, view.intrinsics.height}; }
+
+/// Whether two views show the same, apart from their exposure.
+bool same_view(const View& a, const View& b);
+inline bool operator==(const View& a, const View& b) { return same_view(a, b) && a.exposure == b.exposure; }
+
+/// How far the eye of an orthographic view is from what it shows, in sizes of that.
+inline constexpr double orthographic_distance = 1e6;
+
+/// An orthographic view with `middle` at pixel (0, 0), `right` and `down` along its rows and columns (of
+/// length 1, at right angles), and `pixels` per unit. `size`: a length that nothing shown exceeds, such as
+/// the diagonal of the model's bounds. Throws Error(usage) if a number is not finite, or not above 0.
+View orthographic_view(const Eigen::Vector3d& middle, const Eigen::Vector3d& right,
+                       const Eigen::Vector3d& down, double pixels, double size, int width, int height);
+
+/// The orthographic view that shows what is `depth` in front of a perspective view's eye as that does. `size`
+/// and errors: as above.
+View orthographic(View perspective, double depth, double size);
+
+/// A length that what an orthographic view shows does not exceed by much, or a perspective view's depth `z`:
+/// what tolerances are shares of.
+double scale_at(const View& view, double z);
+
+/// How far a point is in front of a view's eye, along its axis.
+double depth_in(const View& view, const Eigen::Vector3d& point);
+
+/// Clip-from-origin matrix of a view for depths from range.x() to range.y(), as clip_from_cam().
+Eigen::Matrix4d clip_from_origin(const View& view, const Eigen::Vector2d& range);
+
+/// The photo's own camera and exposure; the frame is `scale` times the photo's size (rounded, at least one
+/// pixel).
+View view_of_photo(const package::PhotoRecord& photo, double scale);
+
+/// From `eye` toward `target`, both relative to the origin, with `up` at the top (any other direction if the
+/// view is along `up`); vertical field of view in degrees. Throws Error(usage) if eye and target coincide or
+/// their distance is not finite.
+View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up,
+                  double fov, int width, int height);
+
+/// The homography from pixels of one view to those of another from the same position.
+Eigen::Matrix3d pixels_from_pixels(const Intrinsics& to, const Eigen::Matrix3d& to_R, const View& from);
+
+}  // namespace vantage

@@ -1,0 +1,54 @@
+#include "player/window/input/asked_files.h"
+
+#include <chrono>
+#include <cstdio>
+#include <utility>
+
+#include "base/files/replace_file.h"
+#include "base/text/formatted.h"
+#include "base/text/translation.h"
+#include "player/survey/section.h"
+#include "player/window/input/numbered_file.h"
+
+namespace vantage {
+
+AskedFiles::~AskedFiles() {
+    const auto tell = [](const std::string& what) {
+        std::fprintf(stderr, "vantage-player: %s\n", what.c_str());
+    };
+    if (said_.valid()) tell(said_.get());
+    for (const Job& job : jobs_) tell(job());
+}
+
+void AskedFiles::attend(Session& s, const PackageReader& package, const ObjectSet& objects, double now) {
+    const std::string stem = package.path().stem().string();
+    if (!s.table.empty())
+        add(stem + "-measurements", ".csv", tr("measurements"),
+            [table = std::exchange(s.table, "")](const std::string& file) { replace_file(file, table); });
+    if (std::exchange(s.save_scene, false))
+        add("scene", ".toml", tr("scene"),
+            [all = objects.objects()](const std::string& file) { write_scene_file(file, all); });
+    if (std::exchange(s.cut.saves, false)) {
+        const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
+        auto lines = section_lines(objects.meshes(), s.settings.sections);
+        const std::string what = formatted(tr("%zu lines"), lines.size());
+        add(stem + "-cut", ".dxf", what, [lines = std::move(lines), origin](const std::string& file) {
+            replace_file(file, section_dxf(lines, origin));
+        });
+    }
+    if (said_.valid() && said_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+        say(s, said_.get(), now);
+    if (said_.valid() || jobs_.empty()) return;
+    said_ = std::async(std::launch::async, std::move(jobs_.front()));
+    jobs_.pop_front();
+}
+
+void AskedFiles::add(const std::string& stem, const char* extension, const std::string& what,
+                     std::function<void(const std::string& file)> write) {
+    // Translated here: translations belong to this thread.
+    jobs_.push_back([=, write = std::move(write), done = std::string(tr("%s written to %s"))] {
+        return written_numbered(stem, extension, what, done, write);
+    });
+}
+
+}  // namespace vantage

@@ -1,0 +1,292 @@
+#include "player/window/input/input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/text/translation.h"
+#include "player/interface/overlays/comparison.h"
+#include "player/interface/sections/band_section.h"
+#include "player/interface/sections/measure_panel.h"
+#include "player/interface/style.h"
+#include "player/render/passes/blend_table.h"
+#include "player/survey/section.h"
+#include "player/view/photos_around.h"
+#include "player/view/pinch.h"
+
+namespace vantage {
+namespace {
+
+/// How far the eye may be from what it approaches or leaves, as a share of the scene's size.
+constexpr double nearest = 1e-3, farthest = 30;
+
+/// A point under the pointer: of the mesh, or else as far away as the target.
+struct UnderPointer {
+    Eigen::Vector3d point;
+    bool on_mesh;
+};
+
+UnderPointer under_pointer(const View& view, const Session& s, const PlanScene& scene,
+                           const Eigen::Vector2d& pixel) {
+    const Ray ray = ray_through(view, pixel);
+    if (const auto hit = first_hit(scene, ray, behind(s.settings.sections, ray)))
+        return {hit->position, true};
+    return {ray.from + depth_in(view, s.camera.target) * ray.along, false};
+}
+
+/// Dragging by the window's width turns by half a turn; what is dragged follows the pointer.
+void drag(Session& s, const View& view, const PlanScene& scene, const Eigen::Vector2d& pointer,
+          const Drags& drags) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto [left, right, middle] = drags;
+    if (!s.grip) {
+        const Eigen::Vector2d moved(left.right + right.right + middle.right,
+                                    left.down + right.down + middle.down);
+        const UnderPointer begin = under_pointer(view, s, scene, pointer - moved);
+        s.grip = Session::Grip{begin.on_mesh ? begin.point : s.camera.target, io.KeyCtrl && !s.orthographic};
+    }
+    const double focal = view.intrinsics.fx;
+    if (s.grip->looks) {
+        look(s.camera, -left.right / focal, -left.down / focal);
+    } else {
+        const double radians = std::numbers::pi / std::max(1.0, double(io.DisplaySize.x));
+        orbit_about(s.camera, s.grip->pivot, left.right * radians, left.down * radians);
+    }
+    const double depth = std::abs(depth_in(view, s.grip->pivot));
+    fly(s.camera, -depth / focal * Eigen::Vector3d(right.right + middle.right, right.down + middle.down, 0));
+}
+
+/// The wheel moves closer to what is under the pointer, or away; a double click flies there.
+void move_to_pointer(Session& s, const View& view, const PlanScene& scene, const Eigen::Vector2d& pointer,
+                     double now) {
+    const double wheel = double(ImGui::GetIO().MouseWheel);
+    const UnderPointer at = under_pointer(view, s, scene, pointer);
+    if (wheel != 0)
+        approach_point(s.camera, at.point, std::pow(0.9, wheel), nearest * scene.size, farthest * scene.size);
+    if (s.input.double_clicked && !s.panels.measure && at.on_mesh) fly_to_point(s, at.point, now);
+}
+
+/// What is under two fingers follows them.
+void pinch(Session& s, const View& view, const PlanScene& scene) {
+    const Pinch& p = *s.input.pinch;
+    if (s.input.pinch_begins || !s.grip)
+        s.grip = Session::Grip{under_pointer(view, s, scene, p.center - p.moved).point};
+    follow_pinch(s.camera, p, s.grip->pivot, view, nearest * scene.size, farthest * scene.size);
+}
+
+/// What the pointer drags in this frame, or what was let go moves on by. Other movements end a glide.
+Drags dragged_by(Session& s, bool free, bool held, bool moves_otherwise, double now) {
+    if (moves_otherwise || s.flight || (!s.inertia && !held)) s.glide = {};
+    if (held && !s.glide.held) s.grip.reset();
+    return move_on(s.glide, free ? s.input.drags : Drags{}, free && held, now);
+}
+
+void move_by_pointer(Session& s, const PlanScene& scene, double now) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool free = !io.WantCaptureMouse, held = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2],
+               pinched = free && s.input.pinch,
+               points = free && (io.MouseWheel != 0 || s.input.double_clicked);
+    const Drags drags = dragged_by(s, free, held, pinched || points, now);
+    const bool dragged =
+        std::ranges::any_of(drags, [](const Drag& d) { return d.right != 0 || d.down != 0; });
+    if (dragged || pinched || points) {
+        s.flight.reset();  // input interrupts a flight
+        const View view = shown_view(s.camera, s, scene, int(io.DisplaySize.x), int(io.DisplaySize.y));
+        const Eigen::Vector2d pointer(io.MousePos.x, io.MousePos.y);
+        if (dragged) drag(s, view, scene, pointer, drags);
+        if (pinched) pinch(s, view, scene);
+        if (points) move_to_pointer(s, view, scene, pointer, now);
+    }
+    if (!s.input.pinch && !held && !dragged) s.grip.reset();
+}
+
+/// The pointer as the top of a hemisphere over the frame: low at its edge, at the viewer in its middle.
+void move_lamp(Session& s) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool still = io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
+    if (s.settings.light.light != Light::raking || !s.lamp_follows || still || io.WantCaptureMouse ||
+        io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2])
+        return;
+    const double radius = 0.5 * double(std::min(io.DisplaySize.x, io.DisplaySize.y)),
+                 x = double(io.MousePos.x - io.DisplaySize.x / 2) / radius,
+                 y = double(io.DisplaySize.y / 2 - io.MousePos.y) / radius;
+    const double degrees = 180 / std::numbers::pi;
+    s.settings.light.azimuth = std::fmod(degrees * std::atan2(y, x) + 360, 360);
+    s.settings.light.elevation = std::max(5.0, degrees * std::acos(std::min(std::hypot(x, y), 1.0)));
+}
+
+/// By keys that are down, or were released before the frame began.
+void move_by_keys(Session& s) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.KeyCtrl || io.KeyAlt || io.KeySuper) return;
+    const auto down = [&](int key) {
+        const auto is = [&](const KeyPress& p) {
+            return p.place == key && p.with == KeyPress::With::nothing;
+        };
+        return double(std::ranges::count(s.input.held, key) > 0 || std::ranges::any_of(s.input.keys, is));
+    };
+    Eigen::Vector3d step(down(GLFW_KEY_D) - down(GLFW_KEY_A), down(GLFW_KEY_Q) - down(GLFW_KEY_E),
+                         down(GLFW_KEY_W) - down(GLFW_KEY_S));
+    if (!(step.norm() > 0)) return;
+    s.flight.reset();
+    s.glide = {};
+    step *= (io.KeyShift ? 2.0 : 0.5) * s.flying_speed * std::min(io.DeltaTime, 0.1f);
+    if (s.orthographic) {  // ahead, nothing would change
+        approach(s.camera, std::exp(-step.z()));
+        step.z() = 0;
+    }
+    fly(s.camera, step * (s.camera.eye - s.camera.target).norm());
+}
+
+template <class Enum>
+void next(Enum& value) {
+    value = Enum((int(value) + 1) % int(Enum::count));
+}
+
+/// Flies to the next photo with pixels on the right, or on the left (`by` -1).
+void fly_on(Session& s, const PlanScene& scene, int by, double now) {
+    const std::vector<std::uint32_t> order = photos_around(scene.photos, s.camera.up);
+    const int count = int(order.size()), here = int(std::ranges::find(order, s.standing_at) - order.begin());
+    for (int i = 1; i <= count; ++i) {
+        const std::uint32_t photo = order[std::size_t((here + by * i % count + count) % count)];
+        if (scene.photos[photo].levels && is_shown(s.settings.bands, scene.photos[photo]))
+            return fly_to(s, photo, scene.photos[photo], now);
+    }
+}
+
+/// Ends what can be ended: help, a flight, a comparison. Never closes the window.
+void leave(Session& s, double now) {
+    if (s.panels.help)
+        s.panels.help = false;
+    else if (s.flight)
+        s.flight.reset();
+    else if (s.settings.compare != Compare::nothing)
+        s.settings.compare = Compare::nothing;
+    else if (!s.kiosk)
+        say(s, tr("Ctrl+Q quits"), now);
+}
+
+/// F1 and so on. A section of the sidebar is shown with the sidebar.
+void toggle_panel(Session& s, int number) {
+    Panels& p = s.panels;
+    struct Part {
+        bool* shown;
+        bool section = false;
+    };
+    const Part parts[] = {{&p.help},        {&p.blending, true}, {&p.status, true}, {&p.photos},
+                          {&p.frusta},      {&p.radar},          {&p.layers, true}, {&p.points, true},
+                          {&p.bands, true}, {&p.objects, true},  {&s.full_screen},  {&p.picture, true}};
+    if (number >= int(std::size(parts))) return;
+    const auto [shown, section] = parts[number];
+    *shown = (section && !p.expert) || !*shown;
+    p.expert |= section;
+}
+
+void change_text(Session& s, float factor) {
+    s.text_scale = std::clamp(s.text_scale * factor, least_text_scale, most_text_scale);
+}
+
+/// Keys with Ctrl.
+void run_command(Session& s, int key) {
+    if (key == GLFW_KEY_Q) s.quit = !s.kiosk;
+    if (key == GLFW_KEY_E && !s.kiosk) s.panels.story_editor = !s.panels.story_editor;
+    if (!ImGui::GetIO().WantTextInput && !s.kiosk) {  // else they are of a text field
+        s.copies_view |= key == GLFW_KEY_C;
+        if (const char* text = key == GLFW_KEY_V ? ImGui::GetClipboardText() : nullptr) s.pasted = text;
+    }
+    if (key == GLFW_KEY_EQUAL || key == GLFW_KEY_KP_ADD) change_text(s, text_step);
+    if (key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT) change_text(s, 1 / text_step);
+}
+
+/// Whether a kiosk lets the public use the key.
+bool is_public(int key) {
+    constexpr int keys[] = {GLFW_KEY_N, GLFW_KEY_B,  GLFW_KEY_C,         GLFW_KEY_X,
+                            GLFW_KEY_H, GLFW_KEY_F1, GLFW_KEY_BACKSPACE, GLFW_KEY_ESCAPE};
+    return std::ranges::find(keys, key) != std::end(keys);
+}
+
+void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
+    if (s.kiosk && !is_public(key)) return;
+    switch (key) {
+        case GLFW_KEY_N:
+            return fly_on(s, scene, 1, now);
+        case GLFW_KEY_B:
+            return fly_on(s, scene, -1, now);
+        case GLFW_KEY_C: {
+            const ImVec2 frame = ImGui::GetIO().DisplaySize;
+            return toggle_comparison(s, scene, view_of(s.camera, int(frame.x), int(frame.y), s.free), now);
+        }
+        case GLFW_KEY_X:
+            return show_next_band(s, scene.bands.size());
+        case GLFW_KEY_V:
+            return next(s.settings.show);
+        case GLFW_KEY_R:
+            s.recording = !s.recording;
+            if (s.recording) s.recorded.clear();
+            return;
+        case GLFW_KEY_T:
+            return replay(s, now);
+        case GLFW_KEY_M:
+            s.panels.measure = !s.panels.measure;
+            return;
+        case GLFW_KEY_O:
+            s.open_asked = true;
+            return;
+        case GLFW_KEY_J:
+            s.panels.story = !s.panels.story;
+            return;
+        case GLFW_KEY_P:
+            s.screenshot = true;
+            return;
+        case GLFW_KEY_H:
+            return fly_home(s, now);
+        case GLFW_KEY_BACKSPACE:
+            return fly_back(s, now);
+        case GLFW_KEY_TAB:
+            s.panels.expert = !s.panels.expert;
+            return;
+        case GLFW_KEY_ESCAPE:
+            return leave(s, now);
+        default:
+            break;
+    }
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) toggle_panel(s, key - GLFW_KEY_F1);
+    for (int number = GLFW_KEY_1; const BlendRow& row : blend_table())
+        if (key == number++) s.settings.blend = row.blend;
+}
+
+}  // namespace
+
+void apply_input(Session& session, const PlanScene& scene, double now) {
+    using With = KeyPress::With;
+    move_by_pointer(session, scene, now);
+    move_lamp(session);
+    for (const KeyPress& p : session.input.keys)
+        if (p.with == With::control) run_command(session, p.key);
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput || io.WantCaptureKeyboard) return;  // a dialog is open, or a control in use
+    if (session.menu_open && take_key(session, GLFW_KEY_ESCAPE)) session.closes_menu = true;
+    take_measuring_keys(session);
+    move_by_keys(session);
+    const std::vector<KeyPress> keys = std::exchange(session.input.keys, {});
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (keys[i].with == With::nothing && !keys[i].repeated)
+            run_shortcut(session, scene, keys[i].key, now);
+        if (!session.open_asked) continue;
+        session.input.keys.assign(keys.begin() + std::ptrdiff_t(i) + 1, keys.end());  // for the dialog
+        return;
+    }
+}
+
+bool keys_in_use(const Session& session) {
+    return !session.input.keys.empty() || !session.input.held.empty();
+}
+
+}  // namespace vantage

@@ -1,0 +1,62 @@
+#include "player/window/input/system_chooser.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <sstream>
+
+#include "base/text/error.h"
+#include "base/text/translation.h"
+
+namespace vantage {
+namespace {
+
+bool in_path(const std::string& program) {
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (::access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+    return false;
+}
+
+/// "zenity", "kdialog" or empty; the desktop's own first.
+std::string chooser() {
+    const char* desktop = std::getenv("XDG_CURRENT_DESKTOP");
+    if (!desktop || !*desktop) return "";
+    const bool kde = std::string(desktop).find("KDE") != std::string::npos;
+    for (const char* program : {kde ? "kdialog" : "zenity", kde ? "zenity" : "kdialog"})
+        if (in_path(program)) return program;
+    return "";
+}
+
+}  // namespace
+
+void SystemChooser::attend(Session& s, const std::filesystem::path& folder, double now) {
+    const std::string program = s.open_asked ? chooser() : "";
+    if (!program.empty()) {
+        s.open_asked = false;
+        try {
+            if (!program_) ask(program, folder);
+        } catch (const Error& e) {
+            say(s, e.what(), now);
+        }
+    }
+    const auto ended = program_ ? program_->ended() : std::nullopt;
+    if (!ended) return;
+    program_.reset();
+    if (ended->well) s.open = ended->prints;
+}
+
+void SystemChooser::ask(const std::string& program, const std::filesystem::path& folder) {
+    const std::string title = tr("Open a package"), what = tr("Vantage packages and scenes"),
+                      at = folder.string() + "/";
+    using Words = std::vector<std::string>;
+    program_.emplace(program,
+                     program == "kdialog"
+                         ? Words{"--title", title, "--getopenfilename", at, "*.vantage *.toml|" + what}
+                         : Words{"--file-selection", "--title=" + title, "--filename=" + at,
+                                 "--file-filter=" + what + "|*.vantage *.toml",
+                                 std::string("--file-filter=") + tr("All files") + "|*"});
+}
+
+}  // namespace vantage

@@ -1,0 +1,52 @@
+#include "player/window/input/view_clipboard.h"
+
+#include <imgui.h>
+
+#include <utility>
+
+#include "base/text/error.h"
+#include "base/text/translation.h"
+#include "player/view/camera_path.h"
+#include "player/view/shots.h"
+
+namespace vantage {
+namespace {
+
+/// In single quotes, for a shell.
+std::string quoted(const std::string& text) {
+    std::string out = "'";
+    for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return out + "'";
+}
+
+/// The numbers of a command line's --view, or all of a text without.
+std::string view_in(const std::string& text) {
+    const std::string option = "--view";
+    const std::size_t at = text.find(option);
+    if (at == std::string::npos) return text;
+    const std::size_t from = text.find_first_not_of(" =", at + option.size());
+    return from == std::string::npos ? "" : text.substr(from, text.find_first_of(" \n", from) - from);
+}
+
+}  // namespace
+
+void use_clipboard(Session& s, const PackageReader& package, double now) {
+    if (std::exchange(s.copies_view, false)) {
+        const std::string command =
+            "vantage-player " + quoted(package.path().string()) + " --view " + view_text(s.camera, package);
+        ImGui::SetClipboardText(command.c_str());
+        say(s, tr("The view is copied as a command line"), now);
+    }
+    if (s.pasted.empty()) return;
+    try {
+        const auto [view, distance] =
+            parse_view_and_distance(view_in(std::exchange(s.pasted, "")), package, {1280, 720});
+        Navigation to = stand_at(view, s.camera.up, distance);
+        to.aspect = s.camera.aspect;
+        s.flight = Session::Flight{{s.camera, to}, now, 0.7};
+    } catch (const Error& e) {
+        say(s, e.what(), now);
+    }
+}
+
+}  // namespace vantage

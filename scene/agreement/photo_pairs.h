@@ -1,0 +1,62 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "scene/agreement/shared_discs.h"
+#include "scene/agreement/surface_discs.h"
+#include "scene/package/package_format.h"
+
+namespace vantage {
+
+/// Two photos that share surface.
+struct PhotoPair {
+    std::uint32_t a, b;    ///< a < b
+    std::uint32_t shared;  ///< number of discs that both show
+    double angle = 0;      ///< median angle between their rays to those discs, radians
+    double color = 0;      ///< median |ln ratio| of linear light, mean of the channels
+};
+
+/// Favors much shared surface and similar directions.
+double worth(const PhotoPair& pair);
+
+/// Finds photos that share surface; photos of different bands share none, as their colors cannot be compared.
+/// The spans must outlive it.
+class SharedSurface {
+  public:
+    /// Shared discs are counted with bit operations; angles and colors are computed only for candidates.
+    SharedSurface(std::span<const package::PhotoRecord> photos, Samples samples,
+                  std::span<const SurfaceDisc> discs);
+
+    std::size_t photos() const { return seen_.size(); }
+    /// Up to `count` pairs with `photo` that share the most surface, at least 30 discs; the most first, equal
+    /// ones in the order of the other photo.
+    std::vector<PhotoPair> most_shared(std::uint32_t photo, std::size_t count) const;
+    /// Up to `count` pairs with `photo` that share the most surface from similar directions; the best
+    /// first. Chosen among the `candidates_of(count)` that share the most.
+    std::vector<PhotoPair> best_pairs(std::uint32_t photo, std::size_t count) const;
+    static std::size_t candidates_of(std::size_t count) { return 4 * count; }
+
+  private:
+    using Bits = std::vector<std::uint64_t>;
+    void compare(PhotoPair& pair) const;
+    PhotoPair compared(const PhotoPair& pair) const;
+
+    Samples samples_;
+    std::span<const SurfaceDisc> discs_;
+    std::vector<Bits> seen_;           ///< a bit per disc
+    std::vector<std::uint32_t> band_;  ///< per photo
+    std::vector<Eigen::Vector3d> eyes_;
+    mutable std::mutex mutex_;
+    mutable std::map<std::pair<std::uint32_t, std::uint32_t>, PhotoPair> compared_;
+};
+
+/// The best `per_photo` pairs of every photo, each once, sorted by (a, b).
+std::vector<PhotoPair> photo_pairs(const SharedSurface& shared, std::size_t per_photo);
+std::vector<PhotoPair> photo_pairs(std::span<const package::PhotoRecord> photos, Samples samples,
+                                   std::span<const SurfaceDisc> discs, std::size_t per_photo);
+
+}  // namespace vantage

@@ -1,0 +1,57 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "scene/package/package_format.h"
+
+namespace vantage {
+
+/// Views of the samples of all photos: one record per disc, or none for a photo without pixels.
+using Samples = std::span<const std::span<const package::SampleRecord>>;
+
+/// Whether the photo shows the disc.
+inline bool shown(const package::SampleRecord& s) { return s.linear[0] | s.linear[1] | s.linear[2]; }
+
+/// The samples of all photos. With many photos only every `step`-th disc is kept, which bounds the memory.
+struct PhotoSamples {
+    std::vector<std::vector<package::SampleRecord>> of_photo;  ///< empty for photos without pixels
+    std::size_t step = 1;
+    std::vector<std::span<const package::SampleRecord>> spans() const;
+};
+/// Every `step`-th disc.
+PhotoSamples thinned(Samples samples, std::size_t step);
+/// Enough of the discs to fit the colors of a fold: a gain is one number per photo and channel.
+PhotoSamples samples_to_fit(Samples samples);
+/// `read` returns the bytes of a photo's SAMP chunk.
+PhotoSamples read_samples(std::span<const package::PhotoRecord> photos,
+                          const std::function<std::vector<std::byte>(std::uint32_t photo)>& read);
+
+/// A disc in a photo: ln of its linear color, and the r^2 of the lens falloff, see falloff_radius.
+struct Observation {
+    std::uint32_t photo;
+    float ln[3], radius2;
+};
+
+/// The discs that several photos show.
+struct SharedDiscs {
+    std::vector<Observation> all;    ///< disc by disc
+    std::vector<std::size_t> first;  ///< start of each disc in `all`, and the end
+
+    /// Calls visit(observations of a disc, index of the first).
+    template <class Visit>
+    void each_disc(const Visit& visit) const {
+        for (std::size_t d = 0; d + 1 < first.size(); ++d)
+            visit(std::span(all).subspan(first[d], first[d + 1] - first[d]), first[d]);
+    }
+};
+
+/// Leaves out photos that share fewer than 30 discs with others. `count`: shared discs per photo.
+SharedDiscs shared_discs(Samples samples, std::vector<std::size_t>& count);
+
+/// Connected components by shared discs: for each photo, the first photo of its component.
+std::vector<std::uint32_t> components(const SharedDiscs& discs, std::size_t photos);
+
+}  // namespace vantage

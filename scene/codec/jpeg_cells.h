@@ -1,0 +1,64 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scene/codec/jpeg_header.h"
+
+namespace vantage::codec {
+
+/// How a photo's DCT coefficients are divided so that parts of it can be decoded alone: into cells of
+/// `interval` MCUs by `band` rows of MCUs. A cell holds, for each of its rows of MCUs, a u16 with the length
+/// of that row's entropy-coded data; then these data, each beginning anew like after a restart marker. All
+/// follows from the header, in which the restart interval is the cells' width.
+struct CellGrid {
+    JpegHeader header;
+    int columns = 0, rows = 0;
+    int band = 0;  ///< rows of MCUs in a cell; the last row of cells may have fewer
+
+    int cell_width() const { return header.restart_interval * header.mcu_width; }
+    std::size_t cells() const { return std::size_t(columns) * std::size_t(rows); }
+};
+
+/// Empty if `header` is not one of a photo in cells.
+std::optional<CellGrid> cell_grid(std::span<const std::byte> header);
+
+/// A photo in cells, row by row; cell i ends at ends[i] of `bytes`.
+struct JpegCells {
+    std::vector<std::byte> header, bytes;
+    std::vector<std::uint64_t> ends;
+
+    std::span<const std::byte> cell(std::size_t i) const {
+        const std::size_t from = i ? ends[i - 1] : 0;
+        return std::span(bytes).subspan(from, ends[i] - from);
+    }
+};
+
+/// Divides a JPEG without changing its coefficients. Empty if it is not one of 8 bits in gray or three
+/// colors, or is damaged.
+std::optional<JpegCells> divide_jpeg(std::span<const std::byte> jpeg);
+
+/// Puts the coefficients of all cells together: a JPEG with the pixels of the one that was divided. Empty if
+/// a cell is damaged.
+using CellAt = std::function<std::span<const std::byte>(std::size_t cell)>;
+std::optional<std::vector<std::byte>> joined_jpeg(std::span<const std::byte> header, const CellAt& cell);
+
+/// A part of a photo, in pixels.
+struct PixelRect {
+    int left, top, right, bottom;
+    int width() const { return right - left; }
+    int height() const { return bottom - top; }
+};
+
+/// The cells that are needed to decode a part, row by row.
+std::vector<std::size_t> cells_of(const CellGrid& grid, const PixelRect& part);
+
+/// Decodes a part, which lies in the photo, into width * height * 4 bytes: the same pixels as those of the
+/// whole JPEG. False if a cell is damaged.
+bool decode_cells(std::span<const std::byte> header, const CellGrid& grid, const PixelRect& part,
+                  const CellAt& cell, std::span<std::byte> rgba);
+
+}  // namespace vantage::codec

@@ -1,0 +1,12 @@
+#pragma once
+#include "base/values/rgba_image.h"
+#include "scene/package/contents/lens_table.h"
+
+namespace vantage {
+
+/// A level of a photo's pyramid as a pinhole camera of the same intrinsics would have taken it: sampled once,
+/// by Catmull-Rom interpolation. Alpha is 0 where the lens images nothing inside the photo. Throws
+/// std::invalid_argument unless the photo has the size of that level.
+RgbaImage pinhole_image(const RgbaImage& photo, const LensTable& table, int level);
+
+}  // namespace vantage

@@ -1,0 +1,280 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+/// The layout of a `.vantage` file, little-endian; FORMAT.md describes it in full.
+namespace vantage::package {
+
+inline constexpr char magic[8] = {'V', 'A', 'N', 'T', 'A', 'G', 'E', '\n'};
+inline constexpr char part_magic[8] = {'V', 'N', 'T', 'G', 'P', 'A', 'R', 'T'};  ///< while in preparation
+inline constexpr std::uint32_t version = 6;
+inline constexpr std::uint64_t alignment = 4096;  ///< of every raw chunk and its blocks
+constexpr std::uint64_t aligned(std::uint64_t n) { return (n + alignment - 1) / alignment * alignment; }
+inline constexpr std::uint64_t coded_alignment = 8;  ///< of every other chunk
+inline constexpr std::uint32_t scene_wide = 0xffffffffu;
+
+constexpr std::uint32_t fourcc(const char (&s)[5]) {
+    return std::uint32_t(std::uint8_t(s[0])) | std::uint32_t(std::uint8_t(s[1])) << 8 |
+           std::uint32_t(std::uint8_t(s[2])) << 16 | std::uint32_t(std::uint8_t(s[3])) << 24;
+}
+
+enum class Type : std::uint32_t {
+    meta = fourcc("META"),          ///< JSON: tool, configuration, effects with evidence, inputs, names
+    scene = fourcc("SCEN"),         ///< one SceneRecord
+    photos = fourcc("PHOT"),        ///< PhotoRecord[photos]
+    states = fourcc("STAT"),        ///< PhotoState[photos]: what each photo's artifacts were made from
+    registration = fourcc("REGI"),  ///< RegistrationRecord[photos]: poses as given, and residuals
+    registration_without = fourcc("REGW"),  ///< PoseWithoutRecord[]: poses without a photo; optional
+    pairs = fourcc("PAIR"),                 ///< PairRecord[]: how well overlapping photos agree
+    positions = fourcc("VPOS"),             ///< float[3][vertices], relative to the origin
+    normals = fourcc("VNRM"),               ///< float[3][vertices], unit length
+    colors = fourcc("VCOL"),                ///< u8[4][vertices], sRGB and alpha; optional
+    scalars = fourcc("VSCL"),               ///< float[vertices] per layer, names in META; optional
+    indices = fourcc("INDX"),               ///< u32[3][triangles], ordered by cluster
+    clusters = fourcc("CLUS"),              ///< ClusterRecord[clusters]
+    surroundings = fourcc("SURR"),          ///< SurroundingsRecord and a backdrop; optional
+    point_nodes = fourcc("PNOD"),           ///< PointNode[]: an octree over a point cloud; optional
+    points = fourcc("PNTS"),                ///< blocks of PackedPoint[point_block]; optional
+    bands = fourcc("BAND"),                 ///< BandRecord[]: sets of photos; optional
+    lenses = fourcc("LENS"),                ///< LensRecord[photos]; optional
+    thumbnail = fourcc("THMB"),             ///< per photo: RGBA8
+    coverage = fourcc("COVR"),              ///< per photo: CoverageRecord[clusters]
+    visible = fourcc("VISB"),      ///< per photo: u64[], a bit per triangle seen in full, then in part
+    samples = fourcc("SAMP"),      ///< per photo: SampleRecord[discs of the surface]
+    coordinates = fourcc("TEXC"),  ///< per photo: float[2][vertices]; (-1,-1) where not visible
+    tiles = fourcc("TILE"),        ///< per photo and level: blocks of RGBA8 tiles
+    masks = fourcc("MASK"),        ///< per photo and level: RGBA8 tiles: angle, depth, border, consensus
+    depth = fourcc("DPTH"),        ///< per photo and level: R32F tiles: linear z, +inf where nothing is seen
+};
+
+/// How a chunk's content is stored; codec/ has the forms of tiles.
+enum class Form : std::uint32_t {
+    raw,     ///< as it is
+    zstd,    ///< without blocks: u64 length of the content, then a zstd frame
+    jpeg,    ///< tiles of color: JPEG without the header, which all tiles share
+    cells,   ///< a level of color: the photo's own JPEG, in cells
+    planes,  ///< tiles of four bytes per texel, without loss
+    depth    ///< tiles of depth, rounded
+};
+
+/// Content is at most so many times as long as a zstd chunk, which may end with zeros, so that no small file
+/// claims much memory.
+inline constexpr std::uint64_t most_expansion = 32;
+/// Bytes in the head of a coded chunk for each of its blocks: checksum and end.
+inline constexpr std::uint64_t coded_block_entry = 16;
+
+struct Header {
+    char magic[8];
+    std::uint32_t version;
+    std::uint32_t directory_count;
+    std::uint64_t directory_offset;
+    std::uint64_t file_size;
+    std::uint64_t directory_checksum;  ///< XXH3-64 of the directory
+    std::uint64_t layout;              ///< XXH3-64 of the photos' names and the places of their chunks
+    std::uint32_t share, shares;       ///< the share of the photos in this part, from 1; 0, 0 for all
+    std::uint64_t header_checksum;     ///< XXH3-64 of the preceding bytes
+};
+
+/// Where a chunk is. A chunk is a head followed by blocks. `checksum` covers the head. In a raw chunk, blocks
+/// have equal length, and the head holds the u64 checksum of each block, padded with zeros to the alignment.
+/// In others, the head holds the u64 checksums, then the u64 end of each block, counted from the end of the
+/// head, then what all blocks share.
+struct DirectoryEntry {
+    std::uint32_t type;
+    std::uint32_t version;
+    std::uint32_t photo;  ///< scene_wide if the chunk belongs to no photo
+    std::uint32_t level;
+    std::uint64_t offset;
+    std::uint64_t length;  ///< head and blocks
+    std::uint64_t head_length;
+    std::uint64_t block_length;  ///< of a raw chunk; 0 if it has no blocks
+    std::uint64_t checksum;      ///< XXH3-64 of the head
+    Form form;
+    std::uint32_t coded_blocks;  ///< number of blocks, unless the form is raw
+};
+
+struct SceneRecord {
+    double origin[3];
+    double bounds_min[3],
+        bounds_max[3];  ///< of the input, in its units, without strays (base/values/main_box.h)
+    std::uint64_t vertices, triangles, clusters, photos;
+    double reference_density;  ///< pixels per unit at which the depth mask is 255
+    double border_width;       ///< pixels of a photo 3072 wide at which the border mask is 255
+    std::uint64_t effects;     ///< bit i: Effect i is on
+    std::uint64_t scalar_layers;
+    double up[3]{0, 0, 1};  ///< unit vector
+    double shade[3]{};      ///< linear light beside the model in the median photo; 0, 0, 0: not known
+    /// The view that the player opens: from the place of a photo toward a point relative to the origin. With
+    /// another number than that of a photo, all of the model.
+    std::uint64_t first_photo = ~0ull;
+    double first_target[3]{};
+    double first_fov = 45;    ///< of what is to be in the frame: vertical, in degrees
+    double first_aspect = 1;  ///< its width over its height
+};
+
+enum PhotoFlags : std::uint32_t {
+    photo_held_out = 1,
+    photo_has_alpha = 4,
+    photo_left_out = 8,    ///< unreadable: only its camera is stored; the reason is in its PhotoState
+    photo_registered = 16  ///< its pose was refined; REGI has the one given
+};
+
+struct PhotoRecord {
+    char name[192];  ///< UTF-8, zero-terminated: the file name without folders
+    std::uint32_t width, height;
+    std::uint32_t flags;
+    std::uint32_t levels;  ///< of the tile pyramid; 0 if the photo is held out or left out
+    std::uint32_t thumbnail_width, thumbnail_height;
+    std::uint32_t mask_width, mask_height;  ///< at pyramid level `mask_level`
+    double fx, fy, cx, cy;
+    double R[9];                    ///< row-major, cam_from_world
+    double t[3];                    ///< applies to positions relative to the origin
+    double corrected_direction[3];  ///< unit vector in world space; [P] 2.3.3
+    double hull_area;               ///< area of the visible vertices' convex hull over the photo's, [0,1]
+    double seen_distance;           ///< median linear depth of what the photo sees; 0 if it sees nothing
+    double z_min, z_max;            ///< range of the depth map; 0, 0 if it sees nothing
+    double visible_vertices;        ///< fraction of the vertices that this photo sees, [0,1]
+    double gain[3];                 ///< factors on linear light that match the mean photo
+    std::uint64_t source_bytes, source_checksum;  ///< length and XXH3-64 of the photo's file
+    float falloff[3];    ///< light lost at radius r, as -ln: f0 r^2 + f1 r^4 + f2 r^6; r: SampleRecord
+    std::uint32_t band;  ///< its number in BAND; 0 if there is none
+};
+
+/// The stages that produce a photo's artifacts.
+enum class Stage : std::uint32_t { thumbnail, tiles, masks, coordinates, coverage, samples, count };
+
+/// What a photo's artifacts were made from, so that a later run can tell which to keep.
+struct PhotoState {
+    struct Made {
+        std::uint64_t key;      ///< hash of settings, version, and inputs except the pose; 0: not made
+        std::uint64_t content;  ///< XXH3-64 of the checksums of the stage's chunks
+    };
+    Made stages[std::size_t(Stage::count)];
+    std::uint64_t photo, camera, model;  ///< XXH3-64 of these inputs, to report which has changed
+    std::uint64_t pose;                  ///< XXH3-64 of the pose used for visibility
+    std::uint64_t consensus;             ///< XXH3-64 of the consensus weights; 0 if all are 255
+    char left_out[192];                  ///< why the photo could not be read, or empty
+    std::uint64_t record;                ///< XXH3-64 of the photo's PhotoRecord
+    std::uint64_t checksum;              ///< XXH3-64 of the preceding bytes
+};
+
+struct ClusterRecord {
+    float center[3], radius;          ///< bounding sphere, relative to the origin
+    float cone_axis[3], cone_cutoff;  ///< meshoptimizer's normal cone; cutoff 1 = no culling
+    std::uint32_t first_triangle, triangles;
+};
+
+/// The head of SURR; scene/package/contents/surroundings.h has what follows.
+struct SurroundingsRecord {
+    std::uint64_t vertices, triangles, clusters, photos;
+};
+
+/// A point of a cloud: x, y and z in 1/2^21 of its node's cube, from the lowest bit, rounded down to a cell
+/// of which the point is the middle; sRGB and 255.
+struct PackedPoint {
+    std::uint32_t low, high;
+    std::uint8_t color[4];
+};
+inline constexpr std::uint32_t point_block = 32768;  ///< points per block of PNTS
+inline constexpr std::uint32_t point_node = 16384;   ///< points per node, at most
+
+/// A cube of the octree over a point cloud, and the points that it adds to those of its ancestors. Together
+/// they are about `spacing` apart; below are the points between them. Parents come before their children, in
+/// the order of their parents.
+struct PointNode {
+    float low[3], size;                 ///< of the cube, relative to the origin
+    float spacing;                      ///< in input units
+    std::uint32_t block, first, count;  ///< its points: block, place in it, number
+    std::uint32_t children;             ///< number of its first child; the others follow
+    std::uint8_t child_octants;         ///< bit i: a child is the eighth i: x + 2 y + 4 z
+    std::uint8_t reserved[3];
+};
+
+/// A set of photos that is shown by itself: visible light, infrared, before a restoration.
+struct BandRecord {
+    char name[56];          ///< UTF-8, zero-terminated
+    std::uint64_t effects;  ///< bit i: Effect i is on for these photos
+};
+inline constexpr std::size_t most_bands = 64;
+
+/// A photo's lens, as in scene/camera/lens.h.
+struct LensRecord {
+    std::uint32_t model;  ///< LensModel
+    std::uint32_t reserved;
+    double p[12];
+};
+
+/// What one photo sees of one cluster.
+struct CoverageRecord {
+    std::uint16_t seen;            ///< fraction of its triangles that are at least partly seen, unorm16
+    std::uint16_t u0, v0, u1, v1;  ///< texture coordinates of its pixels and a margin for filtering, unorm16
+    std::int16_t log2_density;     ///< log2(pixels per unit at its center) * 256
+};
+
+/// The number of discs of every model's surface, at which photos are compared.
+inline constexpr std::size_t surface_discs = 8192;
+
+/// The mean color of a disc of the surface in a photo, linear light, unorm16; all 0 if the photo does not
+/// show it well. Radius: distance from the principal point over half the photo's diagonal, unorm16.
+struct SampleRecord {
+    std::uint16_t linear[3];
+    std::uint16_t radius;
+};
+
+/// What registration did to a photo.
+struct RegistrationRecord {
+    double R[9], t[3];     ///< the pose as given, like PhotoRecord's
+    double by;             ///< median displacement of the photo's content, px; 0 if its pose was kept
+    double before, after;  ///< median residual of corners held out of the fit, px
+    std::uint64_t key;     ///< XXH3-64 of all inputs, the same for all photos
+};
+
+/// The pose of a registered camera, fitted again as if another photo were not in the scene.
+struct PoseWithoutRecord {
+    std::uint32_t without;  ///< the photo that has no say in it
+    std::uint32_t photo;    ///< of the camera
+    double R[9], t[3];      ///< like PhotoRecord's
+};
+/// Maximum number of poses stored without a photo.
+inline constexpr std::size_t poses_without_photo = 24;
+
+/// Maximum number of pairs measured and stored per photo.
+inline constexpr std::uint64_t stored_pairs_per_photo = 2;
+/// Size of a pair's displacement map, in cells.
+inline constexpr int pair_columns = 12, pair_rows = 8;
+
+/// How far two overlapping photos disagree, matched through the model with the cameras as given. Pixels are
+/// those of photo `a` at full size.
+struct PairRecord {
+    std::uint32_t a, b;              ///< a < b; both 0: no pair
+    std::uint32_t shared;            ///< discs seen by both
+    std::uint32_t corners, matches;  ///< corners of `a` that could be compared, and those found in `b`
+    float angle;                     ///< median angle between their directions to that surface, radians
+    float color;                     ///< median |ln ratio| of the discs' linear light, mean of the channels
+    float median, p90;               ///< distance of matches from where the cameras predict them, px
+    float shift[2];                  ///< median displacement to the right and down, px
+    std::uint32_t reserved;
+    std::uint64_t key;  ///< XXH3-64 of all inputs
+    struct Cell {
+        std::int16_t moved[2];  ///< median displacement in this part of photo `a`, 1/64 px
+        std::uint16_t matches;
+    } cells[pair_columns * pair_rows];
+};
+
+/// Words in each of VISB's two bit sets.
+inline constexpr std::uint64_t visible_words(std::uint64_t triangles) { return (triangles + 63) / 64; }
+
+static_assert(sizeof(Header) == 64 && sizeof(DirectoryEntry) == 64 && sizeof(ClusterRecord) == 40);
+static_assert(sizeof(PointNode) == 40 && sizeof(PackedPoint) == 12 &&
+              point_block * sizeof(PackedPoint) % alignment == 0);
+static_assert(sizeof(PhotoState) == 344 && std::is_trivially_copyable_v<PhotoState>);
+static_assert(sizeof(BandRecord) == 64 && sizeof(LensRecord) == 104);
+static_assert(sizeof(CoverageRecord) == 12 && sizeof(SampleRecord) == 8 && sizeof(SceneRecord) == 232 &&
+              sizeof(PhotoRecord) % 8 == 0);
+static_assert(sizeof(RegistrationRecord) == 128 && sizeof(PoseWithoutRecord) == 104 &&
+              sizeof(PairRecord) == 56 + 6 * pair_columns * pair_rows);
+static_assert(std::is_trivially_copyable_v<PhotoRecord> && std::numeric_limits<float>::is_iec559);
+
+}  // namespace vantage::package

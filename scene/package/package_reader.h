@@ -1,0 +1,174 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/camera/camera.h"
+#include "scene/package/contents/effects.h"
+#include "scene/package/damaged_package.h"
+#include "scene/package/package_format.h"
+#include "scene/package/package_source.h"
+
+namespace vantage {
+
+/// A mapped package, in a file or on a server. Opening it reads and checks the header and the directory only.
+/// Spans point into the mapping and are valid as long as the reader, so functions that return one cannot be
+/// called on a temporary.
+///
+/// Of a package on a server, bytes are fetched before they are read, and any function may throw Error(input)
+/// if they cannot be. Content and records are fetched when they are asked for, and stay; blocks and heads of
+/// chunks with blocks must be held by the caller, see hold().
+class PackageReader {
+  public:
+    using Part = PackageSource::Part;
+    /// What is accepted: only a whole package, or also one that is still being prepared. In the latter, only
+    /// the photos' chunks sealed so far are found, scene-wide chunks may not have been written yet, and the
+    /// caller must check the records.
+    enum class Expect { whole, part };
+    /// Throws Error(input) if the file cannot be opened, Error(damaged) if it is not what is expected.
+    explicit PackageReader(const std::filesystem::path& file, Expect expect = Expect::whole);
+    explicit PackageReader(std::unique_ptr<PackageSource> source, Expect expect = Expect::whole);
+    ~PackageReader();
+    PackageReader(PackageReader&&) noexcept;
+    PackageReader& operator=(PackageReader&&) noexcept;
+
+    const std::filesystem::path& path() const;
+    std::uint64_t size() const;
+    const package::Header& header() const;
+    std::span<const package::DirectoryEntry> directory() const&;
+    std::span<const package::DirectoryEntry> directory() const&& = delete;
+
+    /// The chunk's entry, or null if the package has no such chunk.
+    const package::DirectoryEntry* find(package::Type type, std::uint32_t photo = package::scene_wide,
+                                        std::uint32_t level = 0) const;
+
+    /// The content of a chunk without blocks, decompressed if it is stored so and kept until the reader is
+    /// closed; of others, the head. Empty for null, and if it cannot be decompressed.
+    std::span<const std::byte> bytes(const package::DirectoryEntry* entry) const&;
+    std::span<const std::byte> bytes(const package::DirectoryEntry*) const&& = delete;
+    /// Length of that content; 0 for null.
+    std::uint64_t content_length(const package::DirectoryEntry* entry) const;
+    /// Number of blocks as stored: of color in cells, these are no tiles.
+    std::size_t blocks(const package::DirectoryEntry& entry) const;
+    /// What the blocks of a coded chunk share; empty for others.
+    std::span<const std::byte> shared(const package::DirectoryEntry& entry) const&;
+    std::span<const std::byte> shared(const package::DirectoryEntry&) const&& = delete;
+    /// A block as stored; empty if the chunk's head is damaged. Throws Error(damaged) if there is no such
+    /// block.
+    std::span<const std::byte> block(const package::DirectoryEntry& entry, std::size_t index) const&;
+    std::span<const std::byte> block(const package::DirectoryEntry&, std::size_t) const&& = delete;
+    /// The same, checked. Throws Error(damaged) if its checksum does not match.
+    std::span<const std::byte> sound_block(const package::DirectoryEntry& entry, std::size_t index) const&;
+    std::span<const std::byte> sound_block(const package::DirectoryEntry&, std::size_t) const&& = delete;
+    /// True if the block's checksum matches.
+    bool block_sound(const package::DirectoryEntry& entry, std::size_t index) const;
+    /// Of a chunk, as stored.
+    Part head(const package::DirectoryEntry& entry) const&;
+    Part head(const package::DirectoryEntry&) const&& = delete;
+    /// Head and blocks as stored, and the file's descriptor, for copying.
+    std::span<const std::byte> raw(const package::DirectoryEntry& entry) const&;
+    std::span<const std::byte> raw(const package::DirectoryEntry&) const&& = delete;
+    int descriptor() const;
+    /// Of a package on a server, fetches these bytes, which stay readable as long as the result. Otherwise
+    /// nothing is to be done. Throws Error(input), Error(storage), Error(interrupted) when stopped.
+    [[nodiscard]] Held hold(std::span<const Part> parts, std::stop_token stop = {}) const;
+    /// Forgets fetched bytes that do not match a checksum, so that they are fetched again. False for a file.
+    bool discard(std::span<const Part> parts) const;
+    /// Fetches a whole chunk again that does not match its checksums. False for a file.
+    bool fetch_again(const package::DirectoryEntry& entry) const;
+    /// Fetches at once all that is read before the first tile: chunks without blocks, and thumbnails. They
+    /// stay. Throws as hold() does.
+    void fetch_scene(std::stop_token stop = {}) const;
+    /// Bytes that fetch_scene() reads.
+    std::uint64_t scene_bytes() const;
+    bool remote() const;
+    /// Nothing for a file.
+    std::optional<SourceTraffic> traffic() const;
+
+    /// Releases the pages of these bytes, or of the whole file; they are read from the file again when
+    /// needed. Content that was decompressed stays.
+    void forget(std::span<const std::byte> bytes) const;
+    void forget_all() const;
+    /// True if the head's checksum matches; of a chunk without blocks, that is all of it.
+    bool head_sound(const package::DirectoryEntry& entry) const;
+    /// True if the checksums of the head and of every block match.
+    bool sound(const package::DirectoryEntry& entry) const;
+
+    /// A chunk as records. Throws Error(damaged) if it is missing (and `required`), its checksum does not
+    /// match, or its length is not a multiple of the record's.
+    template <class T>
+    std::span<const T> records(package::Type type, std::uint32_t photo = package::scene_wide,
+                               bool required = true) const& {
+        const auto raw = checked(type, photo, sizeof(T), required);
+        return {reinterpret_cast<const T*>(raw.data()), raw.size() / sizeof(T)};
+    }
+    template <class T>
+    std::span<const T> records(package::Type, std::uint32_t = package::scene_wide,
+                               bool = true) const&& = delete;
+
+    /// The scene record and the photo records, copied and checked on first use. Throws Error(damaged).
+    const package::SceneRecord& scene() const;
+    std::span<const package::PhotoRecord> photos() const&;
+    std::span<const package::PhotoRecord> photos() const&& = delete;
+    /// META's JSON text. Throws Error(damaged).
+    std::string_view meta() const&;
+    std::string_view meta() const&& = delete;
+
+    /// Index of the photo with this name, given with or without its extension. Throws Error(usage) if several
+    /// photos have this name without extension.
+    std::optional<std::uint32_t> photo_index(std::string_view name) const;
+    /// Per photo, its name in the names of files made from it (see file_stems).
+    std::vector<std::string> photo_stems() const;
+
+  private:
+    struct Mapping;
+    std::span<const std::byte> checked(package::Type type, std::uint32_t photo, std::size_t record,
+                                       bool required) const;
+    package::SceneRecord checked_scene() const;
+    std::unique_ptr<Mapping> map_;
+};
+
+/// A chunk or tile that does not match its checksum.
+struct Mismatch {
+    Defect defect;  ///< chunk_checksum or tile_checksum
+    std::string text;
+};
+/// The chunks that do not match their checksums, or whose heads do not, and with `tiles` all tiles; at most
+/// `most`. A package without any is sound. Pages that were read are released.
+std::vector<Mismatch> mismatches(const PackageReader& package, bool tiles,
+                                 std::size_t most = std::numeric_limits<std::size_t>::max());
+/// Reads the whole package. Throws Error(damaged) with the first mismatch.
+void expect_sound(const PackageReader& package);
+
+/// A photo's pinhole camera, for positions relative to the origin.
+Intrinsics intrinsics(const package::PhotoRecord& photo);
+/// The lens that displaces the photo's pixels relative to that camera. Throws Error(damaged) for an unknown
+/// model or coefficients that are not finite.
+Lens lens_of(const PackageReader& package, std::uint32_t photo);
+Pose cam_from_origin(const package::PhotoRecord& photo);
+Pose cam_from_origin(const package::RegistrationRecord& given);
+Pose cam_from_origin(const package::PoseWithoutRecord& without);
+/// The bounds of the model without strays, relative to the origin.
+Eigen::AlignedBox3d bounds_from_origin(const package::SceneRecord& scene);
+/// No part of the model within its bounds is farther from the camera.
+double model_reach(const package::SceneRecord& scene, const Pose& cam_from_origin);
+/// The distance of the surface that a photo sees, or of the origin if it sees none; above 0.
+double seen_distance(const package::PhotoRecord& photo);
+/// The direction that is up, of length 1.
+inline Eigen::Vector3d up_of(const package::SceneRecord& scene) { return Eigen::Vector3d(scene.up); }
+bool effect_on(const package::SceneRecord& scene, Effect effect);
+
+/// A type's name in messages: "TILE".
+std::string fourcc_of(package::Type type);
+/// A chunk's name in messages: "TILE of photo 3 (00003.jpg), level 2".
+std::string describe(const package::DirectoryEntry& entry, const PackageReader& reader);
+
+}  // namespace vantage

@@ -1,0 +1,73 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/remote/cache/block_holds.h"
+#include "scene/remote/cache/block_table.h"
+#include "scene/remote/cache/blocks.h"
+#include "scene/remote/cache/mapped_file.h"
+#include "scene/remote/origin.h"
+
+namespace vantage {
+
+/// Blocks that stay as long as this lives.
+using Kept = std::shared_ptr<const void>;
+
+/// The names of the files in the folder of a cached file.
+namespace cached {
+inline constexpr const char* origin =
+    "origin";  ///< text_of() where it comes from; tells that the folder is ours
+inline constexpr const char* table = "blocks";          ///< BlockTable
+inline constexpr const char* data = "package.vantage";  ///< as large as the original; absent blocks are holes
+}  // namespace cached
+
+/// The first 64 KiB of the origin in a folder; empty if it is missing, a link or unreadable.
+std::string origin_text(const std::filesystem::path& folder);
+
+/// A file of the cache that is open. While it is, it holds a shared lock (flock) on the data, so that no
+/// process deletes it. If it is replaced by a newer version, it stays readable. Thread-safe.
+class CachedFile : public std::enable_shared_from_this<CachedFile> {
+  public:
+    /// Null if the folder holds no cached file, or a damaged one. Throws Error(storage).
+    static std::shared_ptr<CachedFile> open(const std::filesystem::path& folder);
+    /// Makes one in a folder that has none of the files. Throws Error(storage).
+    static std::shared_ptr<CachedFile> create(const std::filesystem::path& folder, const Origin& origin);
+    ~CachedFile();
+
+    const Origin& origin() const { return origin_; }
+    const std::filesystem::path& path() const { return path_; }
+    std::span<const std::byte> bytes() const { return {data_.data(), data_.size()}; }
+
+    BlockTable& table() { return table_; }
+    bool present(BlockRun run) const;
+    /// Writes bytes that follow those of the last call, or begin a block, and marks the blocks that become
+    /// complete. The blocks must be kept. Throws Error(storage).
+    void write(std::uint64_t offset, std::span<const std::byte> bytes);
+    /// Waits while another process frees one of the blocks. Throws Error(storage).
+    Kept keep(std::vector<BlockRun> runs);
+    /// Frees at least this many bytes of the disk, or all that nobody keeps; least recently used blocks
+    /// first. Returns the number of bytes freed. Throws Error(storage) if the file system has no holes.
+    std::uint64_t evict(std::uint64_t bytes);
+    /// Bytes that the files take on the disk.
+    std::uint64_t disk_bytes() const;
+
+  private:
+    CachedFile(std::filesystem::path folder, Origin origin, MappedFile data, BlockTable table);
+    void note_use() const;
+    std::vector<BlockRun> on_disk() const;
+    bool free(std::uint64_t block);
+
+    const std::filesystem::path folder_, path_;
+    const Origin origin_;
+    const MappedFile data_;
+    BlockTable table_;
+    BlockHolds holds_;
+    std::mutex evicting_;  ///< on_disk() moves the position in the file
+};
+
+}  // namespace vantage

@@ -1,0 +1,40 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+
+#include "base/files/descriptor.h"
+
+namespace vantage {
+
+/// A file that is open and mapped as a whole, shared with other processes.
+class MappedFile {
+  public:
+    /// Opens a file of exactly this size (bytes); the result is empty if there is none. Links are not
+    /// followed. Throws Error(storage).
+    static MappedFile open(const std::filesystem::path& path, std::uint64_t size, bool writable);
+    /// Makes a file of zeros, without blocks on the disk unless `reserve`. Throws Error(storage) if it exists
+    /// or the disk is full.
+    static MappedFile create(const std::filesystem::path& path, std::uint64_t size, bool writable,
+                             bool reserve);
+    MappedFile() = default;
+    MappedFile(MappedFile&& other) noexcept;
+    MappedFile& operator=(MappedFile&& other) noexcept;
+    ~MappedFile();
+
+    explicit operator bool() const { return data_ != nullptr; }
+    std::byte* data() const { return data_; }
+    std::uint64_t size() const { return size_; }
+    int descriptor() const { return fd_.get(); }
+    /// Bytes that the file takes on the disk.
+    std::uint64_t disk_bytes() const;
+
+  private:
+    void map(const std::filesystem::path& path, bool writable);
+
+    Descriptor fd_;
+    std::byte* data_ = nullptr;
+    std::uint64_t size_ = 0;
+};
+
+}  // namespace vantage

@@ -1,0 +1,16 @@
+#pragma once
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string>
+
+#include "base/text/error.h"
+
+namespace vantage {
+
+/// The error of a system call on a file of the cache that has just failed.
+inline Error storage_error(const std::filesystem::path& path, const char* doing) {
+    return {Exit::storage, path.string() + ": cannot " + doing + ": " + std::strerror(errno)};
+}
+
+}  // namespace vantage

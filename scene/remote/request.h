@@ -1,0 +1,56 @@
+#pragma once
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "base/text/error.h"
+#include "scene/remote/answer.h"
+#include "scene/remote/byte_range.h"
+
+namespace vantage {
+
+/// Why a request failed.
+struct Failure {
+    Exit code = Exit::input;
+    std::string message;       ///< begins with the URL
+    bool transient = false;    ///< trying again may help
+    bool unreachable = false;  ///< the server was not reached or is busy, or the connection was cut
+};
+
+/// A GET of a range of a file. Its functions are called by the thread of Transfers.
+class Request {
+  public:
+    /// `turn`: requests with a lower one go first, so that a caller with many does not hold up the others.
+    explicit Request(ByteRange range, std::uint64_t turn = 0) : turn_(turn), range_(range) {}
+    virtual ~Request() = default;
+    Request(const Request&) = delete;
+    Request& operator=(const Request&) = delete;
+
+    std::uint64_t turn() const { return turn_; }
+    ByteRange range() const { return range_; }
+    /// A header line to send, such as `If-None-Match: "5"`; or empty.
+    virtual std::string condition() const { return {}; }
+    /// Called with the headers of the last answer, before its body. `asked`: what of the range was asked for,
+    /// after what had arrived before a cut. Returns as flaw_of() does, and may shorten() the range.
+    virtual std::string flaw(const Answer& answer, ByteRange asked) = 0;
+    /// Stores the next bytes of the body, which lie in the range. May throw Error(storage).
+    virtual void store(std::uint64_t offset, std::span<const std::byte> bytes) = 0;
+    /// Called once: all bytes were stored (null), or the last try failed. Not called if cancelled.
+    virtual void done(const Failure* failure) = 0;
+
+    /// From any thread. Transfers::cancel() also wakes its thread.
+    void cancel() { cancelled_ = true; }
+    bool cancelled() const { return cancelled_; }
+
+  protected:
+    void shorten(std::uint64_t end) { range_.end = end; }
+
+  private:
+    const std::uint64_t turn_;
+    ByteRange range_;
+    std::atomic<bool> cancelled_ = false;
+};
+
+}  // namespace vantage

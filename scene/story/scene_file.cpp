@@ -1,0 +1,253 @@
+#include "scene/story/scene_file.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "base/files/replace_file.h"
+#include "base/text/error.h"
+#include "base/text/is_url.h"
+#include "base/text/lower_extension.h"
+#include "scene/package/output_file.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double farthest = 1e12;  ///< input units; beyond, positions lose all their digits
+constexpr double smallest = 1e-6, largest = 1e6;
+
+/// One object's table, read key by key.
+class ObjectTable {
+  public:
+    ObjectTable(const fs::path& file, const toml::table& table, std::size_t number)
+        : folder_(file.parent_path()),
+          where_(file.string() + ": object " + std::to_string(number)),
+          table_(table) {
+        static const std::set<std::string, std::less<>> known{
+            "name",  "package", "input", "mesh",  "cameras", "photos", "points",
+            "align", "move",    "turn",  "scale", "shown",   "opacity"};
+        for (const auto& [key, value] : table)
+            if (!known.contains(key.str())) {
+                std::ostringstream what;
+                what << "unknown key '" << key.str()
+                     << "', expected name, package, input, mesh, cameras, photos, points, align, move, turn, "
+                        "scale, shown or opacity";
+                fail(what.str());
+            }
+    }
+    [[noreturn]] void fail(const std::string& what) const { throw Error(Exit::input, where_ + ": " + what); }
+    bool has(const char* key) const { return table_.contains(key); }
+
+    std::string text(const char* key) const {
+        const auto value = table_[key].value<std::string>();
+        if (!value || value->empty()) fail(std::string(key) + ": expected a text that is not empty");
+        return *value;
+    }
+    /// From the file's folder to a path from the current one; empty if it is not given.
+    fs::path path(const char* key) const { return has(key) ? from_folder(text(key)) : fs::path(); }
+    std::vector<fs::path> points() const {
+        std::vector<fs::path> out;
+        if (!has("points")) return out;
+        const auto* list = table_["points"].as_array();
+        if (!list) return {path("points")};
+        for (const toml::node& node : *list) {
+            const auto value = node.value<std::string>();
+            if (!value || value->empty()) fail("points: expected files, such as [\"a.ply\"]");
+            out.push_back(from_folder(*value));
+        }
+        return out;
+    }
+    bool flag(const char* key, bool otherwise) const {
+        if (!has(key)) return otherwise;
+        const auto* value = table_[key].as_boolean();
+        if (!value) fail(std::string(key) + ": expected true or false");
+        return value->get();
+    }
+    double number(const char* key, double otherwise, double low, double high) const {
+        if (!has(key)) return otherwise;
+        const auto value = table_[key].value<double>();
+        if (!value || !(*value >= low && *value <= high)) {
+            std::ostringstream range;
+            range << key << ": expected a number from " << low << " to " << high;
+            fail(range.str());
+        }
+        return *value;
+    }
+    Eigen::Vector3d vector(const char* key) const {
+        Eigen::Vector3d out = Eigen::Vector3d::Zero();
+        if (!has(key)) return out;
+        const auto* list = table_[key].as_array();
+        bool sound = list && list->size() == 3;
+        for (std::size_t i = 0; sound && i < 3; ++i) {
+            const auto value = (*list)[i].value<double>();
+            sound = value && std::abs(*value) <= farthest;
+            if (sound) out[Eigen::Index(i)] = *value;
+        }
+        if (!sound) fail(std::string(key) + ": expected three numbers, such as [1, 0, 0.5]");
+        return out;
+    }
+
+    /// 3 rows of 4 numbers: a rotation times a scale, and a translation.
+    std::optional<Similarity> align() const {
+        if (!has("align")) return {};
+        const auto* rows = table_["align"].as_array();
+        Eigen::Matrix<double, 3, 4> m = Eigen::Matrix<double, 3, 4>::Constant(NAN);
+        for (std::size_t i = 0; rows && rows->size() == 3 && i < 3; ++i)
+            if (const auto* row = (*rows)[i].as_array(); row && row->size() == 4)
+                for (std::size_t j = 0; j < 4; ++j)
+                    m(Eigen::Index(i), Eigen::Index(j)) = (*row)[j].value<double>().value_or(NAN);
+        const Eigen::Matrix3d turn = m.leftCols<3>();
+        const double scale = std::cbrt(turn.determinant());
+        const bool sound = m.allFinite() && scale > 0 && m.col(3).cwiseAbs().maxCoeff() <= farthest &&
+                           (turn * turn.transpose() / (scale * scale)).isIdentity(1e-6);
+        if (!sound) fail("align: expected 3 rows of 4 numbers: a rotation times a scale, and a translation");
+        return Similarity{turn / scale, m.col(3), scale};
+    }
+
+  private:
+    fs::path from_folder(const fs::path& p) const {
+        return p.is_absolute() || is_url(p.native()) ? p : folder_ / p;
+    }
+    fs::path folder_;
+    std::string where_;
+    const toml::table& table_;
+};
+
+SceneObject::Input read_input(const ObjectTable& t) {
+    SceneObject::Input in{t.path("input"),  t.path("mesh"), t.path("cameras"),
+                          t.path("photos"), t.points(),     t.align()};
+    const bool parts = !in.mesh.empty() && !in.cameras.empty() && !in.photos.empty();
+    if (in.folder.empty() && !parts)
+        t.fail("has no input, expected input, a folder, or mesh, cameras and photos together");
+    return in;
+}
+
+/// "scans/altar/" is altar.
+std::string stem_of(const fs::path& path) {
+    return (path.has_filename() ? path : path.parent_path()).stem().string();
+}
+
+std::string name_of(const ObjectTable& t, const SceneObject& object) {
+    const fs::path& from = !object.package.empty()        ? object.package
+                           : !object.input.folder.empty() ? object.input.folder
+                                                          : object.input.mesh;
+    std::string name = t.has("name") ? t.text("name") : stem_of(from);
+    if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
+        name.size() > 200)
+        t.fail("name: '" + name + "' cannot be the name of a file");
+    return name;
+}
+
+SceneObject read_object(const fs::path& file, const toml::table& table, std::size_t number, SceneUse use) {
+    const ObjectTable t(file, table, number);
+    SceneObject out;
+    out.package = t.path("package");
+    if (use == SceneUse::prepare) out.input = read_input(t);
+    if (use == SceneUse::show && out.package.empty()) {
+        if (t.has("input") || t.has("mesh"))
+            t.fail("has no package; 'vantage prepare' makes packages of a scene's inputs");
+        t.fail("has no package");
+    }
+    out.name = name_of(t, out);
+    out.placement = {t.vector("move"), t.vector("turn"), t.number("scale", 1, smallest, largest)};
+    out.shown = t.flag("shown", true);
+    out.opacity = t.number("opacity", 1, 0, 1);
+    if (number == 1 && out.placement != Placement{})
+        t.fail("the scene has this object's coordinates, so it cannot be moved, turned or scaled");
+    return out;
+}
+
+toml::array list_of(const Eigen::Vector3d& v) { return toml::array{v.x(), v.y(), v.z()}; }
+
+toml::array list_of(const Similarity& s) {
+    toml::array out;
+    const auto m = matrix_of(s);
+    for (const auto& row : m.rowwise()) out.push_back(toml::array{row[0], row[1], row[2], row[3]});
+    return out;
+}
+
+/// Paths relative to the folder; those of other disks and URLs as they are.
+class RelativePaths {
+  public:
+    explicit RelativePaths(const fs::path& folder) : folder_(fs::absolute(folder)) {}
+    std::string operator()(const fs::path& path) const {
+        if (is_url(path.native())) return path.string();
+        const fs::path relative = fs::absolute(path).lexically_relative(folder_);
+        return (relative.empty() ? path : relative).string();
+    }
+
+  private:
+    fs::path folder_;
+};
+
+void insert_input(toml::table& t, const SceneObject::Input& in, const RelativePaths& relative) {
+    const std::pair<const char*, const fs::path&> paths[] = {
+        {"input", in.folder}, {"mesh", in.mesh}, {"cameras", in.cameras}, {"photos", in.photos}};
+    for (const auto& [key, path] : paths)
+        if (!path.empty()) t.insert(key, relative(path));
+    toml::array points;
+    for (const fs::path& p : in.points) points.push_back(relative(p));
+    if (!points.empty()) t.insert("points", std::move(points));
+    if (in.align) t.insert("align", list_of(*in.align));
+}
+
+}  // namespace
+
+bool is_scene_file(const fs::path& file) { return lower_extension(file) == ".toml"; }
+
+std::vector<SceneObject> read_scene_file(const fs::path& file, SceneUse use) {
+    std::vector<SceneObject> out;
+    try {
+        const toml::table root = toml::parse_file(file.string());
+        for (const auto& [key, value] : root)
+            if (key.str() != "object" || !value.is_array_of_tables())
+                throw Error(Exit::input, file.string() + ": unknown key '" + std::string(key.str()) +
+                                             "', expected [[object]]");
+        if (const auto* objects = root["object"].as_array())
+            for (const toml::node& node : *objects)
+                out.push_back(read_object(file, *node.as_table(), out.size() + 1, use));
+    } catch (const toml::parse_error& e) {
+        throw Error(Exit::input, file.string() + ":" + std::to_string(e.source().begin.line) + ": " +
+                                     std::string(e.description()));
+    }
+    if (out.empty()) throw Error(Exit::input, file.string() + ": has no [[object]]");
+    std::set<std::string> names;
+    for (const SceneObject& o : out)
+        if (!names.insert(o.name).second)
+            throw Error(Exit::input, file.string() + ": two objects are called " + o.name);
+    return out;
+}
+
+std::string scene_file_text(const std::vector<SceneObject>& objects, const fs::path& folder) {
+    toml::array list;
+    const RelativePaths relative(folder);
+    for (const SceneObject& o : objects) {
+        toml::table t{{"name", o.name}};
+        if (o.package.empty())
+            insert_input(t, o.input, relative);
+        else
+            t.insert("package", relative(o.package));
+        const Placement& p = o.placement;
+        if (!p.move.isZero(0)) t.insert("move", list_of(p.move));
+        if (!p.turn.isZero(0)) t.insert("turn", list_of(p.turn));
+        if (p.scale != 1) t.insert("scale", p.scale);
+        if (!o.shown) t.insert("shown", false);
+        if (o.opacity != 1) t.insert("opacity", o.opacity);
+        list.push_back(std::move(t));
+    }
+    std::ostringstream out;
+    out << scene_mark << toml::table{{"object", std::move(list)}} << "\n";
+    return out.str();
+}
+
+void write_scene_file(const fs::path& file, const std::vector<SceneObject>& objects) {
+    const fs::path folder = fs::absolute(file).parent_path();
+    replace_file(file, scene_file_text(objects, folder));
+}
+
+}  // namespace vantage

@@ -1,0 +1,46 @@
+#include "base/text/translation.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <map>
+
+#include "base/text/formatted.h"
+
+using namespace vantage;
+
+namespace {
+
+/// The language in an environment with these variables, and no others that name one.
+std::string language_in(const std::map<std::string, std::string>& variables) {
+    for (const char* name : {"LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"}) ::unsetenv(name);
+    for (const auto& [name, value] : variables) ::setenv(name.c_str(), value.c_str(), 1);
+    return system_language();
+}
+
+}  // namespace
+
+TEST(SystemLanguage, IsThatOfTheEnvironment) {
+    EXPECT_EQ(language_in({}), "");
+    EXPECT_EQ(language_in({{"LANG", "de_AT.UTF-8"}}), "de-AT");
+    EXPECT_EQ(language_in({{"LANG", "de_AT.UTF-8"}, {"LC_MESSAGES", "fr_FR@euro"}}), "fr-FR");
+    EXPECT_EQ(language_in({{"LC_MESSAGES", "fr_FR"}, {"LC_ALL", "en_GB.UTF-8"}}), "en-GB");
+    EXPECT_EQ(language_in({{"LANG", "en_US.UTF-8"}, {"LANGUAGE", "de:en"}}), "de");
+    EXPECT_EQ(language_in({{"LANG", "C.UTF-8"}}), "");
+    EXPECT_EQ(language_in({{"LANG", "C"}, {"LANGUAGE", "de"}}), "") << "as gettext has it";
+    EXPECT_EQ(language_in({{"LC_ALL", ""}, {"LANG", "POSIX"}}), "");
+}
+
+TEST(Translation, OfWhatNoCatalogHasIsTheTextItself) {
+    use_language("tlh");
+    EXPECT_STREQ(tr("no catalog has this"), "no catalog has this");
+    EXPECT_STREQ(tr(""), "");
+    EXPECT_STREQ(tr_count("one %zu", "several %zu", 1), "one %zu");
+    EXPECT_STREQ(tr_count("one %zu", "several %zu", 0), "several %zu");
+}
+
+TEST(Formatted, IsWhatPrintfPrints) {
+    EXPECT_EQ(formatted("%s of %zu %%", "part", std::size_t(3)), "part of 3 %");
+    EXPECT_EQ(formatted("%s", std::string(5000, 'x').c_str()), std::string(5000, 'x'));
+    EXPECT_EQ(formatted("%s", ""), "");
+}

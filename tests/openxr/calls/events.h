@@ -1,0 +1,27 @@
+#pragma once
+#include "tests/openxr/calls/handles.h"
+#include "tests/openxr/world.h"
+
+namespace test_runtime {
+
+/// Queues an event for xrPollEvent.
+template <class EventData>
+void send(Instance& instance, const EventData& event) {
+    static_assert(sizeof(EventData) <= sizeof(XrEventDataBuffer));
+    XrEventDataBuffer buffer{};
+    std::copy_n(reinterpret_cast<const char*>(&event), sizeof event, reinterpret_cast<char*>(&buffer));
+    instance.events.push_back(buffer);
+}
+
+/// Changes the state of a session and tells the program.
+void set_state(XrSession handle, XrSessionState state);
+/// With the states between, for a session that is running.
+void walk_to(XrSession handle, XrSessionState state);
+
+/// What an event of the scenario does at the frame where the world is.
+void happen(World& world, const Event& event);
+
+/// Writes a line to the record of events.
+void note(const std::string& what);
+
+}  // namespace test_runtime

@@ -1,0 +1,99 @@
+#include "player/interface/tour/told_story.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "base/text/error.h"
+#include "tests/temporary_folder.h"
+
+using namespace vantage;
+using Eigen::Vector3d;
+
+namespace {
+
+class ToldStories : public TemporaryFolder {
+  protected:
+    const std::filesystem::path file = dir / "a.story.json";
+    void write(const std::string& text) const { std::ofstream(file) << text; }
+    ToldStory told() const {
+        return told_story(dir / "a.vantage", {Vector3d::Zero(), Vector3d::UnitZ()}, "de-AT");
+    }
+    Session session() const {
+        Session s;
+        const Vector3d eye(0, -10, 0), target(0, 0, 0), up(0, 0, 1);
+        s.camera = {eye, target, up, view_towards(eye, target, up, 45, 1, 1).cam_from_origin.R, 45};
+        return s;
+    }
+};
+
+const char* const two_stops = R"({"format": "vantage-story-1", "notes": [
+  {"id": "a", "view": {"eye": [10, 0, 0], "target": [0, 0, 0]}},
+  {"id": "b", "view": {"eye": [0, 10, 0], "target": [0, 0, 0]}}],
+  "tours": [{"id": "t", "stops": [{"note": "a", "fly": 2, "stay": 3}, {"note": "b", "fly": 1, "stay": 4}]}]})";
+
+}  // namespace
+
+TEST_F(ToldStories, ToursFlyToEachStopAndShowItsCardWhileTheyStay) {
+    write(two_stops);
+    ToldStory story = told();
+    Session s = session();
+    play_tour(story, s, 0, 100);
+    const auto at = [&](double now) {
+        continue_flight(s, now);
+        continue_tour(story, s, now);
+    };
+    at(101);
+    EXPECT_FALSE(story.open) << "on the way";
+    EXPECT_NEAR(s.camera.eye.norm(), 10, 0.1) << "around the model";
+    at(103);
+    EXPECT_EQ(story.open, 0u);
+    EXPECT_LT((s.camera.eye - Vector3d(10, 0, 0)).norm(), 1e-6);
+    at(105.5);
+    EXPECT_FALSE(story.open) << "on the way";
+    at(107);
+    EXPECT_EQ(story.open, 1u);
+    EXPECT_LT((s.camera.eye - Vector3d(0, 10, 0)).norm(), 1e-6);
+    at(111);
+    EXPECT_FALSE(s.flight);
+    EXPECT_FALSE(story.playing);
+    EXPECT_LT((s.camera.eye - Vector3d(0, 10, 0)).norm(), 1e-6);
+}
+
+TEST_F(ToldStories, InputEndsATour) {
+    write(two_stops);
+    ToldStory story = told();
+    Session s = session();
+    play_tour(story, s, 0, 0);
+    continue_flight(s, 1);
+    s.flight.reset();  // as dragging does
+    continue_tour(story, s, 1);
+    EXPECT_FALSE(story.playing);
+    continue_flight(s, 3);
+    continue_tour(story, s, 3);
+    EXPECT_FALSE(story.open);
+}
+
+TEST_F(ToldStories, AStoryThatAnotherProgramChangedIsNotReplaced) {
+    ToldStory story = told();
+    EXPECT_TRUE(story.trouble.empty());
+    story.story.notes.push_back({"a", {"Clock", {}}, {}});
+    save(story);
+    EXPECT_NE(slurp(file).find("\"Clock\""), std::string::npos);
+    story.story.notes[0].title.plain = "Door";
+    save(story);
+    write("{}");
+    EXPECT_THROW(save(story), Error);
+    EXPECT_EQ(slurp(file), "{}");
+}
+
+TEST_F(ToldStories, WhatCannotBeReadIsSaid) {
+    write("{");
+    const ToldStory story = told();
+    EXPECT_NE(story.trouble.find(file.string()), std::string::npos);
+    EXPECT_FALSE(story.any());
+    write(R"({"format": "vantage-story-1", "mood": 1, "notes": [{"id": "a"}]})");
+    EXPECT_TRUE(told().any());
+    EXPECT_NE(told().trouble.find("mood"), std::string::npos) << "it would be lost if the story were saved";
+    EXPECT_TRUE(told_story("https://a.org/a.vantage", {}, "").file.empty());
+}

@@ -1,0 +1,485 @@
+// Photo sets of one object that are shown one at a time: a synthetic building in visible light, and in
+// infrared, which shows an underdrawing.
+#include "scene/package/contents/bands.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <random>
+
+#include "base/gl/context.h"
+#include "base/text/error.h"
+#include "base/values/srgb.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/output/meta.h"
+#include "pipeline/photos/image_files.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/prepare/refine_package.h"
+#include "pipeline/reports/check.h"
+#include "pipeline/run/until_stopped.h"
+#include "player/render/picture.h"
+#include "tests/fuzz/support/sound_package.h"
+#include "tests/made_scenes.h"
+#include "tests/temporary_folder.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint32_t visible = 0, infrared = 1;
+
+SynthSpec small_scene() {
+    SynthSpec spec = spec_named("bands");
+    spec.photos.samples = 1;
+    spec.infrared.stops = 0;
+    return spec;
+}
+
+class Bands : public TemporaryFolder {
+  protected:
+    void make(const SynthSpec& spec, const std::string& name = "scene") const {
+        copy_scene(spec, dir / name);
+    }
+    PackageReader prepared(const std::string& scene = "scene", const PrepareSettings& settings = {},
+                           const std::string& how = "auto") const {
+        InputFiles given;
+        given.bands = how;
+        if (how == "auto")
+            copy_package(dir / scene, settings, dir / (scene + ".vantage"));
+        else
+            prepare(read_scene(discover(dir / scene, given)), settings, dir / (scene + ".vantage"),
+                    [](const Progress&) {});
+        return PackageReader(dir / (scene + ".vantage"));
+    }
+    /// Every pixel of a band's photos, at random.
+    void add_noise(const std::string& scene, const std::string& band = "infrared") const {
+        const int width = band == "infrared" ? 260 : 331, height = band == "infrared" ? 200 : 250;
+        std::mt19937 random(7);
+        for (const auto& entry : fs::directory_iterator(dir / scene / "images" / band)) {
+            std::vector<std::byte> pixels(std::size_t(width * height * 3));
+            for (std::byte& b : pixels) b = std::byte(random() & 255);
+            image_files().write(entry.path(), width, height, 3, Sample::u8, pixels);
+        }
+    }
+    struct Ran {
+        int code;
+        std::string says;
+    };
+    Ran run(const std::string& command) const {
+        const int status = std::system((command + " >" + (dir / "says").string() + " 2>&1").c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(dir / "says")};
+    }
+};
+class BandsAtLength : public Bands {};
+
+std::vector<std::uint32_t> all(const PackageReader& package) {
+    std::vector<std::uint32_t> photos(package.photos().size());
+    std::iota(photos.begin(), photos.end(), 0u);
+    return photos;
+}
+
+/// From the front, between the cameras of both bands.
+View front() { return view_towards({1, -9, 0}, {0, 0, 0}, {0, 0, 1}, 45, 200, 150); }
+
+Picture taken(Renderer& renderer, const RenderSettings& settings) {
+    return take_picture(renderer, front(), settings, all(renderer.package()), 1);
+}
+
+RenderSettings of(const BandSettings& bands) {
+    RenderSettings s;
+    s.bands = bands;
+    return s;
+}
+
+double mean_difference(const Picture& a, const Picture& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i) sum += std::abs(int(a.rgba[i]) - int(b.rgba[i]));
+    return sum / double(a.rgba.size());
+}
+
+/// The mean of two sRGB codes in square roots of light.
+double mixed(int a, int b, double share) {
+    const double root =
+        (1 - share) * std::sqrt(linear_from_srgb(a / 255.0)) + share * std::sqrt(linear_from_srgb(b / 255.0));
+    return 255 * srgb_from_linear(root * root);
+}
+
+/// How far a mix is from the mean of two pictures, in codes, at most.
+double largest_error(const Picture& a, const Picture& b, const Picture& mix, double share) {
+    double worst = 0;
+    for (std::size_t i = 0; i < mix.rgba.size(); i += 4) {
+        worst = std::max(
+            worst, std::abs((1 - share) * a.rgba[i + 3] + share * b.rgba[i + 3] - double(mix.rgba[i + 3])));
+        if (a.rgba[i + 3] < 255 || b.rgba[i + 3] < 255) continue;
+        for (std::size_t c = i; c < i + 3; ++c)
+            worst = std::max(worst, std::abs(mixed(a.rgba[c], b.rgba[c], share) - double(mix.rgba[c])));
+    }
+    return worst;
+}
+
+nlohmann::json effect_in(const PackageReader& package, const std::string& name) {
+    const nlohmann::json meta = parse_meta(package);
+    for (const auto& row : meta.at("effects"))
+        if (row.at("name") == name) return row;
+    return {};
+}
+
+bool is_neutral(const package::PhotoRecord& p) {
+    return std::ranges::all_of(p.gain, [](double g) { return g == 1; });
+}
+
+}  // namespace
+
+TEST_F(Bands, CrossFadeIsTheMeanOfBothPictures) {
+    make(small_scene());
+    const PackageReader package = prepared();
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    for (const bool fills : {false, true}) {
+        const auto picture = [&](const BandSettings& bands) {
+            RenderSettings s = of(bands);
+            s.fill_holes = fills;
+            return taken(renderer, s);
+        };
+        const Picture a = picture({.shown = visible}), b = picture({.shown = infrared});
+        EXPECT_GT(mean_difference(a, b), 10);
+        const auto mix = [&](double share) {
+            return picture({.shown = visible, .other = infrared, .share = share});
+        };
+        EXPECT_EQ(mix(0).rgba, a.rgba);
+        EXPECT_EQ(mix(1).rgba, b.rgba);
+        for (const double share : {0.25, 0.5})
+            EXPECT_LE(largest_error(a, b, mix(share), share), 1.1) << share << " " << fills;
+    }
+}
+
+TEST_F(Bands, DividedPicturesShowEachBandOnItsSide) {
+    make(small_scene());
+    const PackageReader package = prepared();
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    const Picture a = taken(renderer, of({.shown = visible})), b = taken(renderer, of({.shown = infrared}));
+    const auto expect_from = [&](const Picture& whole, int x, const Picture& got, int at) {
+        for (int y = 0; y < got.height; ++y)
+            for (int c = 0; c < 4; ++c)
+                ASSERT_EQ(got.rgba[std::size_t(4 * (y * got.width + at) + c)],
+                          whole.rgba[std::size_t(4 * (y * got.width + x) + c)])
+                    << at << "," << y;
+    };
+    const Picture wiper =
+        taken(renderer, of({.shown = visible, .other = infrared, .how = BandView::wiper, .wiper = 0.3}));
+    const Picture beside =
+        taken(renderer, of({.shown = visible, .other = infrared, .how = BandView::side_by_side}));
+    for (int x = 0; x < a.width; ++x) {
+        if (std::abs(x - 60) > 2) expect_from(x < 60 ? a : b, x, wiper, x);
+        if (std::abs(x - 100) > 2) expect_from(x < 100 ? a : b, x % 100 + 50, beside, x);
+    }
+}
+
+TEST_F(Bands, PhotosOfOneBandAreNeverBlendedIntoTheOther) {
+    SynthSpec spec = small_scene();
+    spec.exposure.stops = 0.5;
+    spec.garden = {.radius = 30, .hill = 8};
+    make(spec);
+    fs::copy(dir / "scene", dir / "noise", fs::copy_options::recursive);
+    add_noise("noise");
+    for (const bool surroundings : {false, true}) {
+        PrepareSettings settings;
+        if (surroundings) settings.effects[Effect::surroundings] = EffectChoice::on;
+        const PackageReader one = prepared("scene", settings), other = prepared("noise", settings);
+        ASSERT_EQ(effect_on(one.scene(), Effect::surroundings),
+                  effect_on(other.scene(), Effect::surroundings));
+        EXPECT_TRUE(!surroundings || effect_on(one.scene(), Effect::surroundings));
+        EXPECT_TRUE(read_bands(one)[visible].effects & effect_bit(Effect::exposure));
+        const gl::HeadlessContext context;
+        Renderer a(one, MemoryBudget{}), b(other, MemoryBudget{});
+        EXPECT_GT(mean_difference(taken(a, of({.shown = infrared})), taken(b, of({.shown = infrared}))), 10);
+        for (int blend = 0; blend < int(Blend::count); ++blend)
+            for (const bool second_round : {false, true})
+                for (const int photos : {0, 2}) {
+                    RenderSettings s;
+                    s.blend = Blend(blend);
+                    s.consensus = second_round;
+                    s.photos = photos;
+                    s.fill_holes = surroundings;
+                    EXPECT_EQ(taken(a, s).rgba, taken(b, s).rgba)
+                        << blend << " " << second_round << " " << photos << " " << surroundings;
+                }
+    }
+}
+
+TEST_F(Bands, LookAsIfTheyWereAlone) {
+    SynthSpec spec = small_scene();
+    spec.exposure.stops = 0.5;
+    make(spec);
+    spec.infrared.count = 0;
+    make(spec, "alone");
+    const PackageReader both = prepared(), alone = prepared("alone");
+    const gl::HeadlessContext context;
+    Renderer a(both, MemoryBudget{}), b(alone, MemoryBudget{});
+    RenderSettings s;
+    s.blend = Blend::average;  // in which distances to cameras count most
+    for (const int photos : {0, 2}) {
+        s.photos = photos;
+        const Picture in_both = taken(a, s), by_itself = taken(b, s);
+        int worst = 0;
+        for (std::size_t i = 0; i < in_both.rgba.size(); ++i)
+            worst = std::max(worst, std::abs(int(in_both.rgba[i]) - int(by_itself.rgba[i])));
+        EXPECT_LE(worst, 1) << photos;
+    }
+}
+
+TEST_F(Bands, ABandThatTakesAnothersPlaceLeavesNoHole) {
+    make(small_scene());
+    const PackageReader package = prepared();
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    RenderSettings s;
+    s.complete = false;
+    s.photos = 2;
+    s.fill_holes = true;
+    s.upload_bytes = std::size_t(1) << 20;
+    double now = 0;
+    const auto frame = [&] {
+        now += 1.0 / 30;
+        const FrameReport report = renderer.draw(front(), s, all(package), {}, now);
+        EXPECT_LE(report.uploaded, s.upload_bytes);
+        return report.settled;
+    };
+    const auto settle = [&](const auto& look) {
+        for (int i = 0; i < 600; ++i) {
+            const bool settled = frame();
+            look(shown_picture(renderer, front(), s));
+            if (settled) return true;
+        }
+        return false;
+    };
+    ASSERT_TRUE(settle([](const Picture&) {}));
+    const Picture before = shown_picture(renderer, front(), s);
+    std::vector<Picture> shown;
+    s.bands.shown = infrared;
+    ASSERT_TRUE(settle([&](const Picture& p) { shown.push_back(p); }));
+    EXPECT_GT(mean_difference(before, shown.back()), 10);
+    EXPECT_LT(mean_difference(before, shown.front()), 0.1) << "its photos are not there yet";
+    const auto settled_at =
+        std::ranges::find_if(shown, [&](const Picture& p) { return mean_difference(before, p) > 0.1; });
+    EXPECT_GE(shown.end() - settled_at, 5) << "it fades in";
+    for (std::size_t f = 0; f < shown.size(); ++f) {
+        std::size_t of_neither = 0;  // beside edges, until the finest tiles are there
+        for (std::size_t i = 0; i < before.rgba.size(); ++i) {
+            const int low = std::min(before.rgba[i], shown.back().rgba[i]),
+                      high = std::max(before.rgba[i], shown.back().rgba[i]), is = shown[f].rgba[i];
+            of_neither += is < low - 24 || is > high + 24;
+        }
+        EXPECT_LT(double(of_neither) / double(before.rgba.size()), 0.02) << "frame " << f;
+    }
+    s.bands = {.shown = infrared, .other = visible, .share = 0.5};
+    ASSERT_TRUE(settle([](const Picture&) {}));
+    EXPECT_LE(largest_error(before, shown.back(), shown_picture(renderer, front(), s), 0.5), 2);
+}
+
+TEST_F(Bands, BothEyesSeeThem) {
+    make(small_scene());
+    const PackageReader package = prepared();
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    std::array<View, 2> eyes{front(), front()};
+    eyes[1].cam_from_origin.t.x() -= 0.3;
+    RenderSettings s;
+    s.complete = false;
+    s.fill_holes = true;
+    double now = 0;
+    const auto settle = [&] {
+        for (int i = 0; i < 600; ++i) {
+            now += 1.0 / 30;
+            FrameReport report = renderer.prepare(eyes, s, all(package), {}, now);
+            for (const std::size_t eye : {0, 1}) renderer.paint(eye, report);
+            if (report.settled) return true;
+        }
+        return false;
+    };
+    ASSERT_TRUE(settle());
+    s.bands = {.shown = infrared, .other = visible, .share = 0.5};
+    ASSERT_TRUE(settle());
+    Renderer alone(package, MemoryBudget{});
+    for (const std::size_t eye : {0, 1}) {
+        const Picture of_pair = picture_of(
+            frame_size(eyes[eye]), [&](GLuint target) { renderer.show(eyes[eye], s, target, false, eye); });
+        RenderSettings single = s;
+        single.complete = true;
+        EXPECT_LT(mean_difference(of_pair, take_picture(alone, eyes[eye], single, all(package), 1)), 1);
+    }
+}
+
+TEST_F(Bands, ExposureIsDecidedPerBand) {
+    SynthSpec spec = small_scene();
+    spec.infrared.stops = 1;
+    make(spec);
+    const PackageReader brighter = prepared();
+    EXPECT_FALSE(effect_on(brighter.scene(), Effect::exposure)) << "one band is twice as bright as the other";
+    EXPECT_TRUE(std::ranges::all_of(brighter.photos(), is_neutral));
+    spec.exposure.stops = 0.5;  // of photos in visible light
+    make(spec);
+    const PackageReader uneven = prepared();
+    const std::vector<Band> bands = read_bands(uneven);
+    EXPECT_TRUE(bands[visible].effects & effect_bit(Effect::exposure));
+    EXPECT_FALSE(bands[infrared].effects & effect_bit(Effect::exposure));
+    double sum = 0;
+    std::size_t corrected = 0;
+    for (const package::PhotoRecord& p : uneven.photos())
+        if (p.band == infrared) {
+            EXPECT_TRUE(is_neutral(p)) << p.name;
+        } else {
+            sum += std::log(p.gain[1]);
+            corrected += std::abs(std::log(p.gain[1])) > 0.05;
+        }
+    EXPECT_GE(corrected, 3u);
+    EXPECT_NEAR(sum / 5, 0, 0.01) << "relative to the mean photo of the band";
+    const auto row = effect_in(uneven, "exposure");
+    ASSERT_EQ(row.at("bands").size(), 2u);
+    EXPECT_EQ(row.at("bands")[0].at("name"), "visible");
+    EXPECT_TRUE(row.at("bands")[0].at("on"));
+    EXPECT_FALSE(row.at("bands")[1].at("on"));
+}
+
+TEST_F(Bands, PairsAreOfOneBand) {
+    make(small_scene());
+    const PackageReader package = prepared();
+    std::size_t pairs = 0;
+    for (const auto& p : package.records<package::PairRecord>(package::Type::pairs))
+        if (p.a != p.b) {
+            EXPECT_EQ(package.photos()[p.a].band, package.photos()[p.b].band);
+            ++pairs;
+        }
+    EXPECT_GE(pairs, 6u) << "photos of each band share surface";
+}
+
+TEST_F(Bands, AreAbsentIfThereIsOne) {
+    SynthSpec spec = small_scene();
+    make(spec);
+    PrepareSettings off;
+    off.effects[Effect::bands] = EffectChoice::off;
+    spec.infrared.count = 0;
+    make(spec, "plain");
+    const auto expect_none = [&](const PackageReader& package) {
+        EXPECT_FALSE(effect_on(package.scene(), Effect::bands));
+        EXPECT_FALSE(effect_in(package, "bands").at("on"));
+        EXPECT_EQ(package.find(package::Type::bands), nullptr);
+        for (const package::PhotoRecord& p : package.photos()) EXPECT_EQ(p.band, 0u);
+        EXPECT_EQ(read_bands(package).size(), 1u);
+        EXPECT_EQ(std::ranges::count(shader_defines("show", package.scene().effects), "BANDS"), 0);
+        EXPECT_TRUE(check_package(package.path(), {.deep = true}).empty());
+    };
+    expect_none(prepared("plain"));
+    expect_none(prepared("scene", off));
+    expect_none(prepared("scene", {}, "off"));
+    const PackageReader on = prepared("scene");
+    EXPECT_EQ(effect_in(on, "bands").at("evidence"), "visible: 5 photos; infrared: 4 photos");
+    EXPECT_EQ(effect_in(on, "bands").at("measured"), 2);
+    EXPECT_TRUE(check_package(on.path(), {.deep = true}).empty());
+}
+
+TEST_F(Bands, RefiningKeepsThem) {
+    make(small_scene());
+    const PackageReader before = prepared();
+    refine_package(before.path(), {}, dir / "again.vantage");
+    EXPECT_EQ(slurp(before.path()), slurp(dir / "again.vantage"));
+}
+
+TEST_F(Bands, NumbersOutOfRangeAreRefused) {
+    make(small_scene());
+    prepared();
+    const std::string sound = slurp(dir / "scene.vantage");
+    std::uint64_t photos = 0, records = 0;
+    {
+        const PackageReader package(dir / "scene.vantage");
+        photos = package.find(package::Type::photos)->offset;
+        records = package.find(package::Type::bands)->offset;
+    }
+    const auto message = [&](std::uint64_t at, const void* value, std::size_t bytes) {
+        std::vector<std::uint8_t> b(sound.begin(), sound.end());
+        std::memcpy(b.data() + at, value, bytes);
+        fuzz::fix_checksums(b);
+        std::ofstream(dir / "edited.vantage", std::ios::binary)
+            .write(reinterpret_cast<const char*>(b.data()), std::streamsize(b.size()));
+        try {
+            make_plan_scene(PackageReader(dir / "edited.vantage"));
+        } catch (const Error& e) {
+            EXPECT_EQ(e.code(), Exit::damaged);
+            return std::string(e.what()).substr((dir / "edited.vantage").string().size() + 2);
+        }
+        return std::string();
+    };
+    const std::uint32_t two = 2, many = 0xffffffff;
+    const std::uint64_t second = photos + sizeof(package::PhotoRecord) + offsetof(package::PhotoRecord, band);
+    EXPECT_EQ(message(second, &two, 4), "PHOT 1: band 2, expected one below 2");
+    EXPECT_EQ(message(second, &many, 4), "PHOT 1: band 4294967295, expected one below 2");
+    EXPECT_EQ(message(records, "", 1), "BAND: band 0 has no name of its own that a folder may have");
+    EXPECT_EQ(message(records, "infrared", 9), "BAND: band 1 has no name of its own that a folder may have");
+    EXPECT_EQ(message(records, "../../up", 9), "BAND: band 0 has no name of its own that a folder may have");
+}
+
+TEST_F(BandsAtLength, EvaluatePredictsAPhotoFromItsOwnBand) {
+    make(small_scene());
+    prepared("scene");
+    for (const std::string band : {"visible", "infrared"}) {
+        const std::string other = band == "visible" ? "infrared" : "visible", noise = "noise-in-" + other;
+        fs::copy(dir / "scene", dir / noise, fs::copy_options::recursive);
+        add_noise(noise, other);
+        prepared(noise);
+        const auto scores = [&](const std::string& name) {
+            const std::string out = (dir / (name + "-" + band)).string();
+            const Ran ran = run(VANTAGE_PLAYER " evaluate " + (dir / (name + ".vantage")).string() +
+                                " --photo " + band + "_0001," + band + "_0002 -o " + out);
+            EXPECT_EQ(ran.code, 0) << ran.says;
+            return slurp(fs::path(out) / "photos.csv");
+        };
+        const std::string sound = scores("scene");
+        EXPECT_FALSE(sound.empty());
+        EXPECT_EQ(sound, scores(noise)) << band;
+    }
+}
+
+TEST_F(BandsAtLength, ProgramsKnowThem) {
+    make(small_scene());
+    const std::string file = prepared().path().string(), player = VANTAGE_PLAYER " ",
+                      vantage = VANTAGE_PROGRAM " ";
+    const auto shoot = [&](const std::string& options) {
+        const Ran ran =
+            run(player + file + " --offscreen -q --scale 0.5 -o " + (dir / "p.png").string() + " " + options);
+        return ran.code == 0 ? slurp(dir / "p.png") : ran.says;
+    };
+    const std::string own = shoot("--photo infrared_0001");
+    EXPECT_EQ(own, shoot("--photo infrared_0001 --band INFRARED")) << "a photo's camera shows its own band";
+    EXPECT_NE(own, shoot("--photo infrared_0001 --band visible"));
+    EXPECT_NE(own, shoot("--photo infrared_0001 --band visible --second-band infrared=0.5"));
+    EXPECT_EQ(own, shoot("--photo infrared_0001 --band visible --second-band infrared=1"));
+    EXPECT_EQ(shoot("--photo infrared_0001 --band uv"),
+              "vantage-player: " + file + ": has no band 'uv', expected one of visible, infrared\n");
+    EXPECT_EQ(
+        shoot("--photo infrared_0001 --second-band infrared=2"),
+        "vantage-player: --second-band infrared=2: expected NAME or NAME=SHARE with a share from 0 to 1\n");
+    EXPECT_EQ(shoot("--photo infrared_0001 --second-band visible --band-view side-by-side"),
+              "vantage-player: band 'visible' is shown already, expected another one\n");
+    EXPECT_NE(run(player + file + " --list").says.find("infrared_0001.jpg  infrared  260x200"),
+              std::string::npos);
+    EXPECT_NE(run(vantage + "info " + file).says.find("visible: 5 photos; infrared: 4 photos"),
+              std::string::npos);
+    EXPECT_EQ(run(vantage + "extract " + file + " -o " + (dir / "files").string()).code, 0);
+    EXPECT_TRUE(fs::exists(dir / "files" / "photos" / "infrared" / "infrared_0001.jpg"));
+    EXPECT_TRUE(fs::exists(dir / "files" / "depth" / "visible" / "visible_0001.exr"));
+    const std::string golden = (dir / "golden").string();
+    EXPECT_EQ(run(player + "verify " + file + " --size 96x72 --golden " + golden + " --update").code, 0);
+    EXPECT_NE(slurp(dir / "golden" / "views.path").find("band=infrared"), std::string::npos);
+    const Ran verified = run(player + "verify " + file + " --size 96x72 --golden " + golden);
+    EXPECT_EQ(verified.code, 0) << verified.says;
+}

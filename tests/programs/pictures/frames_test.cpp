@@ -1,0 +1,229 @@
+// Frames drawn in other ways than a picture: photos blended pixel by pixel or on the model drawn again, and
+// frames smaller than their render targets. They show the same.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/gl/context.h"
+#include "player/composition/enlargement.h"
+#include "player/composition/object_set.h"
+#include "player/render/pace.h"
+#include "player/render/picture.h"
+#include "player/survey/section.h"
+#include "tests/made_scenes.h"
+#include "tests/programs/garden_package.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Of a package that has surroundings.
+class Frames : public GardenPackage {
+  protected:
+    void SetUp() override {
+        GardenPackage::SetUp();
+        make_package({{Effect::surroundings, EffectChoice::on}, {Effect::per_fragment, EffectChoice::on}});
+    }
+    /// A photo's own; between photos; and so near that triangles reach behind the viewer.
+    static std::vector<View> views(const PackageReader& package) {
+        std::vector<View> out;
+        for (const double ahead : {0.0, 1.5, 4.0}) {
+            View view = view_of_photo(package.photos()[1], 0.8);
+            view.cam_from_origin.t -= Eigen::Vector3d(0.1 * ahead, 0.2 * ahead, ahead);
+            out.push_back(view);
+        }
+        return out;
+    }
+};
+class FramesAtLength : public Frames {};
+
+struct Difference {
+    int most = 0;
+    double share_above_one = 0, share_above_24 = 0;
+};
+Difference difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    Difference d;
+    std::size_t above_one = 0, above_24 = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const int off = std::abs(int(a[i]) - int(b.at(i)));
+        d.most = std::max(d.most, off);
+        above_one += off > 1;
+        above_24 += off > 24;
+    }
+    d.share_above_one = double(above_one) / double(std::max<std::size_t>(1, a.size()));
+    d.share_above_24 = double(above_24) / double(std::max<std::size_t>(1, a.size()));
+    return d;
+}
+
+/// Compares what a picture with sections shows with rays that end at them.
+void expect_cut(const PackageReader& package, const View& view, std::vector<SectionPlane> sections,
+                std::span<const std::uint32_t> photos) {
+    Renderer renderer(package, MemoryBudget{});
+    RenderSettings settings;
+    settings.sections = std::move(sections);
+    take_picture(renderer, view, settings, photos, 1);
+    const std::vector<std::uint32_t> cut = renderer.triangles();
+    const std::vector<SectionPlane> planes = std::exchange(settings.sections, {});
+    take_picture(renderer, view, settings, photos, 1);
+    const std::vector<std::uint32_t> whole = renderer.triangles();
+    const PlanScene& scene = renderer.scene();
+    const std::uint32_t of_mesh = scene.clusters[scene.first_surrounding].first_triangle;
+    std::size_t changed = 0, wrong = 0;
+    for (int y = 0; y < view.intrinsics.height; ++y)
+        for (int x = 0; x < view.intrinsics.width; ++x) {
+            const auto at = std::size_t(y * view.intrinsics.width + x);
+            const Ray ray = ray_through(view, {x + 0.5, y + 0.5});
+            const auto hit = first_hit(scene, ray, behind(planes, ray));
+            const std::uint32_t shown = cut[at] > of_mesh ? 0 : cut[at];
+            wrong += shown != (hit ? hit->triangle + 1 : 0);
+            changed += cut[at] != whole[at];
+        }
+    EXPECT_GT(changed, cut.size() / 50) << "something is cut away";
+    EXPECT_LT(wrong, cut.size() / 200) << "but for edges";
+}
+
+}  // namespace
+
+TEST_F(FramesAtLength, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    for (const View& view : views(package))
+        for (const Blend blend : {Blend::lumigraph, Blend::average, Blend::best})
+            for (const bool consensus : {false, true}) {
+                RenderSettings settings;
+                settings.blend = blend;
+                settings.consensus = consensus;
+                settings.photos_per_pass = 3;  // so that there are several passes
+                settings.fill_holes = true;
+                const Picture by_pixel = take_picture(renderer, view, settings, all(package), 1);
+                settings.by_triangle = false;
+                const Picture by_model = take_picture(renderer, view, settings, all(package), 1);
+                EXPECT_LT(by_pixel.report.draws, by_model.report.draws) << "they were drawn in the same way";
+                const Difference d = difference(by_pixel.rgba, by_model.rgba);
+                // Where surfaces are seen at a grazing angle, derivatives are not differences of neighbors;
+                // and which photo is best may be a matter of the last digit.
+                EXPECT_LT(d.share_above_one, 2e-3) << "blend " << int(blend);
+                if (blend != Blend::best) {
+                    EXPECT_LE(d.share_above_24, 2e-5) << "blend " << int(blend);
+                    if (gl::current_device().software) {
+                        EXPECT_LE(d.most, 24) << "blend " << int(blend);
+                    }
+                }
+            }
+}
+
+TEST_F(Frames, ACoarseMeshInMotionLooksLikeTheMesh) {
+    copy_scene(garden_spec(60000, 400, 300), dir / "fine");
+    PrepareSettings prepared;
+    prepared.effects[Effect::surroundings] = EffectChoice::on;
+    prepared.effects[Effect::per_fragment] = EffectChoice::on;
+    const fs::path fine = made_package(dir / "fine", prepared);
+    const PackageReader package(fine);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    RenderSettings settings;
+    settings.photos = 4;
+    settings.swift = true;
+    settings.fill_holes = true;
+    const View view = scaled(view_of_photo(package.photos()[1], 0.8), 0.5);
+    const Picture of_mesh = take_picture(renderer, view, settings, all(package), 1);
+    renderer.coarsen(true);
+    const Picture coarse = take_picture(renderer, view, settings, all(package), 1);
+    EXPECT_NE(coarse.rgba, of_mesh.rgba) << "the mesh was drawn";
+    double squares = 0;
+    for (std::size_t i = 0; i < coarse.rgba.size(); ++i)
+        squares += std::pow(int(coarse.rgba[i]) - int(of_mesh.rgba[i]), 2);
+    EXPECT_GT(10 * std::log10(255 * 255 / (squares / double(coarse.rgba.size()))), 30);
+    // What is under a pixel is known as a triangle of the mesh.
+    const auto triangles = renderer.seen().triangles;
+    ASSERT_FALSE(triangles.empty());
+    EXPECT_LE(std::ranges::max(triangles), renderer.scene().triangles);
+    // At rest, the mesh is drawn again.
+    settings.swift = false;
+    const Picture at_rest = take_picture(renderer, view, settings, all(package), 1);
+    Renderer other(package, MemoryBudget{});
+    EXPECT_EQ(at_rest.rgba, take_picture(other, view, settings, all(package), 1).rgba);
+}
+
+TEST_F(Frames, ASectionTakesAwayWhatIsBeforeIt) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    const View view = views(package).front();
+    expect_cut(package, view, {{-view.cam_from_origin.direction(), 0}}, all(package));
+}
+
+TEST_F(Frames, OfABoxOnlyWhatIsInsideIsLeft) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    const Eigen::AlignedBox3d bounds = bounds_from_origin(package.scene());
+    std::vector<SectionPlane> box;
+    for (int i = 0; i < 3; ++i) {
+        const double middle = bounds.center()[i], half = 0.3 * bounds.sizes()[i];
+        box.push_back({-Eigen::Vector3d::Unit(i), -(middle - half)});
+        box.push_back({Eigen::Vector3d::Unit(i), middle + half});
+    }
+    for (const View& view : views(package)) expect_cut(package, view, box, all(package));
+}
+
+TEST_F(Frames, SmallerThanTheirTargetsLookAsWithTargetsOfTheirOwn) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    Renderer own(package, MemoryBudget{}), roomy(package, MemoryBudget{});
+    RenderSettings settings;
+    settings.fill_holes = true;
+    settings.background = {{0.1f, 0.2f, 0.4f}, {0.4f, 0.3f, 0.2f}, 0.1};
+    for (const View& view : views(package)) {
+        RenderSettings in_room = settings;
+        in_room.room = {view.intrinsics.width, view.intrinsics.height};
+        // The larger frame before it leaves its pixels beside those of the smaller one.
+        take_picture(roomy, view, in_room, all(package), 1);
+        const View small = scaled(view, 0.37);
+        EXPECT_EQ(take_picture(roomy, small, in_room, all(package), 2).rgba,
+                  take_picture(own, small, settings, all(package), 2).rgba);
+        EXPECT_EQ(roomy.targets().room, in_room.room) << "no new targets";
+    }
+}
+
+TEST_F(Frames, SmallerOnesAreShownEnlarged) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    ObjectSet objects(renderer, {{"scene", file, {}, true}}, MemoryBudget{});
+    Enlargement enlargement;
+    const View view = views(package).front();
+    const FrameSize size{view.intrinsics.width, view.intrinsics.height};
+    enlargement.fit(size);
+    RenderSettings settings;
+    settings.fill_holes = true;
+    settings.room = size;
+    const auto shown = [&](double scale) {
+        const View drawn = scaled(view, scale);
+        objects.draw(drawn, settings, all(package), {}, 0);
+        return picture_of(
+            size, [&](GLuint target) { enlargement.show(objects, drawn, settings, size, target, false); });
+    };
+    const Picture whole = shown(1), half = shown(0.5), tiny = shown(0.1);
+    const auto mean_off = [&](const Picture& p) {
+        double sum = 0;
+        for (std::size_t i = 0; i < p.rgba.size(); ++i) sum += std::abs(int(p.rgba[i]) - int(whole.rgba[i]));
+        return sum / double(p.rgba.size());
+    };
+    EXPECT_GT(mean_off(half), 0);
+    EXPECT_LT(mean_off(half), 8);
+    EXPECT_LT(mean_off(half), mean_off(tiny));
+    EXPECT_LT(mean_off(tiny), 30) << "in the right place";
+    // The last rows and columns show no more of what larger frames left beside the picture.
+    const auto edge_off = [&](const Picture& p) {
+        double sum = 0;
+        for (int x = 0; x < p.width; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const auto at = std::size_t(((p.height - 1) * p.width + x) * 4 + c);
+                sum += std::abs(int(p.rgba[at]) - int(whole.rgba[at]));
+            }
+        return sum / (3.0 * p.width);
+    };
+    EXPECT_LT(edge_off(half), 12);
+}

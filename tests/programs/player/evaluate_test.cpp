@@ -1,0 +1,457 @@
+#include "player/measure/evaluation/evaluate.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <optional>
+#include <random>
+
+#include "base/gl/context.h"
+#include "base/text/error.h"
+#include "base/values/srgb.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/output/meta.h"
+#include "pipeline/photos/image_files.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/run/settings.h"
+#include "pipeline/run/until_stopped.h"
+#include "player/measure/evaluation/colors_without.h"
+#include "player/measure/evaluation/held_out.h"
+#include "player/measure/evaluation/photo_pixels.h"
+#include "scene/agreement/registered_without.h"
+#include "tests/made_scenes.h"
+#include "tests/temporary_folder.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+class Evaluate : public TemporaryFolder {
+  protected:
+    fs::path file = dir / "scene.vantage";
+    SceneInput scene;
+    /// Five photos close together.
+    static SynthSpec close_photos() {
+        SynthSpec spec = spec_named("tiny");
+        spec.photos.width = 800;
+        spec.photos.height = 600;
+        spec.photos.arc = 40;
+        return spec;
+    }
+    void SetUp() override {
+        TemporaryFolder::SetUp();
+        SynthSpec spec = close_photos();
+        spec.photos.samples = 2;
+        copy_scene(spec, dir / "scene");
+        scene = read_scene(discover(dir / "scene"));
+        for (PhotoInput& photo : scene.photos) photo.read.clear();  // tests repaint photos on purpose
+    }
+    /// Of every photo, or of one.
+    std::vector<LeftOut> evaluate(bool corrects_exposure = true, std::optional<std::uint32_t> only = {}) {
+        PrepareSettings as_given;
+        as_given.effects[Effect::registration] = EffectChoice::off;
+        if (!corrects_exposure) as_given.effects[Effect::exposure] = EffectChoice::off;
+        prepare(scene, as_given, file, [](const Progress&) {});
+        const PackageReader package(file);
+        const gl::HeadlessContext context(gl::Debug::on);
+        Renderer renderer(package, {});
+        std::vector<std::uint32_t> photos(package.photos().size());
+        std::iota(photos.begin(), photos.end(), 0u);
+        std::vector<LeftOut> out;
+        std::vector<RegionError> regions;
+        LeftOutPictures pictures;
+        RenderSettings settings;
+        settings.weights.consensus_mask = false;  // as in run_evaluate
+        for (const std::uint32_t p : photos)
+            if (!only || p == *only)
+                out.push_back(
+                    leave_out(renderer, settings, photos, package.photos(), p, 1, regions, pictures));
+        remark(out);
+        return out;
+    }
+    LeftOut evaluate_photo(std::uint32_t photo, bool corrects_exposure = true) {
+        return evaluate(corrects_exposure, photo).front();
+    }
+};
+class EvaluateAtLength : public Evaluate {};
+
+/// Repaints a photo's file: `paint` gets each pixel's channels and place.
+void repaint(const fs::path& file, const auto& paint) {
+    const RgbaImage image = image_files().read(file);
+    std::vector<std::byte> rgb;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const std::size_t i = 4 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x));
+            std::array<std::uint8_t, 3> color{image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]};
+            paint(color, x, y);
+            for (const std::uint8_t v : color) rgb.push_back(std::byte(v));
+        }
+    image_files().write(file, image.width, image.height, 3, Sample::u8, rgb);
+}
+
+/// A tall red stranger, half as high as the photo.
+void paint_stranger(std::array<std::uint8_t, 3>& color, int x, int y) {
+    if (x >= 360 && x < 460 && y >= 150 && y < 450) color = {200, 30, 30};
+}
+
+void replace_by_noise(const fs::path& file) {
+    std::mt19937 random(1);
+    repaint(file, [&](std::array<std::uint8_t, 3>& color, int, int) {
+        for (std::uint8_t& v : color) v = std::uint8_t(random());
+    });
+}
+
+/// Effects that depend on all photos, on without a judgment, which would be another without a photo.
+PrepareSettings all_but_registration() {
+    PrepareSettings settings;
+    for (const Effect e : {Effect::exposure, Effect::falloff, Effect::consensus})
+        settings.effects[e] = EffectChoice::on;
+    settings.effects[Effect::registration] = EffectChoice::off;
+    return settings;
+}
+
+Cause largest_at_colored(const CauseSquares& s) {
+    Cause most = Cause::displaced;
+    for (const CauseRow& row : cause_table())
+        if (s.colored_share(row.cause) > s.colored_share(most)) most = row.cause;
+    return most;
+}
+
+bool remarks_on(const LeftOut& r, const std::string& what) {
+    return std::ranges::any_of(r.remarks, [&](const std::string& s) { return s.find(what) != s.npos; });
+}
+
+bool reports_offset(const LeftOut& r) {
+    return std::ranges::any_of(r.remarks, [](const std::string& s) { return s.starts_with("offset by"); });
+}
+
+}  // namespace
+
+TEST_F(EvaluateAtLength, ComparesWithThePhotoItselfWhateverTheFormOfTiles) {
+    const auto truth = [&](EffectChoice compact, int level) {
+        PrepareSettings settings;
+        settings.effects[Effect::compact] = compact;
+        return photo_at_level(PackageReader(made_package(dir / "scene", settings)), 1, level).rgba;
+    };
+    for (const int level : {0, 2})
+        EXPECT_TRUE(truth(EffectChoice::on, level) == truth(EffectChoice::off, level)) << level;
+}
+
+TEST_F(EvaluateAtLength, GoodSceneGetsNoRemarks) {
+    for (const LeftOut& r : evaluate()) {
+        EXPECT_GT(r.score.psnr_gain, 22) << r.name;
+        EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), 0.5) << r.name;
+        EXPECT_LT(std::abs(r.brightness.stops), 0.1) << r.name << ": equal exposures";
+        EXPECT_FALSE(reports_offset(r)) << r.name;
+    }
+}
+
+TEST_F(EvaluateAtLength, WrongCameraIsDetectedWithItsOffset) {
+    constexpr double off = 2.5;  // pixels at full size
+    Camera& camera = scene.photos[2].camera;
+    Pose& pose = camera.cam_from_world;
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(off / camera.intrinsics.fx, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    pose.R = turn * pose.R;
+    pose.t = turn * pose.t;
+    const std::vector<LeftOut> results = evaluate();
+    // Points project farther to the right in the rotated camera, so its photo's content is to the left of
+    // them.
+    EXPECT_NEAR(std::abs(results[2].shift[0]), off, 0.8);
+    EXPECT_LT(std::abs(results[2].shift[1]), 0.5);
+    EXPECT_TRUE(reports_offset(results[2]));
+    for (const LeftOut& r : results)  // the others are blended with it, too, so they are slightly off
+        EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), r.photo == 2 ? 2 * off : 0.7 * off) << r.name;
+}
+
+TEST_F(EvaluateAtLength, StrangerInTheLeftOutPhotoMakesItOdd) {
+    repaint(scene.photos[2].file, paint_stranger);
+    const LeftOut r = evaluate_photo(2);
+    EXPECT_EQ(largest_at_colored(r.causes), Cause::odd_photo);
+    const auto region = std::ranges::find(r.worst, Cause::odd_photo, &WorstRegion::cause);
+    ASSERT_NE(region, r.worst.end());
+    EXPECT_LT(std::abs(region->place.x + region->place.width / 2 - 205), 60) << "at half size";
+    EXPECT_LT(std::abs(region->place.y + region->place.height / 2 - 150), 80);
+}
+
+TEST_F(EvaluateAtLength, DarkThingInFrontIsNotCalledExposure) {
+    repaint(scene.photos[2].file, [](std::array<std::uint8_t, 3>& color, int x, int) {
+        if (x < 360) color = {20, 40, 15};
+    });
+    const LeftOut r = evaluate_photo(2);
+    EXPECT_LT(std::abs(r.brightness.stops), 0.15);
+    EXPECT_FALSE(remarks_on(r, "darker"));
+    EXPECT_TRUE(remarks_on(r, "something in front of it"));
+}
+
+TEST_F(Evaluate, DarkerPhotoIsReportedWithItsStops) {
+    repaint(scene.photos[2].file, [](std::array<std::uint8_t, 3>& color, int, int) {
+        for (std::uint8_t& v : color)
+            v = std::uint8_t(
+                std::lround(255 * srgb_from_linear(linear_from_srgb(v / 255.0) * std::exp2(-0.5))));
+    });
+    const LeftOut r = evaluate_photo(2, false);
+    EXPECT_NEAR(r.brightness.stops, -0.5, 0.1);
+    EXPECT_TRUE(remarks_on(r, "stops darker than the others"));
+    EXPECT_FALSE(remarks_on(r, "something in front of it"));
+}
+
+TEST_F(EvaluateAtLength, StrangerInAnotherPhotoIsADisagreement) {
+    repaint(scene.photos[1].file, paint_stranger);
+    const std::vector<LeftOut> results = evaluate();
+    EXPECT_EQ(largest_at_colored(results[1].causes), Cause::odd_photo);
+    EXPECT_EQ(largest_at_colored(results[2].causes), Cause::disagreement);
+}
+
+TEST_F(EvaluateAtLength, WrongCameraDisplacesContent) {
+    Pose& pose = scene.photos[2].camera.cam_from_world;
+    const double angle = 7 / scene.photos[2].camera.intrinsics.fx;
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    pose.R = turn * pose.R;
+    pose.t = turn * pose.t;
+    const LeftOut r = evaluate_photo(2);
+    EXPECT_EQ(largest_at_colored(r.causes), Cause::displaced);
+    EXPECT_GT(r.causes.colored_share(Cause::displaced), 0.5);
+}
+
+TEST_F(EvaluateAtLength, NoisyPhotoDiffersInFineDetail) {
+    std::mt19937 random(4);
+    repaint(scene.photos[2].file, [&](std::array<std::uint8_t, 3>& color, int, int) {
+        for (std::uint8_t& v : color) v = std::uint8_t(std::clamp(int(v) + int(random() % 161) - 80, 0, 255));
+    });
+    EXPECT_EQ(largest_at_colored(evaluate_photo(2).causes), Cause::detail);
+}
+
+TEST_F(Evaluate, HolesAreWhereTheMeshEndsOrNoOtherPhotoLooks) {
+    const LeftOut whole = evaluate_photo(2);
+    const auto& positions = scene.mesh.positions;
+    std::erase_if(scene.mesh.triangles, [&](const auto& t) {  // the upper floor and the roof
+        return std::max({positions[t[0]].z(), positions[t[1]].z(), positions[t[2]].z()}) > 3.5;
+    });
+    fs::remove(file);
+    const LeftOut holed = evaluate_photo(2);
+    EXPECT_GT(holed.causes.of(Cause::no_surface), 1.2 * whole.causes.of(Cause::no_surface));
+    EXPECT_LT(holed.frame.psnr_gain, whole.frame.psnr_gain - 0.5) << "the whole frame counts";
+
+    const PackageReader package(file);
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(package, {});
+    std::vector<RegionError> regions;
+    LeftOutPictures pictures;
+    const LeftOut alone = leave_out(renderer, {}, std::array{2u}, package.photos(), 2, 2, regions, pictures);
+    EXPECT_GT(alone.causes.of(Cause::unseen), 0);
+    EXPECT_EQ(alone.causes.colored(), 0);
+    EXPECT_EQ(alone.score.pixels, 0u);
+    EXPECT_GT(alone.frame.psnr, 0);
+}
+
+TEST_F(Evaluate, WholeFrameIsThatOfTheWindow) {
+    copy_package(dir / "scene", {}, file);
+    const PackageReader package(file);
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(package, {});
+    const View view = view_of_level(package.photos()[2], 1);
+    RenderSettings settings;
+    const std::vector<std::uint32_t> others{0, 1, 3, 4};
+    const Picture rendered = take_picture(renderer, view, settings, others, 2);
+    const Picture completed = as_in_window(renderer, view, settings, rendered, 2);
+    settings.fill_holes = true;
+    const Picture window = take_picture(renderer, view, settings, others, 2);
+    std::size_t holes = 0, partial = 0;
+    for (std::size_t i = 0; i < rendered.rgba.size(); i += 4) {
+        const int alpha = rendered.rgba[i + 3];
+        holes += alpha == 0;
+        partial += alpha > 0 && alpha < 255;
+        for (std::size_t c = 0; c < 4 && (alpha == 0 || alpha == 255); ++c)
+            ASSERT_EQ(completed.rgba[i + c], window.rgba[i + c]) << "pixel " << i / 4;
+    }
+    EXPECT_GT(holes, 100u);
+    EXPECT_LT(partial, rendered.rgba.size() / 4 / 50);
+    EXPECT_GT(score(window, completed, std::vector<bool>(rendered.rgba.size() / 4, true)).psnr, 40);
+}
+
+TEST_F(Evaluate, WritesTablePagePicturesAndRegions) {
+    copy_package(dir / "scene", {}, file);
+    const PackageReader package(file);
+    EvaluateOptions options;
+    options.folder = dir / "evaluation";
+    options.level = 2;
+    options.every = 2;
+    EXPECT_EQ(run_evaluate(package, options), 0);
+    const std::string csv = slurp(options.folder / "photos.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4) << "a header and photos 0, 2 and 4";
+    for (const char* column : {",ssim_gain,", ",frame_psnr_gain,", ",frame_ssim_gain,", ",error_odd_photo"})
+        EXPECT_NE(csv.find(column), csv.npos) << column;
+    const std::string page = slurp(options.folder / "index.html");
+    EXPECT_NE(page.find("Where the error comes from"), page.npos);
+    EXPECT_EQ(page.find("nan"), page.npos);
+    std::size_t crops = 0;
+    for (const fs::directory_entry& e : fs::directory_iterator(options.folder))
+        for (const CauseRow& row : cause_table())
+            if (e.path().filename().string().ends_with("-" + std::string(row.file) + ".png")) {
+                ++crops;
+                EXPECT_NE(page.find(e.path().filename().string()), page.npos);
+            }
+    EXPECT_GE(crops, 3u) << "at least one per photo";
+    for (const char* name : {"0000", "0002", "0004"})
+        for (const char* kind : {"-photo.png", "-rendered.png", "-difference.png", "-causes.png"}) {
+            EXPECT_TRUE(fs::exists(options.folder / (std::string(name) + kind)));
+            EXPECT_NE(page.find(std::string(name) + kind), page.npos);
+        }
+    std::ifstream ply(options.folder / "regions.ply");
+    std::string line;
+    std::size_t lines = 0, header = 0;
+    while (std::getline(ply, line)) {
+        ++lines;
+        if (line == "end_header") header = lines;
+    }
+    EXPECT_EQ(lines, header + package.scene().vertices + package.scene().triangles);
+}
+
+TEST_F(EvaluateAtLength, ComparesWithAnEarlierEvaluation) {
+    copy_package(dir / "scene", {}, file);
+    const PackageReader package(file);
+    EvaluateOptions options;
+    options.folder = dir / "before";
+    options.level = 2;
+    options.package.photos = {"0002"};
+    ASSERT_EQ(run_evaluate(package, options), 0);
+    options.against = options.folder;
+    EXPECT_THROW(run_evaluate(package, options), Error) << "the earlier evaluation would be overwritten";
+    options.folder = dir / "same";
+    ASSERT_EQ(run_evaluate(package, options), 0);
+    EXPECT_NE(slurp(options.folder / "index.html").find("<td>+0.00</td>"), std::string::npos);
+    EXPECT_FALSE(fs::exists(options.folder / "0002-better.png") ||
+                 fs::exists(options.folder / "0002-worse.png"));
+    options.folder = dir / "average";
+    options.blending.render.blend = Blend::average;
+    ASSERT_EQ(run_evaluate(package, options), 0);
+    EXPECT_TRUE(fs::exists(options.folder / "0002-worse.png")) << "the average is blurred somewhere";
+    options.level = 1;
+    EXPECT_THROW(run_evaluate(package, options), Error) << "of a different size";
+    options.against = dir / "nowhere";
+    EXPECT_THROW(run_evaluate(package, options), Error);
+}
+
+TEST_F(Evaluate, LeftOutPhotoHasNoPartInItsPicture) {
+    repaint(scene.photos[1].file, paint_stranger);
+    EvaluateOptions options;
+    options.level = 2;
+    options.package.photos = {"0002"};
+    const auto rendered = [&](const fs::path& folder) {
+        fs::remove(file);
+        prepare(scene, all_but_registration(), file, [](const Progress&) {});
+        options.folder = folder;
+        EXPECT_EQ(run_evaluate(PackageReader(file), options), 0);
+        return slurp(folder / "0002-rendered.png");
+    };
+    const std::string before = rendered(dir / "before");
+    replace_by_noise(scene.photos[2].file);
+    EXPECT_EQ(rendered(dir / "noise"), before);
+    EXPECT_NE(slurp(dir / "noise" / "0002-photo.png"), slurp(dir / "before" / "0002-photo.png"));
+}
+
+TEST_F(Evaluate, PictureIsThatOfAPackagePreparedWithoutThePhoto) {
+    repaint(scene.photos[1].file, paint_stranger);
+    PrepareSettings settings = all_but_registration();
+    prepare(scene, settings, file, [](const Progress&) {});
+    EvaluateOptions options;
+    options.folder = dir / "evaluation";
+    options.package.photos = {"0002"};
+    ASSERT_EQ(run_evaluate(PackageReader(file), options), 0);
+    settings.hold_out = {"0002"};
+    const fs::path without = dir / "without.vantage";
+    prepare(scene, settings, without, [](const Progress&) {});
+    const auto picture = [](const fs::path& package_file, bool consensus_mask) {
+        const PackageReader package(package_file);
+        const gl::HeadlessContext context(gl::Debug::on);
+        Renderer renderer(package, {});
+        RenderSettings shown = render_settings(package, {}, Purpose::pictures);
+        shown.fill_holes = false;
+        shown.surroundings = ShowSurroundings::off;  // as in evaluate
+        shown.weights.consensus_mask = consensus_mask;
+        return take_picture(renderer, view_of_level(package.photos()[2], 1), shown,
+                            std::array{0u, 1u, 3u, 4u}, 2);
+    };
+    const Picture evaluated = read_png(options.folder / "0002-rendered.png");
+    EXPECT_EQ(evaluated.rgba, picture(without, true).rgba);
+    EXPECT_NE(evaluated.rgba, picture(without, false).rgba) << "the stranger is masked";
+    EXPECT_NE(evaluated.rgba, picture(file, true).rgba) << "on whose masks the photo has voted";
+}
+
+TEST_F(EvaluateAtLength, CamerasAreRegisteredWithoutTheLeftOutPhoto) {
+    // A wrong camera, which moves; the photo left out has a say in it.
+    Pose& wrong = scene.photos[3].camera.cam_from_world;
+    const Intrinsics k = scene.photos[3].camera.intrinsics;
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(4 / k.fx, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    wrong.R = turn * wrong.R;
+    wrong.t = turn * wrong.t;
+    PrepareSettings settings;
+    settings.effects[Effect::registration] = EffectChoice::on;
+    const auto records = [&](const fs::path& package_file, bool without) {
+        prepare(scene, settings, package_file, [](const Progress&) {});
+        const PackageReader package(package_file);
+        EXPECT_TRUE(effect_on(package.scene(), Effect::registration));
+        std::vector<package::PhotoRecord> out(package.photos().begin(), package.photos().end());
+        if (without) use_poses_without(package, 2, out);
+        return out;
+    };
+    const auto stored = records(file, false), before = records(file, true);
+    settings.hold_out = {"0002"};
+    const auto held_out = records(dir / "without.vantage", false);
+    const PackageReader package(file);
+    const auto given = package.records<package::RegistrationRecord>(package::Type::registration);
+    // How far the middle of the photo moves.
+    const auto apart = [&](const Pose& a, const Pose& b) {
+        const Eigen::Vector3d x = a.R.transpose() * (Eigen::Vector3d(0, 0, stored[3].seen_distance) - a.t);
+        const Eigen::Vector3d p = b.R * x + b.t;
+        return k.fx * std::hypot(p.x(), p.y()) / p.z();
+    };
+    const auto pose = [](const auto& r) { return cam_from_origin(r[3]); };
+    EXPECT_GT(apart(pose(stored), pose(given)), 3) << "the camera was moved";
+    EXPECT_GT(apart(pose(before), pose(stored)), 0) << "the photo had a say in it";
+    EXPECT_LT(apart(pose(before), pose(held_out)), 0.25);
+    EXPECT_EQ(cam_from_origin(before[2]).t, cam_from_origin(given[2]).t) << "viewed from its given camera";
+}
+
+TEST_F(EvaluateAtLength, JudgeFindsTheGainsThatThePlayerShows) {
+    SynthSpec spec = close_photos();
+    spec.exposure.stops = 0.3;
+    copy_scene(spec, dir / "exposed");
+    PrepareSettings corrected;
+    corrected.effects[Effect::exposure] = EffectChoice::on;
+    corrected.effects[Effect::falloff] = EffectChoice::off;
+    corrected.effects[Effect::registration] = EffectChoice::off;
+    copy_package(dir / "exposed", corrected, file);
+    const PackageReader package(file);
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(package, {});
+    const ColorsWithout colors(package);
+    std::vector<std::uint32_t> photos(package.photos().size());
+    std::iota(photos.begin(), photos.end(), 0u);
+    std::vector<RegionError> regions;
+    LeftOutPictures pictures;
+    double gain = 0;
+    for (const std::uint32_t p : photos) {
+        const auto psnr = [&](bool refined) {
+            RenderSettings settings;
+            settings.refined_colors = refined;
+            return leave_out(renderer, settings, photos, colors.records(p), p, 2, regions, pictures)
+                .score.psnr_gain;
+        };
+        gain += (psnr(true) - psnr(false)) / double(photos.size());
+    }
+    const auto exposure = parse_meta(package).at("effects").at(std::size_t(Effect::exposure)).at("judged");
+    EXPECT_EQ(exposure.at("photos"), photos.size());
+    EXPECT_GT(gain, 1) << "a third of a stop is plain to see";
+    // Coarse pixels at silhouettes, which mix surfaces, add the same error with and without gains.
+    EXPECT_GT(double(exposure.at("gain")), 0.3 * gain);
+    EXPECT_LT(double(exposure.at("gain")), 1.2 * gain);
+    EXPECT_LT(double(exposure.at("seams_after")), 0.9 * double(exposure.at("seams_before")));
+}

@@ -1,0 +1,245 @@
+// README.md and docs/ agree with the programs: every verb, option and choice that they mention is one
+// that the programs describe, and the exit codes are those of Exit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "base/cli/described_command.h"
+#include "base/text/error.h"
+#include "tests/programs/patterns.h"
+#include "tests/temporary_folder.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The options of a command, with the values of those that take no others.
+using Options = std::map<std::string, std::set<std::string>>;
+
+struct Program {
+    std::string notes;
+    std::map<std::string, Options> verbs;  ///< "": without a verb
+    bool takes_arguments;
+};
+
+/// A command or a part of one, as quoted in a document.
+struct Quote {
+    std::string place, text;
+};
+
+std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream in(text);
+    return {std::istream_iterator<std::string>(in), {}};
+}
+
+Options options_of(const DescribedCommand& command) {
+    Options out;
+    for (const DescribedOption& o : command.options)
+        for (const std::string& name : o.names)
+            out[name] = o.type == "FILE" ? std::set<std::string>()
+                                         : std::set<std::string>(o.values.begin(), o.values.end());
+    return out;
+}
+
+/// The code spans and the lines of code blocks in a Markdown file.
+std::vector<Quote> quotes_in(const fs::path& file, const std::string& markdown) {
+    std::vector<Quote> out;
+    std::istringstream in(markdown);
+    bool fenced = false;
+    int number = 0;
+    for (std::string line; std::getline(in, line);) {
+        const std::string place = file.filename().string() + ":" + std::to_string(++number);
+        if (line.starts_with("```")) {
+            fenced = !fenced;
+        } else if (fenced || line.starts_with("    ")) {
+            out.push_back({place, replaced(line, R"(\s#.*|\s\(.*|^\s*- run:)", "")});
+        } else {
+            for (const auto& span : matches(line, "`([^`]+)`")) out.push_back({place, span[1]});
+        }
+    }
+    return out;
+}
+
+class Help : public TemporaryFolder {
+  protected:
+    std::map<std::string, Program> programs;
+
+    void SetUp() override {
+        TemporaryFolder::SetUp();
+        for (const fs::path path : {VANTAGE_PROGRAM, VANTAGE_PLAYER, VANTAGE_BENCH}) {
+            if (!fs::exists(path)) continue;  // benchmarks are built for the full suite
+            const DescribedCommand c = described(path);
+            Program p{c.notes, {{"", options_of(c)}}, !c.arguments.empty()};
+            for (const DescribedCommand& verb : c.verbs) p.verbs[verb.name] = options_of(verb);
+            programs[c.name] = p;
+        }
+    }
+    DescribedCommand described(const fs::path& program) const {
+        const fs::path out = dir / "description";
+        EXPECT_EQ(std::system((program.string() + " --describe >" + out.string()).c_str()), 0) << program;
+        return from_line(slurp(out));
+    }
+    std::vector<Quote> quotes() const {
+        const fs::path root = VANTAGE_SOURCE_DIR;
+        std::vector<fs::path> files{root / "README.md"};
+        for (const auto& entry : fs::directory_iterator(root / "docs"))
+            if (entry.path().extension() == ".md") files.push_back(entry.path());
+        std::vector<Quote> out;
+        for (const fs::path& file : files)
+            std::ranges::copy(quotes_in(file, slurp(file)), std::back_inserter(out));
+        return out;
+    }
+
+    /// What is wrong with the options from `words[first]` on; empty if nothing.
+    static std::string mistake(const Options& options, const std::vector<std::string>& words,
+                               std::size_t first) {
+        for (std::size_t i = first; i < words.size() && words[i] != "&&" && words[i] != "|"; ++i) {
+            const auto name = matches(words[i], R"(^(-[A-Za-z]|--[A-Za-z][\w-]*)(=.*)?$)");
+            if (name.empty()) continue;
+            const auto option = options.find(name[0][1]);
+            if (option == options.end()) return "has no option " + words[i];
+            const std::set<std::string>& choices = option->second;
+            if (choices.empty() || i + 1 == words.size()) continue;
+            if (!choices.contains(words[i + 1])) return words[i] + " does not take " + words[i + 1];
+        }
+        return {};
+    }
+
+    /// What is wrong with a quote; empty if nothing, or if it is not about these programs.
+    std::string mistake(const std::string& text) const {
+        const std::vector<std::string> words = words_of(text);
+        if (words.empty()) return {};
+        if (const auto found = programs.find(fs::path(words[0]).filename().string());
+            found != programs.end()) {
+            const auto& verbs = found->second.verbs;
+            const auto verb = words.size() > 1 ? verbs.find(words[1]) : verbs.end();
+            if (verb != verbs.end()) return mistake(verb->second, words, 2);
+            if (!found->second.takes_arguments && words.size() > 1 && !words[1].starts_with('-'))
+                return "has no verb " + words[1];
+            return mistake(verbs.at(""), words, 1);
+        }
+        // A verb with options, or options alone: one of the programs must take them.
+        std::string mistaken;
+        for (const auto& [name, program] : programs)
+            for (const auto& [verb, options] : program.verbs) {
+                const bool of_verb = !verb.empty() && words[0] == verb && words.size() > 1;
+                if (!of_verb && !words[0].starts_with("--")) continue;
+                const std::string here = mistake(options, words, of_verb);
+                if (here.empty()) return {};
+                if (mistaken.empty() || here.find("does not take") != here.npos) mistaken = here;
+            }
+        return mistaken;
+    }
+};
+
+/// A word that must occur in descriptions of the exit code.
+std::optional<std::string> word_for(Exit code) {
+    switch (code) {
+        case Exit::ok:
+            return "";
+        case Exit::usage:
+            return "usage";
+        case Exit::input:
+            return "input";
+        case Exit::damaged:
+            return "damaged";
+        case Exit::stale:
+            return "stale";
+        case Exit::storage:
+            return "storage";
+        case Exit::graphics:
+            return "OpenGL|graphics";
+        case Exit::interrupted:
+            return "interrupted";
+        case Exit::incomplete:
+            return "incomplete";
+        case Exit::different:
+            return "differ";
+        case Exit::misplaced:
+            return "mesh";
+        case Exit::internal:
+            return "internal error";
+        case Exit::memory:
+            return "memory";
+    }
+    return std::nullopt;
+}
+
+/// Codes with their descriptions, by the two groups of `pattern`.
+std::map<int, std::string> codes_in(const std::string& text, const char* pattern) {
+    std::map<int, std::string> out;
+    for (const auto& m : matches(text, pattern))
+        EXPECT_TRUE(out.emplace(std::stoi(m[1]), m[2]).second) << "listed twice: " << m[0];
+    return out;
+}
+
+void expect_described(const std::map<int, std::string>& codes) {
+    for (const auto& [code, text] : codes) {
+        const auto word = word_for(Exit(code));
+        ASSERT_TRUE(word) << "no exit code " << code;
+        EXPECT_FALSE(matches(text, *word).empty()) << code << ": " << text;
+    }
+}
+
+}  // namespace
+
+TEST_F(Help, DocumentsMentionOnlyWhatProgramsAccept) {
+    std::size_t commands = 0, options = 0;
+    for (const Quote& q : quotes()) {
+        if (q.text.find("gtest_filter") != std::string::npos) continue;
+        if (!fs::exists(VANTAGE_BENCH) && q.place.starts_with("measurements.md"))
+            continue;  // built for --full
+        EXPECT_EQ(mistake(q.text), "") << q.place << ": " << q.text;
+        const std::vector<std::string> words = words_of(q.text);
+        commands += !words.empty() && programs.contains(fs::path(words[0]).filename().string());
+        options += !words.empty() && words[0].starts_with("--");
+    }
+    EXPECT_GT(commands, 30u) << "commands were not recognized";
+    EXPECT_GT(options, 15u) << "options were not recognized";
+}
+
+TEST_F(Help, MistakesAreFound) {
+    for (const char* good :
+         {"vantage prepare scan -o p.vantage --hold-out 0003",
+          "build/pipeline/vantage check --deep p.vantage", "vantage-player p.vantage --blend best",
+          "vantage-player evaluate p.vantage --level 3", "prepare --explain", "--blend average",
+          "cmake --build build", "check", "vantage"})
+        EXPECT_EQ(mistake(good), "") << good;
+    for (const char* bad :
+         {"vantage prepare scan --sparkle", "vantage sparkle p.vantage", "vantage check -o p.vantage",
+          "vantage-player p.vantage --deep", "vantage-player p.vantage --blend worst",
+          "vantage-player verify p.vantage --level 3", "prepare --deep", "--sparkle", "--blend worst"})
+        EXPECT_NE(mistake(bad), "") << bad;
+}
+
+TEST_F(Help, ExitCodesAgree) {
+    const std::string readme = slurp(fs::path(VANTAGE_SOURCE_DIR) / "README.md");
+    const std::size_t section = readme.find("## Exit codes");
+    ASSERT_NE(section, std::string::npos);
+    const auto table = codes_in(readme.substr(section, readme.find("\n## ", section + 1) - section),
+                                R"(\| (\d+) \| ([^|]+) )");
+    expect_described(table);
+    for (int code = 0; code < 256; ++code)
+        EXPECT_EQ(table.contains(code), word_for(Exit(code)).has_value()) << code;
+    const auto promised =
+        codes_in(slurp(fs::path(VANTAGE_SOURCE_DIR) / "docs" / "contracts.md"), R"(\| (\d+) \| ([^|]+) )");
+    expect_described(promised);
+    EXPECT_EQ(promised.size(), table.size());
+    for (const char* name : {"vantage", "vantage-player"}) {
+        const std::string& notes = programs.at(name).notes;
+        const std::size_t footer = notes.find("Exit codes:");
+        ASSERT_NE(footer, std::string::npos) << name;
+        const auto listed = codes_in(notes.substr(footer), R"((\d+) ([^,.]+)[,.])");
+        expect_described(listed);
+        for (const auto& [code, text] : listed) EXPECT_TRUE(table.contains(code)) << name << ": " << code;
+        EXPECT_TRUE(name != std::string("vantage") || listed.size() == table.size()) << notes.substr(footer);
+    }
+}

@@ -1,0 +1,183 @@
+#pragma once
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <list>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "scene/remote/byte_range.h"
+
+namespace vantage {
+
+/// Bytes that differ from place to place, so that a shifted or missing range is noticed.
+inline std::string content_of(std::uint64_t size, std::uint64_t seed = 1) {
+    std::string bytes(size, '\0');
+    std::uint64_t x = seed * 0x9e3779b97f4a7c15u;
+    for (char& byte : bytes) {
+        x = x * 6364136223846793005u + 1442695040888963407u;
+        byte = char(x >> 56);
+    }
+    return bytes;
+}
+
+/// A port that is free now, below those that the system assigns, and another one in each process.
+inline int free_port() {
+    static int next = int(::getpid()) * 16;
+    for (;;) {
+        const int port = 16'000 + next++ % 16'000;
+        const int fd = ::socket(AF_INET, SOCK_STREAM, 0);
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        address.sin_port = htons(std::uint16_t(port));
+        const bool free = ::bind(fd, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
+        ::close(fd);
+        if (free) return port;
+    }
+}
+
+/// What a client asked for, and the connection to answer on.
+struct Asked {
+    int fd = -1;
+    int number = 0;       ///< of the request, from 0
+    std::string headers;  ///< with the request line
+    ByteRange range;      ///< empty if the request has none
+    /// False if the client has closed the connection.
+    bool send(const std::string& bytes) const {
+        for (std::size_t at = 0; at < bytes.size();) {
+            const ssize_t n = ::send(fd, bytes.data() + at, bytes.size() - at, MSG_NOSIGNAL);
+            if (n <= 0) return false;
+            at += std::size_t(n);
+        }
+        return true;
+    }
+    /// Until the client closes the connection.
+    void wait_for_client() const {
+        char byte = 0;
+        while (::recv(fd, &byte, 1, 0) > 0) {
+        }
+    }
+    bool has(const std::string& text) const { return headers.find(text) != std::string::npos; }
+};
+
+/// A server on 127.0.0.1 whose answers the test writes byte by byte.
+class FaultServer {
+  public:
+    /// Answers one request; returns whether to keep the connection.
+    using Handler = std::function<bool(const Asked&)>;
+
+    explicit FaultServer(Handler handler) : handler_(std::move(handler)) {
+        listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t length = sizeof address;
+        ::bind(listener_, reinterpret_cast<sockaddr*>(&address), length);
+        ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &length);
+        ::listen(listener_, 64);
+        port_ = ntohs(address.sin_port);
+        acceptor_ = std::thread([this] { accept_all(); });
+    }
+
+    ~FaultServer() {
+        ::shutdown(listener_, SHUT_RDWR);
+        acceptor_.join();
+        ::close(listener_);
+        {
+            const std::scoped_lock lock(mutex_);
+            for (const int fd : open_) ::shutdown(fd, SHUT_RDWR);
+        }
+        for (std::thread& thread : connections_) thread.join();
+        for (const int fd : open_) ::close(fd);
+    }
+
+    std::string url(const std::string& path = "/scan.vantage") const {
+        return "http://127.0.0.1:" + std::to_string(port_) + path;
+    }
+    int requests() const { return requests_; }
+
+  private:
+    void accept_all() {
+        for (;;) {
+            const int fd = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
+            if (fd < 0) return;
+            const std::scoped_lock lock(mutex_);
+            open_.push_back(fd);
+            connections_.emplace_back([this, fd] { serve(fd); });
+        }
+    }
+
+    void serve(int fd) {
+        std::string received;
+        for (;;) {
+            char buffer[4096];
+            const auto end = received.find("\r\n\r\n");
+            if (end == std::string::npos) {
+                const ssize_t n = ::recv(fd, buffer, sizeof buffer, 0);
+                if (n <= 0) break;
+                received.append(buffer, std::size_t(n));
+                continue;
+            }
+            Asked asked{fd, requests_++, received.substr(0, end + 2), {}};
+            received.erase(0, end + 4);
+            const std::string name = "Range: bytes=";
+            if (const auto at = asked.headers.find("\r\n" + name); at != std::string::npos) {
+                char* rest = nullptr;
+                asked.range.begin = std::strtoull(asked.headers.c_str() + at + 2 + name.size(), &rest, 10);
+                asked.range.end = std::strtoull(rest + 1, nullptr, 10) + 1;
+            }
+            if (!handler_(asked)) break;
+        }
+        ::shutdown(fd, SHUT_RDWR);  // closed when the server ends, so that its number is not used again
+    }
+
+    Handler handler_;
+    int listener_ = -1;
+    int port_ = 0;
+    std::atomic<int> requests_ = 0;
+    std::mutex mutex_;
+    std::vector<int> open_;
+    std::list<std::thread> connections_;
+    std::thread acceptor_;
+};
+
+/// The headers of a right answer; every part can be replaced by a wrong one.
+struct Reply {
+    std::string status = "206 Partial Content";
+    std::string content_range{}, content_length{};
+    std::string etag = "ETag: \"one\"\r\n";
+    std::string other{};
+
+    Reply(ByteRange range, std::uint64_t total)
+        : content_range("Content-Range: bytes " + std::to_string(range.begin) + "-" +
+                        std::to_string(range.end - 1) + "/" + std::to_string(total) + "\r\n"),
+          content_length("Content-Length: " + std::to_string(range.size()) + "\r\n") {}
+    std::string text() const {
+        return "HTTP/1.1 " + status + "\r\n" + content_range + content_length + etag + other + "\r\n";
+    }
+};
+
+/// The part of the content that was asked for.
+inline ByteRange clipped(const Asked& asked, const std::string& content) {
+    return {asked.range.begin, std::min<std::uint64_t>(asked.range.end, content.size())};
+}
+inline std::string body_of(const Asked& asked, const std::string& content) {
+    const ByteRange range = clipped(asked, content);
+    return content.substr(range.begin, range.size());
+}
+/// Answers as a server should.
+inline bool answer_well(const Asked& asked, const std::string& content) {
+    return asked.send(Reply(clipped(asked, content), content.size()).text() + body_of(asked, content));
+}
+
+}  // namespace vantage
