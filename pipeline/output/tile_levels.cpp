@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "base/values/halve.h"
-#include "pipeline/photos/cut_tile.h"
+#include "pipeline/output/cut_tile.h"
 #include "scene/codec/byte_planes.h"
 #include "scene/codec/depth_values.h"
 #include "scene/codec/jpeg_cells.h"

@@ -6,6 +6,7 @@ The limits are those of docs/CONTRIBUTING.md."""
 import collections
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -77,8 +78,8 @@ def faults(source, modules):
 
 def main():
     source, graph = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-    if not (source / ".git").exists():
-        print("skipped: not a git checkout")
+    if not (source / ".git").exists() or not shutil.which("git"):
+        print("skipped: not a git checkout, or git is not installed")
         return 77
     modules = [line.split(":")[0] for line in graph.read_text().splitlines()]
     found = list(faults(source, modules))

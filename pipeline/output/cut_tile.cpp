@@ -1,4 +1,4 @@
-#include "pipeline/photos/cut_tile.h"
+#include "pipeline/output/cut_tile.h"
 
 #include <algorithm>
 #include <cstring>
