@@ -2,6 +2,11 @@
 
 #include <algorithm>
 
+#include "pipeline/stages/coordinates.h"
+#include "pipeline/stages/coverage.h"
+#include "pipeline/stages/masks.h"
+#include "pipeline/stages/surface_samples.h"
+
 namespace vantage {
 namespace {
 
@@ -47,7 +52,8 @@ std::span<const StageRow> stage_table() {
          .held_out = false,
          .settings = {"photo_size", "thumbnail"},
          .key = key_thumbnail,
-         .adopt = nullptr},
+         .adopt = nullptr,
+         .make = nullptr},
         {.stage = Stage::tiles,
          .name = "tiles",
          .version = 4,
@@ -56,7 +62,8 @@ std::span<const StageRow> stage_table() {
          .held_out = false,
          .settings = {"photo_size"},
          .key = nullptr,
-         .adopt = adopt_tiles},
+         .adopt = adopt_tiles,
+         .make = nullptr},
         {.stage = Stage::masks,
          .name = "masks",
          .version = 5,
@@ -65,7 +72,8 @@ std::span<const StageRow> stage_table() {
          .held_out = false,
          .settings = {"photo_size", "distance", "render_by", "border_width", "border_threshold"},
          .key = key_masks,
-         .adopt = nullptr},
+         .adopt = nullptr,
+         .make = make_masks},
         {.stage = Stage::coordinates,
          .name = "coordinates",
          .version = 4,
@@ -74,7 +82,8 @@ std::span<const StageRow> stage_table() {
          .held_out = true,
          .settings = {"photo_size", "render_by"},
          .key = nullptr,
-         .adopt = adopt_coordinates},
+         .adopt = adopt_coordinates,
+         .make = make_coordinates},
         {.stage = Stage::coverage,
          .name = "coverage",
          .version = 4,
@@ -83,7 +92,8 @@ std::span<const StageRow> stage_table() {
          .held_out = false,
          .settings = {"photo_size", "render_by"},
          .key = nullptr,
-         .adopt = nullptr},
+         .adopt = nullptr,
+         .make = make_coverage},
         {.stage = Stage::samples,
          .name = "samples",
          .version = 4,
@@ -92,7 +102,8 @@ std::span<const StageRow> stage_table() {
          .held_out = false,
          .settings = {"photo_size", "render_by"},
          .key = key_samples,
-         .adopt = nullptr},
+         .adopt = nullptr,
+         .make = make_samples},
     }};
     return table;
 }
@@ -123,6 +134,13 @@ bool StageSet::needs_pixels(bool has_alpha) const {
         return (*this)[row.stage] &&
                (row.pixels == PixelInput::all || (row.pixels == PixelInput::alpha && has_alpha));
     });
+}
+
+void make_on_model(StageInput& in, const StageSet& missing) {
+    for (const bool reads_pixels : {false, true})
+        for (const StageRow& row : stage_table())
+            if (row.make && missing[row.stage] && (row.pixels != PixelInput::none) == reads_pixels)
+                row.make(in);
 }
 
 StageSet stages_on_model() {

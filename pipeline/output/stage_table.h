@@ -8,6 +8,7 @@
 
 #include "pipeline/output/fingerprint.h"
 #include "pipeline/run/settings.h"
+#include "pipeline/stages/stage_input.h"
 #include "scene/package/chunk_table.h"
 #include "scene/package/package_format.h"
 
@@ -29,7 +30,7 @@ struct SceneKey {
     double reference_density = 1;  ///< of the depth mask
 };
 
-/// A per-photo stage: a row of the stage table. The stages' code is in pipeline/stages.
+/// A per-photo stage: a row of the stage table.
 struct StageRow {
     package::Stage stage;
     const char* name;
@@ -42,6 +43,7 @@ struct StageRow {
     void (*key)(Fingerprint&, const SceneKey&);
     /// Copies the stage's measurements from the record of the run that made them; may be null.
     void (*adopt)(const package::PhotoRecord& from, package::PhotoRecord& to);
+    void (*make)(StageInput& in);  ///< of a stage on the model; null: made with the pyramid
 };
 /// In the order of package::Stage.
 std::span<const StageRow> stage_table();
@@ -68,5 +70,7 @@ class StageSet {
 };
 /// All stages that use the model: they run again when a camera moves.
 StageSet stages_on_model();
+/// Runs those of them that are in `missing`; those that need no pixels first, while these are still decoded.
+void make_on_model(StageInput& in, const StageSet& missing);
 
 }  // namespace vantage

@@ -11,10 +11,10 @@
 #include "base/values/bytes_of.h"
 #include "base/values/tiling.h"
 #include "pipeline/output/earlier_package.h"
-#include "pipeline/output/tile_levels.h"
 #include "pipeline/refine/consensus.h"
 #include "pipeline/refine/verdict.h"
 #include "pipeline/run/for_each_photo.h"
+#include "pipeline/stages/tile_levels.h"
 #include "scene/agreement/consensus_weights.h"
 
 namespace vantage {

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/prepare/photo/geometry_stages.h"
 #include "pipeline/prepare/photo/photo_tables.h"
 #include "pipeline/presentation/presentation.h"
 #include "pipeline/refine/color_agreement.h"
 #include "pipeline/refine/poses/registration.h"
 #include "pipeline/run/until_stopped.h"
+#include "pipeline/stages/stage_input.h"
 
 namespace vantage {
 

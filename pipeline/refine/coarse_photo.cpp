@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/values/tiling.h"
-#include "pipeline/output/tile_levels.h"
+#include "pipeline/stages/tile_levels.h"
 #include "shaders/contract.h"
 
 namespace vantage {

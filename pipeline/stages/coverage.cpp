@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/values/bytes_of.h"
 #include "base/values/grid.h"
 #include "base/values/tiling.h"
 #include "pipeline/visibility/frame_triangles.h"
@@ -111,22 +112,25 @@ package::CoverageRecord record(const package::ClusterRecord& c, const Extent& e,
 
 }  // namespace
 
-Coverage measure_coverage(const std::vector<package::ClusterRecord>& clusters,
-                          const std::vector<std::uint32_t>& indices,
-                          const std::vector<FrameTriangles::Source>& sources, const PhotoGeometry& g,
-                          const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& k,
-                          const Pose& pose) {
-    const std::uint64_t words = package::visible_words(indices.size() / 3);
-    Coverage out{{}, std::vector<std::uint64_t>(2 * words, 0)};
-    Bits whole(out.visible, 0), part(out.visible, words);
-    std::vector<Extent> extents(clusters.size());
+void make_coverage(StageInput& in) {
+    const std::vector<Eigen::Vector2f>& coordinates = in.coordinates();
+    const Traced traced(in.context.trace, "coverage", in.photo.name);
+    const PackedModel& model = in.context.model;
+    const Intrinsics& k = in.photo.intrinsics;
+    const std::vector<FrameTriangles::Source>& sources = in.view.triangles.sources;
+    const std::uint64_t words = package::visible_words(model.indices.size() / 3);
+    std::vector<std::uint64_t> visible(2 * words, 0);
+    Bits whole(visible, 0), part(visible, words);
+    std::vector<Extent> extents(model.clusters.size());
     std::vector<std::uint8_t> on_map(sources.size(), 0);
-    add_map(g, sources, on_map, extents);
-    add_vertices(indices, g, coordinates, k, sources, on_map, extents, whole, part);
-    out.clusters.reserve(clusters.size());
-    for (std::size_t c = 0; c < clusters.size(); ++c)
-        out.clusters.push_back(record(clusters[c], extents[c], part, k, pose));
-    return out;
+    add_map(in.geometry, sources, on_map, extents);
+    add_vertices(model.indices, in.geometry, coordinates, k, sources, on_map, extents, whole, part);
+    std::vector<package::CoverageRecord> clusters;
+    clusters.reserve(extents.size());
+    for (std::size_t c = 0; c < extents.size(); ++c)
+        clusters.push_back(record(model.clusters[c], extents[c], part, k, in.photo.pose));
+    in.context.writer.write(package::Type::coverage, in.photo.index, bytes_of(clusters));
+    in.context.writer.write(package::Type::visible, in.photo.index, bytes_of(visible));
 }
 
 }  // namespace vantage

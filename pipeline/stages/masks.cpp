@@ -6,8 +6,11 @@
 #include <cstring>
 #include <limits>
 
+#include "base/values/bytes_of.h"
 #include "base/values/simd.h"
 #include "base/values/tiling.h"
+#include "pipeline/stages/borders.h"
+#include "pipeline/stages/tile_levels.h"
 
 namespace vantage {
 namespace {
@@ -102,6 +105,31 @@ MaskLevel halve(const MaskLevel& level) {
         }
     }
     return out;
+}
+
+void make_masks(StageInput& in) {
+    std::vector<std::uint8_t> valid = std::move(in.pixels().valid);
+    if (valid.empty() && in.photo.lens) valid = inside_photo(*in.photo.lens, mask_level);
+    const GeometryContext& c = in.context;
+    const Traced traced(c.trace, "masks", in.photo.name);
+    const Intrinsics& k = in.photo.intrinsics;
+    DepthMap depth{in.geometry.width, in.geometry.height, in.geometry.z, std::move(valid)};
+    const double full = c.border_width * k.width / 3072 / (1 << mask_level);
+    const auto borders = find_borders(depth, float(c.border_threshold));
+    const auto border = border_mask(c.renderer.distances(borders, depth.width, depth.height, int(full) + 3),
+                                    depth.width, depth.height, float(full));
+    auto combined =
+        combine_masks(depth.z, in.geometry.angle, border, std::sqrt(k.fx * k.fy), c.reference_density);
+    MaskLevel masks{depth.width, depth.height, std::move(combined), std::move(depth.z)};
+    for (int l = mask_level;; ++l) {
+        const Level size{masks.width, masks.height};
+        write_tiles(c.writer, package::Type::masks, in.photo.index, std::uint32_t(l), bytes_of(masks.masks),
+                    size);
+        write_tiles(c.writer, package::Type::depth, in.photo.index, std::uint32_t(l), bytes_of(masks.z),
+                    size);
+        if (l + 1 == mask_levels_end(int(in.record.levels))) return;
+        masks = halve(masks);
+    }
 }
 
 }  // namespace vantage

@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "pipeline/stages/stage_input.h"
+
 namespace vantage {
 
 /// RGBA8 masks at `mask_level`: angle, depth, border, consensus; all 0 if the photo does not see the model
@@ -22,5 +24,8 @@ struct MaskLevel {
 /// The next coarser level. Masks are the mean of the valid texels among 2x2; depth is the farthest finite
 /// one, so that what any of them sees stays seen. Odd edges repeat the last texel.
 MaskLevel halve(const MaskLevel& level);
+
+/// The stage of masks: writes the levels of masks and depth.
+void make_masks(StageInput& in);
 
 }  // namespace vantage

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/values/bytes_of.h"
 #include "base/values/grid.h"
 #include "base/values/halve.h"
 #include "base/values/srgb.h"
@@ -161,6 +162,14 @@ std::vector<package::SampleRecord> sample_discs(std::span<const SurfaceDisc> dis
     std::vector<package::SampleRecord> out(package::surface_discs, package::SampleRecord{});
     std::ranges::transform(discs, out.begin(), [&](const SurfaceDisc& d) { return sampler.sample(d); });
     return out;
+}
+
+void make_samples(StageInput& in) {
+    RgbaImage pixels = std::move(in.pixels().samples);
+    const Traced traced(in.context.trace, "samples", in.photo.name);
+    const auto samples = sample_discs(in.context.discs, std::move(pixels), in.geometry, in.photo.intrinsics,
+                                      in.photo.pose, in.photo.lens ? &*in.photo.lens : nullptr);
+    in.context.writer.write(package::Type::samples, in.photo.index, bytes_of(samples));
 }
 
 }  // namespace vantage

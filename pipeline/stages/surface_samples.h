@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/values/rgba_image.h"
+#include "pipeline/stages/stage_input.h"
 #include "pipeline/visibility/photo_geometry.h"
 #include "scene/agreement/surface_discs.h"
 #include "scene/camera/camera.h"
@@ -24,5 +25,8 @@ inline constexpr int sample_level = 2;
 std::vector<package::SampleRecord> sample_discs(std::span<const SurfaceDisc> discs, RgbaImage photo,
                                                 const PhotoGeometry& geometry, const Intrinsics& intrinsics,
                                                 const Pose& cam_from_origin, const LensTable* lens = nullptr);
+
+/// The stage of color samples: writes those of all discs.
+void make_samples(StageInput& in);
 
 }  // namespace vantage

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/values/tiling.h"
+#include "scene/package/package_format.h"
 
 namespace vantage {
 std::span<const ChunkRow> chunk_table() {
@@ -74,6 +75,14 @@ std::span<const ChunkRow> chunk_table() {
         ChunkRow{Type::registration_without},
     };
     return table;
+}
+
+std::uint64_t ChunkRow::length(const package::SceneRecord& scene) const {
+    return length(scene, package::PhotoRecord{});
+}
+
+std::uint64_t ChunkRow::length(const package::SceneRecord& scene, const package::PhotoRecord& photo) const {
+    return count(scene, photo) * record;
 }
 
 const ChunkRow& chunk_row(package::Type type) {

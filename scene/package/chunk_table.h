@@ -3,9 +3,50 @@
 #include <span>
 #include <vector>
 
-#include "scene/package/package_format.h"
-
 namespace vantage {
+namespace package {
+
+struct SceneRecord;
+struct PhotoRecord;
+
+constexpr std::uint32_t fourcc(const char (&s)[5]) {
+    return std::uint32_t(std::uint8_t(s[0])) | std::uint32_t(std::uint8_t(s[1])) << 8 |
+           std::uint32_t(std::uint8_t(s[2])) << 16 | std::uint32_t(std::uint8_t(s[3])) << 24;
+}
+
+enum class Type : std::uint32_t {
+    meta = fourcc("META"),          ///< JSON: tool, configuration, effects with evidence, inputs, names
+    scene = fourcc("SCEN"),         ///< one SceneRecord
+    photos = fourcc("PHOT"),        ///< PhotoRecord[photos]
+    states = fourcc("STAT"),        ///< PhotoState[photos]: what each photo's artifacts were made from
+    registration = fourcc("REGI"),  ///< RegistrationRecord[photos]: poses as given, and residuals
+    registration_without = fourcc("REGW"),  ///< PoseWithoutRecord[]: poses without a photo; optional
+    pairs = fourcc("PAIR"),                 ///< PairRecord[]: how well overlapping photos agree
+    positions = fourcc("VPOS"),             ///< float[3][vertices], relative to the origin
+    normals = fourcc("VNRM"),               ///< float[3][vertices], unit length
+    colors = fourcc("VCOL"),                ///< u8[4][vertices], sRGB and alpha; optional
+    scalars = fourcc("VSCL"),               ///< float[vertices] per layer, names in META; optional
+    indices = fourcc("INDX"),               ///< u32[3][triangles], ordered by cluster
+    clusters = fourcc("CLUS"),              ///< ClusterRecord[clusters]
+    surroundings = fourcc("SURR"),          ///< SurroundingsRecord and a backdrop; optional
+    point_nodes = fourcc("PNOD"),           ///< PointNode[]: an octree over a point cloud; optional
+    points = fourcc("PNTS"),                ///< blocks of PackedPoint[point_block]; optional
+    bands = fourcc("BAND"),                 ///< BandRecord[]: sets of photos; optional
+    lenses = fourcc("LENS"),                ///< LensRecord[photos]; optional
+    thumbnail = fourcc("THMB"),             ///< per photo: RGBA8
+    coverage = fourcc("COVR"),              ///< per photo: CoverageRecord[clusters]
+    visible = fourcc("VISB"),      ///< per photo: u64[], a bit per triangle seen in full, then in part
+    samples = fourcc("SAMP"),      ///< per photo: SampleRecord[discs of the surface]
+    coordinates = fourcc("TEXC"),  ///< per photo: float[2][vertices]; (-1,-1) where not visible
+    tiles = fourcc("TILE"),        ///< per photo and level: blocks of RGBA8 tiles
+    masks = fourcc("MASK"),        ///< per photo and level: RGBA8 tiles: angle, depth, border, consensus
+    depth = fourcc("DPTH"),        ///< per photo and level: R32F tiles: linear z, +inf where nothing is seen
+};
+
+/// The stages that produce a photo's artifacts.
+enum class Stage : std::uint32_t { thumbnail, tiles, masks, coordinates, coverage, samples, count };
+
+}  // namespace package
 
 /// The levels of a photo's pyramid at which it has chunks of a type.
 enum class ChunkLevels { single, tiles, masks };
@@ -23,10 +64,9 @@ struct ChunkRow {
     const char* counted = "";  ///< the same in words
 
     bool per_photo() const { return stage != package::Stage::count; }
-    /// Bytes of the content, if `count` is not null.
-    std::uint64_t length(const package::SceneRecord& scene, const package::PhotoRecord& photo = {}) const {
-        return count(scene, photo) * record;
-    }
+    /// Bytes of the content, if `count` is not null; of the scene, or of a photo.
+    std::uint64_t length(const package::SceneRecord& scene) const;
+    std::uint64_t length(const package::SceneRecord& scene, const package::PhotoRecord& photo) const;
 };
 
 /// All types, in the order of the file.

@@ -4,6 +4,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "scene/package/chunk_table.h"
+
 /// The layout of a `.vantage` file, little-endian; FORMAT.md describes it in full.
 namespace vantage::package {
 
@@ -14,40 +16,6 @@ inline constexpr std::uint64_t alignment = 4096;  ///< of every raw chunk and it
 constexpr std::uint64_t aligned(std::uint64_t n) { return (n + alignment - 1) / alignment * alignment; }
 inline constexpr std::uint64_t coded_alignment = 8;  ///< of every other chunk
 inline constexpr std::uint32_t scene_wide = 0xffffffffu;
-
-constexpr std::uint32_t fourcc(const char (&s)[5]) {
-    return std::uint32_t(std::uint8_t(s[0])) | std::uint32_t(std::uint8_t(s[1])) << 8 |
-           std::uint32_t(std::uint8_t(s[2])) << 16 | std::uint32_t(std::uint8_t(s[3])) << 24;
-}
-
-enum class Type : std::uint32_t {
-    meta = fourcc("META"),          ///< JSON: tool, configuration, effects with evidence, inputs, names
-    scene = fourcc("SCEN"),         ///< one SceneRecord
-    photos = fourcc("PHOT"),        ///< PhotoRecord[photos]
-    states = fourcc("STAT"),        ///< PhotoState[photos]: what each photo's artifacts were made from
-    registration = fourcc("REGI"),  ///< RegistrationRecord[photos]: poses as given, and residuals
-    registration_without = fourcc("REGW"),  ///< PoseWithoutRecord[]: poses without a photo; optional
-    pairs = fourcc("PAIR"),                 ///< PairRecord[]: how well overlapping photos agree
-    positions = fourcc("VPOS"),             ///< float[3][vertices], relative to the origin
-    normals = fourcc("VNRM"),               ///< float[3][vertices], unit length
-    colors = fourcc("VCOL"),                ///< u8[4][vertices], sRGB and alpha; optional
-    scalars = fourcc("VSCL"),               ///< float[vertices] per layer, names in META; optional
-    indices = fourcc("INDX"),               ///< u32[3][triangles], ordered by cluster
-    clusters = fourcc("CLUS"),              ///< ClusterRecord[clusters]
-    surroundings = fourcc("SURR"),          ///< SurroundingsRecord and a backdrop; optional
-    point_nodes = fourcc("PNOD"),           ///< PointNode[]: an octree over a point cloud; optional
-    points = fourcc("PNTS"),                ///< blocks of PackedPoint[point_block]; optional
-    bands = fourcc("BAND"),                 ///< BandRecord[]: sets of photos; optional
-    lenses = fourcc("LENS"),                ///< LensRecord[photos]; optional
-    thumbnail = fourcc("THMB"),             ///< per photo: RGBA8
-    coverage = fourcc("COVR"),              ///< per photo: CoverageRecord[clusters]
-    visible = fourcc("VISB"),      ///< per photo: u64[], a bit per triangle seen in full, then in part
-    samples = fourcc("SAMP"),      ///< per photo: SampleRecord[discs of the surface]
-    coordinates = fourcc("TEXC"),  ///< per photo: float[2][vertices]; (-1,-1) where not visible
-    tiles = fourcc("TILE"),        ///< per photo and level: blocks of RGBA8 tiles
-    masks = fourcc("MASK"),        ///< per photo and level: RGBA8 tiles: angle, depth, border, consensus
-    depth = fourcc("DPTH"),        ///< per photo and level: R32F tiles: linear z, +inf where nothing is seen
-};
 
 /// How a chunk's content is stored; codec/ has the forms of tiles.
 enum class Form : std::uint32_t {
@@ -141,9 +109,6 @@ struct PhotoRecord {
     float falloff[3];    ///< light lost at radius r, as -ln: f0 r^2 + f1 r^4 + f2 r^6; r: SampleRecord
     std::uint32_t band;  ///< its number in BAND; 0 if there is none
 };
-
-/// The stages that produce a photo's artifacts.
-enum class Stage : std::uint32_t { thumbnail, tiles, masks, coordinates, coverage, samples, count };
 
 /// What a photo's artifacts were made from, so that a later run can tell which to keep.
 struct PhotoState {

@@ -6,7 +6,7 @@
 #include "base/values/halve.h"
 #include "pipeline/output/earlier_package.h"
 #include "pipeline/output/photo_records.h"
-#include "pipeline/output/tile_levels.h"
+#include "pipeline/stages/tile_levels.h"
 #include "scene/package/contents/pinhole_image.h"
 
 namespace vantage {
@@ -38,8 +38,9 @@ void move_photo(const GeometryContext& c, const PackageReader& part, std::uint32
     std::promise<CoarsePixels> pixels;
     pixels.set_value(std::move(coarse));
     const auto view = std::make_shared<const PhotoView>(view_of(c, photo));
-    PhotoGeometry geometry = c.renderer.render(view, photo.intrinsics, c.trace, photo.name).get();
-    make_from_geometry(c, photo, missing, *view, std::move(geometry), pixels.get_future(), r);
+    StageInput in(c, photo, *view, c.renderer.render(view, photo.intrinsics, c.trace, photo.name).get(),
+                  pixels.get_future(), r);
+    make_on_model(in, missing);
     state.pose = pose_checksum(pose);
     state.consensus = 0;
     for (const StageRow& row : stage_table())

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "pipeline/prepare/photo/geometry_stages.h"
+#include "pipeline/stages/stage_input.h"
 #include "scene/package/package_reader.h"
 
 namespace vantage {

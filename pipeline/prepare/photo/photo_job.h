@@ -4,8 +4,8 @@
 #include "pipeline/input/identity_cache.h"
 #include "pipeline/input/photo_prefetch.h"
 #include "pipeline/output/earlier_package.h"
-#include "pipeline/prepare/photo/geometry_stages.h"
 #include "pipeline/run/trace.h"
+#include "pipeline/stages/stage_input.h"
 
 namespace vantage {
 

@@ -75,8 +75,8 @@ std::future<void> start_geometry(const PhotoJob& job, const StageSet& missing,
                               const Traced traced(job.context.trace, "wait for render", job.photo.name);
                               return pending.get();
                           }();
-                          make_from_geometry(geometry, job.at, missing, *view, std::move(rendered),
-                                             std::move(pixels), r);
+                          StageInput in(geometry, job.at, *view, std::move(rendered), std::move(pixels), r);
+                          make_on_model(in, missing);
                       });
 }
 

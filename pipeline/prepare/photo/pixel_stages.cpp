@@ -5,10 +5,10 @@
 #include "base/text/error.h"
 #include "base/values/bytes_of.h"
 #include "base/values/halve.h"
-#include "pipeline/output/tile_levels.h"
 #include "pipeline/photos/photos.h"
 #include "pipeline/photos/reduced.h"
 #include "pipeline/stages/surface_samples.h"
+#include "pipeline/stages/tile_levels.h"
 #include "scene/package/contents/pinhole_image.h"
 
 namespace vantage {

@@ -8,8 +8,8 @@
 
 #include "base/values/quantile.h"
 #include "base/values/tiling.h"
-#include "pipeline/output/tile_levels.h"
 #include "pipeline/refine/coarse_photo.h"
+#include "pipeline/stages/tile_levels.h"
 
 namespace vantage {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "base/text/error.h"
 #include "base/values/tiling.h"
-#include "pipeline/output/tile_levels.h"
 #include "pipeline/refine/coarse_photo.h"
+#include "pipeline/stages/tile_levels.h"
 
 namespace vantage {
 namespace {

@@ -11,7 +11,7 @@
 #include "pipeline/formats/export_colmap.h"
 #include "pipeline/formats/export_ply.h"
 #include "pipeline/formats/meshes/read_mesh.h"
-#include "pipeline/output/tile_levels.h"
+#include "pipeline/stages/tile_levels.h"
 #include "pipeline/synth/synthesize.h"
 #include "scene/package/contents/bands.h"
 #include "scene/package/contents/point_cloud.h"

@@ -4,7 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "pipeline/output/cut_tile.h"
+#include "pipeline/stages/cut_tile.h"
 #include "scene/agreement/consensus_map.h"
 #include "scene/agreement/consensus_partners.h"
 #include "scene/agreement/consensus_weights.h"

@@ -7,10 +7,9 @@
 
 #include "base/values/rgba_image.h"
 #include "pipeline/mesh/packed_model.h"
-#include "pipeline/output/stage_table.h"
 #include "pipeline/run/trace.h"
-#include "pipeline/stages/surface_samples.h"
 #include "pipeline/visibility/geometry_renderer.h"
+#include "scene/agreement/surface_discs.h"
 #include "scene/package/contents/lens_table.h"
 #include "scene/package/package_writer.h"
 
@@ -48,10 +47,27 @@ std::vector<std::uint8_t> validity(const RgbaImage& level);
 /// Projects the model into the photo and selects the triangles that may reach into its frame.
 PhotoView view_of(const GeometryContext& context, const PosedPhoto& photo);
 
-/// Writes those of texture coordinates, masks, coverage and color samples that are in `missing`, from the
-/// rendered `geometry` and from `pixels` (awaited only if needed). Stores its measurements in `record`.
-void make_from_geometry(const GeometryContext& context, const PosedPhoto& photo, const StageSet& missing,
-                        const PhotoView& view, PhotoGeometry geometry, std::future<CoarsePixels> pixels,
-                        package::PhotoRecord& record);
+/// A photo for the stages that use the model. They write their chunks, and their measurements to its record.
+class StageInput {
+  public:
+    StageInput(const GeometryContext& context, const PosedPhoto& photo, const PhotoView& view,
+               PhotoGeometry geometry, std::future<CoarsePixels> pixels, package::PhotoRecord& record);
+
+    const GeometryContext& context;
+    const PosedPhoto& photo;
+    const PhotoView& view;
+    const PhotoGeometry geometry;
+    package::PhotoRecord& record;
+
+    /// Texture coordinates of all vertices, made when they are first asked for; (-1, -1) where not visible.
+    const std::vector<Eigen::Vector2f>& coordinates();
+    /// Awaits the pixels.
+    CoarsePixels& pixels();
+
+  private:
+    std::future<CoarsePixels> awaited_;
+    std::optional<CoarsePixels> pixels_;
+    std::optional<std::vector<Eigen::Vector2f>> coordinates_;
+};
 
 }  // namespace vantage

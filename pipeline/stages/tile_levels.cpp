@@ -1,11 +1,11 @@
-#include "pipeline/output/tile_levels.h"
+#include "pipeline/stages/tile_levels.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "base/values/halve.h"
-#include "pipeline/output/cut_tile.h"
+#include "pipeline/stages/cut_tile.h"
 #include "scene/codec/byte_planes.h"
 #include "scene/codec/depth_values.h"
 #include "scene/codec/jpeg_cells.h"

@@ -1,4 +1,4 @@
-#include "pipeline/output/cut_tile.h"
+#include "pipeline/stages/cut_tile.h"
 
 #include <algorithm>
 #include <cstring>
