@@ -1,7 +1,7 @@
 // What is behind the model, and how the picture fades into it.
 
 // A gradient from the top of the picture to its bottom, in linear light; even to the eye.
-vec3 background_at(vec3 top, vec3 bottom, int row, int rows) {
+vec3 plain_background_at(vec3 top, vec3 bottom, int row, int rows) {
     vec3 root = mix(sqrt(top), sqrt(bottom), (float(row) + 0.5) / float(rows));
     return root * root;
 }

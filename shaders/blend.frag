@@ -10,14 +10,14 @@ layout(location = frame_uniform) uniform vec4 frame;         // fx fy cx cy of t
 layout(location = frame_axes_uniform) uniform mat3 axes;     // right, down and forward
 vec3 surface_position = vec3(0.0), surface_normal = vec3(0.0), quiet_color = vec3(0.0);
 float apart = 0.0;                                           // of neighboring points
-const uint draw_photos = ~surroundings_bit;
+const uint draw_photos = ~background_bit;
 #elif defined(BY_TRIANGLE)
 #include "visible_triangle.glsl"
 #else
 in vec3 surface_position;
 in vec3 surface_normal;
 flat in uint draw_photos;
-#ifdef SURROUNDINGS
+#ifdef BACKGROUND
 in vec3 quiet_color;  // square root of light
 #endif
 #ifndef PER_FRAGMENT
@@ -34,30 +34,30 @@ layout(location = switches_uniform) uniform uint switches;              // bits 
 layout(location = border_width_uniform) uniform float border_width;     // reference pixels at which the border mask is 1
 layout(location = sharpness_uniform) uniform float sharpness;           // radians
 layout(location = lod_bias_uniform) uniform float lod_bias;
-#ifdef SURROUNDINGS
-layout(location = surroundings_distance_uniform) uniform float surroundings_distance;
+#ifdef BACKGROUND
+layout(location = background_distance_uniform) uniform float background_distance;
 #endif
 layout(location = blend_show_uniform) uniform uint show;
 #ifdef TAKES_ONE
 layout(binding = best_so_far_unit) uniform sampler2D best_so_far;
 #endif
-#ifdef CONSENSUS
+#ifdef TRANSIENTS
 layout(binding = first_sums_unit) uniform sampler2D first_sums;
 #endif
 
 const float least = 0.001;           // minimum of each mask: a photo that sees the surface keeps some weight
-const float consensus_scale = 0.08;  // square root of linear color: a difference of this much halves the weight
+const float transient_scale = 0.08;  // square root of linear color: a difference of this much halves the weight
 
-#ifdef SURROUNDINGS
-bool surrounds() { return (draw_photos & surroundings_bit) != 0u; }
+#ifdef BACKGROUND
+bool surrounds() { return (draw_photos & background_bit) != 0u; }
 #endif
 
 // Angle in radians between the rays from the surface to the viewer and to the photo; accurate for small angles. Of
-// surroundings, which may be infinitely far, as if they were near: the photos taken nearby then count most.
+// background, which may be infinitely far, as if they were near: the photos taken nearby then count most.
 float ray_angle(uint photo) {
     vec3 at = surface_position;
-#ifdef SURROUNDINGS
-    if (surrounds()) at = weight_eye + (at - weight_eye) * min(1.0, surroundings_distance / distance(at, weight_eye));
+#ifdef BACKGROUND
+    if (surrounds()) at = weight_eye + (at - weight_eye) * min(1.0, background_distance / distance(at, weight_eye));
 #endif
     vec3 a = normalize(weight_eye - at), b = normalize(photos[photo].center_hull.xyz - at);
     return atan(length(cross(a, b)), dot(a, b));
@@ -105,18 +105,18 @@ float own_view(float theta) {
     return (switches & angle_switch) == 0u ? 1.0 : 1.0 + r * r;
 }
 
-#ifdef SURROUNDINGS
+#ifdef BACKGROUND
 // Share of the area around a photo pixel that does not show the mesh, 0 on the mesh itself.
 float beyond_mesh(uint photo, vec2 pixel, float lod, MaskPlace at) {
     vec2 fine = depths_at(at);
-    if (!isinf(fine.x)) return isinf(fine.y) ? surroundings_least * 0.1 : 0.0;
-    float level = log2(surroundings_margin * photos[photo].size_weight.x / reference_width);
+    if (!isinf(fine.x)) return isinf(fine.y) ? background_least * 0.1 : 0.0;
+    float level = log2(background_margin * photos[photo].size_weight.x / reference_width);
     MaskPlace coarse = mask_place(photo, pixel, max(lod, level));
     vec4 z = textureGather(depth_tiles, coarse.coordinate);
     vec2 share = fract(coarse.coordinate.xy * tile_size - 0.5);
     vec4 clear = vec4(isinf(z));
     float area = mix(mix(clear.w, clear.z, share.x), mix(clear.x, clear.y, share.x), share.y);
-    return max(surroundings_least, smoothstep(0.5, 1.0, area));
+    return max(background_least, smoothstep(0.5, 1.0, area));
 }
 #endif
 
@@ -200,31 +200,31 @@ vec4 filtered(uint photo, vec2 pixel, Footprint f) {
 #endif
 }
 
-// Color in the mean photo's exposure, without the lens's falloff. What is overexposed does not become darker, except near the
+// Color in the mean photo's exposure, without the lens's vignetting. What is overexposed does not become darker, except near the
 // photo's own camera, whose exposure the picture has.
 vec3 refined(uint photo, vec2 pixel, vec3 taken, float theta) {
     vec3 c = taken;
 #ifdef PHOTO_GAIN
     c *= photos[photo].gain.rgb;
 #endif
-#ifdef PHOTO_FALLOFF
+#ifdef PHOTO_VIGNETTING
     vec2 off = (pixel - photos[photo].focal_center.zw) * photos[photo].gain.w;
-    vec3 f = photos[photo].falloff.xyz;
+    vec3 f = photos[photo].vignetting.xyz;
     float r2 = dot(off, off);
     c *= exp(r2 * (f.x + r2 * (f.y + r2 * f.z)));
 #endif
-#if defined(PHOTO_GAIN) || defined(PHOTO_FALLOFF)
+#if defined(PHOTO_GAIN) || defined(PHOTO_VIGNETTING)
     float white = smoothstep(overexposed, 1.0, min(min(taken.r, taken.g), taken.b)) * (1.0 - own_share(theta));
     c = mix(c, max(c, taken), white);
 #endif
     return c;
 }
 
-#ifdef SURROUNDINGS
-// Weight of a photo's color of the surroundings: what is far from the color in which all photos agree stands before
+#ifdef BACKGROUND
+// Weight of a photo's color of the background: what is far from the color in which all photos agree stands before
 // them, such as leaves beside the camera.
 float credible(vec3 color, float theta) {
-    vec3 off = (sqrt(color) - quiet_color) / surroundings_spread;
+    vec3 off = (sqrt(color) - quiet_color) / background_spread;
     return mix(1.0 / (1.0 + dot(off, off)), 1.0, own_share(theta));
 }
 #endif
@@ -260,7 +260,7 @@ void main() {
 #endif
     if (dot(facing, eye - surface_position) < 0.0) facing = -facing;
 #endif
-#ifdef CONSENSUS
+#ifdef TRANSIENTS
     vec4 first = texelFetch(first_sums, ivec2(gl_FragCoord.xy), 0);
     vec3 mean = first.rgb / max(first.a, 1e-30);  // square root of light
 #endif
@@ -289,7 +289,7 @@ void main() {
         MaskPlace at = mask_place(photo, pixel, footprint.lod);
         if (at.level < 0) continue;
         float w = 1.0;
-#ifdef SURROUNDINGS
+#ifdef BACKGROUND
         if (!surrounds()) w *= seen(photo, p, at);
 #elif defined(PER_FRAGMENT)
         w *= seen(photo, p, at);
@@ -297,7 +297,7 @@ void main() {
         if (!(w > 0.0)) continue;
         vec4 masks = masks_at(at);
         float theta = ray_angle(photo);
-#ifdef SURROUNDINGS
+#ifdef BACKGROUND
         if (surrounds()) {
             w *= max(beyond_mesh(photo, pixel, footprint.lod, at), own_share(theta) - 0.5);
             masks = vec4(1.0);  // those of the photo are the mesh's
@@ -305,9 +305,9 @@ void main() {
         }
 #endif
         w *= weight_of(photo, pixel, masks, theta, footprint);
-#ifdef PHOTO_CONSENSUS
+#ifdef PHOTO_TRANSIENTS
         // 1 of 255: visible, but contradicted by other photos.
-        if ((switches & consensus_mask_switch) != 0u) w *= mix((max(masks.a * 255.0, 1.0) - 1.0) / 254.0, 1.0, own_share(theta));
+        if ((switches & transient_mask_switch) != 0u) w *= mix((max(masks.a * 255.0, 1.0) - 1.0) / 254.0, 1.0, own_share(theta));
 #endif
         if (!(w > 0.0)) continue;
 #ifdef TAKES_ONE
@@ -321,12 +321,12 @@ void main() {
         }
 #else
         vec4 c = photo_color(photo, pixel, footprint, theta);
-#ifdef SURROUNDINGS
+#ifdef BACKGROUND
         w *= surrounds() ? credible(c.rgb, theta) : 1.0;
 #endif
         c = as_shown(photo, c);
-#ifdef CONSENSUS
-        vec3 off = (sqrt(c.rgb) - mean) / consensus_scale;
+#ifdef TRANSIENTS
+        vec3 off = (sqrt(c.rgb) - mean) / transient_scale;
         w /= 1.0 + dot(off, off);
 #endif
         // When photos are counted, all have the same weight.

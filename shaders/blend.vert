@@ -6,7 +6,7 @@ layout(location = normal_attribute) in vec3 normal;
 layout(location = draw_attribute) in uvec2 of_draw;  // first triangle; one bit per photo of the pass that is drawn
 layout(location = clip_from_origin_uniform) uniform mat4 clip_from_origin;
 
-#ifdef SURROUNDINGS
+#ifdef BACKGROUND
 layout(location = color_attribute) in vec4 color;
 out vec3 quiet_color;  // square root of light
 #endif
@@ -27,7 +27,7 @@ void main() {
     surface_position = position;
     surface_normal = normal;
     draw_photos = of_draw.y;
-#ifdef SURROUNDINGS
+#ifdef BACKGROUND
     quiet_color = pow(color.rgb, vec3(1.1));
 #endif
     gl_Position = clip_from_origin * vec4(position, 1.0);

@@ -11,10 +11,10 @@ layout(location = frame_size_uniform) uniform ivec2 frame_size;
 layout(location = objects_uniform) uniform int objects;
 layout(location = compose_flip_uniform) uniform bool flip;
 layout(location = compose_fill_uniform) uniform bool fill;
-layout(location = compose_background_uniform) uniform vec3 background;  // linear, at the top
-layout(location = compose_background_bottom_uniform) uniform vec3 background_bottom;
+layout(location = compose_plain_background_uniform) uniform vec3 plain_background;  // linear, at the top
+layout(location = compose_plain_background_bottom_uniform) uniform vec3 plain_background_bottom;
 layout(location = compose_soft_edges_uniform) uniform float soft_edges;
-layout(location = compose_opacity_uniform) uniform float opacity[MOST_OBJECTS];
+layout(location = compose_opacity_uniform) uniform float opacity[MAX_OBJECTS];
 
 // At an outline the samples of the color may be of the object while that of its depth is not: the nearest around it counts.
 float distance_of(ivec2 at, int object) {
@@ -33,8 +33,8 @@ float distance_of(ivec2 at, int object) {
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     if (flip) at.y = frame_size.y - 1 - at.y;
-    float away[MOST_OBJECTS];
-    int order[MOST_OBJECTS];
+    float away[MAX_OBJECTS];
+    int order[MAX_OBJECTS];
     int count = 0;
     for (int i = 0; i < objects; ++i) {
         if (texelFetch(colors, ivec3(at, i), 0).a == 0.0) continue;
@@ -51,7 +51,7 @@ void main() {
     float through = 1.0;
     for (int k = 0; k < count; ++k) {
         vec4 c = texelFetch(colors, ivec3(at, order[k]), 0);
-        float alpha = away[k] < surroundings_away ? c.a * opacity[order[k]] : c.a;
+        float alpha = away[k] < background_away ? c.a * opacity[order[k]] : c.a;
         light += through * alpha * decode(c.rgb);
         through *= 1.0 - alpha;
     }
@@ -59,7 +59,7 @@ void main() {
     light *= share;
     through = 1.0 - share * (1.0 - through);
     if (fill) {
-        light += through * background_at(background, background_bottom, at.y, frame_size.y);
+        light += through * plain_background_at(plain_background, plain_background_bottom, at.y, frame_size.y);
         through = 0.0;
     }
     float covered = 1.0 - through;

@@ -6,7 +6,7 @@ const int position_attribute = 0;
 const int normal_attribute = 1;
 const int color_attribute = 2;
 const int draw_attribute = 3;  // per draw: its first triangle; one bit per photo of the pass that is drawn
-const int value_attribute = 4;  // of the scalar layer that is shown; 1, or 0 for a vertex without value
+const int value_attribute = 4;  // of the scalar field that is shown; 1, or 0 for a vertex without value
 const int cell_attribute = 0;  // of a point: its cell in the node's cube, 21 bits per axis
 const int cube_attribute = 5;  // per draw: low corner and size of the node's cube
 const int node_attribute = 6;  // per draw: its number among the drawn nodes
@@ -16,7 +16,7 @@ const int sizes_attribute = 4;
 const int colors_attribute = 5;   // two
 const int kind_attribute = 7;
 const int layer_attribute = 8;
-const uint surroundings_bit = 0x80000000u;  // beside the photos' bits: the draw is of the surroundings
+const uint background_bit = 0x80000000u;  // beside the photos' bits: the draw is of the background
 
 // Shader storage buffers.
 const int photos_buffer = 0;
@@ -82,7 +82,7 @@ const int lod_bias_uniform = 8;
 const int blend_show_uniform = 9;
 const int first_layers_uniform = 10;
 const int weight_eye_uniform = 11;
-const int surroundings_distance_uniform = 13;
+const int background_distance_uniform = 13;
 const int layer_scale_uniform = 14;
 const int isolines_uniform = 15;
 // Of surface: the kind of light; arrays of EYES.
@@ -109,15 +109,15 @@ const int frame_size_uniform = 29;
 // Uniforms of resolve.
 const int takes_one_uniform = 0;
 const int fill_uniform = 1;
-const int background_uniform = 2;
-const int most_uniform = 3;
+const int plain_background_uniform = 2;
+const int max_uniform = 3;
 const int exposure_uniform = 4;
-const int falloff_uniform = 5;
+const int vignetting_uniform = 5;
 const int lens_uniform = 6;
 const int progress_uniform = 7;
-const int surroundings_light_uniform = 8;
+const int background_light_uniform = 8;
 const int hole_weight_uniform = 9;
-const int background_weight_uniform = 10;
+const int plain_background_weight_uniform = 10;
 const int layer_share_uniform = 11;
 const int light_on_photos_uniform = 12;
 const int light_scale_uniform = 13;
@@ -129,20 +129,20 @@ const int shows_transparent_uniform = 24;
 const int veils_holes_uniform = 25;
 
 const int fill_background_uniform = 26;
-const int background_bottom_uniform = 27;
+const int plain_background_bottom_uniform = 27;
 
-// Several objects in one picture: uniforms of object_depth and of compose; how far away surroundings and what has no
+// Several objects in one picture: uniforms of object_depth and of compose; how far away background and what has no
 // surface count, farther than anything.
 const int depth_terms_uniform = 0;
 const int objects_uniform = 0;
 const int nearest_shown_uniform = 1;  // nearest_object
 const int compose_flip_uniform = 1;
 const int compose_fill_uniform = 2;
-const int compose_background_uniform = 3;
+const int compose_plain_background_uniform = 3;
 const int compose_opacity_uniform = 4;  // one for each object, in the order of the layers
-const int compose_background_bottom_uniform = 20;
+const int compose_plain_background_bottom_uniform = 20;
 const int compose_soft_edges_uniform = 21;
-const float surroundings_away = 1e30f;
+const float background_away = 1e30f;
 const float nothing_away = 2e30f;
 
 // Uniforms of point; clip_from_origin_uniform is as above.
@@ -157,17 +157,17 @@ const uint points_per_node = 16384u;
 const int samples_uniform = 0;
 const int flip_uniform = 1;
 const int compare_uniform = 2;
-const int wiper_uniform = 3;
+const int swipe_uniform = 3;
 const int photo_from_frame_uniform = 4;
 const int lod_uniform = 5;
 const int fills_uniform = 6;
-const int bands_uniform = 7;
-const int band_share_uniform = 8;
+const int image_sets_uniform = 7;
+const int image_set_share_uniform = 8;
 const int other_fills_uniform = 9;
 const int veils_uniform = 24;
 const int soft_edges_uniform = 25;
-const int show_background_uniform = 26;
-const int show_background_bottom_uniform = 27;
+const int show_plain_background_uniform = 26;
+const int show_plain_background_bottom_uniform = 27;
 const int edges_opaque_uniform = 28;
 
 // Uniform of enlarge.
@@ -180,7 +180,7 @@ const int face_half_uniform = 8;
 const int face_count_uniform = 9;
 const int first_face_uniform = 10;
 const int face_from_panorama_uniform = 2;  // an array
-const int most_faces = 6;
+const int max_faces = 6;
 
 // Uniforms of stereo, and the values of its mode.
 const int stereo_mode_uniform = 0;
@@ -241,10 +241,10 @@ const uint angle_mask_switch = 1u;
 const uint depth_mask_switch = 2u;
 const uint border_mask_switch = 4u;
 const uint angle_switch = 8u;
-const uint consensus_mask_switch = 16u;
+const uint transient_mask_switch = 16u;
 
 // What the bare surface shows at a pixel, in alpha; 1: the mesh.
-const float shows_surroundings = 2.0f;
+const float shows_background = 2.0f;
 const float shows_value = 3.0f;
 const float shows_light = 4.0f;
 
@@ -258,7 +258,7 @@ const float light_specular = 0.12f;
 const float light_gray = 0.3f;  // of a surface that faces the viewer, in linear light
 
 // Transparent surfaces.
-const int most_sorted_fragments = 64;  // of a pixel's sample; those behind them are approximated
+const int max_sorted_fragments = 64;  // of a pixel's sample; those behind them are approximated
 const float bare_gray = 0.47f;         // brightness of a bare white surface that faces the viewer
 
 // What is shown: the photos' colors, one false color per photo, or how many photos see each point.
@@ -269,14 +269,14 @@ const uint show_coverage = 2u;
 // Comparison with a photo.
 const uint compare_nothing = 0u;
 const uint compare_side_by_side = 1u;
-const uint compare_wiper = 2u;
+const uint compare_swipe = 2u;
 const uint compare_difference = 3u;
 
-// How two bands are shown.
-const uint bands_one = 0u;
-const uint bands_mixed = 1u;
-const uint bands_side_by_side = 2u;
-const uint bands_wiper = 3u;
+// How two image sets are shown.
+const uint image_sets_one = 0u;
+const uint image_sets_mixed = 1u;
+const uint image_sets_side_by_side = 2u;
+const uint image_sets_swipe = 3u;
 
 // Tiles: texels per side, of which a border on each side repeats the neighbors.
 const int tile_texels = 256;
@@ -307,10 +307,10 @@ const float depth_slack = 0.004f;
 const float least_cosine = 0.1f;
 const float beside = 0.03f;  // the weight in that case
 
-// Surroundings are painted from where a photo shows them for sure.
-const float surroundings_margin = 8.0f;    // reference pixels per texel of the depth that must not show the mesh
-const float surroundings_least = 0.001f;   // the weight next to the mesh: its silhouette is not exact
-const float surroundings_spread = 0.25f;   // square root of light: half the weight at this distance from the quiet color
+// The background is painted from where a photo shows them for sure.
+const float background_margin = 8.0f;    // reference pixels per texel of the depth that must not show the mesh
+const float background_least = 0.001f;   // the weight next to the mesh: its silhouette is not exact
+const float background_spread = 0.25f;   // square root of light: half the weight at this distance from the quiet color
 
 const uint not_resident = 0xffffffffu;  // in place of a page's entry
 const int level_count = 12;             // of a photo's pyramid, at most
@@ -325,7 +325,7 @@ struct Photo {
     vec4 thumbnail;           // layer (-1: none), share of the layer's width and height, width in pixels
     vec4 false_color;         // linear
     vec4 gain;                // factors to the mean photo's exposure, linear light; 2 / diagonal, 1/pixels
-    vec4 falloff;             // of the lens: ln of its loss, times r^2, r^4, r^6; square of its range (scene/package/contents/lens_table.h)
+    vec4 vignetting;             // of the lens: ln of its loss, times r^2, r^4, r^6; square of its range (scene/package/contents/lens_table.h)
     uint color_base[level_count];  // index in `pages` of each level's first tile
     uint mask_base[level_count];
 };

@@ -3,7 +3,7 @@
 
 layout(location = 0) out float depth;
 layout(binding = object_depths_unit) uniform sampler2DArray depths;  // distances
-layout(location = compose_opacity_uniform) uniform float opacity[MOST_OBJECTS];
+layout(location = compose_opacity_uniform) uniform float opacity[MAX_OBJECTS];
 layout(location = objects_uniform) uniform int objects;
 layout(location = nearest_shown_uniform) uniform float near;
 

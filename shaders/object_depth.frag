@@ -8,5 +8,5 @@ layout(location = depth_terms_uniform) uniform vec3 depth_terms;  // depth is x 
 void main() {
     float d = texelFetch(depth, ivec2(gl_FragCoord.xy), 0).r;
     distance_along_axis = 0.0;
-    if (d > 0.0) distance_along_axis = d < 1e-12 ? surroundings_away : depth_terms.y / max(d - depth_terms.x, 1e-30) * depth_terms.z;
+    if (d > 0.0) distance_along_axis = d < 1e-12 ? background_away : depth_terms.y / max(d - depth_terms.x, 1e-30) * depth_terms.z;
 }

@@ -10,7 +10,7 @@ layout(location = face_overlap_uniform) uniform float overlap;  // of a face wit
 layout(location = face_half_uniform) uniform vec2 half_face;  // what it shows alone, as tangents from its middle
 layout(location = face_count_uniform) uniform int face_count;
 layout(location = first_face_uniform) uniform int first_face;
-layout(location = face_from_panorama_uniform) uniform mat3 face_from_panorama[most_faces];
+layout(location = face_from_panorama_uniform) uniform mat3 face_from_panorama[max_faces];
 
 const float pi = 3.14159265358979;
 const int taps = 2;  // per side of a pixel

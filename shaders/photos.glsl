@@ -71,7 +71,7 @@ LensPlace lens_place(uint photo, vec2 pixel) {
     }
     vec2 per_pixel = float(lens_cells) / size;
     pixel += moved;
-    bool inside = dot(ray, ray) <= photos[photo].falloff.w && all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThanEqual(pixel, size));
+    bool inside = dot(ray, ray) <= photos[photo].vignetting.w && all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThanEqual(pixel, size));
     return LensPlace(pixel, mat2(vec2(1.0, 0.0) + by_x * per_pixel.x, vec2(0.0, 1.0) + by_y * per_pixel.y), inside);
 }
 #endif
@@ -140,7 +140,7 @@ MaskPlace mask_place(uint photo, vec2 pixel, float lod) {
     return MaskPlace(vec3(0.0), -1);
 }
 
-// Angle, depth, border and consensus mask.
+// Angle, depth, border and transient mask.
 vec4 masks_at(MaskPlace at) { return textureLod(mask_tiles, at.coordinate, 0.0); }
 
 // The smallest and the largest of the four depths around a photo pixel; +inf if the photo shows no surface.

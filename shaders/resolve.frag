@@ -1,5 +1,5 @@
 // Turns the sums of one sample of each pixel into a color and adds it to the pixel's samples with weight 1. A sample
-// without weight is a hole, whatever its color; with surroundings, holes that are to be filled have a small weight.
+// without weight is a hole, whatever its color; with a background, holes that are to be filled have a small weight.
 #include "contract.glsl"
 #include "background.glsl"
 
@@ -10,12 +10,12 @@ layout(binding = before_unit) uniform sampler2D before;         // the picture o
 layout(location = progress_uniform) uniform float progress;     // share of these photos; 1: `before` does not count
 layout(location = takes_one_uniform) uniform bool takes_one;    // the sums already hold a color
 layout(location = fill_uniform) uniform bool fill;              // shade holes, and fill the background
-layout(location = background_uniform) uniform vec3 background;  // linear, at the top
-layout(location = background_bottom_uniform) uniform vec3 background_bottom;
+layout(location = plain_background_uniform) uniform vec3 plain_background;  // linear, at the top
+layout(location = plain_background_bottom_uniform) uniform vec3 plain_background_bottom;
 layout(location = fill_background_uniform) uniform bool fill_background;  // if `fill`; else the background stays transparent
-layout(location = most_uniform) uniform float most;             // coverage: number of photos with the brightest color; else 0
+layout(location = max_uniform) uniform float most;             // coverage: number of photos with the brightest color; else 0
 layout(location = exposure_uniform) uniform vec3 exposure;      // exposure of the view, relative to the mean photo's
-layout(location = falloff_uniform) uniform vec3 falloff;        // of the view's lens: ln, times r^2, r^4, r^6
+layout(location = vignetting_uniform) uniform vec3 vignetting;        // of the view's lens: ln, times r^2, r^4, r^6
 layout(location = frame_size_uniform) uniform ivec2 frame_size;
 layout(location = lens_uniform) uniform vec3 lens;              // principal point, pixels; 2 / diagonal, 1/pixels
 
@@ -28,10 +28,10 @@ vec3 count_color(float share) {
     return mix(stops[i], stops[i + 1], at - float(i));
 }
 
-#ifdef SURROUNDINGS
-layout(location = surroundings_light_uniform) uniform float surroundings_light;  // factor of their light
+#ifdef BACKGROUND
+layout(location = background_light_uniform) uniform float background_light;  // factor of their light
 layout(location = hole_weight_uniform) uniform float hole_weight;
-layout(location = background_weight_uniform) uniform float background_weight;
+layout(location = plain_background_weight_uniform) uniform float plain_background_weight;
 #endif
 
 #ifdef SCALAR_LAYER
@@ -51,7 +51,7 @@ layout(location = points_alone_uniform) uniform bool points_alone;  // without t
 layout(location = photos_on_points_uniform) uniform bool photos_on_points;  // where there are photos, else the points' own colors
 layout(location = eye_dome_uniform) uniform vec4 eye_dome;  // depth is x + y / z; its z: strength; w: distance of neighbors, px
 
-// log2 of the depth; background and surroundings count as infinitely far.
+// log2 of the depth; background and the background count as infinitely far.
 float log_depth(ivec2 at) {
     ivec2 inside = clamp(at, ivec2(0), frame_size - 1);
     float d = texelFetch(depth, inside, 0).r;
@@ -110,7 +110,7 @@ vec4 color_of(uint f) {
 
 // The pixel's list, the nearest fragments sorted (Yang et al. 2010), the others as a weighted mean behind them.
 vec4 sorted_layers(uint first) {
-    uint order[most_sorted_fragments];
+    uint order[max_sorted_fragments];
     order[0] = 0u;  // some compilers warn otherwise
     int count = 0;
     vec4 sums = vec4(0.0);
@@ -119,7 +119,7 @@ vec4 sorted_layers(uint first) {
     for (uint next = first; next != 0u; next = fragments[next - 1u].next) {
         uint f = next - 1u, out_of = f;
         int at = count;
-        if (count == most_sorted_fragments) {
+        if (count == max_sorted_fragments) {
             if (nearer(f, order[count - 1])) {
                 out_of = order[count - 1];
                 at = count - 1;
@@ -171,7 +171,7 @@ vec3 mean_light(vec4 sums) {
 vec3 exposed(vec3 c) {
     vec2 off = (gl_FragCoord.xy - lens.xy) * lens.z;
     float r2 = dot(off, off);
-    return c * exposure * exp(-r2 * (falloff.x + r2 * (falloff.y + r2 * falloff.z)));
+    return c * exposure * exp(-r2 * (vignetting.x + r2 * (vignetting.y + r2 * vignetting.z)));
 }
 
 // Both pictures, in square roots of light as everywhere; the one that is not a hole, if only one is.
@@ -198,13 +198,13 @@ bool at_edge(ivec2 at) {
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 s = texelFetch(sums, at, 0);
-    vec3 behind = background_at(background, background_bottom, at.y, frame_size.y);
+    vec3 behind = plain_background_at(plain_background, plain_background_bottom, at.y, frame_size.y);
     accumulated = vec4(0.0);
     if (s.a > 0.0)
         accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(takes_one ? s.rgb : mean_light(s)), 1.0);
     if (progress < 1.0) accumulated = mixed(texelFetch(before, at, 0), accumulated);
     bool hole = accumulated.a == 0.0;
-#if defined(SURROUNDINGS) || defined(SCALAR_LAYER) || defined(LIGHT)
+#if defined(BACKGROUND) || defined(SCALAR_LAYER) || defined(LIGHT)
     const bool looks = true;
 #else
     bool looks = hole && fill;
@@ -227,7 +227,7 @@ void main() {
 #endif
 #ifdef WIREFRAME
     const vec3 wire = vec3(1.0, 0.35, 0.05);
-    if (at_edge(at) && bare.a != shows_surroundings) {
+    if (at_edge(at) && bare.a != shows_background) {
         accumulated = vec4(mix(accumulated.rgb, wire, 0.7), 1.0);
         hole = false;
     }
@@ -244,12 +244,12 @@ void main() {
         bare = vec4(0.0);
     }
 #endif
-#ifdef SURROUNDINGS
-    if (bare.a == shows_surroundings) {
+#ifdef BACKGROUND
+    if (bare.a == shows_background) {
         if (hole) accumulated = vec4(exposed(bare.rgb), 1.0);
-        accumulated.rgb *= surroundings_light;
+        accumulated.rgb *= background_light;
     }
-    if (hole) accumulated *= bare.a > 0.0 ? hole_weight : background_weight;
+    if (hole) accumulated *= bare.a > 0.0 ? hole_weight : plain_background_weight;
 #endif
 #ifdef TRANSPARENCY
     veil = vec4(0.0);

@@ -1,5 +1,5 @@
 // Shows the accumulated samples: averaged in linear light, encoded as sRGB, coverage in alpha. Optionally compares them
-// with a photo: side by side, with a wiper, or as a difference.
+// with a photo: side by side, with a swipe, or as a difference.
 #include "photos.glsl"
 #include "background.glsl"
 #include "srgb.glsl"
@@ -10,19 +10,19 @@ layout(location = frame_size_uniform) uniform ivec2 frame_size;
 layout(location = samples_uniform) uniform float samples;
 layout(location = flip_uniform) uniform bool flip;        // for a window, whose first row is at the bottom
 layout(location = compare_uniform) uniform uint compare;
-layout(location = wiper_uniform) uniform float wiper;     // share of the width
+layout(location = swipe_uniform) uniform float swipe;     // share of the width
 layout(location = photo_from_frame_uniform) uniform mat3 photo_from_frame;  // pixels, homogeneous
 layout(location = lod_uniform) uniform float lod;         // of the photo
 layout(location = soft_edges_uniform) uniform float soft_edges;
-layout(location = show_background_uniform) uniform vec3 background;  // linear, at the top
-layout(location = show_background_bottom_uniform) uniform vec3 background_bottom;
+layout(location = show_plain_background_uniform) uniform vec3 plain_background;  // linear, at the top
+layout(location = show_plain_background_bottom_uniform) uniform vec3 plain_background_bottom;
 layout(location = edges_opaque_uniform) uniform bool edges_opaque;  // fade into the background, else into nothing
-#ifdef SURROUNDINGS
+#ifdef BACKGROUND
 layout(binding = filled_unit) uniform sampler2D filled;   // square roots of light at half the size
 layout(location = fills_uniform) uniform bool fills;      // show `filled` in place of holes
 #endif
 
-#if defined(SURROUNDINGS) && defined(TRANSPARENCY)
+#if defined(BACKGROUND) && defined(TRANSPARENCY)
 layout(binding = veil_unit) uniform sampler2D veil;  // transparent surfaces over samples that are holes
 layout(location = veils_uniform) uniform bool veils;
 
@@ -49,7 +49,7 @@ vec4 photo_at(vec2 frame_pixel) {
 
 // Mean of a pixel's samples; alpha: the share of them that is no hole.
 vec4 shown_color(vec4 a, ivec2 at, bool fills) {
-#ifdef SURROUNDINGS
+#ifdef BACKGROUND
     float share = a.a / samples;
     if (fills && a.a > 0.0 && share < 0.999) {
         vec2 texel = min((vec2(at) + 0.5) / 2.0, vec2((frame_size + 1) / 2) - 0.5);
@@ -76,10 +76,10 @@ vec4 shown_color(vec4 a, ivec2 at, bool fills) {
     return vec4(a.rgb / most, a.a / samples);
 }
 
-#ifdef BANDS
-layout(binding = other_unit) uniform sampler2D other;          // samples of the other band
-layout(location = bands_uniform) uniform uint bands;
-layout(location = band_share_uniform) uniform float band_share;  // of the other band; of the width: where it begins
+#ifdef IMAGE_SETS
+layout(binding = other_unit) uniform sampler2D other;          // samples of the other image set
+layout(location = image_sets_uniform) uniform uint image_sets;
+layout(location = image_set_share_uniform) uniform float image_set_share;  // of the other image set; of the width: where it begins
 layout(location = other_fills_uniform) uniform bool other_fills;
 
 // Both, in square roots of light as everywhere; what is a hole in one fades.
@@ -90,25 +90,25 @@ vec4 mixed(vec4 a, vec4 b, float share) {
     return vec4(root * root, alpha);
 }
 
-// Whether a pixel of the picture shows the other band.
+// Whether a pixel of the picture shows the other image set.
 bool on_other_side(int x, int width) {
-    return bands == bands_side_by_side ? x >= width / 2
-                                       : bands == bands_wiper && float(x) >= band_share * float(width);
+    return image_sets == image_sets_side_by_side ? x >= width / 2
+                                       : image_sets == image_sets_swipe && float(x) >= image_set_share * float(width);
 }
 
 bool on_divider(int x, int width) {
-    return bands == bands_side_by_side ? abs(x - width / 2) < 2
-                                       : bands == bands_wiper && abs(float(x) - band_share * float(width)) < 1.5;
+    return image_sets == image_sets_side_by_side ? abs(x - width / 2) < 2
+                                       : image_sets == image_sets_swipe && abs(float(x) - image_set_share * float(width)) < 1.5;
 }
 
-vec4 band_color(ivec2 at, bool fills) {
+vec4 image_set_color(ivec2 at, bool fills) {
     int width = frame_size.x;
     bool second = on_other_side(at.x, width);
-    if (bands == bands_side_by_side) at.x = at.x % max(width / 2, 1) + width / 4;  // the middle half of each
-    if (bands != bands_mixed && second) return shown_color(texelFetch(other, at, 0), at, other_fills);
+    if (image_sets == image_sets_side_by_side) at.x = at.x % max(width / 2, 1) + width / 4;  // the middle half of each
+    if (image_sets != image_sets_mixed && second) return shown_color(texelFetch(other, at, 0), at, other_fills);
     vec4 first = shown_color(texelFetch(accumulated, at, 0), at, fills);
-    if (bands != bands_mixed || band_share <= 0.0) return first;
-    return mixed(first, shown_color(texelFetch(other, at, 0), at, other_fills), band_share);
+    if (image_sets != image_sets_mixed || image_set_share <= 0.0) return first;
+    return mixed(first, shown_color(texelFetch(other, at, 0), at, other_fills), image_set_share);
 }
 #endif
 
@@ -116,16 +116,16 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     ivec2 size = frame_size;
     if (flip) at.y = size.y - 1 - at.y;
-    bool photo_side = compare == compare_wiper && float(at.x) >= wiper * float(size.x);
+    bool photo_side = compare == compare_swipe && float(at.x) >= swipe * float(size.x);
     if (compare == compare_side_by_side) {  // the middle half of each
         photo_side = at.x >= size.x / 2;
         at.x = at.x % (size.x / 2) + size.x / 4;
     }
-#ifndef SURROUNDINGS
+#ifndef BACKGROUND
     const bool fills = false;
 #endif
-#ifdef BANDS
-    vec4 light = band_color(at, fills);
+#ifdef IMAGE_SETS
+    vec4 light = image_set_color(at, fills);
 #else
     vec4 light = shown_color(texelFetch(accumulated, at, 0), at, fills);
 #endif
@@ -133,7 +133,7 @@ void main() {
     if (flip && compare == compare_nothing) light.rgb *= light.a;  // a window has black behind what is transparent
 #endif
     float share = compare == compare_nothing ? edge_share(at, size, soft_edges) : 1.0;
-    if (edges_opaque) light.rgb = mix(background_at(background, background_bottom, at.y, size.y), light.rgb, share);
+    if (edges_opaque) light.rgb = mix(plain_background_at(plain_background, plain_background_bottom, at.y, size.y), light.rgb, share);
     else light.a *= share;
     vec3 color = clamp(encode(clamp(light.rgb, 0.0, 1.0)), 0.0, 1.0);
     float seen = light.a;
@@ -144,10 +144,10 @@ void main() {
         if (compare == compare_difference) color = photo.a > 0.0 ? abs(color - taken) * 2.0 : vec3(0.0);
         seen = 1.0;
         bool divider = compare == compare_side_by_side ? abs(int(gl_FragCoord.x) - size.x / 2) < 2
-                                     : compare == compare_wiper && abs(float(at.x) - wiper * float(size.x)) < 1.5;
+                                     : compare == compare_swipe && abs(float(at.x) - swipe * float(size.x)) < 1.5;
         if (divider) color = vec3(1.0);
     }
-#ifdef BANDS
+#ifdef IMAGE_SETS
     if (on_divider(at.x, size.x)) {
         color = vec3(1.0);
         seen = 1.0;

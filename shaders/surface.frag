@@ -1,5 +1,5 @@
 // Lambertian shading with a lamp at the viewer, in linear light; with the mesh's own colors if the scene has the effect.
-// Surroundings have their quiet color, what has a value in the scalar layer that is shown its color in the color map.
+// The background has their quiet color, what has a value in the scalar field that is shown its color in the color map.
 #ifndef EYES
 #define EYES 1
 #endif
@@ -10,17 +10,17 @@
 in vec3 surface_position;
 in vec3 surface_normal;
 #endif
-#if defined(VERTEX_COLORS) || defined(SURROUNDINGS)
+#if defined(VERTEX_COLORS) || defined(BACKGROUND)
 in vec4 surface_color;
 #endif
 flat in uint draw_first;
-#ifdef SURROUNDINGS
+#ifdef BACKGROUND
 flat in uint draw_bits;
 #endif
 #ifdef TRANSPARENT
 #include "transparent.glsl"
 #else
-layout(location = 0) out vec4 shaded;  // alpha: 1, shows_surroundings or shows_value
+layout(location = 0) out vec4 shaded;  // alpha: 1, shows_background or shows_value
 layout(location = 1) out uint triangle;  // its number plus 1; 0: none
 #endif
 #if EYES == 2
@@ -115,9 +115,9 @@ void main() {
     vec4 layer = layer_color();
     if (layer.a > 0.0) shaded = vec4(layer.rgb, shows_value);
 #endif
-#ifdef SURROUNDINGS
-    if ((draw_bits & surroundings_bit) != 0u)
-        shaded = vec4(pow(max(surface_color.rgb, vec3(0.0)), vec3(2.2)), shows_surroundings);
+#ifdef BACKGROUND
+    if ((draw_bits & background_bit) != 0u)
+        shaded = vec4(pow(max(surface_color.rgb, vec3(0.0)), vec3(2.2)), shows_background);
 #endif
     triangle = draw_first + uint(gl_PrimitiveID) + 1u;
 }

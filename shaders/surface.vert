@@ -15,7 +15,7 @@ layout(location = clip_from_eye_uniform) uniform mat4 clip_from_eye[EYES];
 #if EYES == 2
 flat out int eye_number;
 #endif
-#if defined(VERTEX_COLORS) || defined(SURROUNDINGS)
+#if defined(VERTEX_COLORS) || defined(BACKGROUND)
 layout(location = color_attribute) in vec4 color;
 out vec4 surface_color;
 #endif
@@ -32,7 +32,7 @@ flat out uint draw_first;
 layout(location = section_planes_uniform) uniform vec4 section_planes[SECTION];  // negative in front of them
 out float gl_ClipDistance[SECTION];
 #endif
-#ifdef SURROUNDINGS
+#ifdef BACKGROUND
 flat out uint draw_bits;
 #endif
 invariant gl_Position;
@@ -43,10 +43,10 @@ void main() {
     surface_normal = normal;
 #endif
     draw_first = of_draw.x;
-#ifdef SURROUNDINGS
+#ifdef BACKGROUND
     draw_bits = of_draw.y;
 #endif
-#if defined(VERTEX_COLORS) || defined(SURROUNDINGS)
+#if defined(VERTEX_COLORS) || defined(BACKGROUND)
     surface_color = color;
 #endif
 #ifdef SCALAR_LAYER
@@ -55,7 +55,7 @@ void main() {
 #ifdef SECTION
     for (int i = 0; i < SECTION; ++i)
         gl_ClipDistance[i] =
-            (of_draw.y & surroundings_bit) != 0u ? 1.0 : dot(section_planes[i], vec4(position, 1.0));
+            (of_draw.y & background_bit) != 0u ? 1.0 : dot(section_planes[i], vec4(position, 1.0));
 #endif
 #if EYES == 2
     eye_number = gl_Layer = gl_InstanceID;

@@ -12,13 +12,13 @@ layout(location = frame_size_uniform) uniform ivec2 frame_size;
 #ifdef BEHIND_POINTS
 layout(binding = places_unit) uniform sampler2D places;  // of points in front of the model; 0: none
 #endif
-#ifdef SURROUNDINGS
+#ifdef BACKGROUND
 layout(std430, binding = colors_buffer) readonly buffer Colors { uint colors[]; };
 vec3 quiet_color = vec3(0.0);  // square root of light
 #endif
 
 vec3 surface_position = vec3(0.0), surface_normal = vec3(0.0);
-uint draw_photos = 0u;  // one bit per photo of the pass that is drawn; surroundings_bit
+uint draw_photos = 0u;  // one bit per photo of the pass that is drawn; background_bit
 
 // The triangle at a pixel, numbered from 1, if the pass has photos of it. The best photo so far is copied from pass to pass.
 uint visible_triangle(ivec2 at) {
@@ -66,8 +66,8 @@ void read_surface(uint triangle, out vec3 along_x, out vec3 along_y, out vec3 ac
     across = cross(ab, ac);
     surface_position = corner + from_corner;
     surface_normal = shares.x * normal_of(v.x) + shares.y * normal_of(v.y) + shares.z * normal_of(v.z);
-#ifdef SURROUNDINGS
-    if ((draw_photos & surroundings_bit) == 0u) return;
+#ifdef BACKGROUND
+    if ((draw_photos & background_bit) == 0u) return;
     for (int i = 0; i < 3; ++i) quiet_color += shares[i] * pow(unpackUnorm4x8(colors[v[i]]).rgb, vec3(1.1));
 #endif
 }

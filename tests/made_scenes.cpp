@@ -37,7 +37,8 @@ std::string key_of(const SynthSpec& s) {
     add(s.photos.count, s.photos.width, s.photos.height, s.photos.fov, s.photos.radius, s.photos.arc,
         s.photos.low, s.photos.high, s.photos.samples);
     add(s.infrared.count, s.infrared.width, s.infrared.height, s.infrared.fov, s.infrared.stops);
-    add(s.lens.k1, s.lens.k2, s.exposure.stops, s.exposure.white_balance, s.exposure.falloff, s.error.pixels);
+    add(s.lens.k1, s.lens.k2, s.exposure.stops, s.exposure.white_balance, s.exposure.vignetting,
+        s.error.pixels);
     return out.str();
 }
 
@@ -57,7 +58,7 @@ std::string key_of(const fs::path& scan) {
 }
 
 /// Of the running program as it was built: what an earlier build has made may be wrong.
-fs::path shelf() {
+fs::path collection() {
     static const fs::path folder = [] {
         const fs::path program = fs::read_symlink("/proc/self/exe");
         struct stat s {};
@@ -78,10 +79,11 @@ fs::path once(const std::string& key, const std::string& extension,
               const std::function<void(const fs::path&)>& make) {
     std::ostringstream name;
     name << std::hex << std::hash<std::string>{}(key);
-    const fs::path made = shelf() / (name.str() + extension),
-                   unfinished = shelf() / (name.str() + ".new" + extension);
+    const fs::path made = collection() / (name.str() + extension),
+                   unfinished = collection() / (name.str() + ".new" + extension);
     if (fs::exists(made)) return made;
-    const int lock = ::open((shelf() / (name.str() + ".lock")).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+    const int lock =
+        ::open((collection() / (name.str() + ".lock")).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
     if (lock < 0 || ::flock(lock, LOCK_EX) != 0) throw std::runtime_error("cannot lock " + made.string());
     if (!fs::exists(made)) {
         fs::remove_all(unfinished);

@@ -30,7 +30,7 @@ struct PngRows::State {
     bool begin(png_uint_32 width, png_uint_32 height, png_textp xmp) {
         if (setjmp(png_jmpbuf(png))) return false;
         png_init_io(png, out);
-        png_set_user_limits(png, most_pixels, most_pixels);
+        png_set_user_limits(png, max_pixels, max_pixels);
         png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);

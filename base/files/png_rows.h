@@ -11,7 +11,7 @@ namespace vantage {
 /// Written to FILE.part-PID, which takes the name of the file at the end, and is removed if there is none.
 class PngRows {
   public:
-    static constexpr int most_pixels = 1'000'000;  ///< a side
+    static constexpr int max_pixels = 1'000'000;  ///< a side
 
     /// `xmp`: metadata for the file, an XMP packet; empty: none. Throws Error(storage) if the file cannot be
     /// written.

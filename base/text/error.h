@@ -10,11 +10,11 @@ enum class Exit : int {
     usage = 2,        ///< the command line or a configuration file is wrong
     input = 3,        ///< an input is missing, unreadable or does not fit the others
     damaged = 4,      ///< a package is truncated, corrupt or not a package
-    stale = 5,        ///< a package is sound, but its inputs have changed
+    stale = 5,        ///< a package is valid, but its inputs have changed
     storage = 6,      ///< the disk is full, or a file cannot be read or written
     graphics = 7,     ///< no usable OpenGL 4.5, or it failed
     interrupted = 8,  ///< stopped by a signal
-    incomplete = 9,   ///< a package is sound, but some photos were left out
+    incomplete = 9,   ///< a package is valid, but some photos were left out
     different = 10,   ///< packages or pictures differ
     internal = 11,    ///< a bug
     memory = 12,      ///< out of memory

@@ -48,7 +48,7 @@ std::vector<std::string> file_stems(std::span<const std::string_view> names) {
     return out;
 }
 
-bool is_band_name(std::string_view name) {
+bool is_image_set_name(std::string_view name) {
     if (name.empty() || name.size() > 55 || name == "." || name == "..") return false;
     return std::ranges::none_of(name, [](char c) { return c == '/' || c == '=' || std::uint8_t(c) < 32; });
 }

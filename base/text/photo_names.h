@@ -22,7 +22,8 @@ std::string listed(std::span<const std::string_view> names, std::span<const std:
 /// other photos, otherwise in full. No two are equal if no two of `names` are.
 std::vector<std::string> file_stems(std::span<const std::string_view> names);
 
-/// Whether a band of photos may have this name: 1 to 55 bytes that name a folder, without controls or '='.
-bool is_band_name(std::string_view name);
+/// Whether an image set may have this name: 1 to 55 bytes that name a folder, without controls or
+/// '='.
+bool is_image_set_name(std::string_view name);
 
 }  // namespace vantage

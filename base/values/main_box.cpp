@@ -38,7 +38,7 @@ std::vector<double> distances_from_median(std::span<const Eigen::Vector3d> posit
 }
 
 /// The most strays that `vertices` may have.
-std::size_t most_strays(std::size_t vertices) {
+std::size_t max_strays(std::size_t vertices) {
     return std::min(std::max<std::size_t>(3, vertices / 100), vertices / 4);
 }
 
@@ -57,12 +57,12 @@ bool fills_both_ends(std::span<const Eigen::Vector3d> positions, std::span<const
         at_low += positions[v][axis] <= low;
         at_high += positions[v][axis] >= high;
     }
-    return std::min(at_low, at_high) > most_strays(vertices.size());
+    return std::min(at_low, at_high) > max_strays(vertices.size());
 }
 
 /// The largest distance that is not a stray's.
 double reach_of(std::vector<double> distances) {
-    const auto last = distances.end() - std::ptrdiff_t(most_strays(distances.size())) - 1;
+    const auto last = distances.end() - std::ptrdiff_t(max_strays(distances.size())) - 1;
     std::nth_element(distances.begin(), last, distances.end());
     return *last > 0 ? stray_ratio * *last : std::numeric_limits<double>::infinity();
 }

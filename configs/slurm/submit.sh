@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Prepares one package on a Slurm cluster: a job array with one share of the photos per job, followed by a merge.
 #   configs/slurm/submit.sh INPUT PACKAGE SHARES [OPTIONS OF vantage prepare]
-#   configs/slurm/submit.sh scans/chapel chapel.vantage 8 --photo-size 4000
+#   configs/slurm/submit.sh scans/chapel chapel.vantage 8 --max-photo-size 4000
 # INPUT and PACKAGE are on a file system shared by all nodes. $VANTAGE: the program, if not on the PATH. $SBATCH_OPTIONS:
 # options for all jobs, such as "--partition=night --time=8:00:00". Interrupted jobs continue when submitted again.
 # Prints the job ID of the merge: 'srun --dependency=afterany:ID true' waits for it.
@@ -20,13 +20,13 @@ out=$(printf '%q' "$package")
 
 # A share with photos left out (exit code 9) is still merged; the merge then exits with code 9.
 share="$(quoted "$vantage" prepare "$input" --progress lines "$@") --shard \$SLURM_ARRAY_TASK_ID/$shares"
-share+=" -o $out.\$SLURM_ARRAY_TASK_ID.share || [ \$? = 9 ]"
+share+=" -o $out.\$SLURM_ARRAY_TASK_ID.shard || [ \$? = 9 ]"
 # shellcheck disable=SC2086
 array=$(sbatch --parsable ${SBATCH_OPTIONS:-} --job-name=vantage-prepare --array=1-"$shares" --requeue \
   --output="$logs/share-%a.txt" --wrap "$share")
 
 merge="$(quoted "$vantage" merge) -o $out --remove"
-for i in $(seq "$shares"); do merge+=" $out.$i.share"; done
+for i in $(seq "$shares"); do merge+=" $out.$i.shard"; done
 # shellcheck disable=SC2086
 sbatch --parsable ${SBATCH_OPTIONS:-} --job-name=vantage-merge --dependency=afterok:"${array%%;*}" \
   --kill-on-invalid-dep=yes --output="$logs/merge.txt" --wrap "$merge"

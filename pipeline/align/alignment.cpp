@@ -30,7 +30,7 @@ constexpr std::size_t quick_points = 600;  ///< of the many fits; the last one t
 /// along itself agrees, too: its relief must tell.
 constexpr double least_share = 0.5, clearly = 1.05;
 /// Shares of a photo's longer side: of features that show one point, and of the alignment.
-constexpr double most_epipolar = 0.003, most_uncertain = 0.0005;
+constexpr double max_epipolar = 0.003, max_uncertain = 0.0005;
 
 /// A surface, and what motions of points toward it are about.
 struct Target {
@@ -129,7 +129,7 @@ class Aligner {
         constexpr std::size_t ranks[] = {0, 1, 2, 4}, most = 60;
         features_ = agreeing_features(
             shared_features(scene.photos, neighboring_photos(scene.photos, most, ranks), how), cameras_,
-            most_epipolar);
+            max_epipolar);
         of_cameras_ = trial_of("", epipolar_errors(features_, cameras_)).agreement;
         // A feature is found to about half a pixel of the reduced photo.
         points_ = feature_points(features_, cameras_, 0.5 * longer_side(cameras_.front()) / how.long_side);
@@ -164,9 +164,9 @@ class Aligner {
                       0,
                       0};
         add_uncertainty(out);
-        if (!(out.pixels <= most_uncertain * longer_side(cameras_.front())))
+        if (!(out.pixels <= max_uncertain * longer_side(cameras_.front())))
             fail(fmt::format("the alignment is certain to {:.1f} px only, expected {:.1f}", out.pixels,
-                             most_uncertain * longer_side(cameras_.front())));
+                             max_uncertain * longer_side(cameras_.front())));
         return out;
     }
 

@@ -101,7 +101,7 @@ std::vector<std::string> mesh_conventions() {
 /// by how many features come nearer to their epipolar lines.
 void settle_tangential(const SceneInput& scene, std::span<const SharedFeature> features,
                        ConventionTrials& trials) {
-    constexpr double most_nearer = 0.6;
+    constexpr double max_nearer = 0.6;
     const std::string swapped = joined(trials.chosen, "swapped-tangential");
     const std::vector<Camera> cameras = cameras_of(scene), to = changed(cameras, scene.transform, swapped);
     if (to.empty() || trials.chosen == "swapped-tangential") return;
@@ -113,7 +113,7 @@ void settle_tangential(const SceneInput& scene, std::span<const SharedFeature> f
         near += std::min(now[i], then[i]) <= far_off;
         nearer += then[i] < now[i] && then[i] <= far_off;
     }
-    if (near >= 4 * enough && double(nearer) >= most_nearer * double(near) &&
+    if (near >= 4 * enough && double(nearer) >= max_nearer * double(near) &&
         trial_of("", then).median < 0.8 * trial_of("", now).median)
         trials.chosen = swapped;
 }
@@ -148,7 +148,7 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
     out.agreeing = agreeing.size();
     const std::vector<SharedFeature> telling = features_with_parallax(agreeing, cameras, 2 * misfit);
     if (telling.size() < enough) {
-        out.not_judged = fmt::format(
+        out.not_validated = fmt::format(
             "of {} features that photos share, {} agree with the cameras and {} of these tell "
             "their distance, expected at least {}",
             out.shared, out.agreeing, telling.size(), enough);
@@ -205,9 +205,9 @@ std::optional<ConventionTrials> as_read_by_pairs(const SceneInput& scene, std::s
     return out;
 }
 
-ConventionTrials not_judged(std::string why) {
+ConventionTrials not_validated(std::string why) {
     ConventionTrials out;
-    out.not_judged = std::move(why);
+    out.not_validated = std::move(why);
     return out;
 }
 
@@ -295,7 +295,7 @@ ConventionTrials try_conventions(const SceneInput& scene, const FeatureSettings&
     const std::vector<SharedFeature> features =
         shared_features(scene.photos, neighboring_photos(scene.photos, photos, ranks), how);
     if (features.size() < enough)
-        return not_judged(
+        return not_validated(
             fmt::format("photos share {} features, expected at least {}", features.size(), enough));
     return tried(scene, features, mesh);
 }
@@ -306,7 +306,7 @@ ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted,
         return {};
     }
     if (scene.mesh.triangles.empty()) return {};
-    if (scene.photos.size() < 2) return not_judged("there is only one photo");
+    if (scene.photos.size() < 2) return not_validated("there is only one photo");
     ConventionTrials trials = try_conventions(scene, {.threads = threads});
     const std::string flaw = said_of_cameras(trials);
     if (trials.misfit && !flaw.empty())
@@ -324,7 +324,7 @@ ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted,
 }
 
 std::string fit_of(const ConventionTrials& trials, const SceneInput& scene) {
-    if (!trials.not_judged.empty()) return "not judged: " + trials.not_judged;
+    if (!trials.not_validated.empty()) return "not judged: " + trials.not_validated;
     if (trials.mesh.empty()) return {};
     const ConventionTrial& t = trials.mesh[trials.chosen_of_mesh];
     return fmt::format("the mesh shows {} of {} features where photos do, to {:.1f} px (median)", t.defined,

@@ -45,7 +45,7 @@ struct ConventionTrials {
     std::size_t shared = 0;    ///< features that were tried
     std::size_t agreeing = 0;  ///< those near their epipolar lines under `chosen`
     double expected = 1;       ///< the largest median of `mesh` that is expected, as features are this exact
-    std::string not_judged;    ///< why `mesh` is empty; empty if it is not
+    std::string not_validated;  ///< why `mesh` is empty; empty if it is not
 };
 
 /// Tries every convention and combination that changes a camera, on features of up to 18 photos. Another one

@@ -13,13 +13,13 @@ const double least_cosine = std::cos(50 * std::numbers::pi / 180);
 /// Cameras that are nearer, relative to the median distance, stand in the same place: bursts, doubled photos.
 constexpr double same_place = 0.005;
 
-/// The others of its band that look in a similar direction, the nearest first.
+/// The others of its image set that look in a similar direction, the nearest first.
 std::vector<std::uint32_t> neighbors(std::span<const PhotoInput> photos, std::uint32_t photo) {
     const Pose& own = photos[photo].camera.cam_from_world;
     std::vector<std::pair<double, std::uint32_t>> found;
     for (std::uint32_t i = 0; i < photos.size(); ++i) {
         const Pose& other = photos[i].camera.cam_from_world;
-        if (i != photo && photos[i].band == photos[photo].band &&
+        if (i != photo && photos[i].image_set == photos[photo].image_set &&
             own.direction().dot(other.direction()) >= least_cosine)
             found.emplace_back((own.center() - other.center()).norm(), i);
     }

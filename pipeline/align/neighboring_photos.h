@@ -11,7 +11,7 @@ namespace vantage {
 /// Two photos, as indices.
 using TwoPhotos = std::array<std::uint32_t, 2>;
 
-/// Photos of one band whose cameras stand near each other, not in the same place, and look in similar
+/// Photos of one image set whose cameras stand near each other, not in the same place, and look in similar
 /// directions (to 50 degrees):
 /// for up to `most` of them, spread over the list, those of these ranks by distance, 0 being the nearest.
 /// Only distances and angles between cameras count, so that the result does not depend on where the mesh is.

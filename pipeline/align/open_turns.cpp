@@ -9,7 +9,7 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t most_tried = 300, fewest_agreeing = 30;
+constexpr std::size_t max_tried = 300, fewest_agreeing = 30;
 constexpr double near_line = 0.002;  ///< an epipolar error, as a share of the longer side
 constexpr double clearly_more = 2;
 
@@ -98,20 +98,20 @@ OpenTurns find_open_turns(std::span<const PhotoInput> photos, const FeatureSetti
     for (std::uint32_t i = 0; i < photos.size(); ++i)
         if (photos[i].open_turn) open.push_back(i), all[i] = true;
     if (open.empty()) return {};
-    for (std::size_t i = 0; i < std::min(open.size(), most_tried); ++i) is_tried[open[i]] = true;
+    for (std::size_t i = 0; i < std::min(open.size(), max_tried); ++i) is_tried[open[i]] = true;
     constexpr std::size_t ranks[] = {0, 1};
     std::vector<TwoPhotos> pairs = neighboring_photos(photos, photos.size(), ranks);
     std::erase_if(pairs, [&](const TwoPhotos& p) { return !is_tried[p[0]] && !is_tried[p[1]]; });
-    const Judge judge(photos, shared_features(photos, pairs, how));
+    const Judge validate(photos, shared_features(photos, pairs, how));
     const std::vector<bool> none(photos.size(), false);
-    if (judge.agree_only(all, none)) return {open, {}};
+    if (validate.agree_only(all, none)) return {open, {}};
     std::vector<bool> wrong = none;
     for (const std::uint32_t i : open)
-        if (judge.agree_only(i, with(none, i), none) || judge.agree_only(i, all, none)) wrong[i] = true;
+        if (validate.agree_only(i, with(none, i), none) || validate.agree_only(i, all, none)) wrong[i] = true;
     for (const std::uint32_t i : open)
         if (wrong[i])
             out.found.push_back(i);
-        else if (!judge.agree_only(i, wrong, with(wrong, i)))
+        else if (!validate.agree_only(i, wrong, with(wrong, i)))
             out.unknown.push_back(i);
     return out;
 }

@@ -56,7 +56,7 @@ std::string all_text(const std::vector<Issue>& issues) {
 void print_lines(const Checked& c, bool deep) {
     for (const Issue& i : c.issues)
         fmt::print("{}: {} [{}]: {}\n", c.file, kind_name(i.row()), i.row().id, i.text);
-    if (c.issues.empty()) fmt::print("{}: sound{}\n", c.file, deep ? ", every tile read" : "");
+    if (c.issues.empty()) fmt::print("{}: valid{}\n", c.file, deep ? ", every tile read" : "");
     std::fflush(stdout);
 }
 
@@ -70,7 +70,7 @@ void print_issues_json(const std::vector<Checked>& all) {
                               {"kind", kind_name(i.row())},
                               {"text", i.text}});
         out["packages"].push_back(
-            {{"file", c.file}, {"sound", c.issues.empty()}, {"issues", issues}, {"seconds", c.seconds}});
+            {{"file", c.file}, {"valid", c.issues.empty()}, {"issues", issues}, {"seconds", c.seconds}});
     }
     fmt::print("{}\n", json_text(out));
 }
@@ -107,7 +107,8 @@ void add_check(const Command& program) {
     c.notes(
         "Examples:\n  vantage check chapel.vantage\n"
         "  vantage check --deep --against scans/chapel chapel.vantage\n"
-        "  vantage check shelf/*.vantage --against scans --junit checks.xml   (shelf/a.vantage against "
+        "  vantage check collection/*.vantage --against scans --junit checks.xml   (collection/a.vantage "
+        "against "
         "scans/a)\n"
         "Exit code, the worst of all packages: 3 unreadable, 4 damaged, 5 stale, 9 incomplete, 0 none of "
         "these.\nEach finding has a stable identifier.");

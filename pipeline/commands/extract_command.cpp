@@ -23,7 +23,7 @@ void add_extract(const Command& program) {
         "In the folder: photos/ as they were taken; sparse/, their cameras and lenses as COLMAP text, in "
         "the\n"
         "input's coordinates and with the poses as corrected; masks/ (RGBA: angle, depth, border, "
-        "consensus) and\n"
+        "transient masking) and\n"
         "depth/ (EXR, along the optical axis), without lens distortion; mesh.ply and points.ply. COLMAP, "
         "or\n"
         "vantage prepare, reads the folder.");

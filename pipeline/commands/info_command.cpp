@@ -6,8 +6,8 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/output/effect_costs.h"
 #include "pipeline/output/meta.h"
-#include "pipeline/prepare/registration_reuse.h"
-#include "scene/package/contents/bands.h"
+#include "pipeline/prepare/pose_refinement_reuse.h"
+#include "scene/package/contents/image_sets.h"
 #include "scene/package/contents/point_cloud.h"
 #include "scene/package/package_reader.h"
 #include "scene/remote/remote_package.h"
@@ -35,9 +35,9 @@ nlohmann::json describe_package(const PackageReader& reader) {
     out["origin"] = s.origin;
     out["up"] = s.up;
     if (s.first_photo < reader.photos().size()) out["first_photo"] = reader.photos()[s.first_photo].name;
-    const std::vector<Band> bands = read_bands(reader);
-    for (const Band& band : bands)
-        if (bands.size() > 1) out["bands"].push_back(band.name);
+    const std::vector<ImageSet> image_sets = read_image_sets(reader);
+    for (const ImageSet& image_set : image_sets)
+        if (image_sets.size() > 1) out["image_sets"].push_back(image_set.name);
     for (const package::PhotoRecord& p : reader.photos())
         out["photos"].push_back({{"name", p.name},
                                  {"width", p.width},
@@ -47,14 +47,14 @@ nlohmann::json describe_package(const PackageReader& reader) {
                                  {"focal", {p.fx, p.fy}},
                                  {"visible_vertices", p.visible_vertices},
                                  {"gain", p.gain},
-                                 {"falloff", p.falloff},
+                                 {"vignetting", p.vignetting},
                                  {"hull_area", p.hull_area},
                                  {"depth", {p.z_min, p.z_max}}});
     for (std::uint32_t i = 0; i < reader.photos().size(); ++i)
         if (const Lens lens = lens_of(reader, i); lens.distorts())
             out["photos"][i]["lens"] = name(lens.model);
-    for (std::size_t i = 0; bands.size() > 1 && i < reader.photos().size(); ++i)
-        out["photos"][i]["band"] = bands[reader.photos()[i].band].name;
+    for (std::size_t i = 0; image_sets.size() > 1 && i < reader.photos().size(); ++i)
+        out["photos"][i]["image_set"] = image_sets[reader.photos()[i].image_set].name;
     for (const package::PairRecord& p : pairs_of(reader))
         out["pairs"].push_back({{"photos", {reader.photos()[p.a].name, reader.photos()[p.b].name}},
                                 {"corners", p.corners},
@@ -85,8 +85,8 @@ void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
     fmt::print("\nphotos\n");
     for (const auto& p : j["photos"])
         fmt::print("  {:<24} {}{}x{}  sees {:.1f} % of the {}{}\n", p["name"].get<std::string>(),
-                   p.contains("band") ? p["band"].get<std::string>() + ", " : "", p["width"].get<int>(),
-                   p["height"].get<int>(), 100 * p["visible_vertices"].get<double>(),
+                   p.contains("image_set") ? p["image_set"].get<std::string>() + ", " : "",
+                   p["width"].get<int>(), p["height"].get<int>(), 100 * p["visible_vertices"].get<double>(),
                    j.contains("points") ? "points" : "vertices",
                    p["held_out"].get<bool>()     ? ", held out"
                    : p["registered"].get<bool>() ? ", camera registered"

@@ -50,7 +50,7 @@ void add_merge(const Command& program) {
         "Each share is written by 'vantage prepare INPUT -o SHARE --shard i/n', on any machine. The result "
         "is\n"
         "byte-for-byte the package of a single run. An interrupted merge continues when it is run again.\n"
-        "Example:\n  vantage merge chapel-*.share -o chapel.vantage --remove");
+        "Example:\n  vantage merge chapel-*.shard -o chapel.vantage --remove");
     c.list("SHARES", o->shares, "all shares of one preparation, in any order").type("FILE").required();
     c.file("-o,--output", o->out, "the package to write").required();
     add_progress(c, o->progress);

@@ -81,7 +81,7 @@ void resolve_outputs(PrepareOptions& o, const InputFiles& files) {
     if (!o.trace.empty()) o.trace = output_file(o.trace, Product::trace, inputs, o.force).string();
 }
 
-/// The photos that the existing package lacks, if it is sound and what this run would make; otherwise
+/// The photos that the existing package lacks, if it is valid and what this run would make; otherwise
 /// nullopt.
 std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const InputFiles& files,
                                                   IdentityCache& identities) {
@@ -122,9 +122,9 @@ void print_scene(const SceneInput& scene, const ConventionTrials& fit) {
                    scene.camera_format);
     if (!scene.files.photos.empty())
         fmt::print("photos   {} ({})\n", scene.files.photos.string(), scene.photos.size());
-    for (std::uint32_t b = 0; scene.bands.size() > 1 && b < scene.bands.size(); ++b)
-        fmt::print("band     {} ({})\n", scene.bands[b],
-                   std::ranges::count(scene.photos, b, &PhotoInput::band));
+    for (std::uint32_t b = 0; scene.image_sets.size() > 1 && b < scene.image_sets.size(); ++b)
+        fmt::print("image set     {} ({})\n", scene.image_sets[b],
+                   std::ranges::count(scene.photos, b, &PhotoInput::image_set));
     if (!scene.points.positions.empty())
         fmt::print("points   {}{} ({})\n", scene.files.points.front().string(),
                    scene.files.points.size() > 1 ? " and others" : "", scene.points.positions.size());
@@ -276,7 +276,7 @@ int run_prepare(PrepareOptions o) {
         write_report(o.report, PackageReader(o.out),
                      ReportRun{done, trace.spans(), s, double(memory_peak()) / 1e6});
     if (done.agreement)
-        for (const std::string& w : done.agreement->registration.warnings) fmt::print("warning  {}\n", w);
+        for (const std::string& w : done.agreement->pose_refinement.warnings) fmt::print("warning  {}\n", w);
     print_done(done, o.explain);
     fmt::print("package  {} ({:.1f} MB, {:.1f} s)\n", o.out, double(std::filesystem::file_size(o.out)) / 1e6,
                s);
@@ -314,19 +314,19 @@ void add_prepare(const Command& program) {
     c.notes(
         "Examples:\n  vantage prepare scans/chapel -o chapel.vantage\n"
         "  vantage prepare --mesh m.ply --cameras bundle.out --photos images -o m.vantage\n"
-        "  vantage prepare chapel -o look.vantage --config preview\n"
+        "  vantage prepare chapel -o look.vantage --preset preview\n"
         "  vantage prepare chapel -o c.vantage --effect per-fragment=on --hold-out 0003,0007\n"
         "  vantage prepare chapel -o raw.vantage --effect compact=off    # raw tiles, not JPEG\n"
         "  vantage prepare chapel -o c.vantage --deviation-from chapel-2019.ply\n"
         "  vantage prepare chapel -o c.vantage --points scanner.ply\n"
-        "  vantage prepare panel -o panel.vantage --bands folders\n"
-        "  vantage prepare chapel -o chapel-3.share --shard 3/8\n"
+        "  vantage prepare panel -o panel.vantage --image-sets folders\n"
+        "  vantage prepare chapel -o chapel-3.shard --shard 3/8\n"
         "  vantage prepare church.toml -o church    # several objects, see the README\n"
         "Run again, it continues where it was interrupted and repeats only what a change affects.");
     PrepareSettings& settings = o->settings;
     add_input_options(c, o->input, settings);
     c.list("--deviation-from", settings.deviation_from,
-           "measure the mesh's signed distance from this mesh or point cloud, as a scalar layer; may be "
+           "measure the mesh's signed distance from this mesh or point cloud, as a scalar field; may be "
            "repeated")
         .type("FILE");
     c.list("--convention", o->conventions,
@@ -338,10 +338,10 @@ void add_prepare(const Command& program) {
         .one_word();
     c.file("-o,--output", o->out, "the package to write; of a scene file: the folder for packages")
         .required();
-    c.file("--config", o->config,
+    c.file("--preset", o->config,
            "preset to use, or a TOML file with settings; the command line overrides them")
         .suggests({presets.begin(), presets.end()});
-    c.choice("--distance", settings.distance,
+    c.choice("--border-distance", settings.distance,
              named({DistanceMethod::automatic, DistanceMethod::exact, DistanceMethod::jump_flooding}),
              "how the distance from depth borders is computed: exactly, or by jump flooding with OpenGL; "
              "auto: by jump flooding on a GPU");
@@ -349,8 +349,8 @@ void add_prepare(const Command& program) {
            "distance at which the border mask reaches 1, in px of a photo 3072 px wide");
     c.real("--border-threshold", settings.border_threshold, 1e-6, 10,
            "relative depth step that makes a border");
-    c.integer("--thumbnail", settings.thumbnail, 16, 4096, "long side of the thumbnails in px");
-    c.integer("--photo-size", settings.photo_size, 0, 1 << 16,
+    c.integer("--thumbnail-size", settings.thumbnail, 16, 4096, "long side of the thumbnails in px");
+    c.integer("--max-photo-size", settings.photo_size, 0, 1 << 16,
               "reduce photos to this long side in px; 0 = full size");
     c.flag("--vertex-coordinates", settings.vertex_coordinates,
            "store texture coordinates per vertex, for the player's --coordinates vertex, even if the scene "
@@ -358,9 +358,9 @@ void add_prepare(const Command& program) {
     c.choice("--refine", o->refine, {{"off", Refine::off}, {"color", Refine::color}, {"full", Refine::full}},
              "full: correct cameras and colors and mask moving objects where photos disagree; color: correct "
              "colors only; off: change nothing");
-    c.choice("--judge", settings.judge, {{"on", true}, {"off", false}},
+    c.choice("--validate", settings.validate, {{"on", true}, {"off", false}},
              "on: left-out photos must confirm what --refine corrects; off: faster, thresholds alone decide");
-    c.choice("--render-by", settings.render_by,
+    c.choice("--renderer", settings.render_by,
              named({RenderBy::automatic, RenderBy::opengl, RenderBy::processor}),
              "renderer of the model as seen from the photos; auto: a GPU if there is one");
     c.integer("--threads", settings.threads, 0, 1024, "photos in flight; 0 = all cores");

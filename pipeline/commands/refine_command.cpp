@@ -68,12 +68,13 @@ int run_refine(const RefineOptions& o) {
 
 void add_refine(const Command& program) {
     auto o = std::make_shared<RefineOptions>();
-    const Command c = program.verb("refine", "Recompute registration, colors and consensus of a package");
+    const Command c =
+        program.verb("refine", "Recompute pose refinement, colors and transient masking of a package");
     c.notes(
         "Needs only the package: tiles are copied, and only data that depends on moved cameras is "
         "recomputed.\n"
         "Examples:\n  vantage refine chapel.vantage --effect exposure=off -o as-taken.vantage\n"
-        "  vantage refine chapel.vantage --effect registration=on\n"
+        "  vantage refine chapel.vantage --effect pose-refinement=on\n"
         "  vantage refine chapel.vantage");
     c.file("FILE", o->file, "the package").type("PACKAGE").required();
     c.file("-o,--output", o->out, "the package to write (default: replace FILE)");

@@ -13,9 +13,9 @@ JsonFile::JsonFile(const std::filesystem::path& file)
       value_(std::make_shared<nlohmann::json>(parsed_json(read_plain_text(file), name_))) {}
 
 double numeral(const LocatedJson& value) {
-    if (!value.is_text()) return value.number(-most_value, most_value);
+    if (!value.is_text()) return value.number(-max_value, max_value);
     double number = 0;
-    if (!parse_number(value.text(100), number) || !(std::abs(number) <= most_value)) value.fail("a number");
+    if (!parse_number(value.text(100), number) || !(std::abs(number) <= max_value)) value.fail("a number");
     return number;
 }
 
@@ -30,7 +30,7 @@ int photo_size(const LocatedJson& value) {
 }
 
 std::vector<double> numerals(const LocatedJson& list, std::size_t count) {
-    const std::vector<LocatedJson> items = list.items(most_cameras);
+    const std::vector<LocatedJson> items = list.items(max_cameras);
     if (items.size() != count) list.fail("an array of " + std::to_string(count) + " numbers");
     std::vector<double> out;
     for (const LocatedJson& item : items) out.push_back(numeral(item));
@@ -39,7 +39,7 @@ std::vector<double> numerals(const LocatedJson& list, std::size_t count) {
 
 std::string identifier(const LocatedJson& value) {
     if (value.is_text()) return value.text(1000);
-    return std::to_string(std::llround(value.number(-most_value, most_value)));
+    return std::to_string(std::llround(value.number(-max_value, max_value)));
 }
 
 }  // namespace vantage

@@ -22,9 +22,9 @@ class JsonFile {
 };
 
 /// The most items of a list of cameras.
-inline constexpr std::size_t most_cameras = 1 << 20;
+inline constexpr std::size_t max_cameras = 1 << 20;
 /// Positions, focal lengths, pixels.
-inline constexpr double most_value = 1e12;
+inline constexpr double max_value = 1e12;
 
 /// A finite number, also written as text.
 double numeral(const LocatedJson& value);

@@ -11,9 +11,9 @@ namespace vantage {
 /// Searches a folder, three levels deep, for a mesh (a PLY with faces, OBJ, STL or OFF, or if there is none,
 /// glTF, GLB or FBX; preferably mesh.*, else the largest file), cameras (in the order of camera_formats(), of
 /// several the file with the most) and the photos' folder: the one where most cameras find their photo,
-/// preferably one named images or photos. If each of several folders with the photos of a band (see
-/// band_folder) has a camera file, all are taken. Follows symbolic links, ignores hidden files. What else
-/// could have been taken is listed in `notes`. What `given` has is not searched for, and none of
+/// preferably one named images or photos. If each of several folders with the photos of an image set (see
+/// image_set_folder) has a camera file, all are taken. Follows symbolic links, ignores hidden files. What
+/// else could have been taken is listed in `notes`. What `given` has is not searched for, and none of
 /// `given.compared` and `given.points` is taken for the mesh. Without a mesh, the largest point cloud (a PLY
 /// without faces, or a file of cloud.h) is taken in its place, and cameras and photos may be missing. Throws
 /// Error(input) stating what is missing, or if there are several camera files and one cannot be read: it

@@ -10,7 +10,7 @@
 
 #include "base/text/error.h"
 #include "pipeline/formats/cameras/cameras.h"
-#include "pipeline/input/band_groups.h"
+#include "pipeline/input/image_set_groups.h"
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/photos/photos.h"
 
@@ -131,18 +131,18 @@ fs::path best_fitting(const fs::path& root, std::span<const FormatFiles> files, 
     return best.path;
 }
 
-/// One camera file per band, each in the folder of its band, and the folder that holds them all; nothing if
-/// the files are others.
-struct CamerasOfBands {
+/// One camera file per image set, each in the folder of its image set, and the folder that holds them all;
+/// nothing if the files are others.
+struct CamerasOfImageSets {
     Files cameras;
     fs::path photos;
 };
-std::optional<CamerasOfBands> cameras_of_bands(const fs::path& root, const Files& files,
-                                               const std::string& how) {
-    CamerasOfBands out{files, {}};
+std::optional<CamerasOfImageSets> cameras_of_image_sets(const fs::path& root, const Files& files,
+                                                        const std::string& how) {
+    CamerasOfImageSets out{files, {}};
     std::set<fs::path> folders;
     for (const fs::path& cameras : out.cameras) {
-        const fs::path folder = band_folder(root, cameras, how);
+        const fs::path folder = image_set_folder(root, cameras, how);
         const bool file_itself = folder == cameras && !fs::is_directory(cameras);
         if (folder.empty() || file_itself || !folders.insert(folder).second || photos_below(folder).empty())
             return {};
@@ -164,16 +164,16 @@ std::ptrdiff_t distance(const fs::path& from, const fs::path& to) {
 void find_cameras(const fs::path& folder, const Files& files, InputFiles& found) {
     if (!found.cameras.empty()) return;
     const std::vector<FormatFiles> all = files_by_format(files);
-    const auto of_bands = !all.empty() && found.photos.empty() && found.bands != bands_off
-                              ? cameras_of_bands(folder, all.front().files, found.bands)
-                              : std::nullopt;
-    if (!of_bands) {
+    const auto of_image_sets = !all.empty() && found.photos.empty() && found.image_sets != image_sets_off
+                                   ? cameras_of_image_sets(folder, all.front().files, found.image_sets)
+                                   : std::nullopt;
+    if (!of_image_sets) {
         found.cameras = best_fitting(folder, all, found);
         return;
     }
-    found.cameras = of_bands->cameras.front();
-    found.more_cameras.assign(of_bands->cameras.begin() + 1, of_bands->cameras.end());
-    found.photos = of_bands->photos;
+    found.cameras = of_image_sets->cameras.front();
+    found.more_cameras.assign(of_image_sets->cameras.begin() + 1, of_image_sets->cameras.end());
+    found.photos = of_image_sets->photos;
 }
 
 }  // namespace vantage

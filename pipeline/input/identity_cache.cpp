@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t max_cache_bytes = 16u << 20;  ///< about 150,000 files; a larger cache is emptied
 constexpr std::time_t timestamp_resolution = 2;        ///< s, of the coarsest file system in use (FAT)
 
-/// Marks the stamp of a package that was found sound.
-const std::string sound_prefix = "sound:";
+/// Marks the stamp of a package that was found valid.
+const std::string valid_prefix = "valid:";
 
 bool read_status(const fs::path& file, struct stat& st) { return ::stat(file.c_str(), &st) == 0; }
 
@@ -112,15 +112,15 @@ std::pair<std::vector<std::byte>, FileIdentity> IdentityCache::read(const fs::pa
     return {std::move(bytes), id};
 }
 
-bool IdentityCache::known_sound(const std::string& stamp) const {
+bool IdentityCache::known_valid(const std::string& stamp) const {
     const std::scoped_lock lock(mutex_);
-    return added_.contains(sound_prefix + stamp) || (!rehash_ && stored_.contains(sound_prefix + stamp));
+    return added_.contains(valid_prefix + stamp) || (!rehash_ && stored_.contains(valid_prefix + stamp));
 }
 
-void IdentityCache::remember_sound(const fs::path& file, const std::string& stamp) {
+void IdentityCache::remember_valid(const fs::path& file, const std::string& stamp) {
     if (stamp.empty() || !timestamps_are_reliable(file) || stamp_of(file) != stamp) return;
     const std::scoped_lock lock(mutex_);
-    added_[sound_prefix + stamp] = {};
+    added_[valid_prefix + stamp] = {};
 }
 
 FileIdentity stencil_identity(const PhotoInput& photo, IdentityCache& identities) {

@@ -38,10 +38,10 @@ class IdentityCache {
     std::pair<std::vector<std::byte>, FileIdentity> read(const std::filesystem::path& file);
 
     /// Whether a package with this stamp was read in full and matched all its checksums.
-    bool known_sound(const std::string& stamp) const;
+    bool known_valid(const std::string& stamp) const;
     /// Caches that it did, like the identities: only if the file still has this stamp and any further change
     /// would change it.
-    void remember_sound(const std::filesystem::path& file, const std::string& stamp);
+    void remember_valid(const std::filesystem::path& file, const std::string& stamp);
 
   private:
     /// Caches `id`, unless the file has changed since `stamp` was taken or could still change without

@@ -2,8 +2,8 @@
 
 #include "base/text/lower_extension.h"
 #include "pipeline/formats/cameras/cameras.h"
-#include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
+#include "pipeline/input/image_set_groups.h"
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/input/stencils.h"
 #include "pipeline/run/files_below.h"
@@ -17,7 +17,7 @@ std::vector<fs::path> input_paths(const InputFiles& files) {
     if (!files.cameras.empty()) out = camera_files(files.cameras);
     for (const fs::path& more : files.more_cameras)
         for (fs::path& file : camera_files(more)) out.push_back(std::move(file));
-    if (is_bands_file(files.bands)) out.emplace_back(files.bands);
+    if (is_image_sets_file(files.image_sets)) out.emplace_back(files.image_sets);
     if (!files.mesh.empty()) out.push_back(files.mesh);
     out.insert(out.end(), files.compared.begin(), files.compared.end());
     out.insert(out.end(), files.points.begin(), files.points.end());

@@ -13,8 +13,8 @@
 #include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/formats/cloud.h"
 #include "pipeline/formats/meshes/read_mesh.h"
-#include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
+#include "pipeline/input/image_set_groups.h"
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/input/stencils.h"
 #include "pipeline/photos/image_files.h"
@@ -197,13 +197,13 @@ FoundPhotos find_photos(std::vector<CameraFile> cameras, const fs::path& photos,
     return found;
 }
 
-void set_bands(SceneInput& scene) {
+void set_image_sets(SceneInput& scene) {
     std::vector<fs::path> paths;
     for (const PhotoInput& p : scene.photos) paths.push_back(p.file.lexically_relative(scene.files.photos));
-    BandGroups groups = group_bands(paths, scene.files.bands);
+    ImageSetGroups groups = group_image_sets(paths, scene.files.image_sets);
     if (!groups.note.empty()) scene.files.notes.push_back(groups.note);
-    for (std::size_t i = 0; i < scene.photos.size(); ++i) scene.photos[i].band = groups.of_photo[i];
-    if (!groups.names.empty()) scene.bands = std::move(groups.names);
+    for (std::size_t i = 0; i < scene.photos.size(); ++i) scene.photos[i].image_set = groups.of_photo[i];
+    if (!groups.names.empty()) scene.image_sets = std::move(groups.names);
 }
 
 /// What becomes of a photo's colors, after "holds"; empty if they are kept.
@@ -341,7 +341,7 @@ SceneInput read_scene(const InputFiles& files) {
         for (const fs::path& file : camera_files(files.cameras)) scene.read.push_back(stamped(file));
         for (const fs::path& more : files.more_cameras)
             for (const fs::path& file : camera_files(more)) scene.read.push_back(stamped(file));
-        if (is_bands_file(files.bands)) scene.read.push_back(stamped(files.bands));
+        if (is_image_sets_file(files.image_sets)) scene.read.push_back(stamped(files.image_sets));
         cameras = read_camera_files(files);
         scene.camera_format = cameras.front().set.format;
         scene.transform = cameras.front().set.transform;
@@ -359,7 +359,7 @@ SceneInput read_scene(const InputFiles& files) {
     if (files.align)
         for (PhotoInput& p : scene.photos)
             p.camera.cam_from_world = compose(p.camera.cam_from_world, inverse(*files.align));
-    if (!scene.photos.empty()) set_bands(scene);
+    if (!scene.photos.empty()) set_image_sets(scene);
     return scene;
 }
 

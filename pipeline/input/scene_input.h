@@ -23,7 +23,7 @@ struct PhotoInput {
     bool linear = false;              ///< its file holds linear light
     ProfileUse profile{};             ///< of its file's ICC profile
     std::vector<StampedFile> read{};  ///< photo and stencil, stamped before the photo's header was read
-    std::uint32_t band = 0;           ///< index in SceneInput::bands
+    std::uint32_t image_set = 0;      ///< index in SceneInput::image sets
     int orientation = 1;              ///< EXIF
     int open_turn = 0;  ///< EXIF orientation that the pixels may still lack to fit their camera; 0: none
 };
@@ -39,7 +39,7 @@ struct InputFiles {
     std::vector<std::string> notes{};             ///< what else was found and not taken
     std::vector<std::filesystem::path>
         more_cameras{};                 ///< as `cameras`, each of the photos in its own folder below `photos`
-    std::string bands = "auto";         ///< see group_bands
+    std::string image_sets = "auto";    ///< see group_image_sets
     std::optional<Similarity> align{};  ///< from the cameras' frame to the mesh's, if they differ
     /// Of `mesh` and `compared`: further files that read_mesh() read.
     std::map<std::filesystem::path, std::vector<std::filesystem::path>> companions{};
@@ -74,7 +74,8 @@ struct SceneInput {
     std::vector<UnusablePhoto> left_out;  ///< sorted by name; found unusable before decoding
     std::vector<std::string> warnings;
     std::vector<StampedFile> read{};  ///< meshes, cameras and photos left out, stamped before they were read
-    std::vector<std::string> bands{""};  ///< names, the default band first; a single one may have none
+    std::vector<std::string> image_sets{
+        ""};  ///< names, the default image set first; a single one may have none
 };
 
 /// Whether there is a cloud and no mesh.

@@ -45,7 +45,7 @@ SplatCloud splat_cloud(const PackageReader& package) {
     Collector all(cloud->nodes);
     for (std::uint32_t n = 0; n < cloud->nodes.size(); ++n) {
         const PointNode& node = cloud->nodes[n];
-        const auto block = package.sound_block(chunk, node.block);
+        const auto block = package.valid_block(chunk, node.block);
         for (std::uint32_t i = 0; i < node.count; ++i) {
             PackedPoint p;
             std::memcpy(&p, block.data() + (node.first + i) * sizeof p, sizeof p);

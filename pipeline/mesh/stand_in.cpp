@@ -85,7 +85,7 @@ CellGrid grid_of(const Mesh& cloud) {
     for (const Eigen::Vector3d& p : cloud.positions) codes.push_back(code_of(grid.place(p)));
     std::ranges::sort(codes);
     codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
-    while (codes.size() > most_facets) {
+    while (codes.size() > max_facets) {
         --grid.level;
         grid.size *= 2;
         for (std::uint32_t& c : codes) c >>= 3;

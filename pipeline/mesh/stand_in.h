@@ -7,10 +7,10 @@
 namespace vantage {
 
 /// Triangles in the stand-in of a cloud, at most.
-inline constexpr std::size_t most_facets = 32768;
+inline constexpr std::size_t max_facets = 32768;
 
 /// A coarse mesh that stands for a cloud where a mesh is needed: to choose photos and tiles, and to compare
-/// photos. In each occupied cell of a grid, the finest with at most `most_facets` of them, lies one triangle
+/// photos. In each occupied cell of a grid, the finest with at most `max_facets` of them, lies one triangle
 /// around the mean of the cell's points, in the plane that fits the points of the cells around it best
 /// (Hoppe et al. 1992), large enough to cover the cell. It faces the nearest of `eyes`; without eyes, away
 /// from the middle of the cloud. `cloud` must have a point, and finite positions. Deterministic.

@@ -27,14 +27,14 @@ std::optional<std::uint64_t> scene_bytes(const ChunkRow& row, const package::Sce
     switch (row.type) {
         case Type::meta:
             return sizes.meta_bytes;
-        case Type::bands:
-            return of_records(sizes.bands);
+        case Type::image_sets:
+            return of_records(sizes.image_sets);
         case Type::lenses:
             if (!effect_on(scene, Effect::undistortion)) return {};
             break;
         case Type::point_nodes:
             return of_records(sizes.point_nodes);
-        case Type::registration:  // a share has no results that depend on all photos
+        case Type::pose_refinement:  // a share has no results that depend on all photos
         case Type::pairs:
             if (share) return {};
             break;
@@ -42,7 +42,7 @@ std::optional<std::uint64_t> scene_bytes(const ChunkRow& row, const package::Sce
             if (!sizes.colors) return {};
             break;
         case Type::scalars:
-            if (!scene.scalar_layers) return {};
+            if (!scene.scalar_fields) return {};
             break;
         default:
             break;

@@ -13,8 +13,8 @@ struct LayoutSizes {
     std::uint64_t meta_bytes;
     bool colors;  ///< the mesh has vertex colors
     std::uint64_t point_nodes = 0, point_blocks = 0;
-    std::uint64_t bands = 0;  ///< 0 if the effect is off
-    bool coordinates = true;  ///< photos have texture coordinates per vertex
+    std::uint64_t image_sets = 0;  ///< 0 if the effect is off
+    bool coordinates = true;       ///< photos have texture coordinates per vertex
 };
 /// Whether photos have texture coordinates per vertex: in a compact package only if they are shown by
 /// default, or `asked` for.

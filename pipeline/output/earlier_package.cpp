@@ -82,7 +82,7 @@ bool EarlierPackage::reuse(Stage stage, std::uint32_t from, std::uint32_t to, in
     const std::uint64_t had = states_[from].stages[std::size_t(stage)].content;
     if (content(checksums) != had) return false;
     for (const DirectoryEntry* e : entries)
-        if (!reader_.sound(*e)) return false;
+        if (!reader_.valid(*e)) return false;
     for (const DirectoryEntry* e : entries) {
         if (in_place_)
             writer.keep(*e);
@@ -91,7 +91,7 @@ bool EarlierPackage::reuse(Stage stage, std::uint32_t from, std::uint32_t to, in
         reader_.forget(reader_.raw(*e));
     }
     wanted.stages[std::size_t(stage)].content = had;
-    if (stage == Stage::masks) wanted.consensus = states_[from].consensus;
+    if (stage == Stage::masks) wanted.transients = states_[from].transients;
     return true;
 }
 

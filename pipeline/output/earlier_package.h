@@ -25,7 +25,7 @@ class EarlierPackage {
     const package::PhotoState& state(std::uint32_t photo) const;
     /// A finished package, not a part or a share.
     bool finished() const {
-        return !in_place_ && reader_.header().shares == 0 && reader_.find(package::Type::registration);
+        return !in_place_ && reader_.header().shares == 0 && reader_.find(package::Type::pose_refinement);
     }
     const PackageReader& reader() const { return reader_; }
     /// The settings it was prepared with, as stored in META; null if META cannot be read.

@@ -32,13 +32,13 @@ Parts parts_of(const std::string& name) {
             return {{}, {Type::colors}};
         case Effect::exposure:
             return {{"colors"}, {Type::samples}};
-        case Effect::registration:
-            return {{"register"}, {Type::registration, Type::registration_without, Type::pairs}};
-        case Effect::consensus:
-            return {{"consensus"}, {}};
-        case Effect::surroundings:
-            return {{"surroundings"}, {Type::surroundings}};
-        case Effect::scalar_layers:
+        case Effect::pose_refinement:
+            return {{"register"}, {Type::pose_refinement, Type::pose_refinement_without, Type::pairs}};
+        case Effect::transients:
+            return {{"transients"}, {}};
+        case Effect::background:
+            return {{"background"}, {Type::background}};
+        case Effect::scalar_fields:
             return {{"deviation"}, {Type::scalars}};
         case Effect::points:
             return {{"points"}, {Type::point_nodes, Type::points}};
@@ -47,10 +47,10 @@ Parts parts_of(const std::string& name) {
     }
 }
 
-void add_judgment(const nlohmann::json& judged, EffectCost& out) {
-    const double before = judged.at("seams_before"), after = judged.at("seams_after");
-    out.gain =
-        fmt::format("{:+.2f} ± {:.2f} dB", judged.at("gain").get<double>(), judged.at("error").get<double>());
+void add_judgment(const nlohmann::json& validated, EffectCost& out) {
+    const double before = validated.at("seams_before"), after = validated.at("seams_after");
+    out.gain = fmt::format("{:+.2f} ± {:.2f} dB", validated.at("gain").get<double>(),
+                           validated.at("error").get<double>());
     if (before > 0) out.seams = fmt::format("{:+.0f} %", 100 * (after / before - 1));
 }
 

@@ -18,7 +18,7 @@ struct EffectCost {
     std::uint64_t bytes = 0;        ///< that the package stores for it
 };
 
-/// One per effect, in the order of META. Falloff is decided together with exposure, which has the time of
+/// One per effect, in the order of META. Vignetting is decided together with exposure, which has the time of
 /// both. `spans`: of the run that made the package; empty if it is not known. Throws Error(damaged).
 std::vector<EffectCost> effect_costs(const PackageReader& package, std::span<const Trace::Span> spans);
 

@@ -8,7 +8,7 @@
 #include "base/text/file_name.h"
 #include "base/text/json_text.h"
 #include "pipeline/formats/cameras/cameras.h"
-#include "pipeline/input/band_groups.h"
+#include "pipeline/input/image_set_groups.h"
 #include "pipeline/input/photo_matches.h"
 
 namespace vantage {
@@ -65,10 +65,11 @@ json effect_json(const EffectDecision& d) {
              {"measured", d.measured}, {"threshold", row.threshold},
              {"unit", row.unit},       {"evidence", d.evidence}};
     if (d.judgment) out["judged"] = *d.judgment;
-    for (const BandDecision& b : d.bands) {
-        json band{{"name", b.band}, {"on", b.on}, {"measured", b.measured}, {"evidence", b.evidence}};
-        if (b.judgment) band["judged"] = *b.judgment;
-        out["bands"].push_back(std::move(band));
+    for (const ImageSetDecision& b : d.image_sets) {
+        json image_set{
+            {"name", b.image_set}, {"on", b.on}, {"measured", b.measured}, {"evidence", b.evidence}};
+        if (b.judgment) image_set["judged"] = *b.judgment;
+        out["image_sets"].push_back(std::move(image_set));
     }
     return out;
 }
@@ -107,7 +108,8 @@ json inputs_json(const SceneInput& scene, IdentityCache& identities) {
             entry["name"] = utf8_name(file.lexically_relative(scene.files.photos).generic_string());
             inputs["more_cameras"].push_back(std::move(entry));
         }
-    if (is_bands_file(scene.files.bands)) inputs["bands"] = input_json(scene.files.bands, identities);
+    if (is_image_sets_file(scene.files.image_sets))
+        inputs["image_sets"] = input_json(scene.files.image_sets, identities);
     if (scene.photos.empty()) inputs["photos"] = json::array();
     for (const PhotoInput& photo : scene.photos)
         inputs["photos"].push_back(
@@ -133,7 +135,7 @@ std::string fitted(json meta, std::size_t bytes) {
         meta.erase("findings");
         for (json& row : meta.at("effects")) {
             row["evidence"] = "too long to be recorded";
-            row.erase("bands");
+            row.erase("image_sets");
         }
         out = json_text(meta);
     }
@@ -159,11 +161,12 @@ json settings_json(const PrepareSettings& s) {
              {"thumbnail", s.thumbnail},
              {"photo_size", s.photo_size},
              {"hold_out", s.hold_out},
-             {"judge", s.judge},
+             {"validate", s.validate},
              {"deviation_from", names_of(s.deviation_from)},
              {"points", names_of(s.points)},
              {"effects", choices_json(s.effects)}};
-    if (s.bands != bands_auto) out["bands"] = is_bands_file(s.bands) ? file_name(s.bands) : s.bands;
+    if (s.image_sets != image_sets_auto)
+        out["image_sets"] = is_image_sets_file(s.image_sets) ? file_name(s.image_sets) : s.image_sets;
     if (s.convention != "auto") out["convention"] = s.convention;
     if (s.align) {
         const auto m = matrix_of(*s.align);
@@ -186,7 +189,7 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
         if (called_for(d)) meta["effects"].push_back(effect_json(d));
     meta["scalars"] = json::array();
     if (std::ranges::any_of(
-            effects, [](const EffectDecision& d) { return d.effect == Effect::scalar_layers && d.on; }))
+            effects, [](const EffectDecision& d) { return d.effect == Effect::scalar_fields && d.on; }))
         for (const ScalarLayer& layer : scene.mesh.scalars) meta["scalars"].push_back(utf8_name(layer.name));
     meta["left_out"] = json::array();
     for (const UnusablePhoto& l : scene.left_out)
@@ -195,7 +198,7 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
     for (const StampedFile& file : scene.read) expect_unchanged(file);
     meta["warnings"] = json::array();
     for (const std::string& w : scene.warnings) meta["warnings"].push_back(utf8_name(w));
-    return json_text(meta) + std::string(padding * scene.bands.size(), ' ');
+    return json_text(meta) + std::string(padding * scene.image_sets.size(), ' ');
 }
 
 std::string with_results(const std::string& meta, std::span<const EffectDecision> decisions,
@@ -249,9 +252,9 @@ EffectDecision decision_in(const std::string& meta, Effect effect) {
             d.measured = row.at("measured");
             d.evidence = row.at("evidence");
             if (row.contains("judged")) d.judgment = row.at("judged").get<Judgment>();
-            for (const json& b : row.value("bands", json::array())) {
-                d.bands.push_back({b.at("name"), b.at("on"), b.at("measured"), b.at("evidence")});
-                if (b.contains("judged")) d.bands.back().judgment = b.at("judged").get<Judgment>();
+            for (const json& b : row.value("image_sets", json::array())) {
+                d.image_sets.push_back({b.at("name"), b.at("on"), b.at("measured"), b.at("evidence")});
+                if (b.contains("judged")) d.image_sets.back().judgment = b.at("judged").get<Judgment>();
             }
         }
     return d;
@@ -276,7 +279,7 @@ PrepareSettings scene_settings_in(const std::string& meta) {
     s.render_by = render_by(config.at("render_by"));
     s.border_width = config.at("border_width");
     s.border_threshold = config.at("border_threshold");
-    s.judge = config.value("judge", true);
+    s.validate = config.value("validate", true);
     s.vertex_coordinates = config.value("vertex_coordinates", false);
     return s;
 }

@@ -11,7 +11,7 @@
 
 namespace vantage {
 
-/// Stores a pose, relative to the origin, in a photo or registration record.
+/// Stores a pose, relative to the origin, in a photo or pose refinement record.
 template <class Record>
 void set_pose(const Pose& pose, Record& r) {
     Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(r.R) = pose.R;

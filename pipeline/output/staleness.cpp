@@ -11,8 +11,8 @@
 #include "base/text/file_name.h"
 #include "base/text/json_text.h"
 #include "pipeline/formats/cameras/cameras.h"
-#include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
+#include "pipeline/input/image_set_groups.h"
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/input/stencils.h"
 #include "pipeline/output/meta.h"
@@ -68,8 +68,8 @@ void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& i
         if (!known.contains(comparable_name(name_below(folder, file)))) add_new(file, out);
 }
 
-/// Camera files of bands, by their paths in the photos' folder, and the file that names the bands.
-void compare_bands(const json& meta, const InputFiles& files, IdentityCache& identities, Changes& out) {
+/// Camera files of image sets, by their paths in the photos' folder, and the file that names the image sets.
+void compare_image_sets(const json& meta, const InputFiles& files, IdentityCache& identities, Changes& out) {
     const json& inputs = meta.at("inputs");
     std::set<fs::path> known;
     for (const json& was : inputs.value("more_cameras", json::array())) {
@@ -80,11 +80,11 @@ void compare_bands(const json& meta, const InputFiles& files, IdentityCache& ide
     for (const fs::path& more : files.more_cameras)
         for (const fs::path& file : camera_files(more))
             if (!known.contains(file)) add_new(file, out);
-    if (!is_bands_file(files.bands)) return;
-    if (inputs.contains("bands"))
-        compare(files.bands, inputs.at("bands"), identities, out);
+    if (!is_image_sets_file(files.image_sets)) return;
+    if (inputs.contains("image_sets"))
+        compare(files.image_sets, inputs.at("image_sets"), identities, out);
     else
-        add_new(files.bands, out);
+        add_new(files.image_sets, out);
 }
 
 /// The files of a list of META's inputs. Of several files of the same name, one has to be as it was.
@@ -210,7 +210,7 @@ Changes changed_inputs(const PackageReader& package, const InputFiles& files, Id
         compare_listed(meta, "points", files.points, identities, out);
         compare_only_clouds(meta, files.points, out);
         compare_cameras(meta, files.cameras, identities, out);
-        compare_bands(meta, files, identities, out);
+        compare_image_sets(meta, files, identities, out);
         if (files.photos.empty()) return without_photos(package, std::move(out));
         compare_photos(package, meta, files.photos, identities, out);
         compare_stencils(package, meta, files.photos, identities, out);
@@ -235,11 +235,11 @@ std::vector<std::string> names_listed(const PackageReader& package, const char* 
     return out;
 }
 
-std::string bands_wanted(const PackageReader& package) {
+std::string image_sets_wanted(const PackageReader& package) {
     const json meta = parse_meta(package);
     const json config = meta.value("config", json::object());
-    const json wanted = config.value("bands", json(bands_auto));
-    return wanted.is_string() ? wanted.get<std::string>() : bands_auto;
+    const json wanted = config.value("image_sets", json(image_sets_auto));
+    return wanted.is_string() ? wanted.get<std::string>() : image_sets_auto;
 }
 
 std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings) {
@@ -256,7 +256,8 @@ std::vector<std::string> changed_settings(const PackageReader& package, const Pr
         if (const json before = was.value(key, json{}); before != value)
             out.push_back("setting " + key + ": was " + json_text(before, -1) + ", is now " +
                           json_text(value, -1));
-    for (const char* const key : {"bands", "convention", "align"})  // stored only if they are not the default
+    for (const char* const key :
+         {"image_sets", "convention", "align"})  // stored only if they are not the default
         if (was.contains(key) && !now.contains(key))
             out.push_back(std::string("setting ") + key + ": was " + json_text(was.at(key), -1) +
                           ", is now not given");
@@ -265,9 +266,9 @@ std::vector<std::string> changed_settings(const PackageReader& package, const Pr
 
 std::string damage_of(const PackageReader& package, IdentityCache& identities) {
     const std::string stamp = stamp_of(package.path());
-    if (identities.known_sound(stamp)) return {};
+    if (identities.known_valid(stamp)) return {};
     const std::vector<Mismatch> found = mismatches(package, true, 1);
-    if (found.empty()) identities.remember_sound(package.path(), stamp);
+    if (found.empty()) identities.remember_valid(package.path(), stamp);
     return found.empty() ? std::string() : found.front().text;
 }
 

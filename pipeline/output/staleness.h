@@ -24,16 +24,16 @@ std::vector<InputChange> changed_inputs(const PackageReader& package, const Inpu
 /// one with the mesh's name. Throws Error(damaged) if META cannot be read.
 std::vector<std::string> names_listed(const PackageReader& package, const char* list);
 
-/// How the package's photos were to be grouped into bands: auto, folders, off, or the name of a file. Throws
-/// Error(damaged) if META cannot be read.
-std::string bands_wanted(const PackageReader& package);
+/// How the package's photos were to be grouped into image sets: auto, folders, off, or the name of a file.
+/// Throws Error(damaged) if META cannot be read.
+std::string image_sets_wanted(const PackageReader& package);
 
 /// The settings that differ from those of the package, the program's version if it does, and color profiles
 /// that an earlier version did not convert, one line each.
 std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings);
 
 /// The first chunk or tile of the package that does not match its checksum, as a message; empty if there is
-/// none. Reads the whole package, unless it was found sound before and has not been modified since.
+/// none. Reads the whole package, unless it was found valid before and has not been modified since.
 std::string damage_of(const PackageReader& package, IdentityCache& identities);
 
 /// The photos that a package lacks: those without a camera or file, and those that could not be decoded.

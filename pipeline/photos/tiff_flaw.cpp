@@ -59,12 +59,12 @@ class Directory {
         return out;
     }
     void read_entry() {
-        constexpr std::uint64_t most_values = 1 << 24;
+        constexpr std::uint64_t max_values = 1 << 24;
         const auto tag = unsigned(number(2)), type = unsigned(number(2));
         const std::uint64_t count = number(wide_ ? 8 : 4);
         const std::streamoff next = std::streamoff(in_.tellg()) + (wide_ ? 8 : 4);
         const std::size_t size = type == 3 ? 2 : type == 4 ? 4 : type == 16 ? 8 : 0;
-        if (size && count <= most_values) {
+        if (size && count <= max_values) {
             if (size * count > (wide_ ? 8u : 4u)) in_.seekg(std::streamoff(number(wide_ ? 8 : 4)));
             Values& values = values_[tag];
             while (in_ && values.size() < count) values.push_back(number(size));

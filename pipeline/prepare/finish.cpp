@@ -6,15 +6,15 @@
 
 #include "base/files/part_file.h"
 #include "base/values/bytes_of.h"
+#include "pipeline/background/find_background.h"
 #include "pipeline/output/meta.h"
-#include "pipeline/prepare/consensus_masks.h"
-#include "pipeline/prepare/joined_bands.h"
+#include "pipeline/prepare/joined_image_sets.h"
 #include "pipeline/prepare/photo/moved_photo.h"
-#include "pipeline/prepare/registration_reuse.h"
+#include "pipeline/prepare/pose_refinement_reuse.h"
+#include "pipeline/prepare/transient_masks.h"
 #include "pipeline/refine/folds.h"
 #include "pipeline/run/for_each_photo.h"
-#include "pipeline/surroundings/find_surroundings.h"
-#include "scene/agreement/band_photos.h"
+#include "scene/agreement/image_set_photos.h"
 #include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
@@ -22,56 +22,57 @@ namespace {
 
 using package::Type;
 
-Registration find_registration(const FinishInput& in, const PackageReader& part, const PhotoTables& photos,
-                               const PhotoSamples& samples, std::span<const std::uint64_t> fingerprints,
-                               EffectChoice choice) {
+PoseRefinement find_pose_refinement(const FinishInput& in, const PackageReader& part,
+                                    const PhotoTables& photos, const PhotoSamples& samples,
+                                    std::span<const std::uint64_t> fingerprints, EffectChoice choice) {
     const Traced traced(in.geometry.trace, "register");
     const auto spans = samples.spans();
     const std::vector<SurfaceDisc> discs = thinned(in.geometry.discs, samples.step);
-    std::vector<Registration> bands;
-    for (std::uint32_t b = 0; b < in.bands.size(); ++b) {
-        const auto records = records_of_band(photos.records, b);
-        const auto shown = samples_of_band(spans, photos.records, b);
+    std::vector<PoseRefinement> image_sets;
+    for (std::uint32_t b = 0; b < in.image_sets.size(); ++b) {
+        const auto records = records_of_image_set(photos.records, b);
+        const auto shown = samples_of_image_set(spans, photos.records, b);
         const MatchViews views(part, records);
-        const RegistrationInput input{.package = part,
-                                      .views = views,
-                                      .photos = records,
-                                      .samples = shown,
-                                      .discs = discs,
-                                      .fingerprints = fingerprints,
-                                      .known = in.known_pairs,
-                                      .border_width = in.geometry.border_width,
-                                      .threads = in.threads,
-                                      .judge = in.judge,
-                                      .progress = in.progress};
-        bands.push_back(register_photos(input, choice));
+        const PoseRefinementInput input{.package = part,
+                                        .views = views,
+                                        .photos = records,
+                                        .samples = shown,
+                                        .discs = discs,
+                                        .fingerprints = fingerprints,
+                                        .known = in.known_pairs,
+                                        .border_width = in.geometry.border_width,
+                                        .threads = in.threads,
+                                        .validate = in.validate,
+                                        .progress = in.progress};
+        image_sets.push_back(register_photos(input, choice));
     }
-    return joined(std::move(bands), photos.records, in.bands);
+    return joined(std::move(image_sets), photos.records, in.image_sets);
 }
 
 /// Determines the photos' cameras and rewrites the chunks that depend on those that move.
-Registration register_cameras(const FinishInput& in, const PackageReader& part, const PhotoSamples& samples,
-                              PhotoTables& photos) {
-    const auto fingerprints =
-        registration_fingerprints(photos.states, photos.records, in.given, in.geometry.renderer.by_opengl());
-    const EffectChoice choice = choice_of(in.choices, Effect::registration);
-    const Registration found =
-        in.known ? *in.known : find_registration(in, part, photos, samples, fingerprints, choice);
+PoseRefinement register_cameras(const FinishInput& in, const PackageReader& part, const PhotoSamples& samples,
+                                PhotoTables& photos) {
+    const auto fingerprints = pose_refinement_fingerprints(photos.states, photos.records, in.given,
+                                                           in.geometry.renderer.by_opengl());
+    const EffectChoice choice = choice_of(in.choices, Effect::pose_refinement);
+    const PoseRefinement found =
+        in.known ? *in.known : find_pose_refinement(in, part, photos, samples, fingerprints, choice);
     for_each_photo(photos.records.size(), in.threads, [&](std::size_t i) {
         const auto& pose = found.photos[i].pose;
         if (pose) photos.records[i].flags |= package::photo_registered;
         if (pose && !in.known)
             move_photo(in.geometry, part, std::uint32_t(i), *pose, photos.records[i], photos.states[i]);
     });
-    write_registration(in.geometry.writer, found, in.given, registration_key(fingerprints, choice, in.judge));
+    write_pose_refinement(in.geometry.writer, found, in.given,
+                          pose_refinement_key(fingerprints, choice, in.validate));
     return found;
 }
 
 void write_results(const FinishInput& in, const Agreement& agreement, PhotoTables& photos) {
     PackageWriter& writer = in.geometry.writer;
-    const std::array decisions{agreement.registration.decision, agreement.colors.exposure,
-                               agreement.colors.falloff, agreement.consensus.decision,
-                               agreement.surroundings};
+    const std::array decisions{agreement.pose_refinement.decision, agreement.colors.exposure,
+                               agreement.colors.vignetting, agreement.transients.decision,
+                               agreement.background};
     package::SceneRecord scene = in.scene;
     for (const EffectDecision& d : decisions)
         if (d.on) scene.effects |= effect_bit(d.effect);
@@ -82,19 +83,19 @@ void write_results(const FinishInput& in, const Agreement& agreement, PhotoTable
     std::ranges::copy(first.target, scene.first_target);
     scene.first_fov = first.fov;
     scene.first_aspect = first.aspect;
-    const std::string meta = with_results(in.meta, decisions, agreement.registration.warnings);
+    const std::string meta = with_results(in.meta, decisions, agreement.pose_refinement.warnings);
     for (std::size_t i = 0; i < photos.records.size(); ++i) seal(photos.states[i], photos.records[i]);
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(meta)));
     writer.write(Type::scene, package::scene_wide, bytes_of_one(scene));
-    write_bands(writer, in.bands, effects_of_bands(agreement, in.bands.size()));
+    write_image_sets(writer, in.image_sets, effects_of_image_sets(agreement, in.image_sets.size()));
     writer.write(Type::photos, package::scene_wide, bytes_of(photos.records));
     writer.write(Type::states, package::scene_wide, bytes_of(photos.states));
     writer.finish();
 }
 
-/// Of one band.
-struct BandColors {
-    std::uint32_t band;
+/// Of one image set.
+struct ImageSetColors {
+    std::uint32_t image_set;
     std::vector<std::span<const package::SampleRecord>> samples;
     ColorFit fit;
 };
@@ -104,90 +105,89 @@ PackageReader open_part(const FinishInput& in) {
     return PackageReader(part_of(in.out), PackageReader::Expect::part);
 }
 
-Surroundings add_surroundings(const FinishInput& in, Samples samples, const ColorRefinement& colors,
-                              std::span<const package::PhotoRecord> photos, KindOfScan kind) {
+Background add_background(const FinishInput& in, Samples samples, const ColorRefinement& colors,
+                          std::span<const package::PhotoRecord> photos, KindOfScan kind) {
     if (points_only(in.scene))
-        return {
-            decide(Effect::surroundings, EffectChoice::automatic, 0, "the scene has points only"), {}, {}};
-    const Traced traced(in.geometry.trace, "surroundings");
+        return {decide(Effect::background, EffectChoice::automatic, 0, "the scene has points only"), {}, {}};
+    const Traced traced(in.geometry.trace, "background");
     const PackageReader part = open_part(in);
-    Surroundings found = find_surroundings({.package = part,
-                                            .photos = photos,
-                                            .samples = samples,
-                                            .discs = in.geometry.discs,
-                                            .lens = colors.lens,
-                                            .colors = colors.fit,
-                                            .kind = kind,
-                                            .choice = choice_of(in.choices, Effect::surroundings),
-                                            .judge = in.judge,
-                                            .threads = in.threads});
-    if (found.decision.on) in.geometry.writer.append(Type::surroundings, found.chunk);
+    Background found = find_background({.package = part,
+                                        .photos = photos,
+                                        .samples = samples,
+                                        .discs = in.geometry.discs,
+                                        .lens = colors.lens,
+                                        .colors = colors.fit,
+                                        .kind = kind,
+                                        .choice = choice_of(in.choices, Effect::background),
+                                        .validate = in.validate,
+                                        .threads = in.threads});
+    if (found.decision.on) in.geometry.writer.append(Type::background, found.chunk);
     return found;
 }
 
-/// The colors of each band's photos.
-std::vector<BandColors> fit_bands(const FinishInput& in, const PhotoSamples& samples,
-                                  std::span<const package::PhotoRecord> photos,
-                                  std::span<const std::uint32_t> lens) {
+/// The colors of each image set's photos.
+std::vector<ImageSetColors> fit_image_sets(const FinishInput& in, const PhotoSamples& samples,
+                                           std::span<const package::PhotoRecord> photos,
+                                           std::span<const std::uint32_t> lens) {
     const Traced traced(in.geometry.trace, "colors");
-    const bool falloff = choice_of(in.choices, Effect::falloff) != EffectChoice::off;
+    const bool vignetting = choice_of(in.choices, Effect::vignetting) != EffectChoice::off;
     const auto spans = samples.spans();
-    std::vector<BandColors> out;
-    for (std::uint32_t b = 0; b < in.bands.size(); ++b) {
-        out.push_back({b, samples_of_band(spans, photos, b), {}});
-        out.back().fit = fit_colors(out.back().samples, lens, falloff);
+    std::vector<ImageSetColors> out;
+    for (std::uint32_t b = 0; b < in.image_sets.size(); ++b) {
+        out.push_back({b, samples_of_image_set(spans, photos, b), {}});
+        out.back().fit = fit_colors(out.back().samples, lens, vignetting);
     }
     return out;
 }
 
-/// What the photos of one band decide once their cameras are known. Photos of other bands have no pixels in
-/// `photos`.
-struct BandAgreement {
+/// What the photos of one image set decide once their cameras are known. Photos of other image sets have no
+/// pixels in `photos`.
+struct ImageSetAgreement {
     ColorRefinement colors;
-    Consensus consensus;
-    Surroundings surroundings;  ///< of the first band
+    TransientMasks transients;
+    Background background;  ///< of the first image set
 };
-BandAgreement agree(const FinishInput& in, const PackageReader& part, BandColors of,
-                    std::span<const SurfaceDisc> discs, std::vector<std::uint32_t> lens, KindOfScan kind,
-                    PhotoTables& photos) {
-    BandAgreement out;
+ImageSetAgreement agree(const FinishInput& in, const PackageReader& part, ImageSetColors of,
+                        std::span<const SurfaceDisc> discs, std::vector<std::uint32_t> lens, KindOfScan kind,
+                        PhotoTables& photos) {
+    ImageSetAgreement out;
     const Folds folds({part, photos.records, of.samples, discs, in.geometry.border_width, in.threads});
     {
         const Traced traced(in.geometry.trace, "colors");
         out.colors = refine_colors(std::move(of.fit), std::move(lens), of.samples, in.choices,
-                                   in.judge ? &folds : nullptr);
+                                   in.validate ? &folds : nullptr);
         apply_colors(out.colors, photos.records);
     }
-    out.consensus = find_consensus(in, part, folds, out.colors, photos);
-    if (of.band == 0) out.surroundings = add_surroundings(in, of.samples, out.colors, photos.records, kind);
+    out.transients = find_transients(in, part, folds, out.colors, photos);
+    if (of.image_set == 0) out.background = add_background(in, of.samples, out.colors, photos.records, kind);
     return out;
 }
 
-/// What each band's photos decide, one band after the other.
-void agree_by_band(const FinishInput& in, const PackageReader& part, std::vector<BandColors> colors,
-                   std::span<const SurfaceDisc> discs, std::span<const std::uint32_t> lens,
-                   PhotoTables& photos, Agreement& out) {
+/// What each image set's photos decide, one image set after the other.
+void agree_by_image_set(const FinishInput& in, const PackageReader& part, std::vector<ImageSetColors> colors,
+                        std::span<const SurfaceDisc> discs, std::span<const std::uint32_t> lens,
+                        PhotoTables& photos, Agreement& out) {
     std::vector<ColorRefinement> refined;
-    std::vector<Consensus> consensus;
-    for (BandColors& of : colors) {
-        const std::uint32_t band = of.band;
-        PhotoTables own{records_of_band(photos.records, band), photos.states};
-        BandAgreement found =
+    std::vector<TransientMasks> transients;
+    for (ImageSetColors& of : colors) {
+        const std::uint32_t image_set = of.image_set;
+        PhotoTables own{records_of_image_set(photos.records, image_set), photos.states};
+        ImageSetAgreement found =
             agree(in, part, std::move(of), discs, {lens.begin(), lens.end()}, out.presentation.kind, own);
         for (std::size_t i = 0; i < photos.records.size(); ++i)
-            if (photos.records[i].band == band) {
+            if (photos.records[i].image_set == image_set) {
                 photos.records[i] = own.records[i];
                 photos.states[i] = own.states[i];
             }
-        if (band == 0) {
-            out.surroundings = std::move(found.surroundings.decision);
-            out.shade = found.surroundings.shade;
+        if (image_set == 0) {
+            out.background = std::move(found.background.decision);
+            out.shade = found.background.shade;
         }
         refined.push_back(std::move(found.colors));
-        consensus.push_back(std::move(found.consensus));
+        transients.push_back(std::move(found.transients));
     }
-    out.colors = joined(std::move(refined), photos.records, in.bands);
-    out.consensus = joined(std::move(consensus), photos.records, in.bands);
+    out.colors = joined(std::move(refined), photos.records, in.image_sets);
+    out.transients = joined(std::move(transients), photos.records, in.image_sets);
 }
 
 /// What there is to say about no photos.
@@ -196,11 +196,11 @@ Agreement no_agreement() {
         return decide(e, EffectChoice::automatic, 0, "the scene has no photos");
     };
     Agreement out;
-    out.registration.decision = none(Effect::registration);
+    out.pose_refinement.decision = none(Effect::pose_refinement);
     out.colors.exposure = none(Effect::exposure);
-    out.colors.falloff = none(Effect::falloff);
-    out.consensus.decision = none(Effect::consensus);
-    out.surroundings = none(Effect::surroundings);
+    out.colors.vignetting = none(Effect::vignetting);
+    out.transients.decision = none(Effect::transients);
+    out.background = none(Effect::background);
     return out;
 }
 
@@ -209,7 +209,7 @@ Agreement no_agreement() {
 Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     if (photos.records.empty()) {
         const Agreement none = no_agreement();
-        write_registration(in.geometry.writer, none.registration, in.given, 0);
+        write_pose_refinement(in.geometry.writer, none.pose_refinement, in.given, 0);
         write_results(in, none, photos);
         return none;
     }
@@ -220,18 +220,18 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     const std::vector<package::PhotoRecord> given = photos.records;
     Agreement out;
     // In the meantime, because cameras seldom move.
-    std::future<std::vector<BandColors>> fitting =
-        std::async(std::launch::async, [&] { return fit_bands(in, samples, given, lens); });
-    out.registration = register_cameras(in, open_part(in), samples, photos);
+    std::future<std::vector<ImageSetColors>> fitting =
+        std::async(std::launch::async, [&] { return fit_image_sets(in, samples, given, lens); });
+    out.pose_refinement = register_cameras(in, open_part(in), samples, photos);
     const PackageReader part = open_part(in);
-    std::vector<BandColors> colors = fitting.get();
-    if (out.registration.decision.on && !in.known) {
+    std::vector<ImageSetColors> colors = fitting.get();
+    if (out.pose_refinement.decision.on && !in.known) {
         samples = read_samples(photos.records, read);
-        colors = fit_bands(in, samples, given, lens);
+        colors = fit_image_sets(in, samples, given, lens);
     }
     const std::vector<SurfaceDisc> discs = thinned(in.geometry.discs, samples.step);
     out.presentation = presentation_of(photos.records, samples.spans(), discs);
-    agree_by_band(in, part, std::move(colors), discs, lens, photos, out);
+    agree_by_image_set(in, part, std::move(colors), discs, lens, photos, out);
     write_results(in, out, photos);
     return out;
 }

@@ -9,7 +9,7 @@
 #include "pipeline/prepare/photo/photo_tables.h"
 #include "pipeline/presentation/presentation.h"
 #include "pipeline/refine/color_agreement.h"
-#include "pipeline/refine/poses/registration.h"
+#include "pipeline/refine/poses/pose_refinement.h"
 #include "pipeline/run/until_stopped.h"
 #include "pipeline/stages/stage_input.h"
 
@@ -21,35 +21,35 @@ struct FinishInput {
     std::filesystem::path out;  ///< the package that the writer writes
     std::string meta;           ///< see make_meta
     std::map<Effect, EffectChoice> choices;
-    bool judge = true;  ///< see PrepareSettings
+    bool validate = true;  ///< see PrepareSettings
     package::SceneRecord scene;
-    std::vector<std::string> bands{""};  ///< names, see Band
-    std::vector<Pose> given;             ///< relative to the origin; moved photos' records differ if `known`
-    std::optional<Registration> known;   ///< found by an earlier package from the same inputs
+    std::vector<std::string> image_sets{""};  ///< names, see ImageSet
+    std::vector<Pose> given;              ///< relative to the origin; moved photos' records differ if `known`
+    std::optional<PoseRefinement> known;  ///< found by an earlier package from the same inputs
     std::vector<package::PairRecord> known_pairs;  ///< measured by earlier packages
     unsigned threads = 0;                          ///< 0: all cores
     OnProgress progress;                           ///< may be empty
 };
 
 /// Content of single photos that other photos contradict.
-struct Consensus {
+struct TransientMasks {
     EffectDecision decision;
     std::vector<double> disagreeing;  ///< per photo: the contradicted share of its visible surface
 };
 
 /// Results that depend on all photos together.
 struct Agreement {
-    Registration registration;
+    PoseRefinement pose_refinement;
     ColorRefinement colors;
-    Consensus consensus;
-    EffectDecision surroundings;
-    std::array<double, 3> shade{};  ///< see Surroundings
+    TransientMasks transients;
+    EffectDecision background;
+    std::array<double, 3> shade{};  ///< see Background
     Presentation presentation;
 };
 
-/// Determines cameras, colors and consensus from all photos and finishes the package: writes META, SCEN,
-/// PHOT, STAT, REGI and PAIR, and rewrites the chunks that depend on moved cameras. Throws Error(storage),
-/// and whatever `progress` throws.
+/// Determines cameras, colors and transient masking from all photos and finishes the package: writes META,
+/// SCEN, PHOT, STAT, REGI and PAIR, and rewrites the chunks that depend on moved cameras. Throws
+/// Error(storage), and whatever `progress` throws.
 Agreement finish_package(const FinishInput& input, PhotoTables& photos);
 
 }  // namespace vantage

@@ -12,8 +12,8 @@
 #include "pipeline/output/photo_records.h"
 #include "pipeline/prepare/finish.h"
 #include "pipeline/prepare/photo/moved_photo.h"
-#include "pipeline/prepare/registration_reuse.h"
-#include "scene/package/contents/bands.h"
+#include "pipeline/prepare/pose_refinement_reuse.h"
+#include "scene/package/contents/image_sets.h"
 #include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
@@ -111,14 +111,14 @@ PackedModel model_of(const PackageReader& package) {
 
 bool is_written_last(const DirectoryEntry& e) {
     const Type type{e.type};
-    return type == Type::photos || type == Type::states || type == Type::registration ||
-           type == Type::pairs || type == Type::registration_without || type == Type::surroundings;
+    return type == Type::photos || type == Type::states || type == Type::pose_refinement ||
+           type == Type::pairs || type == Type::pose_refinement_without || type == Type::background;
 }
 
 void copy_merged_scene(const PackageReader& from, PackageWriter& writer) {
     for (const DirectoryEntry& e : from.directory()) {
         if (e.photo != package::scene_wide || is_written_last(e)) continue;
-        if (!from.sound(e))
+        if (!from.valid(e))
             throw Error(Exit::damaged,
                         from.path().string() + ": " + describe(e, from) + ": checksum does not match");
         writer.copy(from, e, package::scene_wide);
@@ -172,14 +172,14 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
     const PackageReader& first = parts.front();
     const auto records = first.records<PhotoRecord>(Type::photos);
     const DirectoryEntry *nodes = first.find(Type::point_nodes), *points = first.find(Type::points);
-    std::vector<std::string> bands;
-    for (Band& band : read_bands(first)) bands.push_back(std::move(band.name));
+    std::vector<std::string> image_sets;
+    for (ImageSet& image_set : read_image_sets(first)) image_sets.push_back(std::move(image_set.name));
     const LayoutSizes sizes{
         .meta_bytes = meta.size(),
         .colors = first.find(Type::colors) != nullptr,
         .point_nodes = first.content_length(nodes) / sizeof(package::PointNode),
         .point_blocks = points ? first.blocks(*points) : 0,
-        .bands = bands.size() > 1 ? bands.size() : 0,
+        .image_sets = image_sets.size() > 1 ? image_sets.size() : 0,
         .coordinates = stores_coordinates(scene, scene_settings_in(meta).vertex_coordinates)};
     PackageWriter writer(out, plan_chunks(scene, sizes, records), names_checksum(records));
     PhotoTables photos = copy_parts(parts, out, writer, progress);
@@ -207,17 +207,17 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
                    .out = out,
                    .meta = meta,
                    .choices = choices_in(meta),
-                   .judge = settings.judge,
+                   .validate = settings.validate,
                    .scene = scene,
-                   .bands = std::move(bands),
+                   .image_sets = std::move(image_sets),
                    .given = given_poses(first),
                    .known = {},
                    .known_pairs = pairs_of(first),
                    .progress = progress};
     const auto fingerprints =
-        registration_fingerprints(photos.states, photos.records, in.given, renderer.by_opengl());
-    const EffectChoice choice = choice_of(in.choices, Effect::registration);
-    in.known = registration_of(first, registration_key(fingerprints, choice, in.judge));
+        pose_refinement_fingerprints(photos.states, photos.records, in.given, renderer.by_opengl());
+    const EffectChoice choice = choice_of(in.choices, Effect::pose_refinement);
+    in.known = pose_refinement_of(first, pose_refinement_key(fingerprints, choice, in.validate));
     if (!in.known) move_back(in, photos);
     finish_package(in, photos);
 }

@@ -17,10 +17,10 @@
 #include "pipeline/output/meta.h"
 #include "pipeline/output/photo_records.h"
 #include "pipeline/prepare/finish.h"
-#include "pipeline/prepare/joined_bands.h"
+#include "pipeline/prepare/joined_image_sets.h"
 #include "pipeline/prepare/photo/photo_stages.h"
+#include "pipeline/prepare/pose_refinement_reuse.h"
 #include "pipeline/prepare/prepare_plan.h"
-#include "pipeline/prepare/registration_reuse.h"
 #include "pipeline/prepare/resources.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/stages/mesh_in_view.h"
@@ -98,7 +98,7 @@ void write_scene(PackageWriter& writer, const PreparePlan& plan, const PackedMod
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(plan.meta)));
     writer.write(Type::scene, package::scene_wide, bytes_of_one(plan.scene));
     write_model(writer, model, scene.mesh);
-    write_bands(writer, plan.bands, {});
+    write_image_sets(writer, plan.image_sets, {});
     if (effect_on(plan.scene, Effect::undistortion)) write_lenses(writer, scene);
     if (!plan.points.empty()) {
         const Traced points(trace, "points");
@@ -172,19 +172,20 @@ void finish_share(PackageWriter& writer, const PhotoTables& photos) {
 /// The scene's cameras: as given, and as registered by an earlier run from the same inputs.
 struct Cameras {
     std::vector<Pose> given, current;  ///< relative to the origin
-    std::optional<Registration> registration;
+    std::optional<PoseRefinement> pose_refinement;
 };
 
-/// Also writes registered poses to the photos' records. A share has no registration.
+/// Also writes registered poses to the photos' records. A share has no pose refinement.
 Cameras scene_cameras(const SceneKey& key, const SceneInput& scene, const Eigen::Vector3d& origin,
                       IdentityCache& identities, const EarlierPackages& earlier, bool share,
                       std::vector<package::PhotoRecord>& records) {
-    Cameras cameras{.given = given_poses(scene, origin), .current = {}, .registration = {}};
+    Cameras cameras{.given = given_poses(scene, origin), .current = {}, .pose_refinement = {}};
     cameras.current = cameras.given;
     if (share) return cameras;
-    cameras.registration = earlier_registration(key, scene, records, cameras.given, identities, earlier);
-    for (std::size_t i = 0; cameras.registration && i < records.size(); ++i)
-        if (const auto& pose = cameras.registration->photos[i].pose) {
+    cameras.pose_refinement =
+        earlier_pose_refinement(key, scene, records, cameras.given, identities, earlier);
+    for (std::size_t i = 0; cameras.pose_refinement && i < records.size(); ++i)
+        if (const auto& pose = cameras.pose_refinement->photos[i].pose) {
             cameras.current[i] = *pose;
             set_pose(*pose, records[i]);
         }
@@ -223,7 +224,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     if (run.expect_view) expect_mesh_in_view(scene, photos_not_seeing_mesh(scene).size());
     GeometryRenderer renderer(model, scene.mesh.normals, settings);
     PreparePlan plan = make_plan(model, scene, settings, run.share, identities, run.trace);
-    if (!effect_on(plan.scene, Effect::scalar_layers)) scene.mesh.scalars.clear();
+    if (!effect_on(plan.scene, Effect::scalar_fields)) scene.mesh.scalars.clear();
     SplatCloud cloud;
     if (has_points_only(scene) && !scene.photos.empty()) {
         cloud = splat_cloud(plan.points, scene.points, model.origin);
@@ -273,11 +274,11 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
         .out = out,
         .meta = plan.meta,
         .choices = settings.effects,
-        .judge = settings.judge,
+        .validate = settings.validate,
         .scene = plan.scene,
-        .bands = plan.bands,
+        .image_sets = plan.image_sets,
         .given = cameras.given,
-        .known = cameras.registration,
+        .known = cameras.pose_refinement,
         .known_pairs = pairs_of(earlier),
         .threads = estimate.in_flight,
         .progress = until_stopped(

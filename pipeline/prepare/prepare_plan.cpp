@@ -50,7 +50,7 @@ package::SceneRecord scene_record(const PackedModel& model, const SceneInput& sc
     record.border_width = settings.border_width;
     for (const EffectDecision& d : effects) record.effects |= std::uint64_t(d.on) << int(d.effect);
     if (has_points_only(scene)) record.effects |= points_only_bit;
-    if (effect_on(record, Effect::scalar_layers)) record.scalar_layers = scene.mesh.scalars.size();
+    if (effect_on(record, Effect::scalar_fields)) record.scalar_fields = scene.mesh.scalars.size();
     return record;
 }
 
@@ -126,17 +126,17 @@ PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const P
         const Traced points(trace, "points");
         plan.points = make_point_tree(scene.points, model.origin);
     }
-    if (effect_on(plan.scene, Effect::bands)) {
-        plan.bands = scene.bands;
+    if (effect_on(plan.scene, Effect::image_sets)) {
+        plan.image_sets = scene.image_sets;
         for (std::size_t i = 0; i < scene.photos.size(); ++i)
-            plan.photos.records[i].band = scene.photos[i].band;
+            plan.photos.records[i].image_set = scene.photos[i].image_set;
     }
     plan.chunks = plan_chunks(plan.scene,
                               {.meta_bytes = plan.meta.size(),
                                .colors = !scene.mesh.colors.empty(),
                                .point_nodes = plan.points.nodes.size(),
                                .point_blocks = plan.points.blocks,
-                               .bands = plan.bands.size() > 1 ? plan.bands.size() : 0,
+                               .image_sets = plan.image_sets.size() > 1 ? plan.image_sets.size() : 0,
                                .coordinates = stores_coordinates(plan.scene, settings.vertex_coordinates)},
                               plan.photos.records, share);
     plan.names = names_checksum(plan.photos.records);

@@ -19,7 +19,7 @@ struct PreparePlan {
     std::vector<EffectDecision> effects;
     PointTree points;  ///< empty if the effect is off
     PhotoTables photos;
-    std::vector<std::string> bands{""};  ///< names, see Band
+    std::vector<std::string> image_sets{""};  ///< names, see ImageSet
     std::string meta;
     std::vector<ChunkPlan> chunks;
     std::uint64_t names = 0;  ///< checksum of the photos' names, in order

@@ -14,7 +14,7 @@
 #include "pipeline/stages/tile_levels.h"
 #include "scene/agreement/read_level.h"
 #include "scene/package/chunk_table.h"
-#include "scene/package/contents/bands.h"
+#include "scene/package/contents/image_sets.h"
 #include "scene/package/contents/stored_tile.h"
 #include "scene/package/package_shape.h"
 
@@ -32,12 +32,12 @@ LayoutSizes sizes_of(const PackageReader& from, std::size_t meta_bytes, bool coo
             .colors = from.find(Type::colors) != nullptr,
             .point_nodes = from.content_length(from.find(Type::point_nodes)) / sizeof(package::PointNode),
             .point_blocks = points ? from.blocks(*points) : 0,
-            .bands = from.content_length(from.find(Type::bands)) / sizeof(package::BandRecord),
+            .image_sets = from.content_length(from.find(Type::image_sets)) / sizeof(package::ImageSetRecord),
             .coordinates = coordinates};
 }
 
 /// Chunks that depend on all photos come behind the planned ones.
-bool is_appended(Type type) { return type == Type::surroundings || type == Type::registration_without; }
+bool is_appended(Type type) { return type == Type::background || type == Type::pose_refinement_without; }
 
 void copy_repacked_scene(const PackageReader& from, PackageWriter& to) {
     for (const DirectoryEntry& e : from.directory()) {
@@ -65,7 +65,7 @@ void copy_tiles(const PackageReader& from, PackageWriter& to, std::uint32_t phot
                 Type type, std::uint32_t level) {
     const DirectoryEntry* e = from.find(type, photo, level);
     if (e && e->form != package::Form::raw && to.compact(type, photo, level)) {
-        if (!from.sound(*e))
+        if (!from.valid(*e))
             throw Error(Exit::damaged, from.path().string() + ": " + describe(*e, from) + ": is damaged");
         return to.copy(from, *e, photo);
     }

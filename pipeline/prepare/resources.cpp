@@ -15,12 +15,12 @@
 #include "base/files/replace_file.h"
 #include "base/text/error.h"
 #include "base/text/lower_extension.h"
+#include "pipeline/background/find_background.h"
 #include "pipeline/input/identity_cache.h"
 #include "pipeline/output/disk_space.h"
-#include "pipeline/refine/consensus.h"
 #include "pipeline/refine/folds.h"
+#include "pipeline/refine/transient.h"
 #include "pipeline/run/settings.h"
-#include "pipeline/surroundings/find_surroundings.h"
 #include "scene/package/package_reader.h"
 
 namespace vantage {
@@ -65,12 +65,12 @@ constexpr double seconds_per_jpeg_pixel = 5e-9, seconds_per_other_pixel = 35e-9;
 /// Of a package on a disk, which is flushed at the end.
 constexpr double seconds_per_written_byte = 2e-9;
 /// Of comparing photos; more for each of the first, because few are left out to judge effects.
-constexpr double seconds_per_photo = 0.02, seconds_per_judged = 0.02;
-constexpr std::size_t most_judged = 12;
-/// Of surroundings.
+constexpr double seconds_per_photo = 0.02, seconds_per_validated = 0.02;
+constexpr std::size_t max_validated = 12;
+/// Of background.
 constexpr double seconds_per_swept = 0.03;
-/// Views of the surroundings, depths by direction, their costs and what they say to each other, at most.
-constexpr std::uint64_t surroundings_memory = 50'000'000;
+/// Views of the background, depths by direction, their costs and what they say to each other, at most.
+constexpr std::uint64_t background_memory = 50'000'000;
 /// Shorter runs tell too little about the speed.
 constexpr double shortest_run = 0.5;
 
@@ -156,13 +156,13 @@ bool uses_spare_cores(const PrepareSettings& settings, unsigned in_flight) {
 
 std::uint64_t agree_memory(const SceneInput& scene, const PrepareSettings& settings, unsigned threads) {
     const auto off = [&](Effect e) { return choice_of(settings.effects, e) == EffectChoice::off; };
-    const std::uint64_t beside = off(Effect::surroundings) ? 0 : surroundings_memory;
-    if (off(Effect::exposure) && off(Effect::consensus)) return beside;
+    const std::uint64_t beside = off(Effect::background) ? 0 : background_memory;
+    if (off(Effect::exposure) && off(Effect::transients)) return beside;
     const auto at_most = [&](std::size_t n) { return double(std::min(scene.photos.size(), n)); };
     double texels = 0;  // at the level of Folds, at most 256 on the longer side
     for (const PhotoInput& photo : scene.photos)
         texels = std::max(texels, std::min(pixels(photo) / 4, 256.0 * 256.0 * 3 / 4));
-    // Bytes per texel: Folds' photos 100, consensus views 80, sightings of 52 at a quarter of the texels; and
+    // Bytes per texel: Folds' photos 100, transient views 80, sightings of 52 at a quarter of the texels; and
     // per thread the blended colors of three predictions.
     return beside + std::uint64_t(texels * (100 * at_most(cached_photos) + 80 * at_most(cached_views) +
                                             13 * at_most(kept_sightings) * at_most(max_others) +
@@ -206,10 +206,10 @@ ExpectedSeconds expected_seconds(const SceneInput& scene, const PrepareSettings&
     const auto at_once = double(std::min({in_flight, std::max(1u, std::thread::hardware_concurrency()),
                                           unsigned(std::max<std::size_t>(1, scene.photos.size()))}));
     const std::size_t photos = scene.photos.size();
-    const bool surroundings = choice_of(settings.effects, Effect::surroundings) != EffectChoice::off;
+    const bool background = choice_of(settings.effects, Effect::background) != EffectChoice::off;
     const double finish =
-        double(photos) * seconds_per_photo + double(std::min(photos, most_judged)) * seconds_per_judged +
-        (surroundings ? double(std::min(photos, most_surrounding_views)) * seconds_per_swept : 0);
+        double(photos) * seconds_per_photo + double(std::min(photos, max_validated)) * seconds_per_validated +
+        (background ? double(std::min(photos, max_surrounding_views)) * seconds_per_swept : 0);
     const double writing = double(to_disk) * seconds_per_written_byte;
     return {std::max(work / at_once, writing) * machine_speed(), finish * machine_speed()};
 }

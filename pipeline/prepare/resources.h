@@ -65,7 +65,7 @@ unsigned photos_in_flight(const PrepareSettings& settings,
 /// or in the bytes that go to a disk if these take longer.
 struct ExpectedSeconds {
     double photos;
-    double finish;  ///< results of all photos, with surroundings unless they are off; longer if the photos
+    double finish;  ///< results of all photos, with a background unless they are off; longer if the photos
                     ///< show that cameras have to be registered
 };
 ExpectedSeconds expected_seconds(const SceneInput& scene, const PrepareSettings& settings,

@@ -19,9 +19,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double filled = 0.75;                 ///< of the frame's height or width
-constexpr double least_fov = 8, most_fov = 70;  ///< degrees
-constexpr double nearby = 25 * degree;          ///< from the model, between photos nearby
+constexpr double filled = 0.75;                ///< of the frame's height or width
+constexpr double least_fov = 8, max_fov = 70;  ///< degrees
+constexpr double nearby = 25 * degree;         ///< from the model, between photos nearby
 constexpr double tolerated_roll = 15 * degree, usual_height = 40 * degree;
 constexpr double usual_distance = 0.5;  ///< of ln(distance / median)
 constexpr int cells = 24;               ///< of the model's longest side, for its roughness
@@ -81,7 +81,7 @@ std::vector<Candidate> candidates(std::span<const package::PhotoRecord> photos, 
     for (const SurfaceDisc& d : discs) middle += d.center.cast<double>() / double(discs.size());
     std::vector<Candidate> out;
     for (std::uint32_t p = 0; p < photos.size(); ++p) {
-        if (!photos[p].levels || photos[p].band || p >= samples.size() || samples[p].empty()) continue;
+        if (!photos[p].levels || photos[p].image_set || p >= samples.size() || samples[p].empty()) continue;
         Candidate c{p, cam_from_origin(photos[p]), 0, {}, photos[p].seen_distance, 0};
         c.from = (c.pose.center() - middle).normalized();
         c.height = std::asin(std::clamp(c.from.dot(up), -1.0, 1.0));
@@ -145,7 +145,7 @@ void frame(FirstView& view, const Vector3d& eye, const Vector3d& up, std::span<c
         view.target = eye + distance * ahead;
         const double half = std::max(high.half(), 1e-3);
         view.aspect = std::clamp(wide.half() / half, 0.1, 10.0);
-        view.fov = std::clamp(2 * std::atan(half / filled) / degree, least_fov, most_fov);
+        view.fov = std::clamp(2 * std::atan(half / filled) / degree, least_fov, max_fov);
         ahead += wide.middle() * right + high.middle() * down;
     }
 }
@@ -164,7 +164,7 @@ FirstView first_view(std::span<const package::PhotoRecord> photos, Samples sampl
                      std::span<const SurfaceDisc> discs, const Vector3d& up, KindOfScan kind) {
     FirstView view{.photo = photos.size()};
     for (std::size_t p = photos.size(); p-- > 0;)
-        if (photos[p].levels && !photos[p].band) view.photo = p;
+        if (photos[p].levels && !photos[p].image_set) view.photo = p;
     if (view.photo == photos.size()) return view;
     const std::vector<Candidate> all = candidates(photos, samples, discs, up);
     if (!all.empty()) view.photo = best_of(all, up).photo;

@@ -23,7 +23,7 @@ constexpr double leaning = 9 * radians;      ///< of the photos' mean, against w
 constexpr double within = 3;                 ///< standard errors
 constexpr double farthest_axis = 10 * radians;
 constexpr double least_roll = 0.75 * radians;
-constexpr std::size_t most_compared = 32;  ///< cameras of which each two suggest a direction
+constexpr std::size_t max_compared = 32;  ///< cameras of which each two suggest a direction
 
 constexpr double error_of_surface = 0.7 * radians, farthest_surface = 15 * radians;
 constexpr double least_upright = 0.2;  ///< share of the discs on walls and floors
@@ -59,7 +59,7 @@ double misfit(std::span<const Pose> poses, const Vector3d& up,
 
 /// That which fits best of the directions that each two cameras suggest.
 Vector3d best_suggestion(std::span<const Pose> poses, const Vector3d& mean) {
-    const std::size_t count = std::min(poses.size(), most_compared);
+    const std::size_t count = std::min(poses.size(), max_compared);
     const auto some = [&](std::size_t i) -> const Pose& { return poses[i * poses.size() / count]; };
     Vector3d best = mean;
     double least = misfit(poses, mean);

@@ -27,25 +27,25 @@ EffectDecision decide_exposure(const ColorFit& fit, EffectChoice wanted) {
 }
 
 /// The share of the light that is lost in the corner.
-double corner_loss(const Falloff& f) { return -std::expm1(-log_falloff(f, 1)); }
+double corner_loss(const Vignetting& f) { return -std::expm1(-log_vignetting(f, 1)); }
 
-EffectDecision decide_falloff(const ColorFit& fit, EffectChoice wanted) {
+EffectDecision decide_vignetting(const ColorFit& fit, EffectChoice wanted) {
     double largest = 0;
-    for (const Falloff& f : fit.falloff) largest = std::max(largest, corner_loss(f));
-    return decide(Effect::falloff, wanted, largest,
+    for (const Vignetting& f : fit.vignetting) largest = std::max(largest, corner_loss(f));
+    return decide(Effect::vignetting, wanted, largest,
                   largest > 0
                       ? fmt::format("lenses lose up to {:.0f} % of the light in the corners", 100 * largest)
-                      : "no lens falloff was found");
+                      : "no lens vignetting was found");
 }
 
-/// What gains are worth to left-out photos, and what falloff besides; `both`: with it, empty if there is
+/// What gains are worth to left-out photos, and what vignetting besides; `both`: with it, empty if there is
 /// none.
 struct ColorJudgments {
-    Judgment exposure, falloff;
+    Judgment exposure, vignetting;
 };
-ColorJudgments judge_colors(const Folds& folds, std::span<const PhotoColors> gains,
-                            std::span<const PhotoColors> both) {
-    std::vector<JudgedPhoto> with_gain(folds.all().size()), with_falloff(folds.all().size());
+ColorJudgments validate_colors(const Folds& folds, std::span<const PhotoColors> gains,
+                               std::span<const PhotoColors> both) {
+    std::vector<ValidatedPhoto> with_gain(folds.all().size()), with_vignetting(folds.all().size());
     folds.each([&](const Folds::View& v) {
         const auto kept = v.sightings();
         const Sightings& seen = *kept;
@@ -55,30 +55,30 @@ ColorJudgments judge_colors(const Folds& folds, std::span<const PhotoColors> gai
             predict(v.target, seen, alternative(gains[f], true, false, v.fold.photo))};
         if (!both.empty())
             predictions.push_back(predict(v.target, seen, alternative(both[f], true, true, v.fold.photo)));
-        const std::vector<JudgeScore> scores = score(own_color(v.target), predictions);
+        const std::vector<ValidationScore> scores = score(own_color(v.target), predictions);
         const std::string name = folds.input().photos[v.fold.photo].name;
         with_gain[f] = {name, scores[0], scores[1]};
-        with_falloff[f] = {name, scores[1], scores.back()};
+        with_vignetting[f] = {name, scores[1], scores.back()};
     });
-    return {summarize(with_gain), summarize(with_falloff)};
+    return {summarize(with_gain), summarize(with_vignetting)};
 }
 
 }  // namespace
 
-Alternative alternative(const PhotoColors& colors, bool gains_on, bool falloff_on, std::uint32_t photo) {
+Alternative alternative(const PhotoColors& colors, bool gains_on, bool vignetting_on, std::uint32_t photo) {
     Alternative a;
     if (gains_on) a.ln_gain = colors.ln_gain;
-    if (falloff_on) a.falloff = colors.falloff, a.view_falloff = colors.falloff[photo];
+    if (vignetting_on) a.vignetting = colors.vignetting, a.view_vignetting = colors.vignetting[photo];
     return a;
 }
 
-FoldColors colors_without(const Folds& folds, std::span<const std::uint32_t> lens, bool falloff) {
+FoldColors colors_without(const Folds& folds, std::span<const std::uint32_t> lens, bool vignetting) {
     const PhotoSamples some = samples_to_fit(folds.input().samples);
     const std::size_t n = folds.all().size();
-    FoldColors out{std::vector<PhotoColors>(n), std::vector<PhotoColors>(falloff ? n : 0)};
+    FoldColors out{std::vector<PhotoColors>(n), std::vector<PhotoColors>(vignetting ? n : 0)};
     for_each_photo(n, folds.input().threads, [&](std::size_t f) {
         const std::uint32_t photo = folds.all()[f].photo;
-        if (falloff) {
+        if (vignetting) {
             FitsWithout fits = fits_without(some.spans(), lens, photo);
             out.gains[f] = std::move(fits.gains);
             out.both[f] = std::move(fits.both);
@@ -91,7 +91,7 @@ FoldColors colors_without(const Folds& folds, std::span<const std::uint32_t> len
 
 ColorRefinement refine_colors(ColorFit fit, std::vector<std::uint32_t> lens, Samples samples,
                               const std::map<Effect, EffectChoice>& choices, const Folds* folds) {
-    const EffectChoice falloff = choice_of(choices, Effect::falloff),
+    const EffectChoice vignetting = choice_of(choices, Effect::vignetting),
                        exposure = choice_of(choices, Effect::exposure);
     // One photo at a time, which takes less memory than each thread reading one when it needs it.
     std::future<void> reading;
@@ -99,24 +99,25 @@ ColorRefinement refine_colors(ColorFit fit, std::vector<std::uint32_t> lens, Sam
         reading = std::async(std::launch::async, [&] { folds->read_ahead(); });
     ColorRefinement out{std::move(fit), std::move(lens), {}, {}};
     out.exposure = decide_exposure(out.fit, exposure);
-    out.falloff = decide_falloff(out.fit, falloff);
-    // Unless forced, falloff is corrected only together with exposure.
-    if (!out.exposure.on && falloff == EffectChoice::automatic) out.falloff.on = false;
+    out.vignetting = decide_vignetting(out.fit, vignetting);
+    // Unless forced, vignetting is corrected only together with exposure.
+    if (!out.exposure.on && vignetting == EffectChoice::automatic) out.vignetting.on = false;
     if (folds && out.exposure.on) {
-        FoldColors without = colors_without(*folds, out.lens, out.falloff.on);
-        const ColorJudgments judged = judge_colors(*folds, without.gains, without.both);
-        confirm(out.exposure, judged.exposure);
-        if (out.falloff.on) confirm(out.falloff, judged.falloff);
-        if (!out.exposure.on && falloff == EffectChoice::automatic) out.falloff.on = false;
-        out.without = std::move(out.falloff.on ? without.both : without.gains);
+        FoldColors without = colors_without(*folds, out.lens, out.vignetting.on);
+        const ColorJudgments validated = validate_colors(*folds, without.gains, without.both);
+        confirm(out.exposure, validated.exposure);
+        if (out.vignetting.on) confirm(out.vignetting, validated.vignetting);
+        if (!out.exposure.on && vignetting == EffectChoice::automatic) out.vignetting.on = false;
+        out.without = std::move(out.vignetting.on ? without.both : without.gains);
     }
-    const bool fitted = std::ranges::any_of(out.fit.falloff, [](const Falloff& f) { return f != Falloff{}; });
-    if (fitted && !out.falloff.on) out.fit = fit_colors(samples, out.lens, false);
+    const bool fitted =
+        std::ranges::any_of(out.fit.vignetting, [](const Vignetting& f) { return f != Vignetting{}; });
+    if (fitted && !out.vignetting.on) out.fit = fit_colors(samples, out.lens, false);
     return out;
 }
 
 void apply_colors(const ColorRefinement& r, std::span<package::PhotoRecord> photos) {
-    apply_colors(colors_of(r.fit, r.lens), r.exposure.on, r.falloff.on, photos);
+    apply_colors(colors_of(r.fit, r.lens), r.exposure.on, r.vignetting.on, photos);
 }
 
 }  // namespace vantage

@@ -12,33 +12,33 @@
 
 namespace vantage {
 
-/// How much the photos' colors disagree, the gains and falloff that reduce it, and whether the scene needs
+/// How much the photos' colors disagree, the gains and vignetting that reduce it, and whether the scene needs
 /// them.
 struct ColorRefinement {
     ColorFit fit;
     std::vector<std::uint32_t> lens;  ///< per photo, see lenses_of
-    EffectDecision exposure, falloff;
+    EffectDecision exposure, vignetting;
     std::vector<PhotoColors> without{};  ///< per fold: fitted without its photo; empty if not judged
 };
 
 /// Gains are needed if photos disagree by more than the effect's threshold and gains remove at least a tenth
-/// of that; falloff above its own threshold, but not without gains. What is needed is then judged by left-out
-/// photos (see is_called_for), unless `folds` is null or a choice forces it.
-/// `fit`: of these samples and lenses, with falloff unless that is turned off.
+/// of that; vignetting above its own threshold, but not without gains. What is needed is then judged by
+/// left-out photos (see is_called_for), unless `folds` is null or a choice forces it. `fit`: of these samples
+/// and lenses, with vignetting unless that is turned off.
 ColorRefinement refine_colors(ColorFit fit, std::vector<std::uint32_t> lens, Samples samples,
                               const std::map<Effect, EffectChoice>& choices, const Folds* folds = nullptr);
 
-/// Per fold, the colors of all photos but its own, fitted without it: gains alone, and with falloff (empty if
-/// not wanted).
+/// Per fold, the colors of all photos but its own, fitted without it: gains alone, and with vignetting (empty
+/// if not wanted).
 struct FoldColors {
     std::vector<PhotoColors> gains, both;
 };
-FoldColors colors_without(const Folds& folds, std::span<const std::uint32_t> lens, bool falloff);
+FoldColors colors_without(const Folds& folds, std::span<const std::uint32_t> lens, bool vignetting);
 
 /// Colors as the judge applies them to predict a photo; they must outlive the result.
-Alternative alternative(const PhotoColors& colors, bool gains_on, bool falloff_on, std::uint32_t photo);
+Alternative alternative(const PhotoColors& colors, bool gains_on, bool vignetting_on, std::uint32_t photo);
 
-/// Writes gains and falloff into the photos' records; identity for effects that are off.
+/// Writes gains and vignetting into the photos' records; identity for effects that are off.
 void apply_colors(const ColorRefinement& refinement, std::span<package::PhotoRecord> photos);
 
 }  // namespace vantage

@@ -44,9 +44,9 @@ float own_share(float theta) {
     return near / (near + theta * theta);
 }
 
-float consensus_weight(const Alternative& a, const Sighting& s) {
-    if (a.consensus.empty() || !a.consensus[s.photo].data) return 1;
-    const auto& grid = a.consensus[s.photo];
+float transient_weight(const Alternative& a, const Sighting& s) {
+    if (a.transients.empty() || !a.transients[s.photo].data) return 1;
+    const auto& grid = a.transients[s.photo];
     const int x = std::min(int(s.x), grid.width - 1), y = std::min(int(s.y), grid.height - 1);
     const float mask = (std::max(float(grid(x, y)), 1.0f) - 1) / 254;
     return mask + (1 - mask) * own_share(s.theta);
@@ -60,9 +60,9 @@ float white_share(const float (&root)[3], float theta) {
     return t * t * (3 - 2 * t) * (1 - own_share(theta));
 }
 
-/// Factor on light that takes out a lens's falloff, see ColorFit.
-float without_falloff(const Falloff& f, double radius2) {
-    return float(std::exp(log_falloff_at_square(f, radius2)));
+/// Factor on light that takes out a lens's vignetting, see ColorFit.
+float without_vignetting(const Vignetting& f, double radius2) {
+    return float(std::exp(log_vignetting_at_square(f, radius2)));
 }
 
 /// Square root of light times a factor, as refined() mixes light.
@@ -78,9 +78,10 @@ std::vector<Blended> blended(const Sightings& sightings, const Alternative& a) {
     std::vector<Blended> out;
     out.reserve(sightings.all.size());
     for (const Sighting& s : sightings.all) {
-        Blended& b = out.emplace_back(Blended{s.weight * consensus_weight(a, s), {}, {}});
-        const float factor =
-            a.falloff.empty() ? 1 : std::sqrt(without_falloff(a.falloff[s.photo], double(s.radius2)));
+        Blended& b = out.emplace_back(Blended{s.weight * transient_weight(a, s), {}, {}});
+        const float factor = a.vignetting.empty()
+                                 ? 1
+                                 : std::sqrt(without_vignetting(a.vignetting[s.photo], double(s.radius2)));
         const float white = white_share(s.root, s.theta), smooth_white = white_share(s.smooth, s.theta);
         for (std::size_t c = 0; c < 3; ++c) {
             const float all = factor * (gain.empty() ? 1 : gain[s.photo][c]);
@@ -171,13 +172,13 @@ double seams_of(const CoarsePhoto& target, const Sightings& s, std::span<const B
     return n ? sum / double(n) : 0;
 }
 
-/// The falloff of the predicted photo's own lens, as a factor on light.
-float own_falloff(const CoarsePhoto& target, const Alternative& a, std::size_t pixel) {
-    if (a.view_falloff == Falloff{}) return 1;
+/// The vignetting of the predicted photo's own lens, as a factor on light.
+float own_vignetting(const CoarsePhoto& target, const Alternative& a, std::size_t pixel) {
+    if (a.view_vignetting == Vignetting{}) return 1;
     const double x = double(pixel % std::size_t(target.k.width)) + 0.5,
                  y = double(pixel / std::size_t(target.k.width)) + 0.5;
-    const double r = falloff_radius(target.k, {x, y});
-    return 1 / without_falloff(a.view_falloff, r * r);
+    const double r = vignetting_radius(target.k, {x, y});
+    return 1 / without_vignetting(a.view_vignetting, r * r);
 }
 
 /// BT.601.
@@ -218,9 +219,9 @@ cv::Mat scored_pixels(const cv::Mat& own, std::span<const Prediction> prediction
     return out;
 }
 
-JudgeScore score_one(const cv::Mat& own, const Prediction& prediction, const cv::Mat& scored,
-                     const cv::Mat& mask) {
-    JudgeScore s;
+ValidationScore score_one(const cv::Mat& own, const Prediction& prediction, const cv::Mat& scored,
+                          const cv::Mat& mask) {
+    ValidationScore s;
     s.pixels = std::size_t(cv::countNonZero(scored));
     s.seams = prediction.seams;
     if (s.pixels == 0) return s;
@@ -243,7 +244,7 @@ Prediction predict(const CoarsePhoto& target, const Sightings& sightings, const 
     const std::vector<Blended> b = blended(sightings, alternative);
     Prediction out{cv::Mat(target.k.height, target.k.width, CV_32FC3), 0};
     for (std::size_t i = 0; i < target.texels.size(); ++i) {
-        const Color c = mean_at(sightings, b, i, &Blended::root).code(own_falloff(target, alternative, i));
+        const Color c = mean_at(sightings, b, i, &Blended::root).code(own_vignetting(target, alternative, i));
         std::ranges::copy(c, out.color.ptr<float>() + 3 * i);
     }
     out.seams = seams_of(target, sightings, b);
@@ -258,12 +259,12 @@ cv::Mat own_color(const CoarsePhoto& photo) {
     return out;
 }
 
-std::vector<JudgeScore> score(const cv::Mat& own, std::span<const Prediction> predictions) {
+std::vector<ValidationScore> score(const cv::Mat& own, std::span<const Prediction> predictions) {
     const cv::Mat scored = scored_pixels(own, predictions);
     cv::Mat photo = cv::Mat::zeros(own.size(), own.type()), mask;
     own.copyTo(photo, scored);
     scored.convertTo(mask, CV_32F, 1.0 / 255);
-    std::vector<JudgeScore> out;
+    std::vector<ValidationScore> out;
     for (const Prediction& p : predictions) out.push_back(score_one(photo, p, scored, mask));
     return out;
 }

@@ -12,9 +12,9 @@ namespace vantage {
 /// the correction is not applied.
 struct Alternative {
     std::span<const std::array<double, 3>> ln_gain{};
-    std::span<const std::array<double, 3>> falloff{};       ///< see ColorFit
-    std::span<const Grid<const std::uint8_t>> consensus{};  ///< 255: not contradicted; by the photo's texels
-    std::array<double, 3> view_falloff{};                   ///< of the predicted photo's lens
+    std::span<const std::array<double, 3>> vignetting{};     ///< see ColorFit
+    std::span<const Grid<const std::uint8_t>> transients{};  ///< 255: not contradicted; by the photo's texels
+    std::array<double, 3> view_vignetting{};                 ///< of the predicted photo's lens
 };
 
 /// A photo as the others show it.
@@ -35,7 +35,7 @@ Prediction predict(const CoarsePhoto& target, const Sightings& sightings, const 
 cv::Mat own_color(const CoarsePhoto& photo);
 
 /// The difference of a prediction from the photo, over the scored pixels.
-struct JudgeScore {
+struct ValidationScore {
     std::size_t pixels = 0;  ///< scored; if 0, the other values are 0
     double psnr = 0;         ///< dB, after the best gain per channel
     double ssim = 0;         ///< of luminance, after these gains
@@ -44,6 +44,6 @@ struct JudgeScore {
 
 /// Scores predictions of one photo on the pixels that all of them color, a border of 3 pixels left out, as in
 /// player/measure.
-std::vector<JudgeScore> score(const cv::Mat& own, std::span<const Prediction> predictions);
+std::vector<ValidationScore> score(const cv::Mat& own, std::span<const Prediction> predictions);
 
 }  // namespace vantage

@@ -14,10 +14,10 @@ constexpr double fewer_seams = 0.9;  ///< of the seams without the effect
 
 }  // namespace
 
-Judgment summarize(std::span<const JudgedPhoto> photos) {
+Judgment summarize(std::span<const ValidatedPhoto> photos) {
     Judgment j;
     double squares = 0, losses = 0;
-    for (const JudgedPhoto& p : photos) {
+    for (const ValidatedPhoto& p : photos) {
         if (p.without.pixels < fewest_pixels) continue;
         const double gain = p.with.psnr - p.without.psnr;
         if (j.photos == 0 || gain < j.worst) j.worst = gain, j.worst_photo = p.name;
@@ -39,7 +39,7 @@ Judgment summarize(std::span<const JudgedPhoto> photos) {
 }
 
 bool is_called_for(const Judgment& j) {
-    if (j.photos < min_judged_photos || j.worst < -max_loss) return false;
+    if (j.photos < min_validated_photos || j.worst < -max_loss) return false;
     if (j.gain > 2 * std::min(j.error, j.noise) && j.gain > negligible) return true;
     return j.gain > -std::max(j.error, negligible) && j.seams_after <= fewer_seams * j.seams_before;
 }
@@ -47,11 +47,11 @@ bool is_called_for(const Judgment& j) {
 void confirm(EffectDecision& decision, const Judgment& judgment) {
     decision.judgment = judgment;
     decision.evidence += "; " + sentence(judgment);
-    if (!decision.forced && judgment.photos >= min_judged_photos) decision.on = is_called_for(judgment);
+    if (!decision.forced && judgment.photos >= min_validated_photos) decision.on = is_called_for(judgment);
 }
 
 std::string sentence(const Judgment& j) {
-    if (j.photos < min_judged_photos) return "too few photos to leave one out";
+    if (j.photos < min_validated_photos) return "too few photos to leave one out";
     std::string out = fmt::format("left-out photos {} {:.2f} dB (standard error {:.2f}; {} of {} worse)",
                                   j.gain < 0 ? "lose" : "gain", std::abs(j.gain), j.error, j.worse, j.photos);
     if (j.worst < -max_loss) out += fmt::format(", {} loses {:.2f} dB", j.worst_photo, -j.worst);

@@ -10,9 +10,9 @@
 namespace vantage {
 
 /// A photo left out of everything and predicted from the others: without an effect, and with it.
-struct JudgedPhoto {
+struct ValidatedPhoto {
     std::string name;
-    JudgeScore without, with;
+    ValidationScore without, with;
 };
 
 /// Photos with fewer scored pixels are not counted.
@@ -21,10 +21,10 @@ inline constexpr std::size_t fewest_pixels = 200;
 /// Summarizes photos of at least `fewest_pixels`; no photos: all 0. `noise` is the standard error of the
 /// mean if chance made as many photos gain as lose, by as much: where one wrong camera is mended, few photos
 /// gain much and none loses, and the spread of the gains is not noise.
-Judgment summarize(std::span<const JudgedPhoto> photos);
+Judgment summarize(std::span<const ValidatedPhoto> photos);
 
 /// Fewer photos do not judge an effect.
-inline constexpr int min_judged_photos = 3;
+inline constexpr int min_validated_photos = 3;
 
 /// Whether an effect is worth having: left-out photos gain (more than twice the noise, or twice the standard
 /// error of the mean), or lose nothing within that error while seams fall by a tenth; and no photo loses more

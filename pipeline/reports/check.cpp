@@ -12,8 +12,8 @@
 
 #include "base/text/file_name.h"
 #include "base/values/tiling.h"
-#include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
+#include "pipeline/input/image_set_groups.h"
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/output/stage_keys.h"
 #include "pipeline/output/staleness.h"
@@ -152,11 +152,11 @@ void check_against(const PackageReader& reader, const CheckDepth& depth, Issues&
         for (const std::filesystem::path& file : files_below(depth.against, 2))
             if (std::ranges::count(names, utf8_name(file.filename().string())) > 0) files->push_back(file);
     }
-    others.bands = bands_wanted(reader);
-    if (is_bands_file(others.bands)) {
-        const std::string name = std::exchange(others.bands, bands_off);
+    others.image_sets = image_sets_wanted(reader);
+    if (is_image_sets_file(others.image_sets)) {
+        const std::string name = std::exchange(others.image_sets, image_sets_off);
         for (const std::filesystem::path& file : files_below(depth.against, 2))
-            if (utf8_name(file.filename().string()) == name) others.bands = file.string();
+            if (utf8_name(file.filename().string()) == name) others.image_sets = file.string();
     }
     for (const InputChange& change : changed_inputs(reader, discover(depth.against, others), identities))
         add(out, finding_of(change.kind), change.text);

@@ -13,7 +13,7 @@
 #include "base/text/json_text.h"
 #include "base/values/tiling.h"
 #include "scene/package/chunk_table.h"
-#include "scene/package/contents/bands.h"
+#include "scene/package/contents/image_sets.h"
 #include "scene/package/contents/stored_tile.h"
 
 namespace vantage {
@@ -236,7 +236,7 @@ void diff_photo(const PackageReader& a, const PackageReader& b, std::uint32_t i,
     if (std::memcmp(&p.fx, &q.fx, offsetof(PhotoRecord, corrected_direction) - offsetof(PhotoRecord, fx)) !=
         0)
         out.push_back({p.name, "camera", "different"});
-    if (!std::ranges::equal(p.gain, q.gain) || !std::ranges::equal(p.falloff, q.falloff))
+    if (!std::ranges::equal(p.gain, q.gain) || !std::ranges::equal(p.vignetting, q.vignetting))
         out.push_back({p.name, "exposure",
                        fmt::format("gains {:.4f} {:.4f} {:.4f} vs. {:.4f} {:.4f} {:.4f}", p.gain[0],
                                    p.gain[1], p.gain[2], q.gain[0], q.gain[1], q.gain[2])});
@@ -255,18 +255,19 @@ void diff_photo(const PackageReader& a, const PackageReader& b, std::uint32_t i,
 }  // namespace
 
 Differences diff(const PackageReader& a, const PackageReader& b) {
-    expect_sound(a);
-    expect_sound(b);
+    expect_valid(a);
+    expect_valid(b);
     Differences out;
     diff_meta(a, b, out);
     diff_model(a, b, out);
     const auto of_a = a.photos(), of_b = b.photos();
-    const std::vector<Band> bands_a = read_bands(a), bands_b = read_bands(b);
+    const std::vector<ImageSet> image_sets_a = read_image_sets(a), image_sets_b = read_image_sets(b);
     for (std::uint32_t i = 0; i < of_a.size(); ++i)
         if (const auto j = b.photo_index(of_a[i].name)) {
-            const std::string &in_a = bands_a[of_a[i].band].name, &in_b = bands_b[of_b[*j].band].name;
+            const std::string &in_a = image_sets_a[of_a[i].image_set].name,
+                              &in_b = image_sets_b[of_b[*j].image_set].name;
             if (in_a != in_b)
-                out.push_back({of_a[i].name, "band",
+                out.push_back({of_a[i].name, "image_set",
                                (in_a.empty() ? "none" : in_a) + " vs. " + (in_b.empty() ? "none" : in_b)});
             diff_photo(a, b, i, *j, out);
         } else

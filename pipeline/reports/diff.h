@@ -15,7 +15,7 @@ struct Difference {
 };
 
 /// All differences; photos are paired by name, in the order of `a`. Chunks with equal checksums are equal,
-/// for both packages are checked first. Throws Error(damaged) if one of them is not sound.
+/// for both packages are checked first. Throws Error(damaged) if one of them is not valid.
 std::vector<Difference> diff(const PackageReader& a, const PackageReader& b);
 
 /// Whether write_difference_page may write into the folder. Throws Error(usage).

@@ -52,7 +52,7 @@ constexpr Artifact artifacts[] = {{Type::tiles, "tiles", {}},
                                   {Type::masks, "angle", 0},
                                   {Type::masks, "depth", 1},
                                   {Type::masks, "border", 2},
-                                  {Type::masks, "consensus", 3}};
+                                  {Type::masks, "transients", 3}};
 
 fs::path picture_of(const fs::path& folder, const std::string& stem, const Artifact& artifact) {
     return folder / (stem + "-" + artifact.name + ".png");

@@ -16,10 +16,10 @@
 #include "pipeline/formats/export_ply.h"
 #include "pipeline/photos/image_files.h"
 #include "pipeline/stages/tile_levels.h"
-#include "scene/package/contents/bands.h"
+#include "scene/package/contents/image_sets.h"
 #include "scene/package/contents/point_cloud.h"
+#include "scene/package/contents/scalar_field.h"
 #include "scene/package/contents/stored_tile.h"
-#include "scene/package/contents/value_layer.h"
 #include "scene/package/damaged_package.h"
 #include "scene/package/output_file.h"
 #include "scene/package/package_inputs.h"
@@ -45,7 +45,7 @@ struct Extraction {
     fs::path folder;
     bool undistorted;
     std::vector<std::string>
-        stems;  ///< per photo: its files' name, in a folder of its band if there are several
+        stems;  ///< per photo: its files' name, in a folder of its image set if there are several
 
     /// Of the photo as it is written: none if it is undistorted, because that is asked for or COLMAP has no
     /// such lens.
@@ -69,19 +69,19 @@ struct Extraction {
     }
 };
 
-/// Per photo, the name of its files, in a folder of its band if there are several.
-std::vector<std::string> stems_of(const PackageReader& reader, const std::vector<Band>& bands) {
+/// Per photo, the name of its files, in a folder of its image set if there are several.
+std::vector<std::string> stems_of(const PackageReader& reader, const std::vector<ImageSet>& image_sets) {
     std::vector<std::string> stems = reader.photo_stems();
-    if (bands.size() > 1)
+    if (image_sets.size() > 1)
         for (std::size_t i = 0; i < stems.size(); ++i)
-            stems[i] = bands[reader.photos()[i].band].name + "/" + stems[i];
+            stems[i] = image_sets[reader.photos()[i].image_set].name + "/" + stems[i];
     return stems;
 }
 
 void write_mesh(const PackageReader& reader, const fs::path& file) {
     const package::SceneRecord& s = reader.scene();
     std::vector<PlyLayer> layers;
-    for (const ValueLayer& layer : read_layers(reader)) layers.push_back({layer.name, layer.values});
+    for (const ScalarField& layer : read_fields(reader)) layers.push_back({layer.name, layer.values});
     std::span<const std::array<std::uint8_t, 4>> colors;
     if (effect_on(s, Effect::transparency))
         colors = reader.records<std::array<std::uint8_t, 4>>(Type::colors);
@@ -97,7 +97,7 @@ void write_points(const PackageReader& reader, const PointCloud& cloud, const fs
     const package::DirectoryEntry& chunk = *reader.find(Type::points);
     write_points_ply(file, cloud.points, [&](const std::function<void(const PlyPoint&)>& put) {
         for (const package::PointNode& node : cloud.nodes) {
-            const auto block = reader.sound_block(chunk, node.block);
+            const auto block = reader.valid_block(chunk, node.block);
             for (std::uint32_t i = 0; i < node.count; ++i) {
                 package::PackedPoint p;
                 std::memcpy(&p, block.data() + (node.first + i) * sizeof p, sizeof p);
@@ -213,7 +213,7 @@ void extract(const fs::path& package, const fs::path& folder, const std::vector<
         for (std::uint32_t i = 0; i < photos.size(); ++i) wanted.push_back(i);
     std::erase_if(wanted, [&](std::uint32_t i) { return photos[i].levels == 0; });
     const Extraction to{reader, folder, undistorted && effect_on(reader.scene(), Effect::undistortion),
-                        stems_of(reader, read_bands(reader))};
+                        stems_of(reader, read_image_sets(reader))};
     if (!wanted.empty()) expect_same_way(to);
     expect_replaceable(to, wanted, force);
     for (const std::uint32_t i : wanted) write_photo(to, i);

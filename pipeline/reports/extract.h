@@ -7,11 +7,11 @@ namespace vantage {
 
 /// Writes a package's contents as ordinary files to `folder`, which prepare() can read again: photos/NAME.png
 /// or .jpg (level 0, as taken; with `undistorted`, as a pinhole camera would have taken it),
-/// masks/NAME.weights.png (angle, depth, border, consensus at half size, of the pinhole camera),
+/// masks/NAME.weights.png (angle, depth, border, transient masking at half size, of the pinhole camera),
 /// depth/NAME.exr (likewise; linear z, +inf: unseen), mesh.ply and points.ply (input coordinates, doubles),
 /// and the cameras of these photos as COLMAP text in sparse/ (poses as refined, input coordinates, doubles).
 /// Photos whose lens COLMAP cannot express are undistorted. NAME is without extension, unless other photos
-/// share it, and in a folder of its band if there are several. Only the photos in `names`; all if it is
+/// share it, and in a folder of its image set if there are several. Only the photos in `names`; all if it is
 /// empty; none of those without pixels. Replaces only pictures, meshes and cameras that it may have written,
 /// with `force` any file, but no input of the package. Throws Error.
 void extract(const std::filesystem::path& package, const std::filesystem::path& folder,

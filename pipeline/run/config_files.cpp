@@ -24,7 +24,7 @@ fs::path find_preset(const std::string& name) {
     if (const auto preset = in_configs(name + ".toml")) return *preset;
     std::string known;
     for (const char* preset : presets) known += (known.empty() ? "" : ", ") + std::string(preset);
-    throw Error(Exit::usage, "--config " + name + ": expected a TOML file or one of " + known);
+    throw Error(Exit::usage, "--preset " + name + ": expected a TOML file or one of " + known);
 }
 
 }  // namespace vantage

@@ -8,7 +8,7 @@ namespace vantage {
 namespace {
 
 /// Names in the order of the enumerators.
-constexpr std::array renderers{"auto", "opengl", "processor"};
+constexpr std::array renderers{"auto", "opengl", "cpu"};
 constexpr std::array methods{"auto", "exact", "jfa^2"};
 
 template <class Enum, std::size_t n>

@@ -35,12 +35,12 @@ struct PrepareSettings {
     std::vector<std::string> hold_out;  ///< photos whose pixels stay out of the package
     std::vector<std::string> deviation_from;  ///< files of meshes or clouds to compare the mesh with
     std::vector<std::string> points;          ///< files of point clouds to show with the mesh
-    std::string bands = "auto";               ///< how photos are grouped into bands, see group_bands
-    std::string convention = "auto";          ///< what is changed in the cameras, see settle_convention()
-    std::optional<Similarity> align;          ///< from the cameras' frame to the mesh's, if they differ
-    bool vertex_coordinates = false;          ///< stored even where the player does not use them by default
+    std::string image_sets = "auto";  ///< how photos are grouped into image sets, see group_image_sets
+    std::string convention = "auto";  ///< what is changed in the cameras, see settle_convention()
+    std::optional<Similarity> align;  ///< from the cameras' frame to the mesh's, if they differ
+    bool vertex_coordinates = false;  ///< stored even where the player does not use them by default
     std::map<Effect, EffectChoice> effects;
-    bool judge = true;  ///< whether left-out photos must confirm the effects that all photos decide
+    bool validate = true;  ///< whether left-out photos must confirm the effects that all photos decide
 };
 
 }  // namespace vantage

@@ -4,14 +4,14 @@
 
 #include "base/values/bytes_of.h"
 #include "pipeline/stages/depth_summary.h"
-#include "pipeline/stages/seen_hull.h"
+#include "pipeline/stages/footprint_hull.h"
 
 namespace vantage {
 
 void make_coordinates(StageInput& in) {
     const std::vector<Eigen::Vector2f>& coordinates = in.coordinates();
     package::PhotoRecord& r = in.record;
-    const SeenHull hull = seen_hull(coordinates, in.photo.intrinsics, in.photo.pose);
+    const FootprintHull hull = footprint_hull(coordinates, in.photo.intrinsics, in.photo.pose);
     Eigen::Map<Eigen::Vector3d>(r.corrected_direction) = hull.direction;
     r.hull_area = hull.area;
     const auto seen =

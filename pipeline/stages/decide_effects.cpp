@@ -105,14 +105,14 @@ Measured triangle_size(const SceneInput& scene) {
                               edge)};
 }
 
-/// Of the photos that are shown together: those of a band, if there are several.
-Measured focal_spread(const SceneInput& scene, bool by_band) {
+/// Of the photos that are shown together: those of an image set, if there are several.
+Measured focal_spread(const SceneInput& scene, bool by_image_set) {
     if (scene.photos.empty()) return {0, "the scene has no photos"};
     double least = 1, most = 0;
-    for (std::uint32_t b = 0; b < (by_band ? scene.bands.size() : 1); ++b) {
+    for (std::uint32_t b = 0; b < (by_image_set ? scene.image_sets.size() : 1); ++b) {
         double low = std::numeric_limits<double>::infinity(), high = 0;
         for (const PhotoInput& p : scene.photos) {
-            if (by_band && p.band != b) continue;
+            if (by_image_set && p.image_set != b) continue;
             const double f = p.camera.intrinsics.fx / p.camera.intrinsics.width;
             low = std::min(low, f);
             high = std::max(high, f);
@@ -159,7 +159,7 @@ std::string describe(const ScalarLayer& layer, bool& varies) {
 }
 
 Measured varying_layers(std::span<const ScalarLayer> layers) {
-    if (layers.empty()) return {0, "the mesh has no scalar layers"};
+    if (layers.empty()) return {0, "the mesh has no scalar fields"};
     double varying = 0;
     std::string evidence;
     for (const ScalarLayer& layer : layers) {
@@ -179,14 +179,14 @@ Measured clouds(const SceneInput& scene) {
                                        : fmt::format("{} files", scene.files.points.size()))};
 }
 
-Measured bands(const SceneInput& scene) {
-    if (scene.bands.size() < 2) return {1, "all photos are of one set"};
+Measured image_sets(const SceneInput& scene) {
+    if (scene.image_sets.size() < 2) return {1, "all photos are of one set"};
     std::string evidence;
-    for (std::uint32_t b = 0; b < scene.bands.size(); ++b) {
-        const auto n = std::ranges::count(scene.photos, b, &PhotoInput::band);
-        evidence += fmt::format("{}{}: {} photo{}", b ? "; " : "", scene.bands[b], n, n == 1 ? "" : "s");
+    for (std::uint32_t b = 0; b < scene.image_sets.size(); ++b) {
+        const auto n = std::ranges::count(scene.photos, b, &PhotoInput::image_set);
+        evidence += fmt::format("{}{}: {} photo{}", b ? "; " : "", scene.image_sets[b], n, n == 1 ? "" : "s");
     }
-    return {double(scene.bands.size()), evidence};
+    return {double(scene.image_sets.size()), evidence};
 }
 
 /// Photos of which the length is not known, or 0, do not count; reduced ones count with as much less.
@@ -239,7 +239,7 @@ Measured transparent_share(const Mesh& mesh) {
     return {double(transparent) / double(all), evidence};
 }
 
-Measured measure(const EffectRow& row, const SceneInput& scene, bool by_band) {
+Measured measure(const EffectRow& row, const SceneInput& scene, bool by_image_set) {
     if (from_all_photos(row)) return {0, "measured after all photos are processed"};
     switch (row.effect) {
         case Effect::undistortion:
@@ -247,15 +247,15 @@ Measured measure(const EffectRow& row, const SceneInput& scene, bool by_band) {
         case Effect::per_fragment:
             return triangle_size(scene);
         case Effect::fov_normalization:
-            return focal_spread(scene, by_band);
+            return focal_spread(scene, by_image_set);
         case Effect::vertex_colors:
             return unseen_colors(scene);
-        case Effect::scalar_layers:
+        case Effect::scalar_fields:
             return varying_layers(scene.mesh.scalars);
         case Effect::points:
             return clouds(scene);
-        case Effect::bands:
-            return bands(scene);
+        case Effect::image_sets:
+            return image_sets(scene);
         case Effect::transparency:
             return transparent_share(scene.mesh);
         case Effect::compact:
@@ -269,9 +269,10 @@ Measured measure(const EffectRow& row, const SceneInput& scene, bool by_band) {
 
 std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effect, EffectChoice>& choices) {
     std::vector<EffectDecision> decisions;
-    const bool by_band = scene.bands.size() > 1 && choice_of(choices, Effect::bands) != EffectChoice::off;
+    const bool by_image_set =
+        scene.image_sets.size() > 1 && choice_of(choices, Effect::image_sets) != EffectChoice::off;
     for (const EffectRow& row : effect_table()) {
-        const Measured m = measure(row, scene, by_band);
+        const Measured m = measure(row, scene, by_image_set);
         if (row.effect == Effect::per_fragment && has_points_only(scene)) {
             // Triangles of a stand-in are not drawn.
             decisions.push_back(
@@ -282,9 +283,9 @@ std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effe
                                    std::isfinite(m.value) ? m.value : 1e9, m.evidence));
         // Even if forced on, there may be nothing to show.
         const bool nothing = (row.effect == Effect::vertex_colors && scene.mesh.colors.empty()) ||
-                             (row.effect == Effect::scalar_layers && scene.mesh.scalars.empty()) ||
+                             (row.effect == Effect::scalar_fields && scene.mesh.scalars.empty()) ||
                              (row.effect == Effect::points && scene.points.positions.empty()) ||
-                             (row.effect == Effect::bands && scene.bands.size() < 2) ||
+                             (row.effect == Effect::image_sets && scene.image_sets.size() < 2) ||
                              (row.effect == Effect::transparency && !has_transparency(scene.mesh, choices));
         if (nothing) decisions.back().on = false;
     }

@@ -6,10 +6,10 @@
 
 namespace vantage {
 
-/// RGBA8 masks at `mask_level`: angle, depth, border, consensus; all 0 if the photo does not see the model
-/// there. Depth: 255 + 12 log2(density / reference_density), clamped to [1, 255], with density = focal / z in
-/// pixels per unit; its square is the sampling rate of [C], and the logarithm keeps a distant photo from
-/// becoming 0. Consensus: 255, as no photos have been compared yet.
+/// RGBA8 masks at `mask_level`: angle, depth, border, transient masking; all 0 if the photo does not see the
+/// model there. Depth: 255 + 12 log2(density / reference_density), clamped to [1, 255], with density = focal
+/// / z in pixels per unit; its square is the sampling rate of [C], and the logarithm keeps a distant photo
+/// from becoming 0. Transient masking: 255, as no photos have been compared yet.
 std::vector<std::uint8_t> combine_masks(const std::vector<float>& z, const std::vector<std::uint8_t>& angle,
                                         const std::vector<std::uint8_t>& border, double focal,
                                         double reference_density);

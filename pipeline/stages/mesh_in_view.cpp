@@ -11,7 +11,7 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t most_examined = 200000;  ///< vertices per photo
+constexpr std::size_t max_examined = 200000;  ///< vertices per photo
 
 /// Whether the vertices in the frame span enough of it. They are visited in large steps, so that a photo that
 /// sees the mesh is done after a few.
@@ -19,7 +19,7 @@ bool sees(const PhotoInput& photo, const std::vector<Eigen::Vector3d>& positions
     const Intrinsics& k = photo.camera.intrinsics;
     const double enough = least_share_of_frame * k.width * k.height;
     Eigen::AlignedBox2d box;
-    const std::size_t step = std::max<std::size_t>(1, positions.size() / most_examined);
+    const std::size_t step = std::max<std::size_t>(1, positions.size() / max_examined);
     constexpr std::size_t rounds = 61;
     for (std::size_t first = 0; first < rounds; ++first)
         for (std::size_t v = first * step; v < positions.size(); v += rounds * step) {

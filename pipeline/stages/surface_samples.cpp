@@ -139,7 +139,7 @@ class DiscSampler {
         if (linear.minCoeff() < dark || linear.maxCoeff() > bright) return {};
         package::SampleRecord r{};
         for (int c = 0; c < 3; ++c) r.linear[c] = std::uint16_t(std::lround(linear[c] * 65535));
-        r.radius = std::uint16_t(std::lround(std::min(falloff_radius(k_, at), 1.0) * 65535));
+        r.radius = std::uint16_t(std::lround(std::min(vignetting_radius(k_, at), 1.0) * 65535));
         return r;
     }
 

@@ -32,8 +32,8 @@ struct SmallTriangle {
     float bx, by, cx, cy, area;
     float slack;  ///< keeps rounding from opening gaps between triangles
     float sign, share;
-    float inverse[3];    ///< 1/z of the corners
-    float most_inverse;  ///< no vertex with more than this is hidden
+    float inverse[3];   ///< 1/z of the corners
+    float max_inverse;  ///< no vertex with more than this is hidden
     int corners[3];
 };
 
@@ -56,7 +56,7 @@ VANTAGE_INLINE Size set_up(std::span<const ProjectedVertex> vertices, const std:
     t.slack = 4e-7f * extent * extent;
     t.sign = t.area > 0 ? 1 : -1;
     t.share = max_depth_ratio / t.area;
-    t.most_inverse = max_inverse * max_depth_ratio;
+    t.max_inverse = max_inverse * max_depth_ratio;
     const float inverse[3] = {a.inverse, b.inverse, c.inverse};
     for (int i = 0; i < 3; ++i) t.inverse[i] = inverse[i], t.corners[i] = int(corners[i]);
     return std::abs(t.area) > t.slack ? Size::small : Size::none;
@@ -77,7 +77,7 @@ VANTAGE_INLINE bool hide_lanes(const SmallTriangle& t, std::size_t i, BinnedVert
         (of_a * t.sign >= -t.slack) & (of_b * t.sign >= -t.slack) & (of_c * t.sign >= -t.slack);
     const Ints other = (vertex != t.corners[0]) & (vertex != t.corners[1]) & (vertex != t.corners[2]);
     Floats nearest = (of_a * t.inverse[0] + of_b * t.inverse[1] + of_c * t.inverse[2]) * t.share;
-    nearest = nearest > t.most_inverse ? Floats{} + t.most_inverse : nearest;
+    nearest = nearest > t.max_inverse ? Floats{} + t.max_inverse : nearest;
     const Ints found = inside & other & (nearest > inverse) & ~hidden;
     hidden |= found;
     store(hidden, &s.hidden[i]);
@@ -97,7 +97,7 @@ VANTAGE_INLINE std::uint64_t blocks_behind(const SmallTriangle& t, std::size_t f
     load(bottom, &b.bottom[first]);
     load(inverse, &b.inverse[first]);
     const Ints behind = (left <= t.right) & (right >= t.left) & (top <= t.bottom) & (bottom >= t.top) &
-                        (inverse < t.most_inverse);
+                        (inverse < t.max_inverse);
     using Bytes = std::int8_t __attribute__((vector_size(lanes)));
     return std::bit_cast<std::uint64_t>(__builtin_convertvector(behind & 1, Bytes));
 }

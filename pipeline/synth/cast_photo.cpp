@@ -33,7 +33,7 @@ std::optional<Vector2d> undistort_point(const Lens& lens, const Vector2d& distor
 struct LitScene {
     const SynthModel& model;
     const RayScene& rays;
-    SynthBand band;
+    SynthImageSet image_set;
 
     Vector3d normal(const RayHit& hit) const {
         const auto& t = model.mesh.triangles[hit.triangle];
@@ -49,7 +49,8 @@ struct LitScene {
             const Vector3f sky =
                 Vector3f(0.60f, 0.72f, 0.86f) * float(1 - up) + Vector3f(0.16f, 0.34f, 0.70f) * float(up);
             const Vector3f shown = model.clouds ? clouded(sky, d) : sky;
-            return band == SynthBand::visible ? shown : Vector3f(Vector3f::Constant(0.15f * shown.x()));
+            return image_set == SynthImageSet::visible ? shown
+                                                       : Vector3f(Vector3f::Constant(0.15f * shown.x()));
         }
         const Vector3d p = eye + hit->distance * direction, n = normal(*hit);
         const Vector3d sun = Vector3d(-0.55, -0.75, 0.62).normalized();
@@ -58,7 +59,7 @@ struct LitScene {
         const double sky = 0.34 * (0.65 + 0.35 * n.z());
         const Material material = model.materials[hit->triangle];
         const Vector3f reflected =
-            band == SynthBand::visible ? albedo(material, p, n) : infrared_albedo(material, p, n);
+            image_set == SynthImageSet::visible ? albedo(material, p, n) : infrared_albedo(material, p, n);
         return reflected * float(sky + (lit ? 0.85 * facing : 0.0));
     }
 };
@@ -73,13 +74,13 @@ std::uint8_t encode(float linear) {
 }  // namespace
 
 std::vector<std::uint8_t> cast_photo(const SynthModel& model, const RayScene& rays, const Camera& camera,
-                                     int samples, const PhotoExposure& exposure, SynthBand band) {
-    const LitScene scene{model, rays, band};
+                                     int samples, const PhotoExposure& exposure, SynthImageSet image_set) {
+    const LitScene scene{model, rays, image_set};
     const Intrinsics& k = camera.intrinsics;
     const Vector3d eye = camera.cam_from_world.center();
     const Eigen::Matrix3d world_from_cam = camera.cam_from_world.R.transpose();
     const double half_diagonal = 0.5 * std::hypot(k.width, k.height),
-                 a = 1 / std::sqrt(1 - exposure.falloff) - 1;
+                 a = 1 / std::sqrt(1 - exposure.vignetting) - 1;
     std::vector<std::uint8_t> rgb;
     rgb.reserve(std::size_t(k.width) * std::size_t(k.height) * 3);
     for (int y = 0; y < k.height; ++y)

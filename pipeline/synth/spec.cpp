@@ -130,7 +130,7 @@ SynthSpec read_spec(const std::filesystem::path& file) {
         Table t(file, root, "exposure");
         t.read("stops", s.exposure.stops, 0, 4);
         t.read("white_balance", s.exposure.white_balance, 0, 4);
-        t.read("falloff", s.exposure.falloff, 0, 0.9);
+        t.read("vignetting", s.exposure.vignetting, 0, 0.9);
     }
     Table(file, root, "error").read("pixels", s.error.pixels, 0, 1000);
     return s;

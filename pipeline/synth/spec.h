@@ -6,7 +6,7 @@ namespace vantage {
 /// The specification of a synthetic scene, as in data/*.toml. Lengths are in meters, angles in degrees.
 struct SynthSpec {
     unsigned seed = 1;
-    bool height_layer = false;  ///< the mesh has the height above the ground as a scalar layer
+    bool height_layer = false;  ///< the mesh has the height above the ground as a scalar field
     struct Building {
         double width = 12, height = 7.5, depth = 6, recess = 0.7;
         int bays = 5, floors = 2;
@@ -35,7 +35,7 @@ struct SynthSpec {
         int samples = 3;             ///< per pixel, in x and in y
     } photos;
     struct Infrared {
-        int count = 0;  ///< of photos in infrared, in a band of their own; 0: none
+        int count = 0;  ///< of photos in infrared, in an image set of their own; 0: none
         int width = 800, height = 600;
         double fov = 50;   ///< horizontal field of view
         double stops = 0;  ///< exposure of all of them
@@ -46,7 +46,7 @@ struct SynthSpec {
     struct Exposure {
         double stops = 0;          ///< random exposure of each photo, up to +/- this
         double white_balance = 0;  ///< in addition, random per channel, up to +/- this many stops
-        double falloff = 0;        ///< share of the light lost at the corners
+        double vignetting = 0;     ///< share of the light lost at the corners
     } exposure;
     struct Error {
         double pixels = 0;  ///< error of each written camera, in px at the facade

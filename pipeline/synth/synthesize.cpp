@@ -53,19 +53,19 @@ std::vector<PhotoExposure> exposures(const SynthSpec& spec) {
         const double stops = spec.exposure.stops * signed_unit(engine);
         PhotoExposure& e = out.emplace_back();
         for (double& g : e.gain) g = std::exp2(stops + spec.exposure.white_balance * signed_unit(balance));
-        e.falloff = spec.exposure.falloff;
+        e.vignetting = spec.exposure.vignetting;
     }
     for (int i = 0; i < spec.infrared.count; ++i) {
         PhotoExposure& e = out.emplace_back();
         e.gain.fill(std::exp2(spec.infrared.stops));
-        e.falloff = spec.exposure.falloff;
+        e.vignetting = spec.exposure.vignetting;
     }
     return out;
 }
 
-/// Whether a photo, by its number, is one of the infrared band, which come last.
-SynthBand band_of(const SynthSpec& spec, std::size_t photo) {
-    return photo < std::size_t(spec.photos.count) ? SynthBand::visible : SynthBand::infrared;
+/// Whether a photo, by its number, is one of the infrared image set, which come last.
+SynthImageSet image_set_of(const SynthSpec& spec, std::size_t photo) {
+    return photo < std::size_t(spec.photos.count) ? SynthImageSet::visible : SynthImageSet::infrared;
 }
 
 void write_gains(const std::filesystem::path& file, std::span<const NamedCamera> photos,
@@ -83,7 +83,7 @@ std::filesystem::path depth_of(const NamedCamera& photo) {
     return std::filesystem::path("truth") / "depth" / (std::string(stem_of(photo.photo)) + ".exr");
 }
 
-/// With `height`, the mesh has a scalar layer: the height above the ground.
+/// With `height`, the mesh has a scalar field: the height above the ground.
 void write_model(const SynthModel& model, bool height, const std::filesystem::path& file) {
     std::vector<Vector3f> positions;
     for (const Vector3d& p : model.mesh.positions) positions.push_back(p.cast<float>());
@@ -107,8 +107,8 @@ Pose look_at(const Vector3d& eye, const Vector3d& target) {
 
 namespace {
 
-/// Without the folders of bands.
-std::vector<NamedCamera> place_band(const SynthSpec& spec) {
+/// Without the folders of image sets.
+std::vector<NamedCamera> place_image_set(const SynthSpec& spec) {
     const SynthSpec::Photos& s = spec.photos;
     std::mt19937 engine(spec.seed);
     std::vector<NamedCamera> photos;
@@ -134,7 +134,7 @@ std::vector<NamedCamera> place_band(const SynthSpec& spec) {
 }  // namespace
 
 std::vector<NamedCamera> place_cameras(const SynthSpec& spec) {
-    std::vector<NamedCamera> photos = place_band(spec);
+    std::vector<NamedCamera> photos = place_image_set(spec);
     if (spec.infrared.count == 0) return photos;
     for (NamedCamera& p : photos) p.photo = "visible/" + p.photo;
     SynthSpec infrared = spec;
@@ -143,7 +143,7 @@ std::vector<NamedCamera> place_cameras(const SynthSpec& spec) {
     infrared.photos.width = spec.infrared.width;
     infrared.photos.height = spec.infrared.height;
     infrared.photos.fov = spec.infrared.fov;
-    for (NamedCamera& p : place_band(infrared)) photos.push_back({"infrared/" + p.photo, p.camera});
+    for (NamedCamera& p : place_image_set(infrared)) photos.push_back({"infrared/" + p.photo, p.camera});
     return photos;
 }
 
@@ -184,7 +184,7 @@ void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
         const Camera& camera = photos[i].camera;
         const Intrinsics& k = camera.intrinsics;
         const auto rgb =
-            cast_photo(world, world_rays, camera, spec.photos.samples, exposed[i], band_of(spec, i));
+            cast_photo(world, world_rays, camera, spec.photos.samples, exposed[i], image_set_of(spec, i));
         image_files().write(folder / "images" / photos[i].photo, k.width, k.height, 3, Sample::u8,
                             std::as_bytes(std::span(rgb)));
         const auto z = cast_depth(rays, camera);

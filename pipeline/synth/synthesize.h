@@ -15,7 +15,7 @@ namespace vantage {
 Pose look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target);
 
 /// The specified cameras without error: on an arc in front of the facade, alternating between two heights.
-/// With infrared photos, those in visible light come first, and each band's names have a folder.
+/// With infrared photos, those in visible light come first, and each image set's names have a folder.
 std::vector<NamedCamera> place_cameras(const SynthSpec& spec);
 
 /// The file in the folder that no input of a user has: the gains per photo.

@@ -19,8 +19,8 @@ bool renders_by_opengl(const PrepareSettings& settings) {
     const bool floods = settings.distance == DistanceMethod::jump_flooding;
     if (settings.render_by == RenderBy::processor && floods)
         throw Error(Exit::usage,
-                    std::string("--distance ") + name(settings.distance) +
-                        ": jump flooding needs OpenGL and cannot be combined with --render-by processor");
+                    std::string("--border-distance ") + name(settings.distance) +
+                        ": jump flooding needs OpenGL and cannot be combined with --renderer cpu");
     return settings.render_by == RenderBy::opengl || floods ||
            (settings.render_by == RenderBy::automatic && gl::has_hardware());
 }

@@ -116,7 +116,7 @@ VANTAGE_INLINE void fill(const SmallTriangles& s, int i, std::uint32_t t, Triang
     float *depths = map.inverse_depth.data(), *values = map.value.data();
     std::uint32_t* triangles = map.triangles.data();
     const int x0 = s.x0[i], x1 = s.x1[i], y0 = s.y0[i], y1 = s.y1[i];
-    const Floats least_inverse = Floats{} + s.min_inverse[i], most_inverse = Floats{} + s.max_inverse[i];
+    const Floats least_inverse = Floats{} + s.min_inverse[i], max_inverse = Floats{} + s.max_inverse[i];
     const Floats slope = lane_f * float(s.inverse_x[i]);
     const double inverse_y = s.inverse_y[i];
     for (int x = x0; x <= x1; x += lanes) {
@@ -135,7 +135,7 @@ VANTAGE_INLINE void fill(const SmallTriangles& s, int i, std::uint32_t t, Triang
             load(shown, values + at);
             load(triangle, triangles + at);
             // Clamped to the range of the corners, because interpolation loses precision on slivers.
-            const Floats inverse = least(greatest(slope + float(plane), least_inverse), most_inverse);
+            const Floats inverse = least(greatest(slope + float(plane), least_inverse), max_inverse);
             const Ints seen = ((a | b | c) >= 0) & in_bounds & (inverse > depth);
             depth = seen ? inverse : depth;
             shown = seen ? value : shown;

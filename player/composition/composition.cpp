@@ -23,7 +23,7 @@ void Composition::fit(FrameSize room, std::size_t objects) {
                            gl::make_layer_framebuffer("depth of an object", depths_, i)});
     depth_program_ = full_frame_program("object depth", "object_depth.frag");
     compose_program_ =
-        full_frame_program("compose", "compose.frag", {"MOST_OBJECTS " + std::to_string(objects)});
+        full_frame_program("compose", "compose.frag", {"MAX_OBJECTS " + std::to_string(objects)});
     if (!no_vertices_) no_vertices_ = gl::make_vertex_array("no vertices");
 }
 
@@ -56,9 +56,9 @@ void Composition::show(std::span<const ObjectFrame> frames, const View& view, co
     glUniform1fv(shader::compose_opacity_uniform, GLsizei(opacities_.size()), opacities_.data());
     glUniform1i(shader::compose_flip_uniform, flip);
     glUniform1i(shader::compose_fill_uniform, settings.fill_holes);
-    glUniform3fv(shader::compose_background_uniform, 1, settings.background.top.data());
-    glUniform3fv(shader::compose_background_bottom_uniform, 1, settings.background.bottom.data());
-    glUniform1f(shader::compose_soft_edges_uniform, float(settings.background.soft_edges));
+    glUniform3fv(shader::compose_plain_background_uniform, 1, settings.plain_background.top.data());
+    glUniform3fv(shader::compose_plain_background_bottom_uniform, 1, settings.plain_background.bottom.data());
+    glUniform1f(shader::compose_soft_edges_uniform, float(settings.plain_background.soft_edges));
     glBindTextureUnit(shader::object_colors_unit, colors_.id());
     glBindTextureUnit(shader::object_depths_unit, depths_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -70,7 +70,7 @@ const gl::Texture& Composition::nearest_depth(double near) {
         nearest_ = gl::make_texture_2d("nearest object", GL_R32F, room_.width, room_.height, GL_NEAREST);
         nearest_target_ = gl::make_framebuffer("nearest object", std::array{nearest_.id()}, 0);
         nearest_program_ = full_frame_program("nearest object", "nearest_object.frag",
-                                              {"MOST_OBJECTS " + std::to_string(layers_.size())});
+                                              {"MAX_OBJECTS " + std::to_string(layers_.size())});
     }
     begin_full_frame(nearest_program_, nearest_target_.id(), frame_);
     glUniform1i(shader::objects_uniform, GLint(opacities_.size()));

@@ -17,7 +17,7 @@ struct ObjectFrame {
 };
 
 /// Composes what several renderers drew into one picture: at each pixel, nearer objects over those behind
-/// them, which show through by what the nearer one's opacity leaves; surroundings stay opaque. Belongs to the
+/// them, which show through by what the nearer one's opacity leaves; background stays opaque. Belongs to the
 /// OpenGL thread.
 class Composition {
   public:

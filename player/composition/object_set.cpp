@@ -132,10 +132,10 @@ bool ObjectSet::alone() const { return others_.empty() && first_object_.shown &&
 RenderSettings ObjectSet::settings_of_others(const RenderSettings& settings) const {
     RenderSettings out = settings;
     out.fill_background = false;
-    out.background.soft_edges = 0;             // those of the whole picture
-    out.surroundings = ShowSurroundings::off;  // those of one object would hide the others
+    out.plain_background.soft_edges = 0;   // those of the whole picture
+    out.background = ShowBackground::off;  // those of one object would hide the others
     out.layer.layer = -1;
-    out.bands = {};
+    out.image_sets = {};
     out.compare = Compare::nothing;
     out.compare_photo = 0;
     out.exposure.reset();
@@ -229,7 +229,7 @@ void ObjectSet::show(const View& view, const RenderSettings& settings, GLuint ta
         return first_.show(view, settings, target, flip, eye);
     RenderSettings of_first = settings;
     of_first.fill_background = false;
-    of_first.background.soft_edges = 0;
+    of_first.plain_background.soft_edges = 0;
     const RenderSettings of_others = settings_of_others(settings);
     std::vector<ObjectFrame> frames;
     if (first_object_.shown) frames.push_back({&first_, view, of_first, 1, first_object_.opacity});

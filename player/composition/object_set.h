@@ -56,8 +56,8 @@ class ObjectSet {
 
     /// Draws all objects that are shown, as Renderer::draw does; `settings.upload_bytes` is for all
     /// together, but each may upload a tile.
-    /// `photos`: of the first object; others blend all of theirs. Layers, bands, surroundings and comparisons
-    /// are those of the first object.
+    /// `photos`: of the first object; others blend all of theirs. Layers, image sets, background and
+    /// comparisons are those of the first object.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
     /// The same for the views of one eye or two, of the same size, see Renderer::prepare. Calls `drawn` after

@@ -18,7 +18,7 @@ constexpr double finer = 1.5;  ///< faces than the panorama: four samples then s
 constexpr double fading = 0.2;
 constexpr double slice_fading = 0.2;  ///< the same for slices, as a tangent
 
-bool fills(const RenderSettings& settings) { return settings.surroundings != ShowSurroundings::off; }
+bool fills(const RenderSettings& settings) { return settings.background != ShowBackground::off; }
 
 /// What two views consisted of, one after the other: what was found recently is that of the second.
 FrameReport followed(const FrameReport& first, const FrameReport& second) {

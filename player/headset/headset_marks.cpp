@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "player/interface/overlays/photo_frustum.h"
-#include "player/interface/sections/band_section.h"
+#include "player/interface/sections/image_set_section.h"
 
 namespace vantage {
 namespace {
@@ -26,7 +26,7 @@ bool is_in_scene(const PlanScene& scene, std::uint32_t photo, const Session& s, 
                  const Stance& stance) {
     const package::PhotoRecord& p = scene.photos[photo];
     const bool stands_there = (scene.poses[photo].center() - eye).norm() < hands_breadth * stance.scale;
-    return is_shown(s.settings.bands, p) && p.levels && !stands_there;
+    return is_shown(s.settings.image_sets, p) && p.levels && !stands_there;
 }
 
 /// The distance at which a ray meets a parallelogram, given by three corners; nothing if it does not.

@@ -22,8 +22,8 @@ void add_arc(Marks& marks, const Stance& stance, const TeleportArc& arc);
 /// A measurement's points and lines. `origin`: of the package, in the input's coordinates.
 void add_measurement(Marks& marks, const Stance& stance, const MeasurePanel::Drawn& drawn,
                      const Eigen::Vector3d& origin, const Eigen::Vector3d& up);
-/// The photos of the shown band as pictures at their cameras, but for those nearer to the eye than a hand's
-/// breadth; the one pointed at is framed in white.
+/// The photos of the shown image set as pictures at their cameras, but for those nearer to the eye than a
+/// hand's breadth; the one pointed at is framed in white.
 void add_photos(Marks& marks, const Stance& stance, Renderer& renderer, const Session& session,
                 const Eigen::Vector3d& eye, std::optional<std::uint32_t> pointed_at);
 /// A note's anchor.

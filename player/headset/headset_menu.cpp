@@ -7,12 +7,12 @@
 
 #include "base/text/formatted.h"
 #include "base/text/translation.h"
-#include "player/interface/sections/band_section.h"
 #include "player/interface/sections/blending_section.h"
 #include "player/interface/sections/choice.h"
 #include "player/interface/sections/columns.h"
 #include "player/interface/sections/cut_section.h"
-#include "player/interface/sections/layer_section.h"
+#include "player/interface/sections/field_section.h"
+#include "player/interface/sections/image_set_section.h"
 #include "player/interface/sections/object_section.h"
 #include "player/interface/sections/photo_list_section.h"
 #include "player/interface/sections/picture_section.h"
@@ -28,9 +28,9 @@ namespace {
 constexpr float pages_width = 190;
 
 constexpr std::array<const char*, std::size_t(MenuPage::count)> page_names{
-    marked("Move"),   marked("Photos"),      marked("Picture"), marked("Blending"),
-    marked("Layers"), marked("Point cloud"), marked("Bands"),   marked("Objects"),
-    marked("Cut"),    marked("Measure"),     marked("Story"),   marked("Status")};
+    marked("Move"),          marked("Photos"),      marked("Picture"),    marked("Blending"),
+    marked("Scalar fields"), marked("Point cloud"), marked("Image sets"), marked("Objects"),
+    marked("Cut"),           marked("Measure"),     marked("Story"),      marked("Status")};
 
 bool has_page(MenuPage page, const MenuContent& m) {
     const PlanScene& scene = m.renderer.scene();
@@ -42,8 +42,8 @@ bool has_page(MenuPage page, const MenuContent& m) {
             return !m.renderer.layers().empty();
         case MenuPage::points:
             return m.renderer.points() != nullptr;
-        case MenuPage::bands:
-            return scene.bands.size() > 1;
+        case MenuPage::image_sets:
+            return scene.image_sets.size() > 1;
         case MenuPage::objects:
             return m.objects.size() > 1;
         case MenuPage::cut:
@@ -156,11 +156,11 @@ void page_content(Controls& c, Session& s, MenuPage page, const MenuContent& m, 
         case MenuPage::blending:
             return blending_section(c, s, m.renderer);
         case MenuPage::layers:
-            return layer_section(c, s, m.renderer, view_of(s.camera, 1000, 1000));
+            return field_section(c, s, m.renderer, view_of(s.camera, 1000, 1000));
         case MenuPage::points:
             return point_section(c, s, m.renderer);
-        case MenuPage::bands:
-            return band_section(c, s, m.renderer);
+        case MenuPage::image_sets:
+            return image_set_section(c, s, m.renderer);
         case MenuPage::objects:
             object_section(c, s, m.objects, m.renderer.scene().size);
             return;

@@ -16,7 +16,7 @@ enum class MenuPage {
     blending,
     layers,
     points,
-    bands,
+    image_sets,
     objects,
     cut,
     measure,

@@ -285,12 +285,12 @@ void HeadsetScene::draw(HeadsetSession& headset, const HeadsetFrame& frame,
                         const std::function<void(GLuint, FrameSize)>& seen) {
     Session& s = session_;
     s.pace = pacing_.pace;
-    s.settings.bands.how = BandView::mix;  // what divides a picture is at two places for two eyes
+    s.settings.image_sets.how = ImageSetView::mix;  // what divides a picture is at two places for two eyes
     s.settings.sections = sections_of(s.cut, renderer_.scene());
     RenderSettings settings = s.settings;
     settings.room = headset.size(0);
     settings.swift = s.pace.swift;
-    if (!settings.sections.empty()) settings.surroundings = ShowSurroundings::off;
+    if (!settings.sections.empty()) settings.background = ShowBackground::off;
     const std::array<View, 2> views = views_of(frame, headset.size(0));
     s.report = objects_.draw_eyes(views, settings, s.photos, {}, frame.time, nullptr, [&](std::size_t eye) {
         const GLuint target = headset.color_target(eye);

@@ -123,7 +123,7 @@ void SceneInterface::end(std::vector<SceneLabel> labels, const View& head) {
     menu_.upload(lists_of(*ImGui::GetDrawData()));
     ImGui::SetCurrentContext(labels_context_);
     ImGui::NewFrame();
-    shown_ = std::min(labels.size(), most_labels);
+    shown_ = std::min(labels.size(), max_labels);
     while (labels_.size() < shown_) labels_.push_back(std::make_unique<Label>());
     for (std::size_t i = 0; i < shown_; ++i) {
         labels_[i]->label = std::move(labels[i]);

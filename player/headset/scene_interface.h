@@ -51,7 +51,7 @@ class SceneInterface {
     void draw_menu(const Panel& menu, const EyePicture& eye) { pass_->draw(menu_, menu, eye); }
 
   private:
-    static constexpr std::size_t most_labels = 64;
+    static constexpr std::size_t max_labels = 64;
     struct Label {
         SceneLabel label;
         Eigen::Vector2d corner, size;  ///< of its window, panel pixels

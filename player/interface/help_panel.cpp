@@ -54,7 +54,7 @@ void help_panel(Controls& c, Session& s) {
         {"N, B", marked("fly to the photo on the right, on the left"), true},
         {"C", marked("compare with the closest photo; drag the line between them"), true},
         {"V", marked("show photos, which photo, how many photos")},
-        {"X", marked("show the next band of photos"), true},
+        {"X", marked("show the next image set"), true},
         {blends.keys.c_str(), blends.labels.c_str()},
         {"R, T", marked("record a path, replay it")},
         {"M", marked("measure")},

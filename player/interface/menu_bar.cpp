@@ -34,9 +34,9 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
     toggle("Orthophoto", "", s.panels.orthophoto);
     toggle("Blending", "F2", s.panels.blending);
     toggle("Status", "F3", s.panels.status);
-    if (!renderer.layers().empty()) toggle("Layers", "F7", s.panels.layers);
+    if (!renderer.layers().empty()) toggle("Scalar fields", "F7", s.panels.layers);
     if (renderer.points()) toggle("Point cloud", "F8", s.panels.points);
-    if (renderer.scene().bands.size() > 1) toggle("Bands", "F9", s.panels.bands);
+    if (renderer.scene().image_sets.size() > 1) toggle("Image sets", "F9", s.panels.image_sets);
     toggle("Objects", "F10", s.panels.objects);
     ImGui::Separator();
     toggle("Full screen", "F11", s.full_screen);
@@ -45,7 +45,7 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
         ImGui::EndMenu();
     }
     if (c.menu_item("Larger text", "Ctrl++"))
-        s.text_scale = std::min(s.text_scale * text_step, most_text_scale);
+        s.text_scale = std::min(s.text_scale * text_step, max_text_scale);
     if (c.menu_item("Smaller text", "Ctrl+-"))
         s.text_scale = std::max(s.text_scale / text_step, least_text_scale);
 }

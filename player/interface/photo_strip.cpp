@@ -10,7 +10,7 @@
 
 #include "base/text/translation.h"
 #include "player/interface/docked.h"
-#include "player/interface/sections/band_section.h"
+#include "player/interface/sections/image_set_section.h"
 #include "player/interface/sections/photo_list_section.h"
 #include "player/stream/stream_request.h"
 
@@ -72,7 +72,7 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
     lacks_ = false;
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < scene.photos.size(); ++i)
-        if (scene.photos[i].levels && is_shown(s.settings.bands, scene.photos[i])) order.push_back(i);
+        if (scene.photos[i].levels && is_shown(s.settings.image_sets, scene.photos[i])) order.push_back(i);
     std::ranges::stable_sort(order, std::ranges::greater(), [&](auto i) { return agreements_[i]; });
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 pressed = io.MouseClickedPos[0];
@@ -116,9 +116,9 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
             list.AddRect(at, end, ImGui::ColorConvertFloat4ToU32(ImVec4(c.r, c.g, c.b, 1)), 0, 0,
                          hovered ? 4.0f : 2.5f);
         if (hovered)
-            ImGui::SetTooltip(tr("%s, %s%s%ux%u, agreement %.0f %%"), p.name,
-                              scene.bands[p.band].name.c_str(), scene.bands.size() > 1 ? ", " : "", p.width,
-                              p.height, 100 * agreements_[order[n]]);
+            ImGui::SetTooltip(
+                tr("%s, %s%s%ux%u, agreement %.0f %%"), p.name, scene.image_sets[p.image_set].name.c_str(),
+                scene.image_sets.size() > 1 ? ", " : "", p.width, p.height, 100 * agreements_[order[n]]);
         if (clicked && !was_dragged) fly_to(s, order[n], p, now);
     }
     ImGui::End();

@@ -3,11 +3,11 @@
 #include <imgui.h>
 
 #include "player/interface/docked.h"
-#include "player/interface/sections/band_section.h"
 #include "player/interface/sections/blending_section.h"
 #include "player/interface/sections/columns.h"
 #include "player/interface/sections/cut_section.h"
-#include "player/interface/sections/layer_section.h"
+#include "player/interface/sections/field_section.h"
+#include "player/interface/sections/image_set_section.h"
 #include "player/interface/sections/object_section.h"
 #include "player/interface/sections/orthophoto_section.h"
 #include "player/interface/sections/photo_list_section.h"
@@ -45,10 +45,10 @@ bool sections(Controls& c, Session& s, const Renderer& renderer, ObjectSet& obje
         section(c, "Orthophoto", p.orthophoto, [&] { orthophoto_section(c, s, package); });
     }
     if (!renderer.layers().empty())
-        section(c, "Layers", p.layers, [&] { layer_section(c, s, renderer, view); });
+        section(c, "Scalar fields", p.layers, [&] { field_section(c, s, renderer, view); });
     if (renderer.points()) section(c, "Point cloud", p.points, [&] { point_section(c, s, renderer); });
-    if (renderer.scene().bands.size() > 1)
-        section(c, "Bands", p.bands, [&] { band_section(c, s, renderer); });
+    if (renderer.scene().image_sets.size() > 1)
+        section(c, "Image sets", p.image_sets, [&] { image_set_section(c, s, renderer); });
     section(c, "Objects", p.objects, [&] { changed = object_section(c, s, objects, renderer.scene().size); });
     if (!renderer.scene().photos.empty())
         section(c, "Blending", p.blending, [&] { blending_section(c, s, renderer); });

@@ -3,7 +3,7 @@
 namespace vantage {
 
 /// Limits of the scale of text, and the factor by which the user changes it.
-inline constexpr float least_text_scale = 0.7f, most_text_scale = 4, text_step = 1.125f;
+inline constexpr float least_text_scale = 0.7f, max_text_scale = 4, text_step = 1.125f;
 
 /// Sets ImGui's colors and shapes, for text of 14 pixels times `scale`.
 void set_look(float scale);

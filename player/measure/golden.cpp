@@ -7,18 +7,18 @@
 #include "base/text/error.h"
 #include "player/view/camera_path.h"
 #include "player/view/navigation.h"
-#include "scene/package/contents/bands.h"
+#include "scene/package/contents/image_sets.h"
 #include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
 namespace {
 
-/// Where the band's photos were taken; around points without photos, on four sides.
-std::vector<Navigation> stands_of(const PackageReader& package, std::uint32_t band,
+/// Where the image set's photos were taken; around points without photos, on four sides.
+std::vector<Navigation> stands_of(const PackageReader& package, std::uint32_t image_set,
                                   const Eigen::Vector3d& up) {
     std::vector<Navigation> out;
     for (const package::PhotoRecord& p : package.photos())
-        if (p.levels > 0 && p.band == band) out.push_back(stand_at(p, up));
+        if (p.levels > 0 && p.image_set == image_set) out.push_back(stand_at(p, up));
     if (out.empty() && points_only(package.scene()))
         for (int i = 0; i < 4; ++i) {
             out.push_back(stand_before(package.scene(), up));
@@ -31,10 +31,10 @@ std::vector<Navigation> stands_of(const PackageReader& package, std::uint32_t ba
 
 void write_default_views(const std::filesystem::path& file, const PackageReader& package) {
     const Eigen::Vector3d up = up_of(package.scene());
-    const std::vector<Band> bands = read_bands(package);
+    const std::vector<ImageSet> image_sets = read_image_sets(package);
     std::vector<Navigation> views;
     std::vector<std::string> names;
-    for (std::uint32_t b = 0; b < bands.size(); ++b) {
+    for (std::uint32_t b = 0; b < image_sets.size(); ++b) {
         const std::vector<Navigation> stands = stands_of(package, b, up);
         const std::size_t count = std::min<std::size_t>(4, stands.size());
         for (std::size_t i = 0; i < count; ++i) {
@@ -42,7 +42,7 @@ void write_default_views(const std::filesystem::path& file, const PackageReader&
             Navigation n = between(stands[at], stands[(at + 1) % stands.size()], 0.4);
             approach(n, i % 2 ? 0.7 : 1.2);
             views.push_back(n);
-            if (bands.size() > 1) names.push_back(bands[b].name);
+            if (image_sets.size() > 1) names.push_back(image_sets[b].name);
         }
     }
     if (views.empty())

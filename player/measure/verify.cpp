@@ -92,7 +92,7 @@ void verify_package(const VerifyOptions& o, Verified& out) {
     const std::vector<std::uint32_t> photos = photos_in_use(package, {});
     Renderer renderer(package, memory_budget({}));
     for (const Shot& shot : read_path(views.string(), package, parse_size(o.size))) {
-        settings.bands.shown = shot.band.value_or(0);
+        settings.image_sets.shown = shot.image_set.value_or(0);
         const Picture now = take_picture(renderer, shot.view, settings, photos, 2);
         if (now.report.tiles_damaged)
             return out.add(Exit::damaged,

@@ -10,7 +10,7 @@ void add_headset_options(const Command& c, HeadsetOptions& o) {
                              "show the scene in a headset, through the active OpenXR runtime; a window shows "
                              "what is seen there")
                           .group(group);
-    c.real("--unit-meters", o.unit_meters, 1e-9, 1e9,
+    c.real("--meters-per-unit", o.unit_meters, 1e-9, 1e9,
            "length of a scene unit in meters, so that the scene appears at its own size (default: that of "
            "the scene's measurements; without any, as large as an object at arm's length)")
         .group(group)

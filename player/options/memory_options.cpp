@@ -12,7 +12,7 @@ void add_memory_options(const Command& c, MemoryOptions& o) {
 }
 
 void add_upload_option(const Command& c, MemoryOptions& o) {
-    c.integer("--upload", o.upload_kib, 256, 1 << 22,
+    c.integer("--upload-budget", o.upload_kib, 256, 1 << 22,
               "KiB uploaded per frame, at most; at rest in a window, per thirtieth of a second");
 }
 

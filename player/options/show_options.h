@@ -4,7 +4,7 @@
 #include "player/options/output_options.h"
 #include "player/options/picture_options.h"
 #include "player/options/shown/blending_options.h"
-#include "player/options/shown/layer_options.h"
+#include "player/options/shown/field_options.h"
 #include "player/options/shown/light_options.h"
 #include "player/options/shown/object_options.h"
 #include "player/options/shown/package_options.h"
@@ -20,7 +20,7 @@ struct ShowOptions {
     PackageOptions package;
     ObjectOptions objects;
     BlendingOptions blending;
-    LayerOptions layer;
+    FieldOptions layer;
     LightOptions light;
     PointOptions points;
     MemoryOptions memory;

@@ -17,7 +17,7 @@ void add_stereo_options(const Command& c, StereoSettings& s) {
                  "anaglyph (red and cyan glasses), checkerboard (3D displays); --size is that of each eye's "
                  "picture, or of the window")
             .group(group);
-    c.real("--eye-distance", s.eyes.distance, 1e-9, 1e9,
+    c.real("--eye-separation", s.eyes.distance, 1e-9, 1e9,
            "between the eyes, in scene units (default: a thirtieth of the convergence)")
         .group(group)
         .needs(mode);

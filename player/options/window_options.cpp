@@ -9,12 +9,13 @@ void add_window_options(const Command& c, WindowOptions& o) {
     const std::string group = "Window";
     c.integer("--frames", o.frames, 0, 1 << 30, "close after this many frames; 0: never").group(group);
     add_fps_option(c, o.fps, group);
-    c.flag("--fresh", o.fresh, "start with default settings, and do not remember any").group(group);
+    c.flag("--no-saved-settings", o.fresh, "start with default settings, and do not remember any")
+        .group(group);
     c.flag("--kiosk", o.kiosk,
            "for the public: full screen, without quitting, opening or settings; restarted if it fails "
            "(SIGTERM ends it; log: ~/.local/state/vantage/kiosk.log)")
         .group(group);
-    c.real("--home-after", o.home_after, 1, 86400,
+    c.real("--idle-timeout", o.home_after, 1, 86400,
            "a kiosk returns to the first view after so many seconds (default: as the story says, or 60)")
         .group(group);
     c.file("--attract", o.tour,

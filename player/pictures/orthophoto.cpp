@@ -24,7 +24,7 @@ namespace vantage {
 namespace {
 
 constexpr int tile_pixels = 1024;
-constexpr std::int64_t most_row_bytes = std::int64_t(64) << 20;
+constexpr std::int64_t max_row_bytes = std::int64_t(64) << 20;
 
 /// The view of the whole picture; those of its tiles differ in size and principal point only.
 View view_of(const Orthophoto& o, const package::SceneRecord& scene) {
@@ -52,7 +52,7 @@ RenderSettings orthophoto_settings(const PackageReader& package, const Orthophot
         throw Error(Exit::usage, package.path().string() + ": has points only; an orthophoto needs a mesh");
     RenderSettings settings = render_settings(package, o.blending, Purpose::pictures);
     settings.photos = 0;  // a choice of photos would differ from tile to tile
-    settings.surroundings = ShowSurroundings::off;
+    settings.background = ShowBackground::off;
     settings.points.show = false;
     settings.fill_holes = o.blending.holes == "shade";
     settings.fill_background = false;
@@ -84,17 +84,17 @@ Files output_files(const PackageReader& package, const OrthophotoOptions& o) {
 Orthophoto orthophoto_of(const PicturePlane& plane, const Eigen::AlignedBox2d& extent, double resolution) {
     constexpr double rounding = 1 - 1e-9;
     const Eigen::Vector2d pixels = (extent.sizes() * (rounding / resolution)).array().ceil().max(1);
-    if (!(pixels.maxCoeff() <= PngRows::most_pixels))
+    if (!(pixels.maxCoeff() <= PngRows::max_pixels))
         throw Error(
             Exit::usage,
             formatted(
                 "--resolution %g: the picture would have %.6g x %.6g pixels, at most %d a side are possible",
-                resolution, pixels.x(), pixels.y(), PngRows::most_pixels));
+                resolution, pixels.x(), pixels.y(), PngRows::max_pixels));
     return {plane, {extent.min().x(), extent.max().y()}, resolution, int(pixels.x()), int(pixels.y())};
 }
 
 TileSize tile_size_for(int width) {
-    const std::int64_t rows = most_row_bytes / (4 * std::int64_t(width)) / 2 * 2;
+    const std::int64_t rows = max_row_bytes / (4 * std::int64_t(width)) / 2 * 2;
     return {tile_pixels, int(std::clamp<std::int64_t>(rows, 16, tile_pixels))};
 }
 

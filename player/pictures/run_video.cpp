@@ -66,7 +66,7 @@ class Frames {
         settings_.layer = layer_settings(package, o.layer);
         settings_.light = light_settings(o.light);
         settings_.points = point_settings(o.points);
-        if (story.background) settings_.background = background_of(*story.background);
+        if (story.background) settings_.plain_background = plain_background_of(*story.background);
         // Of few photos, which ones changes from frame to frame: they fade, as in the window.
         settings_.complete = settings_.photos == 0;
         settings_.wait_for_tiles = !settings_.complete;

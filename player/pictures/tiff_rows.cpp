@@ -12,7 +12,7 @@ namespace vantage {
 namespace {
 
 constexpr std::uint32_t pixel_scale_tag = 33550, tie_point_tag = 33922, geo_keys_tag = 34735;
-constexpr std::int64_t most_classic_bytes = std::int64_t(3) << 30;  // uncompressed
+constexpr std::int64_t max_classic_bytes = std::int64_t(3) << 30;  // uncompressed
 constexpr std::int64_t strip_bytes = std::int64_t(1) << 20;
 
 void add_geo_tags(TIFF* tiff) {
@@ -62,7 +62,7 @@ TiffRows::TiffRows(const std::filesystem::path& file, int width, int height,
     : file_(file), tiff_(nullptr, TIFFClose) {
     TIFFSetErrorHandler(nullptr);  // what is wrong is told once, by the exception
     TIFFSetWarningHandler(nullptr);
-    const bool large = 4 * std::int64_t(width) * height > most_classic_bytes;
+    const bool large = 4 * std::int64_t(width) * height > max_classic_bytes;
     errno = 0;
     tiff_.reset(TIFFOpen(file_.part().c_str(), large ? "w8" : "w"));
     if (!tiff_ || !set_pixels(tiff_.get(), width, height) || !set_place(tiff_.get(), upper_left, resolution))

@@ -10,8 +10,8 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t least_mesh = 50'000;    // triangles; fewer are drawn as fast as they are
-constexpr std::size_t most_coarse = 100'000;  // triangles
+constexpr std::size_t least_mesh = 50'000;   // triangles; fewer are drawn as fast as they are
+constexpr std::size_t max_coarse = 100'000;  // triangles
 constexpr std::size_t part_triangles = 1 << 17;
 
 /// The number of opaque triangles, which come first.
@@ -90,7 +90,7 @@ void add_simplified(const Part& part, std::size_t first, std::size_t triangles, 
 
 std::size_t coarse_triangles(const PlanScene& scene) {
     const std::size_t all = opaque_triangles(scene);
-    return all < least_mesh ? 0 : std::min(all / 8, most_coarse);
+    return all < least_mesh ? 0 : std::min(all / 8, max_coarse);
 }
 
 CoarseMesh make_coarse_mesh(const PlanScene& scene, const std::stop_token& stop) {

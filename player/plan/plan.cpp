@@ -91,7 +91,7 @@ void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
 Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
                std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous,
                std::span<const std::uint32_t> seen, const PhotoChoice* chosen) {
-    VisibleSurface surface = visible_surface(scene, view, seen, settings.samples, settings.surroundings);
+    VisibleSurface surface = visible_surface(scene, view, seen, settings.samples, settings.background);
     Plan plan;
     plan.choice = chosen ? *chosen : choose_photos(surface, settings, allowed, previous);
     plan.uncovered = plan.choice.uncovered;

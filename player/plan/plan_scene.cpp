@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/package/contents/background.h"
 #include "scene/package/contents/opaque_part.h"
-#include "scene/package/contents/surroundings.h"
 #include "scene/package/package_shape.h"
 
 namespace vantage {
 namespace {
 
-/// The triangles of the mesh in whole words of VISB; those of the surroundings follow.
+/// The triangles of the mesh in whole words of VISB; those of the background follow.
 std::uint32_t first_triangle_behind(std::size_t triangles) {
     return std::uint32_t(64 * package::visible_words(triangles));
 }
 
-/// The mesh's set of bits and then the surroundings', first for triangles seen whole, then in part.
+/// The mesh's set of bits and then the background', first for triangles seen whole, then in part.
 std::vector<std::uint64_t> joined_bits(std::span<const std::uint64_t> mesh,
                                        const std::vector<std::uint64_t>& behind) {
     const std::size_t m = mesh.size() / 2, n = behind.size() / 2;
@@ -29,7 +29,7 @@ std::vector<std::uint64_t> joined_bits(std::span<const std::uint64_t> mesh,
     return out;
 }
 
-void join_geometry(PlanScene& s, const SurroundingsContent& content) {
+void join_geometry(PlanScene& s, const BackgroundContent& content) {
     auto& [positions, indices, coverage, visible] = s.joined;
     positions.assign(s.positions.begin(), s.positions.end());
     positions.insert(positions.end(), content.positions.begin(), content.positions.end());
@@ -51,11 +51,11 @@ void join_geometry(PlanScene& s, const SurroundingsContent& content) {
     s.surrounding_colors = content.colors;
 }
 
-/// Of the first band, whose photos show the surroundings.
+/// Of the first image set, whose photos show the background.
 double spread_of(const PlanScene& s) {
     std::vector<Pose> poses;
     for (std::size_t i = 0; i < s.poses.size(); ++i)
-        if (s.photos[i].band == 0) poses.push_back(s.poses[i]);
+        if (s.photos[i].image_set == 0) poses.push_back(s.poses[i]);
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const Pose& p : poses) mean += p.center() / double(poses.size());
     double squares = 0;
@@ -63,8 +63,8 @@ double spread_of(const PlanScene& s) {
     return std::sqrt(squares);
 }
 
-/// Makes the surroundings part of everything that plans read.
-void join(PlanScene& s, const SurroundingsContent& content) {
+/// Makes the background part of everything that plans read.
+void join(PlanScene& s, const BackgroundContent& content) {
     join_geometry(s, content);
     s.joined.coverage.resize(s.photos.size());
     s.joined.visible.resize(s.photos.size());
@@ -87,7 +87,7 @@ PlanScene make_plan_scene(const PackageReader& package) {
     expect_shape(package);
     PlanScene s;
     s.photos = package.photos();
-    s.bands = read_bands(package);
+    s.image_sets = read_image_sets(package);
     const auto clusters = package.records<package::ClusterRecord>(Type::clusters);
     s.clusters.assign(clusters.begin(), clusters.end());
     if (effect_on(record, Effect::transparency)) s.first_transparent = opaque_part(package).clusters;
@@ -106,7 +106,7 @@ PlanScene make_plan_scene(const PackageReader& package) {
     }
     s.lenses = LensTables(package);
     s.spread = spread_of(s);
-    if (const auto surroundings = read_surroundings(package)) join(s, *surroundings);
+    if (const auto background = read_background(package)) join(s, *background);
     s.tree = make_cluster_tree(s.clusters);
     return s;
 }

@@ -7,7 +7,7 @@
 
 #include "player/plan/cluster_tree.h"
 #include "player/plan/lens_tables.h"
-#include "scene/package/contents/bands.h"
+#include "scene/package/contents/image_sets.h"
 #include "scene/package/package_reader.h"
 
 namespace vantage {
@@ -20,7 +20,7 @@ struct PlanScene {
     PlanScene& operator=(PlanScene&&) = default;
 
     std::span<const package::PhotoRecord> photos;
-    std::vector<Band> bands;  ///< at least one
+    std::vector<ImageSet> image_sets;  ///< at least one
     std::vector<package::ClusterRecord> clusters;
     ClusterTree tree;
     std::vector<Intrinsics> intrinsics;                              ///< per photo
@@ -28,7 +28,7 @@ struct PlanScene {
     std::vector<std::span<const package::CoverageRecord>> coverage;  ///< per photo; empty if held out
     std::vector<std::span<const std::uint64_t>> visible;             ///< per photo, as VISB
     LensTables lenses;
-    double spread = 0;  ///< root mean square distance of the first band's cameras from their mean
+    double spread = 0;  ///< root mean square distance of the first image set's cameras from their mean
     double size = 0;    ///< diagonal of the model's bounds
     std::size_t triangles = 0;
     std::span<const Eigen::Vector3f> positions;
@@ -38,17 +38,17 @@ struct PlanScene {
     bool has_transparency() const {
         return first_transparent < std::min<std::size_t>(first_surrounding, clusters.size());
     }
-    /// The surroundings are clusters, triangles and vertices behind those of the mesh.
-    std::uint32_t first_surrounding = ~0u;  ///< cluster; beyond all if there are no surroundings
+    /// The background is clusters, triangles and vertices behind those of the mesh.
+    std::uint32_t first_surrounding = ~0u;  ///< cluster; beyond all if there are no background
     std::vector<std::array<std::uint8_t, 4>> surrounding_colors;  ///< one per vertex of theirs
-    /// What the spans show if there are surroundings.
+    /// What the spans show if there are background.
     struct Joined {
         std::vector<Eigen::Vector3f> positions;
         std::vector<std::uint32_t> indices;
         std::vector<std::vector<package::CoverageRecord>> coverage;
         std::vector<std::vector<std::uint64_t>> visible;
     } joined;
-    bool has_surroundings() const { return first_surrounding < clusters.size(); }
+    bool has_background() const { return first_surrounding < clusters.size(); }
 };
 /// Throws Error(damaged).
 PlanScene make_plan_scene(const PackageReader& package);

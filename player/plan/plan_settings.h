@@ -11,15 +11,15 @@ enum class Choice {
 
 struct PlanSettings {
     Choice choice = Choice::cover;
-    int photos = 0;            ///< minimum number of photos, if that many see the view; 0: all
-    double sharpness = 0;      ///< radians of the angle weight; 0: weights do not depend on the angle
-    double angle_limit = 0;    ///< radians between viewing directions; a photo beyond it is used only for
-                               ///< surfaces that no other photo sees; 0: no limit
-    double samples = 1;        ///< per side of a pixel
-    double worth = 0;          ///< a tile is needed if at least this share of its texels is shown; 0: any
-    bool tiles = true;         ///< list the tiles needed; otherwise use only thumbnails
-    bool surroundings = true;  ///< shown, if the package has them
-    bool complete = true;  ///< wait for everything that the picture needs; otherwise photos fade in and out
+    int photos = 0;          ///< minimum number of photos, if that many see the view; 0: all
+    double sharpness = 0;    ///< radians of the angle weight; 0: weights do not depend on the angle
+    double angle_limit = 0;  ///< radians between viewing directions; a photo beyond it is used only for
+                             ///< surfaces that no other photo sees; 0: no limit
+    double samples = 1;      ///< per side of a pixel
+    double worth = 0;        ///< a tile is needed if at least this share of its texels is shown; 0: any
+    bool tiles = true;       ///< list the tiles needed; otherwise use only thumbnails
+    bool background = true;  ///< shown, if the package has them
+    bool complete = true;    ///< wait for everything that the picture needs; otherwise photos fade in and out
     /// For frames in motion that take too long: each surface gets only the photos that matter most there, and
     /// photos are exchanged at once.
     bool swift = false;

@@ -43,7 +43,7 @@ PointPlan plan_points(const PointCloud& cloud, const View& view, std::uint64_t b
         const auto [apart, node] = waiting.top();
         waiting.pop();
         const PointNode& n = cloud.nodes[node];
-        const bool full = plan.points + n.count > budget || plan.nodes.size() == most_point_nodes;
+        const bool full = plan.points + n.count > budget || plan.nodes.size() == max_point_nodes;
         if (full && !plan.nodes.empty()) {
             plan.whole = false;
             break;

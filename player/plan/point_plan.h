@@ -18,7 +18,7 @@ struct PointPlan {
 };
 
 /// Maximum number of nodes in a plan.
-inline constexpr std::size_t most_point_nodes = 4096;
+inline constexpr std::size_t max_point_nodes = 4096;
 
 /// Whether nodes are tested against the frustum: `none` only for comparison.
 enum class PointCulling {

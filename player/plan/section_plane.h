@@ -18,7 +18,7 @@ struct SectionPlane {
 };
 
 /// How many planes can cut the model: those of a box.
-inline constexpr std::size_t most_sections = 6;
+inline constexpr std::size_t max_sections = 6;
 
 /// Whether a point is before one of the planes.
 inline bool is_cut_away(std::span<const SectionPlane> planes, const Eigen::Vector3d& p) {

@@ -57,8 +57,8 @@ void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<
         return;
     const std::vector<std::uint32_t> previous = photos_of(plan_.photos);
     if (!at_rest) {
-        uses_seen_ = reads_seen(settings) && !seen.triangles.empty() &&
-                     shows_much_of(seen.view, view, *scene_);
+        uses_seen_ =
+            reads_seen(settings) && !seen.triangles.empty() && shows_much_of(seen.view, view, *scene_);
         at_rest_.clear();
         // After other settings, the triangles may be from before the change.
         if (uses_seen_ && same_settings && same_view(seen.view, view))
@@ -77,9 +77,9 @@ void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<
 
 /// In motion, photos are chosen anew in every third plan only: choosing takes as long as all the rest.
 bool ViewPlan::keeps_choice(const View& view, bool moves) {
-    constexpr int most_plans = 3;
+    constexpr int max_plans = 3;
     const bool keeps = moves && uses_seen_ && chosen_for_ && shows_much_of(*chosen_for_, view, *scene_) &&
-                       plans_of_choice_ < most_plans;
+                       plans_of_choice_ < max_plans;
     plans_of_choice_ = keeps ? plans_of_choice_ + 1 : 1;
     if (!keeps) chosen_for_ = view;
     return keeps;

@@ -56,11 +56,10 @@ VisibleSurface::Points points_on(const PlanScene& scene, const View& view,
 }  // namespace
 
 VisibleSurface visible_surface(const PlanScene& scene, const View& view, std::span<const std::uint32_t> seen,
-                               double samples, bool surroundings) {
+                               double samples, bool background) {
     VisibleSurface s{scene, view, view.cam_from_origin.center(),
                      clusters_in_view(scene.tree, scene.clusters, view)};
-    if (!surroundings)
-        std::erase_if(s.clusters, [&](std::uint32_t c) { return c >= scene.first_surrounding; });
+    if (!background) std::erase_if(s.clusters, [&](std::uint32_t c) { return c >= scene.first_surrounding; });
     const auto is_transparent = [&](std::uint32_t c) {
         return c >= scene.first_transparent && c < scene.first_surrounding;
     };

@@ -30,9 +30,9 @@ struct VisibleSurface {
 };
 
 /// `seen`: the triangles at pixels of this view or a recent one, numbered from 1 (0: none). `samples`: per
-/// side of a pixel. `surroundings`: whether they are shown.
+/// side of a pixel. `background`: whether they are shown.
 VisibleSurface visible_surface(const PlanScene& scene, const View& view, std::span<const std::uint32_t> seen,
-                               double samples, bool surroundings);
+                               double samples, bool background);
 
 /// How well a photo agrees with the view, in [0, 1]: the share of the visible surface that it sees, weighted
 /// by the angle; 0 if it sees nothing of it.

@@ -21,7 +21,7 @@ struct FrameReport {
     bool settled = false;  ///< nothing more is to come, and all has faded in
 };
 
-/// The sum of what frames, or bands of one frame, consisted of; settled if all are.
+/// The sum of what frames, or image sets of one frame, consisted of; settled if all are.
 FrameReport joined(const FrameReport& a, const FrameReport& b);
 
 }  // namespace vantage

@@ -13,22 +13,22 @@ TileNeeds FrameTiles::comparison_needs(const View& view, const RenderSettings& s
     return whole_photo_needs(scene_->photos[photo], view.intrinsics.fx / scene_->intrinsics[photo].fx);
 }
 
-void FrameTiles::stream(const View& view, std::span<const BandFrame> bands, int side, const View* next,
-                        FrameReport& report) {
-    const RenderSettings& settings = bands.front().settings;
-    for (const BandFrame& band : bands) {
-        for (const PlannedPhoto& p : band.plan->plan().photos)
-            store_->need_base(p.photo, coordinates(band.settings));
-        for (const PlannedPhoto& p : band.plan->kept())
-            store_->need_base(p.photo, coordinates(band.settings));
+void FrameTiles::stream(const View& view, std::span<const ImageSetFrame> image_sets, int side,
+                        const View* next, FrameReport& report) {
+    const RenderSettings& settings = image_sets.front().settings;
+    for (const ImageSetFrame& image_set : image_sets) {
+        for (const PlannedPhoto& p : image_set.plan->plan().photos)
+            store_->need_base(p.photo, coordinates(image_set.settings));
+        for (const PlannedPhoto& p : image_set.plan->kept())
+            store_->need_base(p.photo, coordinates(image_set.settings));
     }
     if (settings.wait_for_base) report.uploaded += store_->load(settings.upload_bytes);
-    for (const BandFrame& band : bands)
-        for (const PlannedPhoto& p : band.plan->plan().photos) {
+    for (const ImageSetFrame& image_set : image_sets)
+        for (const PlannedPhoto& p : image_set.plan->plan().photos) {
             if (settings.whole_photos) report.uploaded += store_->load_whole(p.photo);
             report.tiles += p.needs.tiles();
             // Until the visible triangles are known, many tiles would be read unnecessarily.
-            const bool known = band.plan->uses_seen() || settings.wait_for_tiles;
+            const bool known = image_set.plan->uses_seen() || settings.wait_for_tiles;
             report.tiles_missing += known ? store_->need(p.photo, p.needs) : p.needs.tiles();
             if (!known) report.tiles_to_come += p.needs.tiles();
         }
@@ -40,24 +40,25 @@ void FrameTiles::stream(const View& view, std::span<const BandFrame> bands, int 
     if (settings.wait_for_tiles) {
         store_->load();
         report.tiles_missing = store_->missing(settings.compare_photo, comparison);
-        for (const BandFrame& band : bands)
-            for (const PlannedPhoto& p : band.plan->plan().photos)
+        for (const ImageSetFrame& image_set : image_sets)
+            for (const PlannedPhoto& p : image_set.plan->plan().photos)
                 report.tiles_missing += store_->missing(p.photo, p.needs);
         return;
     }
-    if (report.tiles_missing == 0 && next) prefetch(bands, side, *next);
+    if (report.tiles_missing == 0 && next) prefetch(image_sets, side, *next);
     // Points have taken their part of the frame's budget.
     const std::size_t left = settings.upload_bytes - std::min(settings.upload_bytes, report.uploaded);
     report.uploaded += settings.wait_for_uploads ? store_->await(left) : store_->stream(left);
     report.tiles_to_come += store_->to_come();
 }
 
-void FrameTiles::prefetch(std::span<const BandFrame> bands, int side, const View& next) {
+void FrameTiles::prefetch(std::span<const ImageSetFrame> image_sets, int side, const View& next) {
     constexpr unsigned every = 4;  // frames; the view to come is further ahead
     if (prefetches_++ % every == 0) {
         ahead_.clear();
-        for (const BandFrame& band : bands)
-            for (PlannedPhoto& p : band.plan->ahead(next, plan_settings(band.settings), side).photos)
+        for (const ImageSetFrame& image_set : image_sets)
+            for (PlannedPhoto& p :
+                 image_set.plan->ahead(next, plan_settings(image_set.settings), side).photos)
                 ahead_.push_back(std::move(p));
     }
     for (const PlannedPhoto& p : ahead_) store_->prefetch(p.photo, p.needs);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "player/render/band_plans.h"
+#include "player/render/image_set_plans.h"
 #include "player/render/passes/model_passes.h"
 #include "player/stream/photo_store.h"
 
@@ -23,7 +23,7 @@ class FrameTiles {
 
     /// Requests what a frame needs and prefetches what frames to come will need, for the view expected next,
     /// too; uploads what has arrived. Adds to the report.
-    void stream(const View& view, std::span<const BandFrame> bands, int side, const View* next,
+    void stream(const View& view, std::span<const ImageSetFrame> image_sets, int side, const View* next,
                 FrameReport& report);
     /// Loads everything that a pass needs, however long it takes. Adds to the report.
     void load(Pass pass, const DrawnView& drawn, double now, FrameReport& report);
@@ -37,7 +37,7 @@ class FrameTiles {
   private:
     bool coordinates(const RenderSettings& settings) const { return !passes_->per_fragment(settings); }
     TileNeeds comparison_needs(const View& view, const RenderSettings& settings) const;
-    void prefetch(std::span<const BandFrame> bands, int side, const View& next);
+    void prefetch(std::span<const ImageSetFrame> image_sets, int side, const View& next);
 
     const PlanScene* scene_;
     PhotoStore* store_;

@@ -17,7 +17,7 @@ using package::Type;
 
 namespace {
 
-/// Of the mesh, as stored; of the surroundings, inward.
+/// Of the mesh, as stored; of the background, inward.
 std::vector<Eigen::Vector3f> normals_of(const PackageReader& package, const PlanScene& scene) {
     const auto stored = package.records<Eigen::Vector3f>(Type::normals);
     std::vector<Eigen::Vector3f> out(stored.begin(), stored.end());
@@ -102,7 +102,7 @@ Model load_model(const PackageReader& package, const PlanScene& scene) {
     Model m;
     m.vertex_count = std::uint32_t(package.scene().vertices);
     m.positions = buffer_of("positions", scene.positions);
-    if (scene.has_surroundings()) {
+    if (scene.has_background()) {
         m.normals = buffer_of("normals", std::span<const Eigen::Vector3f>(normals_of(package, scene)));
     } else {
         const auto normals = package.records<float>(Type::normals);
@@ -123,7 +123,7 @@ Model load_model(const PackageReader& package, const PlanScene& scene) {
     glVertexArrayBindingDivisor(m.vertices.id(), draw_attribute, 2);  // the same for both eyes
     glEnableVertexArrayAttrib(m.vertices.id(), draw_attribute);
     if (!effect_on(package.scene(), Effect::vertex_colors) &&
-        !effect_on(package.scene(), Effect::transparency) && !scene.has_surroundings())
+        !effect_on(package.scene(), Effect::transparency) && !scene.has_background())
         return m;
     m.colors = buffer_of("colors", std::span<const std::array<std::uint8_t, 4>>(colors_of(package, scene)));
     glVertexArrayVertexBuffer(m.vertices.id(), color_attribute, m.colors.id(), 0, 4);

@@ -9,13 +9,13 @@
 
 namespace vantage {
 
-/// The package's mesh and surroundings on the graphics card, with the attributes of shaders/contract.glsl.
-/// Colors are present only if vertex colors or transparency are on, or if there are surroundings. The
+/// The package's mesh and the background on the graphics card, with the attributes of shaders/contract.glsl.
+/// Colors are present only if vertex colors or transparency are on, or if there are background. The
 /// attribute `draw` is one DrawRecord per draw, selected by base instance from a buffer that each pass binds.
 struct Model {
     gl::Buffer positions, normals, colors, indices;
     gl::Buffer triangle_clusters;  ///< of each triangle, if photos can be blended by_triangle
-    gl::Buffer values;             ///< of the scalar layer shown last, once one was
+    gl::Buffer values;             ///< of the scalar field shown last, once one was
     gl::VertexArray vertices;
     std::uint32_t vertex_count = 0;  ///< of the mesh
     std::size_t coarse_room =
@@ -37,7 +37,7 @@ struct DrawCommand {
 };
 struct DrawRecord {
     std::uint32_t first_triangle;
-    std::uint32_t photos;  ///< one bit per photo of the pass; shader::surroundings_bit
+    std::uint32_t photos;  ///< one bit per photo of the pass; shader::background_bit
 };
 
 }  // namespace vantage

@@ -28,7 +28,7 @@ void learn(Pacing& p, bool swift, double whole) {
     const double last = std::exchange(p.last, whole);
     if (std::exchange(p.last_swift, swift) == swift || !(last > 0)) return;
     const double ratio = swift ? last / whole : whole / last;
-    p.all_photos = std::clamp(margin * ratio, least, most_for_all_photos);
+    p.all_photos = std::clamp(margin * ratio, least, max_for_all_photos);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ struct Pace {
 inline constexpr double least_scale = 0.15;
 
 /// How many times as long as a swift frame one takes that is not, at most.
-inline constexpr double most_for_all_photos = 3;
+inline constexpr double max_for_all_photos = 3;
 
 /// Of a first picture, which is made of thumbnails.
 inline constexpr Pace coarse_pace{0.25, true};
@@ -22,7 +22,7 @@ inline constexpr Pace coarse_pace{0.25, true};
 /// The pace of the next frame, after one at `pace` that took `ms`, of which `goal_ms` are allowed. Slows down
 /// at once, and quickens by at most a fifth of the pixels per frame. Without a time or a goal above 0, the
 /// same pace. `all_photos`: how many times as long a frame takes that is not swift.
-Pace next_pace(Pace pace, double ms, double goal_ms, double all_photos = most_for_all_photos);
+Pace next_pace(Pace pace, double ms, double goal_ms, double all_photos = max_for_all_photos);
 
 /// The pace of the next frame, and what is known about those before it.
 struct Pacing {
@@ -30,7 +30,7 @@ struct Pacing {
     double usual = 0;  ///< ms that a frame of full size would take; 0: not known
     Pace before{};     ///< before frames suddenly took longer
     int watched = 0;   ///< frames for which that may prove to have passed; 0: it has not happened recently
-    double all_photos = most_for_all_photos;  ///< as for next_pace(), as far as frames have shown
+    double all_photos = max_for_all_photos;  ///< as for next_pace(), as far as frames have shown
     double last = 0;          ///< ms that a frame of full size would take by the last time; 0: none
     bool last_swift = false;  ///< that frame
 };

@@ -16,7 +16,7 @@ PlanSettings plan_settings(const RenderSettings& s) {
     p.photos = s.swift && s.photos > 0 ? 1 : s.photos;
     p.swift = s.swift;
     p.tiles = !s.thumbnails;
-    p.surroundings = s.surroundings != ShowSurroundings::off;
+    p.background = s.background != ShowBackground::off;
     p.complete = s.complete;
     p.angle_limit = s.photos > 0 ? s.angle_limit * std::numbers::pi / 180 : 0;
     // The plan keeps footprints up to 4 times longer than wide sharp; more taps read finer levels.
@@ -28,21 +28,21 @@ PlanSettings plan_settings(const RenderSettings& s) {
     return p;
 }
 
-LayerLegend layer_legend(const ValueLayer& layer, const LayerSettings& s) {
+FieldLegend field_legend(const ScalarField& layer, const FieldSettings& s) {
     const ValueRange whole = s.range.value_or(whole_range(layer, false, s.logarithmic));
     const ColorMap map = chosen_map(s.map, whole.low, whole.high);
     if (s.range) return {map, *s.range};
     return {map, whole_range(layer, map == ColorMap::coolwarm && !s.logarithmic, s.logarithmic)};
 }
 
-Background background_of(const package::SceneRecord& scene) {
+PlainBackground plain_background_of(const package::SceneRecord& scene) {
     constexpr float darkest = 0.02f, brightest = 0.5f, gray = 0.6f, top = 0.7f;
     const Eigen::Array3f shade = Eigen::Map<const Eigen::Array3d>(scene.shade).cast<float>();
     const float light = (shade * Eigen::Array3f(0.2126f, 0.7152f, 0.0722f)).sum();
-    if (effect_on(scene, Effect::surroundings) || !(light > 0)) return {};
+    if (effect_on(scene, Effect::background) || !(light > 0)) return {};
     const Eigen::Array3f calm =
         (gray * light + (1 - gray) * shade) * (std::clamp(light, darkest, brightest) / light);
-    Background out;
+    PlainBackground out;
     Eigen::Map<Eigen::Array3f>(out.bottom.data()) = calm;
     Eigen::Map<Eigen::Array3f>(out.top.data()) = top * calm;
     return out;

@@ -12,7 +12,7 @@
 #include "player/view/frame_size.h"
 #include "player/view/view.h"
 #include "scene/package/contents/color_map.h"
-#include "scene/package/contents/value_layer.h"
+#include "scene/package/contents/scalar_field.h"
 
 namespace vantage {
 
@@ -24,25 +24,25 @@ enum class Coordinates { automatic, vertex, fragment, count };
 /// False colors: which photo, or how many photos. Values as in shaders/contract.glsl.
 enum class Show { colors, sources, coverage, count };
 /// Comparison with a photo. Values as in shaders/contract.glsl.
-enum class Compare { nothing, side_by_side, wiper, difference, count };
+enum class Compare { nothing, side_by_side, swipe, difference, count };
 /// What photos show beside the mesh, if the package has it.
-enum class ShowSurroundings { on, dimmed, off, count };
+enum class ShowBackground { on, dimmed, off, count };
 
-inline constexpr int most_photos_per_pass = 16;
+inline constexpr int max_photos_per_pass = 16;
 /// Photos that a window blends: 4 look as good as 8 and take two thirds to four fifths of the time
 /// (vantage-bench, "blending").
 inline constexpr int window_photos = 4;
 
-/// A scalar layer in place of the photos, or mixed with them. Its colors are not shaded: they are those of
+/// A scalar field in place of the photos, or mixed with them. Its colors are not shaded: they are those of
 /// the legend.
-struct LayerSettings {
+struct FieldSettings {
     int layer = -1;  ///< -1: none
     ColorMap map = ColorMap::automatic;
     std::optional<ValueRange> range;  ///< whole_range() if not given; values beyond have the end's color
     bool logarithmic = false;         ///< values that are not positive count as no value
     int isolines = 0;                 ///< intervals between lines; 0: no lines
     double share = 1;                 ///< of the layer's color, beside the photos'
-    bool operator==(const LayerSettings&) const = default;
+    bool operator==(const FieldSettings&) const = default;
 };
 
 /// Light on the bare geometry, in place of the photos or times them. Values as in shaders/contract.glsl.
@@ -57,11 +57,11 @@ struct LightSettings {
 };
 
 /// The map and the range that the settings stand for, for one layer.
-struct LayerLegend {
+struct FieldLegend {
     ColorMap map;
     ValueRange range;
 };
-LayerLegend layer_legend(const ValueLayer& layer, const LayerSettings& settings);
+FieldLegend field_legend(const ScalarField& layer, const FieldSettings& settings);
 
 /// How transparent surfaces are blended: sorted at each pixel, or by weighted sums.
 enum class Transparency { exact, approximate, off, count };
@@ -93,31 +93,31 @@ struct PointSettings {
     bool operator==(const PointSettings&) const = default;
 };
 
-/// How two bands are shown together.
-enum class BandView { mix, side_by_side, wiper, count };
+/// How two image sets are shown together.
+enum class ImageSetView { mix, side_by_side, swipe, count };
 
-/// The bands of photos that are shown, by their numbers. Photos of one are never blended with those of
+/// The image sets of photos that are shown, by their numbers. Photos of one are never blended with those of
 /// another: each makes a picture of its own.
-struct BandSettings {
+struct ImageSetSettings {
     std::uint32_t shown = 0;
-    std::optional<std::uint32_t> other{};  ///< a second band
-    BandView how = BandView::mix;
-    double share = 0;    ///< of the other band in a mix, 0 to 1
-    double wiper = 0.5;  ///< share of the width at which the other band begins
-    bool operator==(const BandSettings&) const = default;
+    std::optional<std::uint32_t> other{};  ///< a second image set
+    ImageSetView how = ImageSetView::mix;
+    double share = 0;    ///< of the other image set in a mix, 0 to 1
+    double swipe = 0.5;  ///< share of the width at which the other image set begins
+    bool operator==(const ImageSetSettings&) const = default;
 };
 
 /// What is behind the model if holes are filled.
-struct Background {
+struct PlainBackground {
     std::array<float, 3> top{0.012f, 0.014f, 0.018f}, bottom = top;  ///< linear; a gradient between them
     /// Share of the shorter side over which the picture fades toward its edges, into the background or into
     /// transparency; not while it is compared.
     double soft_edges = 0;
-    bool operator==(const Background&) const = default;
+    bool operator==(const PlainBackground&) const = default;
 };
 
-/// Of a scene without surroundings: calm, in the shade that its photos show beside the model.
-Background background_of(const package::SceneRecord& scene);
+/// Of a scene without a background: calm, in the shade that its photos show beside the model.
+PlainBackground plain_background_of(const package::SceneRecord& scene);
 
 /// How the bare surface is drawn for two eyes. The pictures are the same.
 enum class EyeSurfaces {
@@ -130,7 +130,8 @@ enum class EyeSurfaces {
 /// How a view is rendered.
 struct RenderSettings {
     Blend blend = Blend::lumigraph;
-    bool consensus = false;  ///< colors far from the weighted mean get less weight (a second round of passes)
+    bool transients =
+        false;  ///< colors far from the weighted mean get less weight (a second round of passes)
     Coordinates coordinates = Coordinates::automatic;
     WeightSettings weights;
     Choice choice = Choice::cover;
@@ -146,17 +147,17 @@ struct RenderSettings {
     EyeSurfaces eye_surfaces = EyeSurfaces::automatic;
     bool thumbnails = false;  ///< nothing finer than thumbnails
     Show show = Show::colors;
-    ShowSurroundings surroundings = ShowSurroundings::on;
+    ShowBackground background = ShowBackground::on;
     Transparency transparency = Transparency::exact;
-    LayerSettings layer;
+    FieldSettings layer;
     LightSettings light;
     PointSettings points;
-    BandSettings bands;
+    ImageSetSettings image_sets;
     Compare compare = Compare::nothing;
     std::uint32_t compare_photo = 0;
     std::optional<View> weights_from;       ///< weights frozen as seen from there [M]
-    double wiper = 0.5;                     ///< share of the width
-    bool refined_colors = true;             ///< apply gains and falloff if the package's effects are on
+    double swipe = 0.5;                     ///< share of the width
+    bool refined_colors = true;             ///< apply gains and vignetting if the package's effects are on
     std::optional<std::uint32_t> exposure;  ///< of this photo, instead of the view's
     bool complete = true;    ///< wait for all tiles that the view needs; else show what is resident
     bool every_tile = true;  ///< with `complete`: also those of which little is shown
@@ -169,8 +170,8 @@ struct RenderSettings {
     bool wait_for_uploads = false;  ///< waits for tiles until upload_bytes are uploaded
     bool whole_photos = false;      ///< upload each photo whole and at once (for comparison)
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< per frame
-    std::vector<SectionPlane> sections;  ///< at most most_sections; cut the mesh only
-    Background background;
+    std::vector<SectionPlane> sections;  ///< at most max_sections; cut the mesh only
+    PlainBackground plain_background;
     FrameSize room;  ///< frames up to this size, or the view's, need no new render targets
     bool operator==(const RenderSettings&) const = default;
 };

@@ -17,10 +17,10 @@ namespace {
 
 static_assert(GLuint(Compare::nothing) == shader::compare_nothing &&
               GLuint(Compare::side_by_side) == shader::compare_side_by_side &&
-              GLuint(Compare::wiper) == shader::compare_wiper &&
+              GLuint(Compare::swipe) == shader::compare_swipe &&
               GLuint(Compare::difference) == shader::compare_difference);
 
-constexpr float dimmed_light = 0.2f;  ///< of surroundings that are dimmed
+constexpr float dimmed_light = 0.2f;  ///< of the dimmed background
 
 /// a and b, where depth is a + b / z.
 Eigen::Vector2d terms_of(const View& view, const Eigen::Vector2d& range) {
@@ -41,11 +41,12 @@ class DrawnRegion {
 };
 
 /// 1 where photos were taken, 0 farther from all of them than they are spread: in between, one may have left
-/// the surroundings in one direction while still inside in others.
+/// the background in one direction while still inside in others.
 double nearness_to_photos(const PlanScene& scene, const Eigen::Vector3d& eye) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < scene.poses.size(); ++i)
-        if (scene.photos[i].band == 0) nearest = std::min(nearest, (scene.poses[i].center() - eye).norm());
+        if (scene.photos[i].image_set == 0)
+            nearest = std::min(nearest, (scene.poses[i].center() - eye).norm());
     return scene.spread > 0 ? std::clamp(2 - nearest / scene.spread, 0.0, 1.0) : 0;
 }
 
@@ -57,7 +58,7 @@ std::uint64_t tiles_for(int width, int height) {
 
 /// Bytes for points: a quarter of a limit that was given.
 std::uint64_t points_memory(const MemoryBudget& budget) {
-    return budget.graphics ? std::min(PointStore::most_bytes, budget.graphics / 4) : PointStore::most_bytes;
+    return budget.graphics ? std::min(PointStore::max_bytes, budget.graphics / 4) : PointStore::max_bytes;
 }
 
 /// The view shifted so that its pixel centers are the positions of one sample.
@@ -83,10 +84,10 @@ void check_view(const View& view) {
         throw Error(Exit::usage, "a view's position, direction or field of view is not finite");
 }
 
-/// Points and surroundings are drawn for perspective only. Throws Error(usage).
-void expect_perspective(const View& view, bool points, bool surroundings) {
-    if (view.orthographic_depth > 0 && (points || surroundings))
-        throw Error(Exit::usage, "an orthographic view shows neither points nor surroundings");
+/// Points and background is drawn for perspective only. Throws Error(usage).
+void expect_perspective(const View& view, bool points, bool background) {
+    if (view.orthographic_depth > 0 && (points || background))
+        throw Error(Exit::usage, "an orthographic view shows neither points nor background");
 }
 
 double milliseconds_since(std::chrono::steady_clock::time_point begin) {
@@ -94,7 +95,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point begin) {
 }
 
 gl::Program make_show_program(const PackageReader& package, const PlanScene& scene) {
-    std::vector<std::string> defines = surroundings_defines(scene);
+    std::vector<std::string> defines = background_defines(scene);
     if (scene.has_transparency()) defines.emplace_back("TRANSPARENCY");
     if (effect_on(package.scene(), Effect::undistortion)) defines.emplace_back("PHOTO_LENS");
     for (std::string& d : shader_defines("show", package.scene().effects)) defines.push_back(std::move(d));
@@ -115,11 +116,11 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
       show_program_(make_show_program(package, scene_)),
       no_vertices_(gl::make_vertex_array("no vertices")) {
     eyes_.emplace_back(scene_);
-    if (scene_.has_surroundings()) filling_.emplace();
+    if (scene_.has_background()) filling_.emplace();
     if (auto cloud = read_point_cloud(package))
         points_.emplace(package, std::move(*cloud), points_memory(budget));
     if (scene_.has_transparency())
-        transparent_.emplace(budget.graphics ? budget.graphics / 4 : TransparentPass::most_list_bytes);
+        transparent_.emplace(budget.graphics ? budget.graphics / 4 : TransparentPass::max_list_bytes);
     held_ = gl::memory_held() - held_;
     gl::check("opening the package");
 }
@@ -130,7 +131,7 @@ void Renderer::set_budget(const MemoryBudget& budget) {
 }
 
 gl::Program Renderer::make_resolve_program(const std::vector<std::string>& asked) const {
-    std::vector<std::string> defines = surroundings_defines(scene_);
+    std::vector<std::string> defines = background_defines(scene_);
     for (std::string& d : shader_defines("resolve", package_->scene().effects))
         defines.push_back(std::move(d));
     defines.insert(defines.end(), asked.begin(), asked.end());
@@ -164,15 +165,14 @@ bool Renderer::photos_on_points(const RenderSettings& settings) const {
 }
 
 /// Creates targets with room for the frame, and fits the tiles into the rest of the budget.
-void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
-    const RenderSettings& settings = bands.front().settings;
+void Renderer::fit(FrameSize frame, std::span<const ImageSetFrame> image_sets) {
+    const RenderSettings& settings = image_sets.front().settings;
     const FrameSize room = room_for(frame, settings.room);
     const auto [width, height] = room;
     const bool coordinates =
-        std::ranges::any_of(bands, [&](const BandFrame& b) { return !per_fragment(b.settings); });
+        std::ranges::any_of(image_sets, [&](const ImageSetFrame& b) { return !per_fragment(b.settings); });
     const bool placed = points_ && (photos_on_points(settings) || settings.points.pick);
-    const bool veiled =
-        transparent_ && settings.transparency != Transparency::off && scene_.has_surroundings();
+    const bool veiled = transparent_ && settings.transparency != Transparency::off && scene_.has_background();
     const std::size_t eyes = eyes_.size();
     const std::size_t surfaces = may_have_own_surfaces(settings) ? eyes : 1;
     // A first picture, which may be coarse, does not wait for the memory of those that follow.
@@ -189,7 +189,7 @@ void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
         const std::uint64_t others =
             gl::memory_held() - budget_.elsewhere - store_.bytes() +
             FrameTargets::bytes(room, eyes, surfaces) +
-            (scene_.bands.size() > 1 ? eyes * PictureSamples::bytes(width, height) : 0) +
+            (scene_.image_sets.size() > 1 ? eyes * PictureSamples::bytes(width, height) : 0) +
             (veiled ? eyes * PictureSamples::veil_bytes(width, height) : 0) +
             (filling_ ? HoleFilling::bytes(width, height) : 0) +
             (points_ ? PointPass::bytes(width, height, placed) + points_->growth() : 0) +
@@ -206,7 +206,7 @@ void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
     targets_.width = frame.width, targets_.height = frame.height;
     targets_.surface_number = 0;
     for (PictureSamples& samples : targets_.samples) {
-        if (bands.size() > 1) samples.add_other();
+        if (image_sets.size() > 1) samples.add_other();
         if (veiled) samples.add_veil();
     }
 }
@@ -221,22 +221,22 @@ bool Renderer::take_seen(Eye& eye, bool wait) {
     return eye.readback.update(wait, scene_.triangles, passes_.coarse().stands_for);
 }
 
-/// Plans the bands of an eye. In a frame that does not wait for all tiles, those of the first eye serve both:
-/// the second one's plan has its photos, and no tiles of its own.
+/// Plans the image sets of an eye. In a frame that does not wait for all tiles, those of the first eye serve
+/// both: the second one's plan has its photos, and no tiles of its own.
 void Renderer::plan_eye(Eye& eye, PixelSample sample) {
-    for (std::size_t b = 0; b < eye.bands.size(); ++b) {
-        const BandFrame& band = eye.bands[b];
-        const RenderSettings& settings = band.settings;
+    for (std::size_t b = 0; b < eye.image_sets.size(); ++b) {
+        const ImageSetFrame& image_set = eye.image_sets[b];
+        const RenderSettings& settings = image_set.settings;
         PlanSettings how = plan_settings(settings);
-        if (settings.complete && reads_seen(how) && sample.index == 0) find_seen(eye, band, sample);
+        if (settings.complete && reads_seen(how) && sample.index == 0) find_seen(eye, image_set, sample);
         const PhotoChoice* photos = nullptr;
         if (&eye != &eyes_[0] && !settings.complete) {
-            photos = &eyes_[0].bands.at(b).plan->plan().choice;
+            photos = &eyes_[0].image_sets.at(b).plan->plan().choice;
             how.tiles = false;
         }
         const bool both = !settings.complete && eyes_.size() > 1;
-        band.plan->update(eye.view, how, band.photos, sample.side,
-                          both ? seen_by_both(eye) : eye.readback.seen(), photos);
+        image_set.plan->update(eye.view, how, image_set.photos, sample.side,
+                               both ? seen_by_both(eye) : eye.readback.seen(), photos);
     }
 }
 
@@ -252,7 +252,7 @@ SeenTriangles Renderer::seen_by_both(const Eye& eye) {
 }
 
 void Renderer::stream_points(const Eye& eye, FrameReport& report) {
-    const RenderSettings& settings = eye.bands.front().settings;
+    const RenderSettings& settings = eye.image_sets.front().settings;
     if (!shows_points(settings)) return;
     report.uploaded += points_->stream(eye.view, settings, sample_.side, now_);
     report.nodes_missing += points_->missing();
@@ -272,14 +272,14 @@ FrameReport Renderer::prepare(std::span<const View> views, const RenderSettings&
     for (const View& view : views) check_view(view);
     const std::uint64_t held_before = gl::memory_held();
     const RenderSettings settings = usable(given);
-    expect_perspective(views.front(), shows_points(settings), passes_.shows_surroundings(settings));
+    expect_perspective(views.front(), shows_points(settings), passes_.shows_background(settings));
     if (!shows_photos(settings)) photos = {};
     if (settings.weights_from) check_view(*settings.weights_from);
     sample_ = sample, now_ = now;
     if (eyes_.size() != views.size()) seen_version_ = 0;
     while (eyes_.size() > views.size()) eyes_.pop_back();
     while (eyes_.size() < views.size()) eyes_.emplace_back(scene_);
-    std::vector<BandFrame> bands;  // of all eyes
+    std::vector<ImageSetFrame> image_sets;  // of all eyes
     for (std::size_t i = 0; i < views.size(); ++i) {
         Eye& eye = eyes_[i];
         eye.view = views[i];
@@ -290,11 +290,11 @@ FrameReport Renderer::prepare(std::span<const View> views, const RenderSettings&
             eye.plans.choose(settings, now);
         else
             eye.plans.follow(eyes_[0].plans);  // else one eye might fade while the other has done so
-        eye.bands = eye.plans.frames(settings, photos);
-        bands.insert(bands.end(), eye.bands.begin(), eye.bands.end());
+        eye.image_sets = eye.plans.frames(settings, photos);
+        image_sets.insert(image_sets.end(), eye.image_sets.begin(), eye.image_sets.end());
     }
     if (passes_.load_layer(settings)) targets_ = {};  // the budget has to be divided again
-    fit(frame_size(views.front()), eyes_[0].bands);
+    fit(frame_size(views.front()), eyes_[0].image_sets);
     const DrawnRegion region(targets_);
     // What a frame waits for, it shows.
     const bool fades = !settings.complete && !settings.wait_for_tiles && !settings.wait_for_uploads;
@@ -309,20 +309,20 @@ FrameReport Renderer::prepare(std::span<const View> views, const RenderSettings&
     report.clusters = plan().clusters.size();
     report.uncovered = plan().uncovered;
     const View* ahead = settings.swift ? nullptr : next;
-    if (!settings.complete) tiles_.stream(eyes_[0].sampled, bands, sample.side, ahead, report);
-    for (const BandFrame& band : bands)
-        band.plan->fade(plan_settings(band.settings), now,
-                        tiles_.ready_photos(band.settings, band.plan->plan()));
+    if (!settings.complete) tiles_.stream(eyes_[0].sampled, image_sets, sample.side, ahead, report);
+    for (const ImageSetFrame& image_set : image_sets)
+        image_set.plan->fade(plan_settings(image_set.settings), now,
+                             tiles_.ready_photos(image_set.settings, image_set.plan->plan()));
     prepare_surfaces();
     held_ += gl::memory_held() - held_before;
     return report;
 }
 
-/// Points and transparent surfaces share the depth of one surface, and two bands may differ in theirs.
+/// Points and transparent surfaces share the depth of one surface, and two image sets may differ in theirs.
 EyeSurfaces Renderer::eye_surfaces() const {
-    const std::vector<BandFrame>& bands = eyes_[0].bands;
-    const RenderSettings& settings = bands.front().settings;
-    const bool own = bands.size() == 1 && !shows_points(settings) && may_have_own_surfaces(settings);
+    const std::vector<ImageSetFrame>& image_sets = eyes_[0].image_sets;
+    const RenderSettings& settings = image_sets.front().settings;
+    const bool own = image_sets.size() == 1 && !shows_points(settings) && may_have_own_surfaces(settings);
     return own ? passes_.eye_surfaces(settings) : EyeSurfaces::in_turn;
 }
 
@@ -335,8 +335,8 @@ bool Renderer::may_have_own_surfaces(const RenderSettings& settings) const {
 
 void Renderer::prepare_surfaces() {
     coarse_ = std::ranges::all_of(eyes_, [&](const Eye& eye) {
-        const BandFrame& band = eye.bands.front();
-        return passes_.suits_coarse(eye.sampled, band.settings, band.plan->plan());
+        const ImageSetFrame& image_set = eye.image_sets.front();
+        return passes_.suits_coarse(eye.sampled, image_set.settings, image_set.plan->plan());
     });
     surfaces_ = eye_surfaces();
     if (surfaces_ == EyeSurfaces::in_turn) return;
@@ -349,7 +349,7 @@ void Renderer::prepare_surfaces() {
 void Renderer::paint(std::size_t number, FrameReport& report) {
     const std::uint64_t held_before = gl::memory_held();
     Eye& eye = eyes_[number];
-    const RenderSettings& settings = eye.bands.front().settings;
+    const RenderSettings& settings = eye.image_sets.front().settings;
     const DrawnRegion region(targets_);
     if (number > 0) stream_points(eye, report);
     Frame frame{eye.prepared ? std::move(*eye.prepared) : drawn_view(eye), sample_, now_, report, number};
@@ -359,9 +359,10 @@ void Renderer::paint(std::size_t number, FrameReport& report) {
     eye.has_surface = false;  // once it is painted, it may be drawn over
     if (!settings.complete) eye.readback.capture(targets_, eye.view);
     draw_present(frame);
-    for (const BandFrame& band : std::span(eye.bands).subspan(1)) {
-        Frame second{drawn_view(eye.sampled, band, sample_.side, coarse_), sample_, now_, {}, number, true};
-        draw_band(second);
+    for (const ImageSetFrame& image_set : std::span(eye.image_sets).subspan(1)) {
+        Frame second{
+            drawn_view(eye.sampled, image_set, sample_.side, coarse_), sample_, now_, {}, number, true};
+        draw_image_set(second);
         frame.report = joined(frame.report, second.report);
     }
     count_fragments(frame);
@@ -398,8 +399,8 @@ std::string Renderer::failure() const {
     return of_points.empty() ? store_.failure() : of_points;
 }
 
-/// A second band, or one again: with its own surface, because it may lack surroundings.
-void Renderer::draw_band(Frame& frame) {
+/// A second image set, or one again: with its own surface, because it may lack background.
+void Renderer::draw_image_set(Frame& frame) {
     passes_.draw_surface(frame.drawn, targets_);
     draw_present(frame);
 }
@@ -409,9 +410,9 @@ void Renderer::redraw(const View& view, const RenderSettings& given) {
     const RenderSettings settings = usable(given);
     if (settings.weights_from) check_view(*settings.weights_from);
     targets_.surface_number = 0;
-    for (const BandFrame& band : eyes_[0].plans.frames(settings, {})) {
-        Frame frame{drawn_view(view, band, 1, coarse_), {}, 0, {}, 0, band.second};
-        draw_band(frame);
+    for (const ImageSetFrame& image_set : eyes_[0].plans.frames(settings, {})) {
+        Frame frame{drawn_view(view, image_set, 1, coarse_), {}, 0, {}, 0, image_set.second};
+        draw_image_set(frame);
     }
     gl::check("rendering a view again");
 }
@@ -461,7 +462,7 @@ int Renderer::draw_set(Pass photos, Frame& frame) {
         glClearNamedFramebufferfv(targets_.sums_target(sums).id(), GL_COLOR, 0, zero.data());
     int into = 0;
     draw_passes(photos, frame, false, into);
-    if (settings.consensus && !takes_one(settings.blend)) {
+    if (settings.transients && !takes_one(settings.blend)) {
         into = 1;
         draw_passes(photos, frame, true, into);
     }
@@ -469,21 +470,22 @@ int Renderer::draw_set(Pass photos, Frame& frame) {
 }
 
 DrawnView Renderer::drawn_view(const Eye& eye) const {
-    return drawn_view(eye.sampled, eye.bands.front(), sample_.side, coarse_);
+    return drawn_view(eye.sampled, eye.image_sets.front(), sample_.side, coarse_);
 }
 
-DrawnView Renderer::drawn_view(const View& view, const BandFrame& band, int side, bool coarse) const {
-    const RenderSettings& settings = band.settings;
-    const Eigen::Vector2d range = depth_range_of(view, settings, *band.plan);
-    return {
-        view,
-        settings,
-        *band.plan,
-        side,
-        range,
-        clip_from_origin(view, range).cast<float>(),
-        weights_in_band(settings.weights_from.value_or(view), settings.weights, settings.bands.shown, scene_),
-        coarse};
+DrawnView Renderer::drawn_view(const View& view, const ImageSetFrame& image_set, int side,
+                               bool coarse) const {
+    const RenderSettings& settings = image_set.settings;
+    const Eigen::Vector2d range = depth_range_of(view, settings, *image_set.plan);
+    return {view,
+            settings,
+            *image_set.plan,
+            side,
+            range,
+            clip_from_origin(view, range).cast<float>(),
+            weights_in_image_set(settings.weights_from.value_or(view), settings.weights,
+                                 settings.image_sets.shown, scene_),
+            coarse};
 }
 
 /// Of the model, and of points if they are shown.
@@ -506,23 +508,24 @@ Eigen::Vector2d Renderer::depth_range_of(const View& view, const RenderSettings&
 }
 
 /// Finds out which triangles the view shows before photos are chosen for it. Waits for the graphics card.
-void Renderer::find_seen(Eye& eye, const BandFrame& band, PixelSample sample) {
-    band.plan->update(eye.view, plan_settings(band.settings), band.photos, sample.side, eye.readback.seen());
-    const bool coarse = passes_.suits_coarse(eye.view, band.settings, band.plan->plan());
-    passes_.draw_surface(drawn_view(eye.view, band, sample.side, coarse), targets_);
+void Renderer::find_seen(Eye& eye, const ImageSetFrame& image_set, PixelSample sample) {
+    image_set.plan->update(eye.view, plan_settings(image_set.settings), image_set.photos, sample.side,
+                           eye.readback.seen());
+    const bool coarse = passes_.suits_coarse(eye.view, image_set.settings, image_set.plan->plan());
+    passes_.draw_surface(drawn_view(eye.view, image_set, sample.side, coarse), targets_);
     take_seen(eye, true);
     eye.readback.capture(targets_, eye.view);
     take_seen(eye, true);
 }
 
-void Renderer::draw_passes(Pass photos, Frame& frame, bool consensus, int& into) {
+void Renderer::draw_passes(Pass photos, Frame& frame, bool transients, int& into) {
     for (Pass rest = photos; !rest.empty(); ++frame.report.passes) {
         const Pass pass = rest.first(tiles_.pass_length(rest, frame.drawn.settings));
         rest = rest.subspan(pass.size());
         if (frame.drawn.settings.complete) tiles_.load(pass, frame.drawn, frame.now, frame.report);
         if (takes_one(frame.drawn.settings.blend)) into = 1 - into;
         frame.report.draws += passes_.draw_photos(pass, frame.drawn, targets_,
-                                                  point_surface(frame.drawn.settings), consensus, into);
+                                                  point_surface(frame.drawn.settings), transients, into);
     }
 }
 
@@ -572,15 +575,15 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
     glUniform1i(shader::fill_uniform, !before && settings.fill_holes);
     glUniform1f(shader::progress_uniform, float(progress));
     glUniform2i(shader::frame_size_uniform, targets_.width, targets_.height);
-    if (scene_.has_surroundings()) {
-        const bool dims = !before && settings.surroundings == ShowSurroundings::dimmed;
-        glUniform1f(shader::surroundings_light_uniform, dims ? dimmed_light : 1.0f);
+    if (scene_.has_background()) {
+        const bool dims = !before && settings.background == ShowBackground::dimmed;
+        glUniform1f(shader::background_light_uniform, dims ? dimmed_light : 1.0f);
         const float hole = before                  ? 0.0f
                            : fills_holes(settings) ? HoleFilling::hole_weight(targets_.width, targets_.height)
                                                    : 1.0f;
         const auto among = float(nearness_to_photos(scene_, frame.drawn.view.cam_from_origin.center()));
         glUniform1f(shader::hole_weight_uniform, hole);
-        glUniform1f(shader::background_weight_uniform, among * hole + (1 - among));
+        glUniform1f(shader::plain_background_weight_uniform, among * hole + (1 - among));
     }
     if (points_) set_points(frame.drawn, before);
     if (transparent_) {
@@ -592,10 +595,10 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
     }
     if (!before && passes_.shows_layer(settings))
         glUniform1f(shader::layer_share_uniform, float(settings.layer.share));
-    glUniform3fv(shader::background_uniform, 1, settings.background.top.data());
-    glUniform3fv(shader::background_bottom_uniform, 1, settings.background.bottom.data());
+    glUniform3fv(shader::plain_background_uniform, 1, settings.plain_background.top.data());
+    glUniform3fv(shader::plain_background_bottom_uniform, 1, settings.plain_background.bottom.data());
     glUniform1i(shader::fill_background_uniform, settings.fill_background);
-    glUniform1f(shader::most_uniform, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
+    glUniform1f(shader::max_uniform, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
     expose(frame.drawn);
     glBindTextureUnit(shader::sums_unit, targets_.sums[sums].id());
     glBindTextureUnit(shader::surface_unit, targets_.surface().shaded.id());
@@ -655,15 +658,15 @@ void Renderer::set_points(const DrawnView& drawn, bool before) const {
 /// Only colors: between counts or false colors, others would say what is not so.
 bool Renderer::fills_holes(const RenderSettings& settings) const {
     const bool hides_them = shows_points(settings) && settings.points.alone;
-    return passes_.shows_surroundings(settings) && settings.show == Show::colors && !hides_them;
+    return passes_.shows_background(settings) && settings.show == Show::colors && !hides_them;
 }
 
-/// Points alone need no photos, and neither does light, unless there are surroundings to show.
+/// Points alone need no photos, and neither does light, unless there are background to show.
 bool Renderer::shows_photos(const RenderSettings& settings) const {
     if (shows_points(settings) && settings.points.alone) return photos_on_points(settings);
     const LightSettings& l = settings.light;
     return l.light == Light::photos || (l.on_photos && l.light != Light::normals) ||
-           passes_.shows_surroundings(settings);
+           passes_.shows_background(settings);
 }
 
 /// Colors are summed in the mean photo's exposure and shown in the view's.
@@ -675,14 +678,14 @@ void Renderer::expose(const DrawnView& drawn) const {
         if (settings.exposure && *settings.exposure < scene_.photos.size()) {
             const Exposure chosen = exposure_of(scene_.photos[*settings.exposure]);
             e.gain = chosen.gain;
-            e.band = chosen.band;
+            e.image_set = chosen.image_set;
         }
-        // Gains are relative to photos of the same band.
-        if (e.band != settings.bands.shown) e = {};
+        // Gains are relative to photos of the same image set.
+        if (e.image_set != settings.image_sets.shown) e = {};
     }
     const Intrinsics& k = drawn.view.intrinsics;
     glUniform3fv(shader::exposure_uniform, 1, e.gain.data());
-    glUniform3fv(shader::falloff_uniform, 1, e.falloff.data());
+    glUniform3fv(shader::vignetting_uniform, 1, e.vignetting.data());
     glUniform3f(shader::lens_uniform, float(k.cx), float(k.cy), float(2 / std::hypot(k.width, k.height)));
 }
 
@@ -699,9 +702,10 @@ void Renderer::show(const View& view, const RenderSettings& given, GLuint target
     const RenderSettings settings = usable(given);
     const PictureSamples& samples = targets_.samples[eye];
     const double count = std::max(samples.count, 1.0);
-    const ShownBands& bands = eyes_[eye].plans.shown();
-    const bool fills = fills_holes(settings_of_band(settings, bands.first, scene_));
-    const bool other_fills = bands.second && fills_holes(settings_of_band(settings, *bands.second, scene_));
+    const ShownImageSets& image_sets = eyes_[eye].plans.shown();
+    const bool fills = fills_holes(settings_of_image_set(settings, image_sets.first, scene_));
+    const bool other_fills =
+        image_sets.second && fills_holes(settings_of_image_set(settings, *image_sets.second, scene_));
     if (fills || other_fills) {
         const gl::Texture& clean = veils(eye) ? samples.clean : samples.sum;
         filling_->fill(fills ? clean : samples.other, targets_.width, targets_.height, count);
@@ -710,11 +714,11 @@ void Renderer::show(const View& view, const RenderSettings& given, GLuint target
     glUniform2i(shader::frame_size_uniform, targets_.width, targets_.height);
     glUniform1f(shader::samples_uniform, float(count));
     glUniform1i(shader::flip_uniform, flip);
-    glUniform1f(shader::soft_edges_uniform, float(settings.background.soft_edges));
-    glUniform3fv(shader::show_background_uniform, 1, settings.background.top.data());
-    glUniform3fv(shader::show_background_bottom_uniform, 1, settings.background.bottom.data());
+    glUniform1f(shader::soft_edges_uniform, float(settings.plain_background.soft_edges));
+    glUniform3fv(shader::show_plain_background_uniform, 1, settings.plain_background.top.data());
+    glUniform3fv(shader::show_plain_background_bottom_uniform, 1, settings.plain_background.bottom.data());
     glUniform1i(shader::edges_opaque_uniform, settings.fill_holes && settings.fill_background);
-    if (scene_.has_surroundings()) {
+    if (scene_.has_background()) {
         glUniform1i(shader::fills_uniform, fills);
         glBindTextureUnit(shader::filled_unit, filling_->filled().id());
         if (transparent_) {
@@ -722,14 +726,14 @@ void Renderer::show(const View& view, const RenderSettings& given, GLuint target
             glBindTextureUnit(shader::veil_unit, samples.veil.id());
         }
     }
-    if (scene_.bands.size() > 1) show_bands(eye, other_fills);
+    if (scene_.image_sets.size() > 1) show_image_sets(eye, other_fills);
     const std::uint32_t photo = settings.compare_photo;
     const bool compares = settings.compare != Compare::nothing && photo < scene_.photos.size();
     glUniform1ui(shader::compare_uniform, GLuint(compares ? settings.compare : Compare::nothing));
     if (compares) {
         const Eigen::Matrix3f photo_from_frame =
             pixels_from_pixels(scene_.intrinsics[photo], scene_.poses[photo].R, view).cast<float>();
-        glUniform1f(shader::wiper_uniform, float(settings.wiper));
+        glUniform1f(shader::swipe_uniform, float(settings.swipe));
         glUniformMatrix3fv(shader::photo_from_frame_uniform, 1, GL_FALSE, photo_from_frame.data());
         glUniform1f(shader::lod_uniform, float(std::log2(scene_.intrinsics[photo].fx / view.intrinsics.fx)));
     }
@@ -739,16 +743,16 @@ void Renderer::show(const View& view, const RenderSettings& given, GLuint target
     gl::check("showing a view");
 }
 
-void Renderer::show_bands(std::size_t eye, bool other_fills) const {
-    const ShownBands& bands = eyes_[eye].plans.shown();
-    const GLuint how = !bands.second                         ? shader::bands_one
-                       : bands.how == BandView::side_by_side ? shader::bands_side_by_side
-                       : bands.how == BandView::wiper        ? shader::bands_wiper
-                                                             : shader::bands_mixed;
-    glUniform1ui(shader::bands_uniform, how);
-    glUniform1f(shader::band_share_uniform, float(bands.share));
-    if (scene_.has_surroundings()) glUniform1i(shader::other_fills_uniform, other_fills);
-    glBindTextureUnit(shader::other_unit, bands.second ? targets_.samples[eye].other.id() : 0);
+void Renderer::show_image_sets(std::size_t eye, bool other_fills) const {
+    const ShownImageSets& image_sets = eyes_[eye].plans.shown();
+    const GLuint how = !image_sets.second                             ? shader::image_sets_one
+                       : image_sets.how == ImageSetView::side_by_side ? shader::image_sets_side_by_side
+                       : image_sets.how == ImageSetView::swipe        ? shader::image_sets_swipe
+                                                                      : shader::image_sets_mixed;
+    glUniform1ui(shader::image_sets_uniform, how);
+    glUniform1f(shader::image_set_share_uniform, float(image_sets.share));
+    if (scene_.has_background()) glUniform1i(shader::other_fills_uniform, other_fills);
+    glBindTextureUnit(shader::other_unit, image_sets.second ? targets_.samples[eye].other.id() : 0);
 }
 
 }  // namespace vantage

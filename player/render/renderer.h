@@ -10,9 +10,9 @@
 
 #include "base/gl/program.h"
 #include "player/plan/plan.h"
-#include "player/render/band_plans.h"
 #include "player/render/coarsening.h"
 #include "player/render/frame_tiles.h"
+#include "player/render/image_set_plans.h"
 #include "player/render/passes/frame_targets.h"
 #include "player/render/passes/hole_filling.h"
 #include "player/render/passes/model_passes.h"
@@ -38,9 +38,9 @@ class Renderer {
     Renderer(const PackageReader& package, const MemoryBudget& budget);
 
     /// Draws one sample of each pixel of `view` from `photos` (indices; held-out photos are skipped, and
-    /// those of bands that are not shown), and adds it to the samples drawn since sample 0. `now` in seconds,
-    /// for fading; `next` is the view expected soon, to prefetch for. Throws Error(usage) for a view that
-    /// cannot be drawn.
+    /// those of image sets that are not shown), and adds it to the samples drawn since sample 0. `now` in
+    /// seconds, for fading; `next` is the view expected soon, to prefetch for. Throws Error(usage) for a view
+    /// that cannot be drawn.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
     /// The same in steps, for the views of one eye or two, of the same size. Plans for all of them, and
@@ -64,7 +64,7 @@ class Renderer {
     /// See ModelPasses::use_records.
     void use_records(std::span<const package::PhotoRecord> photos) { passes_.use_records(photos); }
     /// See PhotoStore::use_weights. Between draws of pictures that wait for their tiles.
-    void use_weights(std::function<const ConsensusMap*(std::uint32_t photo)> weights) {
+    void use_weights(std::function<const TransientMap*(std::uint32_t photo)> weights) {
         store_.use_weights(std::move(weights));
     }
     /// See ModelPasses::trace_texels.
@@ -83,7 +83,7 @@ class Renderer {
     /// Why a server did not give all that was requested recently; empty if it did, and for a file.
     std::string failure() const;
     const PlanScene& scene() const { return scene_; }
-    std::span<const ValueLayer> layers() const { return passes_.layers(); }
+    std::span<const ScalarField> layers() const { return passes_.layers(); }
     /// Asks for the point at a pixel of the frame drawn last, if it was drawn with settings.points.pick or
     /// with photos on points; the answer comes a few calls later. See PointPicking.
     void pick(const Eigen::Vector2i& pixel);
@@ -94,9 +94,9 @@ class Renderer {
     const PointPass* points() const { return points_ ? &*points_ : nullptr; }
     /// The triangles that the first eye saw last, as far as they have been read back.
     SeenTriangles seen() const { return eyes_[0].readback.seen(); }
-    /// Of the first eye, and the first band that is shown.
+    /// Of the first eye, and the first image set that is shown.
     const Plan& plan() const { return eyes_[0].plans.plan_of_first(); }
-    /// Whether the plan of a band that is shown has this photo.
+    /// Whether the plan of an image set that is shown has this photo.
     bool uses(std::uint32_t photo) const { return eyes_[0].plans.uses(photo); }
     bool per_fragment(const RenderSettings& settings) const { return passes_.per_fragment(settings); }
     const PhotoStore& store() const { return store_; }
@@ -119,8 +119,8 @@ class Renderer {
         explicit Eye(const PlanScene& scene) : plans(scene) {}
         View view{};
         View sampled{};  ///< its pixel centers are the samples' positions
-        BandPlans plans;
-        std::vector<BandFrame> bands{};  ///< of the frame that was prepared last
+        ImageSetPlans plans;
+        std::vector<ImageSetFrame> image_sets{};  ///< of the frame that was prepared last
         TriangleReadback readback{};
         std::optional<DrawnView> prepared{};  ///< if it has a surface of its own: the frame to paint
         bool has_surface = false;             ///< drawn already for that frame
@@ -131,12 +131,12 @@ class Renderer {
         double now;
         FrameReport report;
         std::size_t eye = 0;
-        bool second = false;  ///< of two bands: its samples are accumulated by themselves
+        bool second = false;  ///< of two image sets: its samples are accumulated by themselves
     };
 
     RenderSettings usable(RenderSettings settings) const;
-    void fit(FrameSize frame, std::span<const BandFrame> bands);
-    void find_seen(Eye& eye, const BandFrame& band, PixelSample sample);
+    void fit(FrameSize frame, std::span<const ImageSetFrame> image_sets);
+    void find_seen(Eye& eye, const ImageSetFrame& image_set, PixelSample sample);
     bool take_seen(Eye& eye, bool wait);
     void plan_eye(Eye& eye, PixelSample sample);
     SeenTriangles seen_by_both(const Eye& eye);
@@ -146,14 +146,14 @@ class Renderer {
     void prepare_surfaces();
     void draw_surface(std::size_t eye, const DrawnView& drawn);
     void draw_next_surface(std::size_t eye);
-    void draw_band(Frame& frame);
+    void draw_image_set(Frame& frame);
     DrawnView drawn_view(const Eye& eye) const;
-    DrawnView drawn_view(const View& view, const BandFrame& band, int side, bool coarse) const;
+    DrawnView drawn_view(const View& view, const ImageSetFrame& image_set, int side, bool coarse) const;
     void draw_present(Frame& frame);
     void draw_points(Frame& frame);
     PointSurface point_surface(const RenderSettings& settings) const;
     int draw_set(Pass photos, Frame& frame);
-    void draw_passes(Pass photos, Frame& frame, bool consensus, int& into);
+    void draw_passes(Pass photos, Frame& frame, bool transients, int& into);
     void resolve(int sums, const Frame& frame);
     void resolve_before(int sums, const Frame& frame);
     void draw_resolved(int sums, const Frame& frame, bool before);
@@ -165,7 +165,7 @@ class Renderer {
     bool shows_points(const RenderSettings& settings) const;
     Eigen::Vector2d depth_range_of(const View& view, const RenderSettings& settings,
                                    const ViewPlan& plan) const;
-    void show_bands(std::size_t eye, bool other_fills) const;
+    void show_image_sets(std::size_t eye, bool other_fills) const;
     void set_points(const DrawnView& drawn, bool before) const;
     bool veils(std::size_t eye) const { return bool(targets_.samples[eye].veil); }
     bool shows_transparent(const RenderSettings& settings) const;
@@ -184,7 +184,7 @@ class Renderer {
     std::uint64_t seen_version_ = 0;  ///< of seen_by_both_; 0: none
     FrameTiles tiles_;
     FrameTargets targets_;
-    std::optional<HoleFilling> filling_;          ///< if there are surroundings
+    std::optional<HoleFilling> filling_;          ///< if there are background
     std::optional<PointPass> points_;             ///< if there is a cloud
     std::optional<TransparentPass> transparent_;  ///< if some of the mesh is not opaque
     FragmentCount fragments_;                     ///< of the picture

@@ -34,7 +34,7 @@ PhotoBlock make_photo_block(const package::PhotoRecord& p, std::uint32_t index) 
     for (int i = 0; i < 3; ++i) {
         b.false_color[i] = linear[i];
         b.gain[i] = float(p.gain[i]);
-        b.falloff[i] = p.falloff[i];
+        b.vignetting[i] = p.vignetting[i];
     }
     b.gain[3] = float(2 / std::hypot(p.width, p.height));
     return b;

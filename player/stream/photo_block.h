@@ -9,7 +9,7 @@ namespace vantage {
 
 /// A photo as the shaders read it (std430).
 using PhotoBlock = shader::Photo;
-static_assert(shader::level_count == most_levels);
+static_assert(shader::level_count == max_levels);
 
 /// The fields that do not change from frame to frame; no thumbnail, nothing resident.
 PhotoBlock make_photo_block(const package::PhotoRecord& photo, std::uint32_t index);

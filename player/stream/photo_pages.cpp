@@ -12,9 +12,9 @@ using package::Type;
 PackagePages number_pages(std::span<const package::PhotoRecord> photos) {
     PackagePages out;
     for (const package::PhotoRecord& p : photos) {
-        if (p.levels > most_levels)
+        if (p.levels > max_levels)
             throw Error(Exit::damaged, std::string(p.name) + ": has " + std::to_string(p.levels) +
-                                           " levels, expected at most " + std::to_string(most_levels));
+                                           " levels, expected at most " + std::to_string(max_levels));
         PhotoPages pages;
         pages.color_first = out.color;
         pages.mask_first = out.masks;

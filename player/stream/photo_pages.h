@@ -12,7 +12,7 @@ namespace vantage {
 
 /// Page numbers of all tiles of a package; those of a photo are consecutive, level by level.
 struct PhotoPages {
-    std::array<std::uint32_t, most_levels> color{}, masks{};  ///< first page of each level
+    std::array<std::uint32_t, max_levels> color{}, masks{};  ///< first page of each level
     std::uint32_t color_first = 0, color_count = 0, mask_first = 0, mask_count = 0;
 };
 struct PackagePages {

@@ -44,7 +44,7 @@ void PhotoStore::fit(std::uint64_t bytes, bool with_coordinates) {
     residency_ = std::make_unique<Residency>(*package_, pages_, layout);
 }
 
-void PhotoStore::use_weights(std::function<const ConsensusMap*(std::uint32_t photo)> weights) {
+void PhotoStore::use_weights(std::function<const TransientMap*(std::uint32_t photo)> weights) {
     weights_ = std::move(weights);
     if (residency_) residency_->evict_masks();
 }
@@ -89,7 +89,7 @@ void PhotoStore::prefetch(std::uint32_t photo, const TileNeeds& needs) {
 
 std::size_t PhotoStore::want(std::uint32_t photo, const TileNeeds& needs, Urgency urgency) {
     const std::size_t before = wanted_.size();
-    for (std::uint32_t l = 0; l < most_levels; ++l) {
+    for (std::uint32_t l = 0; l < max_levels; ++l) {
         for (const std::uint32_t t : needs.masks[l])
             want(mask_request(*package_, pages_, photo, l, t), urgency, l);
         for (const std::uint32_t t : needs.color[l])
@@ -100,7 +100,7 @@ std::size_t PhotoStore::want(std::uint32_t photo, const TileNeeds& needs, Urgenc
 
 std::size_t PhotoStore::missing(std::uint32_t photo, const TileNeeds& needs) const {
     std::size_t n = 0;
-    for (std::uint32_t l = 0; l < most_levels; ++l) {
+    for (std::uint32_t l = 0; l < max_levels; ++l) {
         for (const std::uint32_t t : needs.masks[l])
             n += !residency_->holds(mask_request(*package_, pages_, photo, l, t));
         for (const std::uint32_t t : needs.color[l])
@@ -187,7 +187,7 @@ void PhotoStore::write_pages(std::uint32_t photo, PhotoBlock& block, std::byte* 
         block.thumbnail[1] = float(photos_[photo].thumbnail_width) / float(layout.thumbnail_width);
         block.thumbnail[2] = float(photos_[photo].thumbnail_height) / float(layout.thumbnail_height);
     }
-    for (std::size_t l = 0; l < most_levels; ++l) {
+    for (std::size_t l = 0; l < max_levels; ++l) {
         block.color_base[l] = next + pages.color[l] - pages.color_first;
         block.mask_base[l] = next + pages.color_count + pages.masks[l] - pages.mask_first;
     }

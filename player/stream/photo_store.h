@@ -27,10 +27,10 @@ class PhotoStore {
     std::uint64_t bytes() const { return residency_ ? residency_->bytes() : 0; }
     bool has_coordinates() const { return residency_ && residency_->layout().coordinates > 0; }
 
-    /// Shows masks with other consensus weights than those stored: `weights` gives a photo's map, see
+    /// Shows masks with other transient weights than those stored: `weights` gives a photo's map, see
     /// set_weights; it is called when a tile of its masks is to be fetched, and must remain valid. Evicts all
     /// masks. Requires that nothing is in flight. Empty: the stored weights.
-    void use_weights(std::function<const ConsensusMap*(std::uint32_t photo)> weights);
+    void use_weights(std::function<const TransientMap*(std::uint32_t photo)> weights);
 
     /// Begins a frame at `now` seconds; without `fade`, tiles are shown in full as soon as they arrive.
     void begin_frame(double now, bool fade);
@@ -103,7 +103,7 @@ class PhotoStore {
     std::size_t largest_piece_;
     TileStream stream_;
     std::unique_ptr<Residency> residency_;
-    std::function<const ConsensusMap*(std::uint32_t photo)> weights_;
+    std::function<const TransientMap*(std::uint32_t photo)> weights_;
     std::vector<Wanted> wanted_;  ///< not resident
     std::unordered_set<std::uint64_t> wanted_identities_;
     std::vector<StreamRequest> missing_, ordered_;

@@ -50,7 +50,7 @@ bool PointStore::need(const package::PointNode& node) {
 }
 
 bool PointStore::place(const Fetched& fetched) {
-    if (fetched.state != Fetched::State::sound) {
+    if (fetched.state != Fetched::State::valid) {
         failed_[fetched.request.key] = {now_, fetched.state == Fetched::State::damaged};
         return false;
     }
@@ -95,9 +95,9 @@ std::size_t PointStore::stream(std::size_t budget) {
 }
 
 void PointStore::load() {
-    do stream(most_bytes);
+    do stream(max_bytes);
     while (stream_.wait());
-    stream(most_bytes);
+    stream(max_bytes);
     if (absent() > 0) throw Error(Exit::input, stream_.failure());
 }
 

@@ -16,10 +16,10 @@ namespace vantage {
 class PointStore {
   public:
     /// Graphics memory for points at most, and for the buffer that uploads pass through.
-    static constexpr std::uint64_t most_bytes = std::uint64_t(256) << 20, ring_bytes = std::uint64_t(4) << 20;
+    static constexpr std::uint64_t max_bytes = std::uint64_t(256) << 20, ring_bytes = std::uint64_t(4) << 20;
 
     /// `bytes` of graphics memory for points, but at least two blocks.
-    PointStore(const PackageReader& package, const PointCloud& cloud, std::uint64_t bytes = most_bytes);
+    PointStore(const PackageReader& package, const PointCloud& cloud, std::uint64_t bytes = max_bytes);
 
     /// Begins a frame at `now` seconds.
     void begin_frame(double now);

@@ -9,7 +9,7 @@ namespace vantage {
 namespace {
 
 constexpr unsigned groups_in_flight = 3;
-constexpr std::size_t requests_per_group = 4, most_arrivals = 48;
+constexpr std::size_t requests_per_group = 4, max_arrivals = 48;
 
 }  // namespace
 
@@ -58,7 +58,7 @@ std::vector<StreamRequest> RemoteBytes::next_requests() const {
     std::vector<StreamRequest> out;
     for (const StreamRequest& r : wanted_) {
         if (out.size() == requests_per_group ||
-            arrivals_.size() + fetching_.size() + out.size() >= most_arrivals)
+            arrivals_.size() + fetching_.size() + out.size() >= max_arrivals)
             break;
         if (!arrivals_.contains(r.identity()) && !fetching_.contains(r.identity())) out.push_back(r);
     }

@@ -19,7 +19,7 @@ std::uint32_t pieces_of(std::uint32_t vertices) {
     return std::uint32_t((std::uint64_t(vertices) * 8 + piece_bytes - 1) / piece_bytes);
 }
 
-std::uint32_t most_layers() {
+std::uint32_t max_layers() {
     GLint most = 0;
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
     return std::uint32_t(std::max(1, int(most)));
@@ -35,7 +35,7 @@ std::uint64_t ResidencyLayout::bytes() const {
 
 ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& pages, std::uint64_t bytes,
                               bool with_coordinates) {
-    constexpr std::uint32_t most_thumbnails = 64, most_slots = 32, least_tiles = 16;
+    constexpr std::uint32_t max_thumbnails = 64, max_slots = 32, least_tiles = 16;
     ResidencyLayout out;
     out.vertices = std::uint32_t(package.scene().vertices);
     std::uint32_t photos = 0;
@@ -51,15 +51,15 @@ ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& 
     };
     out.thumbnails = std::max(
         1u,
-        fit(std::uint64_t(out.thumbnail_width) * std::uint64_t(out.thumbnail_height) * 4, most_thumbnails));
+        fit(std::uint64_t(out.thumbnail_width) * std::uint64_t(out.thumbnail_height) * 4, max_thumbnails));
     if (with_coordinates)
-        out.coordinates = std::max(1u, std::min(photos, fit(std::uint64_t(out.vertices) * 8, most_slots)));
+        out.coordinates = std::max(1u, std::min(photos, fit(std::uint64_t(out.vertices) * 8, max_slots)));
     const std::uint64_t fixed = out.bytes(), left = bytes > fixed ? bytes - fixed : 0;
     // A distant view needs as many tiles of masks (two layers each: with depth) as of color, a close one more
     // of color. Between them: 0.6 tiles of masks (1.2 layers) per tile of color.
     const double unit = double(left) / double(tile_bytes) / 2.2;
     const auto layers = [](double wanted, std::uint32_t most) {
-        return std::uint32_t(std::clamp(wanted, 0.0, double(std::min(most, most_layers()))));
+        return std::uint32_t(std::clamp(wanted, 0.0, double(std::min(most, max_layers()))));
     };
     const auto at_least = [least_tiles](std::uint32_t fitting, std::uint32_t most) {
         return std::max(fitting, std::min(least_tiles, most));
@@ -171,7 +171,7 @@ std::size_t Residency::upload(TileStream& stream, std::size_t budget) {
     std::size_t uploaded = 0;
     // The first piece ignores the budget: one larger than the budget would block those behind it.
     while (const auto fetched = stream.take(uploaded == 0 ? SIZE_MAX : budget - std::min(budget, uploaded))) {
-        if (fetched->state != Fetched::State::sound) {
+        if (fetched->state != Fetched::State::valid) {
             failed_[fetched->request.identity()] = {now_, fetched->state == Fetched::State::damaged};
         } else {
             if (failed_.erase(fetched->request.identity()) > 0) discard_coordinates(fetched->request);

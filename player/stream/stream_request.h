@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/agreement/consensus_map.h"
+#include "scene/agreement/transient_map.h"
 #include "scene/package/contents/stored_tile.h"
 #include "scene/package/package_reader.h"
 
@@ -27,8 +27,8 @@ struct StreamRequest {
     std::uint32_t block = 0;                          ///< in a chunk with blocks
     std::uint64_t first = 0, bytes = 0;               ///< in a chunk without blocks
     const package::DirectoryEntry* second = nullptr;  ///< chunk whose block of the same number follows
-    bool reweighted = false;                          ///< of masks: with the consensus weights of `weights`
-    const ConsensusMap* weights = nullptr;            ///< see set_weights
+    bool reweighted = false;                          ///< of masks: with the transient weights of `weights`
+    const TransientMap* weights = nullptr;            ///< see set_weights
 
     /// Bytes in the ring: of tiles, decoded.
     std::uint64_t size() const;

@@ -7,7 +7,7 @@
 
 #include "base/text/error.h"
 #include "base/values/tiling.h"
-#include "scene/agreement/consensus_weights.h"
+#include "scene/agreement/transient_weights.h"
 #include "scene/package/contents/stored_tile.h"
 
 namespace vantage {
@@ -113,8 +113,8 @@ Fetched TileStream::carry_out(Task& task, std::uint64_t& read, std::stop_token s
     using State = Fetched::State;
     if (!task.piece) return {task.request, {}, State::absent};
     try {
-        const bool sound = fetch(task.request, ring_.memory(*task.piece), read, std::move(stop));
-        return {task.request, task.piece, sound ? State::sound : State::damaged};
+        const bool valid = fetch(task.request, ring_.memory(*task.piece), read, std::move(stop));
+        return {task.request, task.piece, valid ? State::valid : State::damaged};
     } catch (const Error& e) {  // was fetched, but had to be fetched again
         task.failure = e.what();
         return {task.request, task.piece, State::absent};
@@ -153,8 +153,8 @@ bool TileStream::fetch(const StreamRequest& r, std::span<std::byte> to, std::uin
     }
     if (r.bytes) {
         // The pieces of a chunk share its checksum, which the first piece checks.
-        if (r.first == 0 && !package_.head_sound(*r.chunk) &&
-            !(package_.fetch_again(*r.chunk) && package_.head_sound(*r.chunk)))
+        if (r.first == 0 && !package_.head_valid(*r.chunk) &&
+            !(package_.fetch_again(*r.chunk) && package_.head_valid(*r.chunk)))
             return false;
         const auto content = package_.bytes(r.chunk);
         if (content.size() < r.first + r.bytes) return false;
@@ -162,20 +162,20 @@ bool TileStream::fetch(const StreamRequest& r, std::span<std::byte> to, std::uin
         return true;
     }
     if (r.resource == Resource::points) {
-        if (!point_block_sound(r)) return false;
+        if (!point_block_valid(r)) return false;
         copy(package_.block(*r.chunk, r.block));
         return true;
     }
     return fetch_tiles(r, to, read, std::move(stop));
 }
 
-bool TileStream::point_block_sound(const StreamRequest& r) const {
-    const auto sound = [&] {
-        return package_.head_sound(*r.chunk) && package_.block_sound(*r.chunk, r.block);
+bool TileStream::point_block_valid(const StreamRequest& r) const {
+    const auto valid = [&] {
+        return package_.head_valid(*r.chunk) && package_.block_valid(*r.chunk, r.block);
     };
-    if (sound()) return true;
+    if (valid()) return true;
     const std::array parts{package_.head(*r.chunk), package_.block(*r.chunk, r.block)};
-    return package_.discard(parts) && package_.hold(parts) && sound();
+    return package_.discard(parts) && package_.hold(parts) && valid();
 }
 
 bool TileStream::fetch_tiles(const StreamRequest& r, std::span<std::byte> to, std::uint64_t& read,
@@ -184,12 +184,12 @@ bool TileStream::fetch_tiles(const StreamRequest& r, std::span<std::byte> to, st
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         const TilePlace& t = tiles[i];
         const std::span<std::byte> texels = to.subspan(i * tile_bytes, tile_bytes);
-        const bool sound = read_tile(package_, *t.chunk, t.level, t.tile, texels, stop);
+        const bool valid = read_tile(package_, *t.chunk, t.level, t.tile, texels, stop);
         for (const auto& piece : stored_pieces(package_, *t.chunk, t.level, t.tile)) {
             read += piece.size();
             package_.forget(piece);
         }
-        if (!sound) return false;
+        if (!valid) return false;
         if (i == 0 && r.reweighted) set_tile_weights(r.weights, t.level, r.block, texels);
     }
     return true;

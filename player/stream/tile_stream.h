@@ -22,7 +22,7 @@ namespace vantage {
 /// A request whose bytes are in the ring, or why not.
 struct Fetched {
     enum class State {
-        sound,
+        valid,
         damaged,  ///< its checksum mismatched
         absent    ///< the server could not be reached, see TileStream::failure
     };
@@ -77,7 +77,7 @@ class TileStream {
     /// Adds to `read` the bytes of the package that it read.
     bool fetch(const StreamRequest& request, std::span<std::byte> to, std::uint64_t& read,
                std::stop_token stop) const;
-    bool point_block_sound(const StreamRequest& request) const;
+    bool point_block_valid(const StreamRequest& request) const;
     bool fetch_tiles(const StreamRequest& request, std::span<std::byte> to, std::uint64_t& read,
                      std::stop_token stop) const;
 

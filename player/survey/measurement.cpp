@@ -217,7 +217,7 @@ std::optional<Measure> measure_named(std::string_view name) {
 }
 
 std::size_t fewest_points(Measure measure) { return row_of(measure).fewest; }
-std::size_t most_points(Measure measure) { return row_of(measure).most; }
+std::size_t max_points(Measure measure) { return row_of(measure).most; }
 
 Measured evaluate(const Measurement& m, const Scale& scale, const Vector3d& up) {
     if (m.points.size() < fewest_points(m.measure)) return {.note = tr("too few points")};

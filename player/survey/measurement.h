@@ -33,7 +33,7 @@ const char* name_of(Measure measure);
 std::optional<Measure> measure_named(std::string_view name);
 /// How many points it takes; the most is without limit for chains and polygons.
 std::size_t fewest_points(Measure measure);
-std::size_t most_points(Measure measure);
+std::size_t max_points(Measure measure);
 
 struct Measurement {
     std::string name;  ///< UTF-8, one line

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/package/sound_records.h"
+#include "scene/package/valid_records.h"
 
 namespace vantage {
 namespace {
@@ -38,7 +38,7 @@ std::vector<std::optional<double>> photo_errors(std::span<const package::PairRec
 }
 
 std::vector<std::optional<double>> photo_errors(const PackageReader& package) {
-    return photo_errors(sound_records<package::PairRecord>(package, package::Type::pairs),
+    return photo_errors(valid_records<package::PairRecord>(package, package::Type::pairs),
                         package.photos().size());
 }
 

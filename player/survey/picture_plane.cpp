@@ -22,8 +22,8 @@ std::vector<double> numbers_in(std::string text) {
     std::istringstream in(text);
     std::vector<double> out;
     for (double v; in >> v;) out.push_back(v);
-    const bool sound = in.eof() && std::ranges::all_of(out, [](double v) { return std::isfinite(v); });
-    return sound ? out : std::vector<double>{};
+    const bool valid = in.eof() && std::ranges::all_of(out, [](double v) { return std::isfinite(v); });
+    return valid ? out : std::vector<double>{};
 }
 
 /// `v` without its part along `axis`, of length 1; nothing left: any such direction.

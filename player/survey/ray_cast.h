@@ -29,9 +29,9 @@ struct RayRange {
     double nearest = 0, farthest = std::numeric_limits<double>::infinity();
 };
 
-/// The first point of the mesh on a ray, from either side; transparent surfaces count, surroundings do not.
-/// Computed in double precision, independently of what is drawn (Moeller and Trumbore 1997), through the tree
-/// of clusters. Nothing for a miss, and for a ray that is not finite or has no direction.
+/// The first point of the mesh on a ray, from either side; transparent surfaces count, the background does
+/// not. Computed in double precision, independently of what is drawn (Moeller and Trumbore 1997), through the
+/// tree of clusters. Nothing for a miss, and for a ray that is not finite or has no direction.
 std::optional<MeshHit> first_hit(const PlanScene& scene, const Ray& ray, RayRange range = {});
 
 }  // namespace vantage

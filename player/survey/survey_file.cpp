@@ -50,13 +50,13 @@ Json json_of(const Measurement& m, const Survey& s) {
 }
 
 constexpr double most = 1e12;
-constexpr std::size_t most_listed = 1 << 20;
+constexpr std::size_t max_listed = 1 << 20;
 
 double number_in(const LocatedJson& object, const char* key) { return object.at(key).number(-most, most); }
 
 std::string text_in(const LocatedJson& object, const char* key) {
-    constexpr std::size_t most_bytes = 1 << 20;
-    return object.at(key).text(most_bytes, true);
+    constexpr std::size_t max_bytes = 1 << 20;
+    return object.at(key).text(max_bytes, true);
 }
 
 Unit unit_in(const LocatedJson& scale, const char* key) {
@@ -88,8 +88,8 @@ Measurement measurement_in(const LocatedJson& j) {
     if (!known) j.at("measure").fail("a kind of measurement");
     out.measure = *known;
     const LocatedJson points = j.at("points");
-    for (const LocatedJson& p : points.items(most_listed)) out.points.push_back(point_in(p));
-    if (out.points.size() < fewest_points(*known) || out.points.size() > most_points(*known))
+    for (const LocatedJson& p : points.items(max_listed)) out.points.push_back(point_in(p));
+    if (out.points.size() < fewest_points(*known) || out.points.size() > max_points(*known))
         points.fail("as many points as the measurement has");
     return out;
 }
@@ -130,7 +130,7 @@ Survey survey_from(const std::string& text, const std::filesystem::path& file) {
     const double length = out.up.stableNorm();
     if (!(length > 0)) all.at("up").fail("a direction");
     out.up /= length;
-    for (const LocatedJson& m : all.at("measurements").items(most_listed))
+    for (const LocatedJson& m : all.at("measurements").items(max_listed))
         out.measurements.push_back(measurement_in(m));
     return out;
 }

@@ -37,8 +37,8 @@ double shown_length(const Scale& s) { return s.length * meters_in(s.unit) / mete
 
 std::optional<Scale> scale_from(double measured, double uncertainty, double known, Unit unit) {
     const double length = known / measured;
-    const bool sound = measured > 0 && known > 0 && unit != Unit::unknown && uncertainty >= 0;
-    if (!sound || !std::isfinite(length) || !(length > 0)) return {};
+    const bool valid = measured > 0 && known > 0 && unit != Unit::unknown && uncertainty >= 0;
+    if (!valid || !std::isfinite(length) || !(length > 0)) return {};
     return Scale{length, unit, unit, uncertainty / measured};
 }
 

@@ -12,7 +12,7 @@ std::array<float, 3> light_of(const StoryColor& color) {
 
 }  // namespace
 
-Background background_of(const StoryBackground& b) {
+PlainBackground plain_background_of(const StoryBackground& b) {
     return {light_of(b.top), light_of(b.bottom), b.soft_edges};
 }
 

@@ -5,6 +5,6 @@
 namespace vantage {
 
 /// The background of a story, as it is rendered.
-Background background_of(const StoryBackground& background);
+PlainBackground plain_background_of(const StoryBackground& background);
 
 }  // namespace vantage

@@ -63,9 +63,9 @@ void add_bench(const Command& program) {
     add_memory_options(c, o->memory);
     add_upload_option(c, o->memory);
     add_blending_options(c, o->blending);
-    add_second_band_options(c, o->blending.bands);
+    add_second_image_set_options(c, o->blending.image_sets);
     add_blended_option(c, o->blending);
-    add_surroundings_option(c, o->blending);
+    add_background_option(c, o->blending);
     add_transparency_option(c, o->blending);
     add_point_options(c, o->points);
     add_stereo_options(c, o->stereo);

@@ -117,8 +117,8 @@ Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader
 /// What the ends of the color map stand for, if a layer was shown.
 void print_legend(const Renderer& renderer, const RenderSettings& settings) {
     if (settings.layer.layer < 0) return;
-    const ValueLayer& layer = renderer.layers()[std::size_t(settings.layer.layer)];
-    const auto [map, range] = layer_legend(layer, settings.layer);
+    const ScalarField& layer = renderer.layers()[std::size_t(settings.layer.layer)];
+    const auto [map, range] = field_legend(layer, settings.layer);
     std::printf("layer %s  %g to %g, %s%s\n", layer.name.c_str(), range.low, range.high, name_of(map),
                 settings.layer.logarithmic ? ", logarithmic" : "");
 }
@@ -154,7 +154,8 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
         const Shot& shot = wanted[i];
         const std::filesystem::path& file = files[i];
         const auto start = std::chrono::steady_clock::now();
-        if (shot.band && !options.blending.bands.given()) settings.bands.shown = *shot.band;
+        if (shot.image_set && !options.blending.image_sets.given())
+            settings.image_sets.shown = *shot.image_set;
         const Picture picture = picture_of_shot(shot);
         if (i == 0 && !options.output.quiet) print_legend(renderer, settings);
         if (file.has_parent_path()) make_folder(file.parent_path());
@@ -170,7 +171,7 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
                 stderr,
                 "vantage-player: %s: %zu of %zu transparent fragments are approximated: more than fit "
                 "into memory, or than %d at a pixel\n",
-                file.c_str(), r.fragments_approximated, r.fragments, shader::most_sorted_fragments);
+                file.c_str(), r.fragments_approximated, r.fragments, shader::max_sorted_fragments);
         std::fflush(stdout);
     }
     return exit_for_damaged_tiles(package, damaged);

@@ -7,7 +7,7 @@
 #include "player/verbs/offscreen.h"
 #include "player/verbs/supervise.h"
 #include "player/verbs/verbs.h"
-#include "scene/package/contents/bands.h"
+#include "scene/package/contents/image_sets.h"
 #ifdef VANTAGE_OPENXR
 #include "player/headset/run_headset.h"
 #endif
@@ -23,10 +23,11 @@ namespace vantage {
 namespace {
 
 void list_photos(const PackageReader& package) {
-    const std::vector<Band> bands = read_bands(package);
+    const std::vector<ImageSet> image_sets = read_image_sets(package);
     for (const package::PhotoRecord& p : package.photos())
-        std::printf("%s  %s%s%ux%u  sees %.1f %% of the vertices%s\n", p.name, bands[p.band].name.c_str(),
-                    bands.size() > 1 ? "  " : "", p.width, p.height, 100 * p.visible_vertices,
+        std::printf("%s  %s%s%ux%u  sees %.1f %% of the vertices%s\n", p.name,
+                    image_sets[p.image_set].name.c_str(), image_sets.size() > 1 ? "  " : "", p.width,
+                    p.height, 100 * p.visible_vertices,
                     p.flags & package::photo_held_out ? "  held out" : "");
 }
 
@@ -92,10 +93,10 @@ void add_show(const Command& c) {
     add_blending_options(c, o->blending);
     add_blended_option(c, o->blending);
     add_holes_option(c, o->blending);
-    add_surroundings_option(c, o->blending);
+    add_background_option(c, o->blending);
     add_transparency_option(c, o->blending);
-    add_second_band_options(c, o->blending.bands);
-    add_layer_options(c, o->layer);
+    add_second_image_set_options(c, o->blending.image_sets);
+    add_field_options(c, o->layer);
     add_light_options(c, o->light);
     add_point_options(c, o->points);
     add_picture_options(c, o->pictures);
@@ -110,7 +111,7 @@ void add_show(const Command& c) {
         "  vantage-player chapel.vantage --offscreen --photo 0003 -o 0003.png\n"
         "  vantage-player chapel.vantage --offscreen --photo all --scale 0.5 --blend best -o pictures\n"
         "  vantage-player chapel.vantage --offscreen --view 4,-9,2,0,0,1,40 --size 1920x1080 -o view.png\n"
-        "  vantage-player chapel.vantage --offscreen --photo 0003 --layer deviation --isolines 10 -o "
+        "  vantage-player chapel.vantage --offscreen --photo 0003 --field deviation --isolines 10 -o "
         "map.png\n"
         "  vantage-player chapel.vantage --offscreen --photo 0003 --light raking --lamp 200,10 -o "
         "relief.png\n"
@@ -121,8 +122,9 @@ void add_show(const Command& c) {
         "  vantage-player chapel.vantage --path chapel-0001.path --frame-rate 25 -o frames\n"
         "  vantage-player chapel.vantage --add altar.vantage --add scanner.vantage\n"
         "  vantage-player church.toml\n"
-        "  vantage-player chapel.vantage --xr --unit-meters 0.01\n"
-        "  vantage-player panel.vantage --offscreen --photo 0003 --band visible --second-band infrared=0.5 "
+        "  vantage-player chapel.vantage --xr --meters-per-unit 0.01\n"
+        "  vantage-player panel.vantage --offscreen --photo 0003 --image-set visible --second-image-set "
+        "infrared=0.5 "
         "-o "
         "mixed.png\n" +
         exit_codes_text());

@@ -37,7 +37,7 @@ void add_smoothness(const Command& program) {
     add_memory_options(c, o->memory);
     add_blending_options(c, o->blending);
     add_blended_option(c, o->blending);
-    add_surroundings_option(c, o->blending);
+    add_background_option(c, o->blending);
     const std::string group = "Smoothness";
     c.file("--path", o->path,
            "file of views to fly along (default: through the photos' cameras, or those of --photo, from each "
@@ -60,7 +60,8 @@ void add_smoothness(const Command& program) {
         "Examples:\n"
         "  vantage-player smoothness chapel.vantage\n"
         "  vantage-player smoothness chapel.vantage --original-colors -o as-taken\n"
-        "  vantage-player smoothness chapel.vantage --path chapel-0001.path --step 0.25 --blended 8 --worst "
+        "  vantage-player smoothness chapel.vantage --path chapel-0001.path --step 0.25 --max-photos 8 "
+        "--worst "
         "5");
     c.action([o] { return measure_smoothness(*o); });
 }

@@ -15,7 +15,7 @@ void add_verify(const Command& program) {
     c.flag("--update", o->update, "store the pictures, and views if there are none");
     c.text("--size", o->size, "size of the pictures, in pixels").type("WIDTHxHEIGHT");
     c.integer("--tolerance", o->tolerance, 0, 255, "gray levels by which a pixel may differ");
-    c.real("--share", o->share, 0, 1, "share of the pixels that may differ by more");
+    c.real("--max-diff-fraction", o->share, 0, 1, "share of the pixels that may differ by more");
     c.file("-o,--output", o->differences, "folder for pictures of differences").type("FOLDER");
     c.file("--junit", o->junit, "write a JUnit file for CI");
     c.flag("--json", o->json, "machine-readable output");
@@ -24,7 +24,8 @@ void add_verify(const Command& program) {
         "Examples:\n"
         "  vantage-player verify chapel.vantage --golden golden/chapel --update\n"
         "  vantage-player verify chapel.vantage --golden golden/chapel\n"
-        "  vantage-player verify shelf/*.vantage --golden golden --junit pictures.xml   (shelf/a.vantage "
+        "  vantage-player verify collection/*.vantage --golden golden --junit pictures.xml   "
+        "(collection/a.vantage "
         "with golden/a)\n"
         "Exit code, the first that applies to any package: 3 unreadable, 4 damaged, 10 different; 0 "
         "otherwise.");

@@ -147,7 +147,7 @@ std::string view_text(const Navigation& n, const PackageReader& package) {
 }
 
 void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,
-                const PackageReader& package, std::span<const std::string> bands,
+                const PackageReader& package, std::span<const std::string> image_sets,
                 std::optional<double> per_second) {
     std::ostringstream out;
     out << "# EX EY EZ TX TY TZ, vertical field of view in degrees\n";
@@ -158,7 +158,7 @@ void write_path(const std::filesystem::path& file, const std::vector<Navigation>
         out << formatted("%.9g %.9g %.9g  %.9g %.9g %.9g  %.4g", e.x(), e.y(), e.z(), t.x(), t.y(), t.z(),
                          n.fov);
         if (per_second) out << "  at=" << double(i) / *per_second;
-        out << (i < bands.size() ? "  band=" + bands[i] : "") << '\n';
+        out << (i < image_sets.size() ? "  image-set=" + image_sets[i] : "") << '\n';
     }
     replace_file(file, out.view());
 }

@@ -44,10 +44,10 @@ std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double st
 /// A position as parse_view() takes it, with commas.
 std::string view_text(const Navigation& position, const PackageReader& package);
 
-/// Writes positions in the format of read_path, with a band for each unless `bands` is empty, and with times
-/// if so many of them are met `per_second`. Throws Error(storage).
+/// Writes positions in the format of read_path, with an image set for each unless `image_sets` is empty, and
+/// with times if so many of them are met `per_second`. Throws Error(storage).
 void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,
-                const PackageReader& package, std::span<const std::string> bands = {},
+                const PackageReader& package, std::span<const std::string> image_sets = {},
                 std::optional<double> per_second = {});
 
 /// Interpolates from `a` (share 0) to `b` (share 1); extrapolates beyond.

@@ -76,9 +76,9 @@ Navigation home_of(const PackageReader& package, std::uint32_t photo) {
     return photo < photos.size() ? stand_at(photos[photo], up) : stand_before(package.scene(), up);
 }
 
-Navigation first_view(const PackageReader& package, std::uint32_t band) {
+Navigation first_view(const PackageReader& package, std::uint32_t image_set) {
     const package::SceneRecord& scene = package.scene();
-    const std::uint32_t photo = first_photo(package, band);
+    const std::uint32_t photo = first_photo(package, image_set);
     if (photo != scene.first_photo) return home_of(package, photo);
     const Eigen::Vector3d up = up_of(scene), eye = cam_from_origin(package.photos()[photo]).center(),
                           target(scene.first_target);

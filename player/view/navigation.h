@@ -31,9 +31,9 @@ Navigation stand_beside(const package::SceneRecord& scene, const Eigen::Vector3d
 /// At the photo's camera, or before the model if the package has no photos.
 Navigation home_of(const PackageReader& package, std::uint32_t photo);
 
-/// The view that `prepare` chose for the scene; for other bands than that of its photo, at the camera of the
-/// photo nearest to it.
-Navigation first_view(const PackageReader& package, std::uint32_t band);
+/// The view that `prepare` chose for the scene; for other image sets than that of its photo, at the camera of
+/// the photo nearest to it.
+Navigation first_view(const PackageReader& package, std::uint32_t image_set);
 
 /// Orbits the target by angles in radians: `right` about up, `down` about the camera's x axis. Stops 3
 /// degrees from the poles.

@@ -10,11 +10,11 @@
 
 #include "base/text/error.h"
 #include "base/text/formatted.h"
-#include "scene/package/contents/bands.h"
+#include "scene/package/contents/image_sets.h"
 
 namespace vantage {
 
-constexpr double most_seconds = 1e6;  ///< of a flight
+constexpr double max_seconds = 1e6;  ///< of a flight
 
 FrameSize parse_size(const std::string& text) {
     FrameSize s;
@@ -45,7 +45,7 @@ std::vector<std::uint32_t> named_photos(const PackageReader& package, const std:
 
 Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std::optional<FrameSize> size,
                 double scale) {
-    Shot shot{name, view_of_photo(photo, scale), photo.band, {}, seen_distance(photo)};
+    Shot shot{name, view_of_photo(photo, scale), photo.image_set, {}, seen_distance(photo)};
     if (!size) return shot;
     Intrinsics k = intrinsics(photo);
     const double s = std::min(double(size->width) / k.width, double(size->height) / k.height);
@@ -73,14 +73,15 @@ std::array<double, 7> view_numbers(const std::string& text) {
     return {v[0], v[1], v[2], v[3], v[4], v[5], fov};
 }
 
-/// Takes "band=NAME" from the end of a line.
-std::optional<std::uint32_t> take_band(std::string& line, const PackageReader& package) {
-    const std::size_t at = line.find("band=");
+/// Takes "image-set=NAME" from the end of a line.
+std::optional<std::uint32_t> take_image_set(std::string& line, const PackageReader& package) {
+    constexpr std::string_view key = "image-set=";
+    const std::size_t at = line.find(key);
     if (at == std::string::npos) return {};
-    std::string name = line.substr(at + 5);
+    std::string name = line.substr(at + key.size());
     name.erase(name.find_last_not_of(" \t\r") + 1);
     line.erase(at);
-    return band_named(package, name);
+    return image_set_named(package, name);
 }
 
 /// Takes "at=SECONDS" from the end of a line; not less than `earliest`.
@@ -90,7 +91,7 @@ std::optional<double> take_time(std::string& line, double earliest) {
     std::istringstream in(line.substr(at + 3));
     double seconds = 0;
     std::string rest;
-    if (!(in >> seconds) || in >> rest || !(seconds >= earliest && seconds <= most_seconds))
+    if (!(in >> seconds) || in >> rest || !(seconds >= earliest && seconds <= max_seconds))
         throw Error(Exit::usage, "'" + line.substr(at) + "': expected at=SECONDS, not before the line above");
     line.erase(at);
     return seconds;
@@ -122,13 +123,13 @@ std::vector<Shot> read_path(const std::string& file, const PackageReader& packag
         if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
         const std::string name = formatted("%04zu", shots.size());
         try {
-            const std::optional<std::uint32_t> band = take_band(line, package);
+            const std::optional<std::uint32_t> image_set = take_image_set(line, package);
             const std::optional<double> at = take_time(line, shots.empty() ? 0 : shots.back().at.value_or(0));
             if (!shots.empty() && at.has_value() != shots.back().at.has_value())
                 throw Error(Exit::usage,
                             "either every view has at=SECONDS or none, expected the same as above");
             const auto [view, distance] = parse_view_and_distance(line, package, size);
-            shots.push_back({name, view, band, at, distance});
+            shots.push_back({name, view, image_set, at, distance});
         } catch (const Error& e) {
             throw Error(Exit::input, file + ":" + std::to_string(number) + ": " + e.what());
         }

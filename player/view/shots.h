@@ -14,9 +14,9 @@ namespace vantage {
 struct Shot {
     std::string name;
     View view;
-    std::optional<std::uint32_t> band{};  ///< to show; nothing: not said
-    std::optional<double> at{};           ///< seconds after a flight begins; nothing: not said
-    double distance = 1;                  ///< from the eye to what it is looking at
+    std::optional<std::uint32_t> image_set{};  ///< to show; nothing: not said
+    std::optional<double> at{};                ///< seconds after a flight begins; nothing: not said
+    double distance = 1;                       ///< from the eye to what it is looking at
 };
 
 /// "1280x720". Throws Error(usage).
@@ -40,8 +40,8 @@ std::pair<View, double> parse_view_and_distance(const std::string& text, const P
                                                 FrameSize size);
 
 /// One view per line, as in parse_view, followed by at=SECONDS if it is met at a time of a flight, and by
-/// band=NAME if it is to show a band; skips empty lines and lines that start with #. Named 0000, 0001, ...
-/// Throws Error(input), also if the times are not in order.
+/// image-set=NAME if it is to show an image set; skips empty lines and lines that start with #. Named 0000,
+/// 0001, ... Throws Error(input), also if the times are not in order.
 std::vector<Shot> read_path(const std::string& file, const PackageReader& package, FrameSize size);
 
 }  // namespace vantage

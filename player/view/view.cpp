@@ -13,9 +13,9 @@ Exposure exposure_of(const package::PhotoRecord& photo) {
     Exposure e;
     for (std::size_t c = 0; c < 3; ++c) {
         e.gain[c] = float(1 / photo.gain[c]);
-        e.falloff[c] = photo.falloff[c];
+        e.vignetting[c] = photo.vignetting[c];
     }
-    e.band = photo.band;
+    e.image_set = photo.image_set;
     return e;
 }
 

@@ -9,11 +9,11 @@
 
 namespace vantage {
 
-/// The exposure that a view shows: `gain` relative to the mean photo's exposure, and the lens's falloff
+/// The exposure that a view shows: `gain` relative to the mean photo's exposure, and the lens's vignetting
 /// toward the corners, as in PhotoRecord.
 struct Exposure {
-    std::array<float, 3> gain{1, 1, 1}, falloff{0, 0, 0};
-    std::uint32_t band = 0;  ///< whose photos it is relative to
+    std::array<float, 3> gain{1, 1, 1}, vignetting{0, 0, 0};
+    std::uint32_t image_set = 0;  ///< whose photos it is relative to
     bool operator==(const Exposure&) const = default;
 };
 /// The photo's exposure and lens.

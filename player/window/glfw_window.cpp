@@ -134,7 +134,7 @@ float GlfwWindow::fitting_text_scale() const {
     GLFWmonitor* monitor = monitor_of(window_);
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
     if (mode) scale = std::max(scale, float(mode->height) / pixels_for_plain_text);
-    return std::clamp(scale, 1.0f, most_text_scale);
+    return std::clamp(scale, 1.0f, max_text_scale);
 }
 
 void GlfwWindow::set_text_scale(float scale) {

@@ -7,7 +7,7 @@
 #include "base/text/translation.h"
 #include "player/interface/sections/orthophoto_section.h"
 #include "player/window/input/numbered_file.h"
-#include "scene/package/contents/bands.h"
+#include "scene/package/contents/image_sets.h"
 
 namespace vantage {
 
@@ -35,8 +35,8 @@ void OrthophotoWriter::start(Session& s, const PackageReader& package, double no
                                           "--resolution", pixel,
                                           "-o",           file_,
                                           "--quiet"};
-    if (const std::vector<Band> bands = read_bands(package); bands.size() > 1)
-        arguments.insert(arguments.end(), {"--band", bands[s.settings.bands.shown].name});
+    if (const std::vector<ImageSet> image_sets = read_image_sets(package); image_sets.size() > 1)
+        arguments.insert(arguments.end(), {"--image-set", image_sets[s.settings.image_sets.shown].name});
     try {
         program_.emplace(own_program, std::move(arguments));
         s.orthophoto.writing = true;

@@ -21,7 +21,7 @@ void for_fields(R& r, const Field& field) {
     field("height", r.window.height);
     field("text_scale", r.text_scale);
     field("language", r.language);
-    field("consensus", s.consensus);
+    field("transients", s.transients);
     field("refined_colors", s.refined_colors);
     field("photos", s.photos);
     field("photos_per_pass", s.photos_per_pass);
@@ -33,7 +33,7 @@ void for_fields(R& r, const Field& field) {
     field("angle_mask", w.angle_mask);
     field("depth_mask", w.depth_mask);
     field("border_mask", w.border_mask);
-    field("consensus_mask", w.consensus_mask);
+    field("transient_mask", w.transient_mask);
     field("corrected_directions", w.corrected_directions);
     field("exponent", w.exponent);
     field("sharpness", w.sharpness);
@@ -49,12 +49,12 @@ void for_fields(R& r, const Field& field) {
     field("panel_radar", r.panels.radar);
     field("panel_layers", r.panels.layers);
     field("panel_points", r.panels.points);
-    field("panel_bands", r.panels.bands);
-    field("band", r.band);
-    field("other_band", r.other_band);
+    field("panel_image_sets", r.panels.image_sets);
+    field("image_set", r.image_set);
+    field("other_image_set", r.other_image_set);
     field("recent", r.recent);
-    field("band_share", s.bands.share);
-    field("band_wiper", s.bands.wiper);
+    field("image_set_share", s.image_sets.share);
+    field("image_set_swipe", s.image_sets.swipe);
 }
 
 /// The same for each remembered choice.
@@ -62,8 +62,8 @@ template <class R, class Choice>
 void for_choices(R& r, const Choice& choice) {
     choice("blend", r.settings.blend);
     choice("choice", r.settings.choice);
-    choice("surroundings", r.settings.surroundings);
-    choice("band_how", r.settings.bands.how);
+    choice("background", r.settings.background);
+    choice("image_set_how", r.settings.image_sets.how);
     choice("transparency", r.settings.transparency);
 }
 
@@ -105,9 +105,9 @@ Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
     r.window.height = std::clamp(r.window.height, 240, 16384);
     if (r.text_scale != 0) r.text_scale = std::clamp(r.text_scale, 0.7, 4.0);
     r.settings.photos = std::clamp(r.settings.photos, 0, 1 << 20);
-    r.settings.photos_per_pass = std::clamp(r.settings.photos_per_pass, 1, most_photos_per_pass);
-    r.settings.bands.share = std::clamp(r.settings.bands.share, 0.0, 1.0);
-    r.settings.bands.wiper = std::clamp(r.settings.bands.wiper, 0.0, 1.0);
+    r.settings.photos_per_pass = std::clamp(r.settings.photos_per_pass, 1, max_photos_per_pass);
+    r.settings.image_sets.share = std::clamp(r.settings.image_sets.share, 0.0, 1.0);
+    r.settings.image_sets.swipe = std::clamp(r.settings.image_sets.swipe, 0.0, 1.0);
     r.settings.angle_limit = std::clamp(r.settings.angle_limit, 10.0, 180.0);
     r.settings.weights.sharpness = std::clamp(r.settings.weights.sharpness, 0.005, 3.0);
     r.settings.weights.exponent = std::clamp(r.settings.weights.exponent, 0.0, 64.0);

@@ -18,8 +18,8 @@ struct Remembered {
     double text_scale = 0;  ///< 0: by the display
     RenderSettings settings;
     Panels panels;
-    std::string language;             ///< chosen in the window; empty: the system's
-    std::string band, other_band;     ///< names: numbers differ between packages
+    std::string language;                    ///< chosen in the window; empty: the system's
+    std::string image_set, other_image_set;  ///< names: numbers differ between packages
     std::vector<std::string> recent;  ///< packages and scene files that were opened, the last one first
 };
 /// The settings in the folder's player.json; missing or invalid ones are taken from `otherwise`.

@@ -27,23 +27,23 @@
 #include "player/window/shown_scene.h"
 #include "player/window/start_page.h"
 #include "player/window/start_session.h"
-#include "scene/package/contents/bands.h"
+#include "scene/package/contents/image_sets.h"
 #include "scene/package/package_shape.h"
 
 namespace vantage {
 namespace {
 
-/// Keeps what a session leaves to the next one. A package without bands leaves those of another.
+/// Keeps what a session leaves to the next one. A package without image sets leaves those of another.
 void remember(const Session& session, const PackageReader& package, Remembered& r) {
     const bool layers = r.panels.layers;
     r.settings = session.settings;
     r.panels = session.panels;
-    if (read_layers(package).empty()) r.panels.layers = layers;  // nobody opened or closed it for these
-    const std::vector<Band> bands = read_bands(package);
-    if (bands.size() < 2) return;
-    const BandSettings& shown = session.settings.bands;
-    r.band = bands[shown.shown].name;
-    r.other_band = shown.other ? bands[*shown.other].name : "";
+    if (read_fields(package).empty()) r.panels.layers = layers;  // nobody opened or closed it for these
+    const std::vector<ImageSet> image_sets = read_image_sets(package);
+    if (image_sets.size() < 2) return;
+    const ImageSetSettings& shown = session.settings.image_sets;
+    r.image_set = image_sets[shown.shown].name;
+    r.other_image_set = shown.other ? image_sets[*shown.other].name : "";
 }
 
 /// What does not depend on a package: the window.
@@ -231,7 +231,7 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
         any_photo.package.photos.clear();
         any_photo.pictures.view.clear();
         any_photo.layer.name.clear();
-        any_photo.blending.bands = {};
+        any_photo.blending.image_sets = {};
         const bool full_screen = session.full_screen;
         const float scale = session.text_scale;
         const std::string in_use = session.language;

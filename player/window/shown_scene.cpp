@@ -182,11 +182,11 @@ void ShownScene::choose_projection(double now) {
         now);
 }
 
-/// Those of the session. An orthographic view leaves out surroundings, and so does a cut, which they would
+/// Those of the session. An orthographic view leaves out background, and so does a cut, which they would
 /// fill with what it takes away.
 RenderSettings ShownScene::shown_settings() const {
     RenderSettings settings = session_.settings;
-    if (session_.orthographic || !settings.sections.empty()) settings.surroundings = ShowSurroundings::off;
+    if (session_.orthographic || !settings.sections.empty()) settings.background = ShowBackground::off;
     return settings;
 }
 
@@ -318,7 +318,7 @@ bool ShownScene::looks_again() const {
 /// Whether the last frame drew the same.
 bool ShownScene::unchanged(const View& view, const RenderSettings& shown) const {
     RenderSettings drawn = last_settings_;
-    drawn.wiper = shown.wiper;  // divides what was drawn
+    drawn.swipe = shown.swipe;  // divides what was drawn
     return drawn_ && last_ && same_view(*last_, view) && drawn == shown && last_stereo_ == session_.stereo &&
            last_photos_ == session_.photos;
 }
@@ -363,7 +363,7 @@ void ShownScene::draw(const View& view, const RenderSettings& shown, bool still,
     const View next = scaled(
         shown_view(ahead, s, renderer_.scene(), view.intrinsics.width, view.intrinsics.height), s.pace.scale);
     const PixelSample sample = resting_ ? PixelSample{samples_, rest_side} : PixelSample{};
-    const bool sound_so_far = s.report.tiles_damaged == 0;
+    const bool valid_so_far = s.report.tiles_damaged == 0;
     drawn_view_ = scaled(view, s.pace.scale);
     // For a picture at rest, nothing is prefetched: it would begin the samples again, or let them wait.
     const View* const ahead_of = moves ? &next : nullptr;
@@ -372,7 +372,7 @@ void ShownScene::draw(const View& view, const RenderSettings& shown, bool still,
     else
         s.report = objects_.draw(*drawn_view_, settings, s.photos, sample, now, ahead_of);
     samples_ = resting_ && s.report.settled ? samples_ + 1 : 0;
-    if (s.report.tiles_damaged > 0 && sound_so_far)
+    if (s.report.tiles_damaged > 0 && valid_so_far)
         say(s, tr("The package is damaged: parts of the picture are missing or blurred (vantage check FILE)"),
             now);
     tell_memory(now);

@@ -22,7 +22,7 @@ namespace {
 /// The packages by name, with their folders; sets `s.open` to the one that is clicked.
 void recent_packages(Controls& c, Session& s, std::span<const std::string> recent) {
     if (recent.empty()) return;
-    ImGui::TextDisabled("%s", tr("Opened before"));
+    ImGui::TextDisabled("%s", tr("Recent"));
     for (const std::string& file : recent) {
         const std::filesystem::path path = file;
         if (c.button((path.filename().string() + "##" + file).c_str())) s.open = file;

@@ -7,26 +7,27 @@
 #include "player/survey/photo_errors.h"
 #include "player/tour/story_background.h"
 #include "player/view/shots.h"
-#include "scene/package/contents/bands.h"
 #include "scene/package/contents/first_photo.h"
+#include "scene/package/contents/image_sets.h"
 #include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
 namespace {
 
-/// The bands of the command line; without any, those remembered, as far as the package has them.
-BandSettings chosen_bands(const PackageReader& package, const ShowOptions& o, const Remembered& remembered) {
-    if (o.blending.bands.given()) return band_settings(package, o.blending.bands);
-    BandSettings out = remembered.settings.bands;
+/// The image sets of the command line; without any, those remembered, as far as the package has them.
+ImageSetSettings chosen_image_sets(const PackageReader& package, const ShowOptions& o,
+                                   const Remembered& remembered) {
+    if (o.blending.image_sets.given()) return image_set_settings(package, o.blending.image_sets);
+    ImageSetSettings out = remembered.settings.image_sets;
     out.shown = 0;
     out.other.reset();
-    const std::vector<Band> bands = read_bands(package);
-    for (std::uint32_t b = 0; bands.size() > 1 && b < bands.size(); ++b) {
-        if (bands[b].name == remembered.band) out.shown = b;
-        if (bands[b].name == remembered.other_band) out.other = b;
+    const std::vector<ImageSet> image_sets = read_image_sets(package);
+    for (std::uint32_t b = 0; image_sets.size() > 1 && b < image_sets.size(); ++b) {
+        if (image_sets[b].name == remembered.image_set) out.shown = b;
+        if (image_sets[b].name == remembered.other_image_set) out.other = b;
     }
     if (!o.package.photos.empty())
-        out.shown = package.photos()[named_photos(package, o.package.photos).front()].band;
+        out.shown = package.photos()[named_photos(package, o.package.photos).front()].image_set;
     if (out.other == out.shown) out.other.reset();
     return out;
 }
@@ -61,17 +62,17 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     s.settings.upload_bytes = o.memory.upload_bytes();
     s.settings.complete = false;
     s.settings.layer = layer_settings(package, o.layer);
-    if (read_layers(package).empty()) s.panels.layers = s.settings.layer.layer >= 0;
+    if (read_fields(package).empty()) s.panels.layers = s.settings.layer.layer >= 0;
     if (o.light.shown != LightSettings{}) s.settings.light = light_settings(o.light);
     s.settings.points = point_settings(o.points);
     s.lamp_follows = o.light.lamp.empty();
-    s.settings.bands = chosen_bands(package, o, remembered);
-    const std::uint32_t band = s.settings.bands.shown;
+    s.settings.image_sets = chosen_image_sets(package, o, remembered);
+    const std::uint32_t image_set = s.settings.image_sets.shown;
     const bool any = o.package.photos.empty();
     const std::uint32_t photo =
-        any ? first_photo(package, band) : named_photos(package, o.package.photos).front();
+        any ? first_photo(package, image_set) : named_photos(package, o.package.photos).front();
     s.standing_at = s.settings.compare_photo = photo < package.photos().size() ? photo : 0;
-    s.camera = any ? first_view(package, band) : home_of(package, photo);
+    s.camera = any ? first_view(package, image_set) : home_of(package, photo);
     if (!o.pictures.view.empty()) {
         const auto [view, distance] = parse_view_and_distance(o.pictures.view, package, {1280, 720});
         s.camera = stand_at(view, s.camera.up, distance);
@@ -88,8 +89,8 @@ void begin_in_scene(Session& s, const PackageReader& package, const ToldStory& t
     const bool view_given = !o.package.photos.empty() || !o.pictures.view.empty();
     if (const auto opening = opening_of(told); opening && !view_given)
         s.camera = s.home = s.earlier.last = *opening;
-    s.settings.background =
-        told.story.background ? background_of(*told.story.background) : background_of(package.scene());
+    s.settings.plain_background = told.story.background ? plain_background_of(*told.story.background)
+                                                        : plain_background_of(package.scene());
 }
 
 }  // namespace vantage

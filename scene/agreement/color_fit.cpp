@@ -13,24 +13,24 @@ namespace {
 constexpr double scale = 0.12;         ///< of the robust weights, ln of linear light
 constexpr double initial_scale = 0.6;  ///< halved with every iteration down to `scale`
 constexpr int iterations = 5;
-constexpr int min_photos = 3;  ///< of a lens, to separate falloff from the subject
+constexpr int min_photos = 3;  ///< of a lens, to separate vignetting from the subject
 constexpr double max_gain = 4;
 constexpr double min_corner = 0.05, max_corner = 0.6;  ///< share of the light lost in the corner
-constexpr double min_improvement = 0.02;               ///< share of the cost that falloff must remove
+constexpr double min_improvement = 0.02;               ///< share of the cost that vignetting must remove
 
-/// The unknowns, and the number of falloff terms of each lens.
+/// The unknowns, and the number of vignetting terms of each lens.
 struct Model {
-    Eigen::MatrixXd gain;     ///< photos x 3
-    Eigen::VectorXd falloff;  ///< 3 per lens
+    Eigen::MatrixXd gain;        ///< photos x 3
+    Eigen::VectorXd vignetting;  ///< 3 per lens
     std::vector<int> terms;
     std::span<const std::uint32_t> lens;
 
-    Falloff of_lens(std::size_t l) const {
+    Vignetting of_lens(std::size_t l) const {
         const auto at = 3 * Eigen::Index(l);
-        return {falloff[at], falloff[at + 1], falloff[at + 2]};
+        return {vignetting[at], vignetting[at + 1], vignetting[at + 2]};
     }
     Eigen::Vector3d corrected(const Observation& o) const {
-        const double lost = log_falloff_at_square(of_lens(lens[o.photo]), double(o.radius2));
+        const double lost = log_vignetting_at_square(of_lens(lens[o.photo]), double(o.radius2));
         Eigen::Vector3d out;
         for (int c = 0; c < 3; ++c) out[c] = double(o.ln[c]) + gain(o.photo, c) + lost;
         return out;
@@ -68,15 +68,15 @@ double cost(const SharedDiscs& obs, const Model& m, const std::vector<double>& w
 /// Weighted normal equations with the discs' colors eliminated. A, B and C are the same for all channels.
 struct Normal {
     Eigen::MatrixXd A;  ///< photos x photos; only the lower triangle
-    Eigen::MatrixXd B;  ///< photos x falloff
-    Eigen::MatrixXd C;  ///< falloff x falloff
+    Eigen::MatrixXd B;  ///< photos x vignetting
+    Eigen::MatrixXd C;  ///< vignetting x vignetting
     Eigen::MatrixXd b;  ///< photos x 3
-    Eigen::MatrixXd d;  ///< falloff x 3
+    Eigen::MatrixXd d;  ///< vignetting x 3
 };
 
 /// An observation's contribution: its weight, and its features and values times that weight.
 struct WeightedObservation {
-    Eigen::Index photo, lens;  ///< row of the gain, first row of the falloff
+    Eigen::Index photo, lens;  ///< row of the gain, first row of the vignetting
     double weight;
     Eigen::Vector3d features;  ///< r^2, r^4, r^6; 0 beyond the lens's terms
     Eigen::RowVector3d ln;
@@ -107,13 +107,13 @@ void add(std::vector<LensSum>& lenses, const WeightedObservation& w) {
 }
 
 Normal normal_equations(const SharedDiscs& obs, const Model& m, const std::vector<double>& weights) {
-    const Eigen::Index photos = m.gain.rows(), terms = m.falloff.size();
+    const Eigen::Index photos = m.gain.rows(), terms = m.vignetting.size();
     Normal n{Eigen::MatrixXd::Zero(photos, photos), Eigen::MatrixXd::Zero(photos, terms),
              Eigen::MatrixXd::Zero(terms, terms), Eigen::MatrixXd::Zero(photos, 3),
              Eigen::MatrixXd::Zero(terms, 3)};
     std::vector<WeightedObservation> ws;
     std::vector<LensSum> lenses;
-    const bool with_falloff = std::ranges::any_of(m.terms, [](int t) { return t > 0; });
+    const bool with_vignetting = std::ranges::any_of(m.terms, [](int t) { return t > 0; });
     obs.each_disc([&](std::span<const Observation> disc, std::size_t at) {
         ws.clear();
         lenses.clear();
@@ -123,7 +123,7 @@ Normal normal_equations(const SharedDiscs& obs, const Model& m, const std::vecto
             const WeightedObservation& w = ws.emplace_back(weighted(disc[i], weights[at + i], m));
             sum += w.weight;
             ln += w.ln;
-            if (with_falloff) add(lenses, w);
+            if (with_vignetting) add(lenses, w);
         }
         ln /= sum;
         for (const WeightedObservation& a : ws) {
@@ -131,7 +131,7 @@ Normal normal_equations(const SharedDiscs& obs, const Model& m, const std::vecto
             for (const WeightedObservation& b : ws)
                 if (b.photo <= a.photo) n.A(a.photo, b.photo) -= a.weight * b.weight / sum;
             n.b.row(a.photo) += a.weight * ln - a.ln;
-            if (!with_falloff) continue;
+            if (!with_vignetting) continue;
             n.B.block<1, 3>(a.photo, a.lens) += a.features.transpose();
             for (const LensSum& l : lenses)
                 n.B.block<1, 3>(a.photo, l.lens) -= a.weight / sum * l.features.transpose();
@@ -153,10 +153,11 @@ void solve(const SharedDiscs& obs, const std::vector<double>& weights, Model& m)
     n.C.diagonal().array() += ridge;
     const Eigen::LLT<Eigen::MatrixXd> A(n.A);
     const Eigen::MatrixXd AB = A.solve(n.B), Ab = A.solve(n.b);
-    m.falloff = (3 * (n.C - n.B.transpose() * AB)).ldlt().solve((n.d - n.B.transpose() * Ab).rowwise().sum());
-    m.gain = Ab - (AB * m.falloff).replicate(1, 3);
+    m.vignetting =
+        (3 * (n.C - n.B.transpose() * AB)).ldlt().solve((n.d - n.B.transpose() * Ab).rowwise().sum());
+    m.gain = Ab - (AB * m.vignetting).replicate(1, 3);
     for (std::size_t l = 0; l < m.terms.size(); ++l)
-        for (int t = m.terms[l]; t < 3; ++t) m.falloff[3 * Eigen::Index(l) + t] = 0;
+        for (int t = m.terms[l]; t < 3; ++t) m.vignetting[3 * Eigen::Index(l) + t] = 0;
 }
 
 /// The model's weights at a scale; the discs' colors are means under the weights `before`.
@@ -176,11 +177,11 @@ void iterate(const SharedDiscs& obs, Model& m, std::vector<double>& weights, dou
     }
 }
 
-/// The falloff grows outward and is within bounds in the corner.
-bool is_plausible(const Falloff& f) {
+/// The vignetting grows outward and is within bounds in the corner.
+bool is_plausible(const Vignetting& f) {
     double before = 0;
     for (int i = 1; i <= 64; ++i) {
-        const double now = log_falloff(f, i / 64.0);
+        const double now = log_vignetting(f, i / 64.0);
         if (!(now >= before - 1e-9)) return false;
         before = now;
     }
@@ -194,8 +195,9 @@ std::vector<int> photos_of(std::span<const std::uint32_t> lens, std::size_t lens
     return count;
 }
 
-/// Fits falloff with the most terms that leave every lens's falloff plausible; none if it does not help.
-void fit_falloff(const SharedDiscs& obs, Model& m, std::vector<double>& weights) {
+/// Fits vignetting with the most terms that leave every lens's vignetting plausible; none if it does not
+/// help.
+void fit_vignetting(const SharedDiscs& obs, Model& m, std::vector<double>& weights) {
     const Model without = m;
     const double cost_without = cost(obs, m, weights);
     const std::vector<int> photos = photos_of(m.lens, m.terms.size());
@@ -271,14 +273,14 @@ struct Fit {
     void add_gains() {
         if (!obs.all.empty()) iterate(obs, m, weights, initial_scale);
     }
-    void add_falloff() {
-        if (!obs.all.empty()) fit_falloff(obs, m, weights);
+    void add_vignetting() {
+        if (!obs.all.empty()) fit_vignetting(obs, m, weights);
     }
     PhotoColors colors() const {
         Model centered = m;
         center_gains(centered, component, samples);
         PhotoColors out{gains_of(centered), {}};
-        for (const std::uint32_t l : m.lens) out.falloff.push_back(m.of_lens(l));
+        for (const std::uint32_t l : m.lens) out.vignetting.push_back(m.of_lens(l));
         return out;
     }
 };
@@ -293,13 +295,17 @@ Fit gains_without(Samples samples, std::span<const std::uint32_t> lens, std::uin
 
 }  // namespace
 
-double log_falloff_at_square(const Falloff& f, double r2) { return r2 * (f[0] + r2 * (f[1] + r2 * f[2])); }
+double log_vignetting_at_square(const Vignetting& f, double r2) {
+    return r2 * (f[0] + r2 * (f[1] + r2 * f[2]));
+}
 
-double falloff_radius(const Intrinsics& k, const Eigen::Vector2d& pixel) {
+double vignetting_radius(const Intrinsics& k, const Eigen::Vector2d& pixel) {
     return (pixel - Eigen::Vector2d(k.cx, k.cy)).norm() / (0.5 * std::hypot(k.width, k.height));
 }
 
-double log_falloff(const Falloff& f, double radius) { return log_falloff_at_square(f, radius * radius); }
+double log_vignetting(const Vignetting& f, double radius) {
+    return log_vignetting_at_square(f, radius * radius);
+}
 
 std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photos) {
     std::vector<std::uint32_t> out;
@@ -307,7 +313,8 @@ std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photo
     for (const package::PhotoRecord& p : photos) {
         const auto same = [&](const package::PhotoRecord* l) {
             const bool turned = l->width == p.height && l->height == p.width;
-            return l->band == p.band && ((l->width == p.width && l->height == p.height) || turned) &&
+            return l->image_set == p.image_set &&
+                   ((l->width == p.width && l->height == p.height) || turned) &&
                    std::abs(l->fx / p.fx - 1) < 0.005;
         };
         const auto it = std::ranges::find_if(lenses, same);
@@ -317,11 +324,11 @@ std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photo
     return out;
 }
 
-ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool with_falloff) {
+ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool with_vignetting) {
     Fit fit(samples, lens);
     ColorFit out;
     out.ln_gain.resize(samples.size(), {});
-    out.falloff.resize(fit.m.terms.size(), {});
+    out.vignetting.resize(fit.m.terms.size(), {});
     out.photo_before.resize(samples.size(), 0);
     out.photo_after.resize(samples.size(), 0);
     out.samples = fit.samples;
@@ -329,40 +336,40 @@ ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool w
     if (fit.obs.all.empty()) return out;
     measure(fit.obs, fit.m, out.before, out.photo_before);
     fit.add_gains();
-    if (with_falloff) fit.add_falloff();
+    if (with_vignetting) fit.add_vignetting();
     center_gains(fit.m, fit.component, fit.samples);
     measure(fit.obs, fit.m, out.after, out.photo_after);
     out.ln_gain = gains_of(fit.m);
-    for (std::size_t l = 0; l < out.falloff.size(); ++l) out.falloff[l] = fit.m.of_lens(l);
+    for (std::size_t l = 0; l < out.vignetting.size(); ++l) out.vignetting[l] = fit.m.of_lens(l);
     return out;
 }
 
 PhotoColors colors_of(const ColorFit& fit, std::span<const std::uint32_t> lens) {
     PhotoColors out{fit.ln_gain, {}};
-    for (const std::uint32_t l : lens) out.falloff.push_back(fit.falloff[l]);
+    for (const std::uint32_t l : lens) out.vignetting.push_back(fit.vignetting[l]);
     return out;
 }
 
 PhotoColors fit_without(Samples samples, std::span<const std::uint32_t> lens, std::uint32_t photo,
-                        bool with_falloff) {
+                        bool with_vignetting) {
     Fit fit = gains_without(samples, lens, photo);
-    if (with_falloff) fit.add_falloff();
+    if (with_vignetting) fit.add_vignetting();
     return fit.colors();
 }
 
 FitsWithout fits_without(Samples samples, std::span<const std::uint32_t> lens, std::uint32_t photo) {
     Fit fit = gains_without(samples, lens, photo);
     PhotoColors gains = fit.colors();
-    fit.add_falloff();
+    fit.add_vignetting();
     return {std::move(gains), fit.colors()};
 }
 
-void apply_colors(const PhotoColors& colors, bool gains_on, bool falloff_on,
+void apply_colors(const PhotoColors& colors, bool gains_on, bool vignetting_on,
                   std::span<package::PhotoRecord> photos) {
     for (std::size_t i = 0; i < photos.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) photos[i].gain[c] = gains_on ? std::exp(colors.ln_gain[i][c]) : 1;
         for (std::size_t t = 0; t < 3; ++t)
-            photos[i].falloff[t] = falloff_on ? float(colors.falloff[i][t]) : 0;
+            photos[i].vignetting[t] = vignetting_on ? float(colors.vignetting[i][t]) : 0;
     }
 }
 

@@ -13,22 +13,22 @@
 
 namespace vantage {
 
-/// Coefficients of the ln factor that compensates a lens's falloff: f0 r^2 + f1 r^4 + f2 r^6, with r = 1 at
-/// half the diagonal.
-using Falloff = std::array<double, 3>;
+/// Coefficients of the ln factor that compensates a lens's vignetting: f0 r^2 + f1 r^4 + f2 r^6, with r = 1
+/// at half the diagonal.
+using Vignetting = std::array<double, 3>;
 /// The r of a pixel: its distance from the principal point over half the photo's diagonal.
-double falloff_radius(const Intrinsics& intrinsics, const Eigen::Vector2d& pixel);
-double log_falloff(const Falloff& falloff, double radius);
-double log_falloff_at_square(const Falloff& falloff, double radius2);
+double vignetting_radius(const Intrinsics& intrinsics, const Eigen::Vector2d& pixel);
+double log_vignetting(const Vignetting& vignetting, double radius);
+double log_vignetting_at_square(const Vignetting& vignetting, double radius2);
 
 /// A difference of natural logarithms in percent.
 inline double percent(double ln) { return 100 * std::expm1(ln); }
 
-/// Gains and falloff with which photos of the same surface agree in ln I + ln_gain[photo][channel] +
-/// log_falloff(falloff[lens], r).
+/// Gains and vignetting with which photos of the same surface agree in ln I + ln_gain[photo][channel] +
+/// log_vignetting(vignetting[lens], r).
 struct ColorFit {
     std::vector<std::array<double, 3>> ln_gain;  ///< per photo; the mean over a component is 0
-    std::vector<Falloff> falloff;                ///< per lens
+    std::vector<Vignetting> vignetting;          ///< per lens
     std::vector<std::uint32_t> component;        ///< per photo: equal for photos connected by shared surface
     std::vector<std::size_t> samples;            ///< per photo: discs that another photo shows, too
     /// Median |ln ratio| between photos of the same disc, mean of the channels: without and with the
@@ -43,36 +43,36 @@ struct ColorFit {
 };
 
 /// The lens of each photo, numbered from 0. Photos of the same size, in either orientation, and the same
-/// focal length to within 0.5 % share a lens, unless they are of different bands.
+/// focal length to within 0.5 % share a lens, unless they are of different image sets.
 std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photos);
 
 /// Least squares over all discs that several photos show, with the discs' colors eliminated. Iteratively
 /// reweighted by 1 / (1 + (e / s)^2) (Cauchy); s starts at 0.6, so that photos two stops apart are not
 /// outliers, and ends at 0.12. A photo with fewer than 30 such discs keeps gain 1; gains are within a factor
-/// of 4. A lens of at least three photos gets a falloff if it grows outward, is 5 to 60 % in the corner, and
+/// of 4. A lens of at least three photos gets vignetting if it grows outward, is 5 to 60 % in the corner, and
 /// lowers the cost by at least 2 %. `lens`: per photo.
-ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool with_falloff);
+ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool with_vignetting);
 
-/// Gains and falloff per photo.
+/// Gains and vignetting per photo.
 struct PhotoColors {
     std::vector<std::array<double, 3>> ln_gain;
-    std::vector<Falloff> falloff;
+    std::vector<Vignetting> vignetting;
 };
 PhotoColors colors_of(const ColorFit& fit, std::span<const std::uint32_t> lens);
 
-/// The colors of all photos but one, fitted as if it were not in the scene; its own gain is 1, its falloff
+/// The colors of all photos but one, fitted as if it were not in the scene; its own gain is 1, its vignetting
 /// that of its lens.
 PhotoColors fit_without(Samples samples, std::span<const std::uint32_t> lens, std::uint32_t photo,
-                        bool with_falloff);
+                        bool with_vignetting);
 
-/// The same with gains alone and with falloff.
+/// The same with gains alone and with vignetting.
 struct FitsWithout {
     PhotoColors gains, both;
 };
 FitsWithout fits_without(Samples samples, std::span<const std::uint32_t> lens, std::uint32_t photo);
 
-/// Writes gains and falloff into the photos' records; 1 and 0 for what is off.
-void apply_colors(const PhotoColors& colors, bool gains_on, bool falloff_on,
+/// Writes gains and vignetting into the photos' records; 1 and 0 for what is off.
+void apply_colors(const PhotoColors& colors, bool gains_on, bool vignetting_on,
                   std::span<package::PhotoRecord> photos);
 
 }  // namespace vantage

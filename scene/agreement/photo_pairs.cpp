@@ -41,7 +41,7 @@ SharedSurface::SharedSurface(std::span<const package::PhotoRecord> photos, Sampl
     for (std::size_t i = 0; i < photos.size(); ++i) {
         seen_.push_back(seen_discs(samples[i]));
         eyes_.push_back(cam_from_origin(photos[i]).center());
-        band_.push_back(photos[i].band);
+        image_set_.push_back(photos[i].image_set);
     }
 }
 
@@ -84,7 +84,8 @@ PhotoPair SharedSurface::compared(const PhotoPair& pair) const {
 std::vector<PhotoPair> SharedSurface::most_shared(std::uint32_t a, std::size_t count) const {
     std::vector<PhotoPair> pairs;
     for (std::uint32_t b = 0; b < seen_.size(); ++b)
-        if (const std::uint32_t n = a == b || band_[a] != band_[b] ? 0 : count_shared(seen_[a], seen_[b]);
+        if (const std::uint32_t n =
+                a == b || image_set_[a] != image_set_[b] ? 0 : count_shared(seen_[a], seen_[b]);
             n >= min_shared)
             pairs.push_back({std::min(a, b), std::max(a, b), n});
     std::ranges::stable_sort(pairs, std::greater{}, &PhotoPair::shared);

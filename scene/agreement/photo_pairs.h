@@ -23,8 +23,8 @@ struct PhotoPair {
 /// Favors much shared surface and similar directions.
 double worth(const PhotoPair& pair);
 
-/// Finds photos that share surface; photos of different bands share none, as their colors cannot be compared.
-/// The spans must outlive it.
+/// Finds photos that share surface; photos of different image sets share none, as their colors cannot be
+/// compared. The spans must outlive it.
 class SharedSurface {
   public:
     /// Shared discs are counted with bit operations; angles and colors are computed only for candidates.
@@ -47,8 +47,8 @@ class SharedSurface {
 
     Samples samples_;
     std::span<const SurfaceDisc> discs_;
-    std::vector<Bits> seen_;           ///< a bit per disc
-    std::vector<std::uint32_t> band_;  ///< per photo
+    std::vector<Bits> seen_;                ///< a bit per disc
+    std::vector<std::uint32_t> image_set_;  ///< per photo
     std::vector<Eigen::Vector3d> eyes_;
     mutable std::mutex mutex_;
     mutable std::map<std::pair<std::uint32_t, std::uint32_t>, PhotoPair> compared_;

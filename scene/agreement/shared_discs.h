@@ -29,7 +29,7 @@ PhotoSamples samples_to_fit(Samples samples);
 PhotoSamples read_samples(std::span<const package::PhotoRecord> photos,
                           const std::function<std::vector<std::byte>(std::uint32_t photo)>& read);
 
-/// A disc in a photo: ln of its linear color, and the r^2 of the lens falloff, see falloff_radius.
+/// A disc in a photo: ln of its linear color, and the r^2 of the lens vignetting, see vignetting_radius.
 struct Observation {
     std::uint32_t photo;
     float ln[3], radius2;

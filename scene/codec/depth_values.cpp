@@ -14,7 +14,7 @@ namespace {
 
 constexpr int dropped = 24 - depth_bits;  ///< bits of a float's 24, of which one is implied
 constexpr std::uint32_t infinite = 0x7f800000u >> dropped;
-constexpr std::uint32_t most_steps = 0xffff;
+constexpr std::uint32_t max_steps = 0xffff;
 
 /// What is kept of a depth that is positive and finite, which it stays.
 std::uint32_t kept_bits(float z) {
@@ -44,7 +44,7 @@ Steps steps_of(std::span<const std::byte> texels, std::size_t n) {
         out.least = std::min(out.least, kept[i]);
         most = std::max(most, kept[i]);
     }
-    if (out.least != infinite && most - out.least >= most_steps) return out;
+    if (out.least != infinite && most - out.least >= max_steps) return out;
     out.values.resize(n);
     for (std::size_t i = 0; i < n; ++i)
         out.values[i] = kept[i] == infinite ? std::uint16_t(0) : std::uint16_t(kept[i] - out.least + 1);

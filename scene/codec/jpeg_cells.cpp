@@ -13,7 +13,7 @@ namespace vantage::codec {
 namespace {
 
 constexpr int wanted_width = 64, wanted_height = 128;  ///< pixels of a cell, about
-constexpr int most_interval = 16;                      ///< so that a row of a cell fits into 65535 bytes
+constexpr int max_interval = 16;                       ///< so that a row of a cell fits into 65535 bytes
 
 int divided_up(int a, int b) { return (a + b - 1) / b; }
 
@@ -21,7 +21,7 @@ int divided_up(int a, int b) { return (a + b - 1) / b; }
 int interval_for(int mcus, int mcu_width) {
     int best = 1;
     const auto distance = [&](int n) { return std::abs(std::log(double(n * mcu_width) / wanted_width)); };
-    for (int n = 1; n <= most_interval; ++n)
+    for (int n = 1; n <= max_interval; ++n)
         if (mcus % n == 0 && distance(n) < distance(best)) best = n;
     return best;
 }
@@ -63,7 +63,7 @@ bool transcode(std::span<const std::byte> jpeg, Buffer& out) {
         jpeg_mem_src(&from, reinterpret_cast<const unsigned char*>(jpeg.data()), jpeg.size());
         if (jpeg_read_header(&from, TRUE) == JPEG_HEADER_OK && can_divide(from)) {
             jvirt_barray_ptr* coefficients = jpeg_read_coefficients(&from);
-            const bool sound = failure.errors.num_warnings == 0;  // what follows counts anew
+            const bool valid = failure.errors.num_warnings == 0;  // what follows counts anew
             jpeg_copy_critical_parameters(&from, &to);
             to.optimize_coding = TRUE;
             to.restart_interval = restart_interval(from);
@@ -71,7 +71,7 @@ bool transcode(std::span<const std::byte> jpeg, Buffer& out) {
             jpeg_write_coefficients(&to, coefficients);
             jpeg_finish_compress(&to);
             jpeg_finish_decompress(&from);
-            done = sound && failure.errors.num_warnings == 0;
+            done = valid && failure.errors.num_warnings == 0;
         }
     }
     jpeg_destroy_compress(&to);
@@ -241,7 +241,7 @@ std::optional<JpegCells> divide_coefficients(std::span<const std::byte> jpeg) {
 std::optional<CellGrid> cell_grid(std::span<const std::byte> bytes) {
     const auto header = parse_jpeg_header(bytes);
     if (!header || header->bytes != bytes.size() || header->restart_interval < 1 ||
-        header->restart_interval > most_interval)
+        header->restart_interval > max_interval)
         return std::nullopt;
     CellGrid g{.header = *header, .band = divided_up(wanted_height, header->mcu_height)};
     if (header->mcu_columns() % header->restart_interval) return std::nullopt;

@@ -12,9 +12,9 @@ namespace vantage::codec {
 namespace {
 
 constexpr int end_of_image = 0xd9, first_restart = 0xd0;
-constexpr int most_blocks = 10;  ///< in an MCU (B.2.3)
-constexpr int most_size = 11;    ///< bits of a DC difference
-constexpr int peek_bits = 10;    ///< codes up to this length are found by one look at a table
+constexpr int max_blocks = 10;  ///< in an MCU (B.2.3)
+constexpr int max_size = 11;    ///< bits of a DC difference
+constexpr int peek_bits = 10;   ///< codes up to this length are found by one look at a table
 
 /// A Huffman table (C.2): codes by symbol, and symbols by code.
 struct HuffmanTable {
@@ -136,7 +136,7 @@ class BitReader {
 class BitWriter {
   public:
     /// More than an MCU can have: 64 codes of at most 31 bits per block, each byte followed by a zero.
-    static constexpr std::size_t room = std::size_t(most_blocks) * 64 * 8;
+    static constexpr std::size_t room = std::size_t(max_blocks) * 64 * 8;
 
     explicit BitWriter(std::size_t expected) : out_(expected + room) {}
     /// Must be called before each MCU.
@@ -225,7 +225,7 @@ void read_frame(std::span<const std::byte> segment, Scan& out) {
 bool read_scan(std::span<const std::byte> segment, Scan& out) {
     int blocks = 0;
     for (const Component& c : out.components) blocks += c.blocks;
-    if (blocks > most_blocks) return false;
+    if (blocks > max_blocks) return false;
     const auto n = std::size_t(byte_at(segment, 2));
     if (n != out.components.size() || segment.size() != 6 + 2 * n) return false;
     for (std::size_t c = 0; c < n; ++c) {
@@ -254,7 +254,7 @@ constexpr std::array<std::uint8_t, 28> standard_codes{0, 1, 5, 1, 1, 1, 1, 1, 1,
                                                       0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
 
 bool has_all_sizes(const HuffmanTable& t) {
-    return std::all_of(t.code_of.begin(), t.code_of.begin() + most_size + 1,
+    return std::all_of(t.code_of.begin(), t.code_of.begin() + max_size + 1,
                        [](const auto& c) { return c.length > 0; });
 }
 
@@ -297,7 +297,7 @@ int extended(std::uint32_t bits, int size) {
 
 bool put_difference(BitWriter& out, const HuffmanTable& t, int difference) {
     const int size = std::bit_width(std::uint32_t(difference < 0 ? -difference : difference));
-    if (size > most_size) return false;  // not a difference of 8-bit samples
+    if (size > max_size) return false;  // not a difference of 8-bit samples
     const HuffmanTable::Code code = t.code_of[std::size_t(size)];
     const auto extra = std::uint32_t(difference < 0 ? difference + (1 << size) - 1 : difference);
     out.put(code.bits, code.length);

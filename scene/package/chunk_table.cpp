@@ -17,7 +17,7 @@ std::span<const ChunkRow> chunk_table() {
     constexpr auto per_triangle = [](const SceneRecord& s, const PhotoRecord&) { return s.triangles; };
     constexpr auto per_cluster = [](const SceneRecord& s, const PhotoRecord&) { return s.clusters; };
     constexpr auto layer_values = [](const SceneRecord& s, const PhotoRecord&) {
-        return s.vertices * s.scalar_layers;
+        return s.vertices * s.scalar_fields;
     };
     constexpr auto pairs = [](const SceneRecord& s, const PhotoRecord&) {
         return s.photos * package::stored_pairs_per_photo;
@@ -45,14 +45,14 @@ std::span<const ChunkRow> chunk_table() {
                  "three indices per triangle"},
         ChunkRow{Type::clusters, "clusters", none, single, true, sizeof(package::ClusterRecord), per_cluster,
                  "one record per cluster"},
-        ChunkRow{Type::registration, nullptr, none, single, false, sizeof(package::RegistrationRecord),
+        ChunkRow{Type::pose_refinement, nullptr, none, single, false, sizeof(package::PoseRefinementRecord),
                  per_photo, "one record per photo"},
         ChunkRow{Type::pairs, nullptr, none, single, false, sizeof(package::PairRecord), pairs,
                  "its records per photo"},
         ChunkRow{Type::colors, "colors", none, single, true, 4, per_vertex, "one color per vertex"},
         ChunkRow{Type::scalars, "scalars", none, single, true, 4, layer_values,
                  "one value per vertex and layer"},
-        ChunkRow{Type::bands, "bands", none, single, false, sizeof(package::BandRecord)},
+        ChunkRow{Type::image_sets, "image_sets", none, single, false, sizeof(package::ImageSetRecord)},
         ChunkRow{Type::lenses, "lenses", none, single, false, sizeof(package::LensRecord), per_photo,
                  "one record per photo"},
         ChunkRow{Type::point_nodes, "octree of points", none, single, false, sizeof(package::PointNode)},
@@ -71,8 +71,8 @@ std::span<const ChunkRow> chunk_table() {
         ChunkRow{Type::depth, "depth", Stage::masks, masks, true},
         ChunkRow{Type::points, "points", none, single, false, sizeof(package::PackedPoint)},
         // Appended, because they depend on all photos.
-        ChunkRow{Type::surroundings, "surroundings"},
-        ChunkRow{Type::registration_without},
+        ChunkRow{Type::background, "background"},
+        ChunkRow{Type::pose_refinement_without},
     };
     return table;
 }

@@ -15,32 +15,32 @@ constexpr std::uint32_t fourcc(const char (&s)[5]) {
 }
 
 enum class Type : std::uint32_t {
-    meta = fourcc("META"),          ///< JSON: tool, configuration, effects with evidence, inputs, names
-    scene = fourcc("SCEN"),         ///< one SceneRecord
-    photos = fourcc("PHOT"),        ///< PhotoRecord[photos]
-    states = fourcc("STAT"),        ///< PhotoState[photos]: what each photo's artifacts were made from
-    registration = fourcc("REGI"),  ///< RegistrationRecord[photos]: poses as given, and residuals
-    registration_without = fourcc("REGW"),  ///< PoseWithoutRecord[]: poses without a photo; optional
-    pairs = fourcc("PAIR"),                 ///< PairRecord[]: how well overlapping photos agree
-    positions = fourcc("VPOS"),             ///< float[3][vertices], relative to the origin
-    normals = fourcc("VNRM"),               ///< float[3][vertices], unit length
-    colors = fourcc("VCOL"),                ///< u8[4][vertices], sRGB and alpha; optional
-    scalars = fourcc("VSCL"),               ///< float[vertices] per layer, names in META; optional
-    indices = fourcc("INDX"),               ///< u32[3][triangles], ordered by cluster
-    clusters = fourcc("CLUS"),              ///< ClusterRecord[clusters]
-    surroundings = fourcc("SURR"),          ///< SurroundingsRecord and a backdrop; optional
-    point_nodes = fourcc("PNOD"),           ///< PointNode[]: an octree over a point cloud; optional
-    points = fourcc("PNTS"),                ///< blocks of PackedPoint[point_block]; optional
-    bands = fourcc("BAND"),                 ///< BandRecord[]: sets of photos; optional
-    lenses = fourcc("LENS"),                ///< LensRecord[photos]; optional
-    thumbnail = fourcc("THMB"),             ///< per photo: RGBA8
-    coverage = fourcc("COVR"),              ///< per photo: CoverageRecord[clusters]
+    meta = fourcc("META"),             ///< JSON: tool, configuration, effects with evidence, inputs, names
+    scene = fourcc("SCEN"),            ///< one SceneRecord
+    photos = fourcc("PHOT"),           ///< PhotoRecord[photos]
+    states = fourcc("STAT"),           ///< PhotoState[photos]: what each photo's artifacts were made from
+    pose_refinement = fourcc("REGI"),  ///< PoseRefinementRecord[photos]: poses as given, and residuals
+    pose_refinement_without = fourcc("REGW"),  ///< PoseWithoutRecord[]: poses without a photo; optional
+    pairs = fourcc("PAIR"),                    ///< PairRecord[]: how well overlapping photos agree
+    positions = fourcc("VPOS"),                ///< float[3][vertices], relative to the origin
+    normals = fourcc("VNRM"),                  ///< float[3][vertices], unit length
+    colors = fourcc("VCOL"),                   ///< u8[4][vertices], sRGB and alpha; optional
+    scalars = fourcc("VSCL"),                  ///< float[vertices] per layer, names in META; optional
+    indices = fourcc("INDX"),                  ///< u32[3][triangles], ordered by cluster
+    clusters = fourcc("CLUS"),                 ///< ClusterRecord[clusters]
+    background = fourcc("SURR"),               ///< BackgroundRecord and a backdrop; optional
+    point_nodes = fourcc("PNOD"),              ///< PointNode[]: an octree over a point cloud; optional
+    points = fourcc("PNTS"),                   ///< blocks of PackedPoint[point_block]; optional
+    image_sets = fourcc("BAND"),               ///< ImageSetRecord[]: sets of photos; optional
+    lenses = fourcc("LENS"),                   ///< LensRecord[photos]; optional
+    thumbnail = fourcc("THMB"),                ///< per photo: RGBA8
+    coverage = fourcc("COVR"),                 ///< per photo: CoverageRecord[clusters]
     visible = fourcc("VISB"),      ///< per photo: u64[], a bit per triangle seen in full, then in part
     samples = fourcc("SAMP"),      ///< per photo: SampleRecord[discs of the surface]
     coordinates = fourcc("TEXC"),  ///< per photo: float[2][vertices]; (-1,-1) where not visible
     tiles = fourcc("TILE"),        ///< per photo and level: blocks of RGBA8 tiles
-    masks = fourcc("MASK"),        ///< per photo and level: RGBA8 tiles: angle, depth, border, consensus
-    depth = fourcc("DPTH"),        ///< per photo and level: R32F tiles: linear z, +inf where nothing is seen
+    masks = fourcc("MASK"),  ///< per photo and level: RGBA8 tiles: angle, depth, border, transient masking
+    depth = fourcc("DPTH"),  ///< per photo and level: R32F tiles: linear z, +inf where nothing is seen
 };
 
 /// The stages that produce a photo's artifacts.

@@ -20,7 +20,7 @@ enum class Defect {
     invalid_record    ///< a record is out of range, or the number of records is wrong
 };
 
-/// An error that states the kind of defect: Error(damaged), or Error(input) if the package may be sound but
+/// An error that states the kind of defect: Error(damaged), or Error(input) if the package may be valid but
 /// is of another version.
 class DamagedPackage : public Error {
   public:

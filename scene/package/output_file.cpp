@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t head_bytes = 1024;
-constexpr int most_links = 40;  ///< as in the kernel
+constexpr int max_links = 40;  ///< as in the kernel
 
 /// The first bytes of a file. Throws Error(storage) if it cannot be read.
 std::string head_of(const fs::path& file) {
@@ -105,7 +105,7 @@ fs::path followed(const fs::path& file) {
     std::error_code error;
     for (int n = 0; fs::is_symlink(fs::symlink_status(at, error)); ++n) {
         const fs::path to = fs::read_symlink(at, error);
-        if (error || n == most_links) refuse(file, "cannot follow the link");
+        if (error || n == max_links) refuse(file, "cannot follow the link");
         at = at.parent_path() / to;  // which is `to` if that is absolute
     }
     return at;

@@ -11,7 +11,7 @@ namespace vantage::package {
 
 inline constexpr char magic[8] = {'V', 'A', 'N', 'T', 'A', 'G', 'E', '\n'};
 inline constexpr char part_magic[8] = {'V', 'N', 'T', 'G', 'P', 'A', 'R', 'T'};  ///< while in preparation
-inline constexpr std::uint32_t version = 6;
+inline constexpr std::uint32_t version = 7;
 inline constexpr std::uint64_t alignment = 4096;  ///< of every raw chunk and its blocks
 constexpr std::uint64_t aligned(std::uint64_t n) { return (n + alignment - 1) / alignment * alignment; }
 inline constexpr std::uint64_t coded_alignment = 8;  ///< of every other chunk
@@ -29,7 +29,7 @@ enum class Form : std::uint32_t {
 
 /// Content is at most so many times as long as a zstd chunk, which may end with zeros, so that no small file
 /// claims much memory.
-inline constexpr std::uint64_t most_expansion = 32;
+inline constexpr std::uint64_t max_expansion = 32;
 /// Bytes in the head of a coded chunk for each of its blocks: checksum and end.
 inline constexpr std::uint64_t coded_block_entry = 16;
 
@@ -71,7 +71,7 @@ struct SceneRecord {
     double reference_density;  ///< pixels per unit at which the depth mask is 255
     double border_width;       ///< pixels of a photo 3072 wide at which the border mask is 255
     std::uint64_t effects;     ///< bit i: Effect i is on
-    std::uint64_t scalar_layers;
+    std::uint64_t scalar_fields;
     double up[3]{0, 0, 1};  ///< unit vector
     double shade[3]{};      ///< linear light beside the model in the median photo; 0, 0, 0: not known
     /// The view that the player opens: from the place of a photo toward a point relative to the origin. With
@@ -106,8 +106,8 @@ struct PhotoRecord {
     double visible_vertices;        ///< fraction of the vertices that this photo sees, [0,1]
     double gain[3];                 ///< factors on linear light that match the mean photo
     std::uint64_t source_bytes, source_checksum;  ///< length and XXH3-64 of the photo's file
-    float falloff[3];    ///< light lost at radius r, as -ln: f0 r^2 + f1 r^4 + f2 r^6; r: SampleRecord
-    std::uint32_t band;  ///< its number in BAND; 0 if there is none
+    float vignetting[3];      ///< light lost at radius r, as -ln: f0 r^2 + f1 r^4 + f2 r^6; r: SampleRecord
+    std::uint32_t image_set;  ///< its number in BAND; 0 if there is none
 };
 
 /// What a photo's artifacts were made from, so that a later run can tell which to keep.
@@ -119,7 +119,7 @@ struct PhotoState {
     Made stages[std::size_t(Stage::count)];
     std::uint64_t photo, camera, model;  ///< XXH3-64 of these inputs, to report which has changed
     std::uint64_t pose;                  ///< XXH3-64 of the pose used for visibility
-    std::uint64_t consensus;             ///< XXH3-64 of the consensus weights; 0 if all are 255
+    std::uint64_t transients;            ///< XXH3-64 of the transient weights; 0 if all are 255
     char left_out[192];                  ///< why the photo could not be read, or empty
     std::uint64_t record;                ///< XXH3-64 of the photo's PhotoRecord
     std::uint64_t checksum;              ///< XXH3-64 of the preceding bytes
@@ -131,8 +131,8 @@ struct ClusterRecord {
     std::uint32_t first_triangle, triangles;
 };
 
-/// The head of SURR; scene/package/contents/surroundings.h has what follows.
-struct SurroundingsRecord {
+/// The head of SURR; scene/package/contents/background.h has what follows.
+struct BackgroundRecord {
     std::uint64_t vertices, triangles, clusters, photos;
 };
 
@@ -158,11 +158,11 @@ struct PointNode {
 };
 
 /// A set of photos that is shown by itself: visible light, infrared, before a restoration.
-struct BandRecord {
+struct ImageSetRecord {
     char name[56];          ///< UTF-8, zero-terminated
     std::uint64_t effects;  ///< bit i: Effect i is on for these photos
 };
-inline constexpr std::size_t most_bands = 64;
+inline constexpr std::size_t max_image_sets = 64;
 
 /// A photo's lens, as in scene/camera/lens.h.
 struct LensRecord {
@@ -188,8 +188,8 @@ struct SampleRecord {
     std::uint16_t radius;
 };
 
-/// What registration did to a photo.
-struct RegistrationRecord {
+/// What pose refinement did to a photo.
+struct PoseRefinementRecord {
     double R[9], t[3];     ///< the pose as given, like PhotoRecord's
     double by;             ///< median displacement of the photo's content, px; 0 if its pose was kept
     double before, after;  ///< median residual of corners held out of the fit, px
@@ -235,10 +235,10 @@ static_assert(sizeof(Header) == 64 && sizeof(DirectoryEntry) == 64 && sizeof(Clu
 static_assert(sizeof(PointNode) == 40 && sizeof(PackedPoint) == 12 &&
               point_block * sizeof(PackedPoint) % alignment == 0);
 static_assert(sizeof(PhotoState) == 344 && std::is_trivially_copyable_v<PhotoState>);
-static_assert(sizeof(BandRecord) == 64 && sizeof(LensRecord) == 104);
+static_assert(sizeof(ImageSetRecord) == 64 && sizeof(LensRecord) == 104);
 static_assert(sizeof(CoverageRecord) == 12 && sizeof(SampleRecord) == 8 && sizeof(SceneRecord) == 232 &&
               sizeof(PhotoRecord) % 8 == 0);
-static_assert(sizeof(RegistrationRecord) == 128 && sizeof(PoseWithoutRecord) == 104 &&
+static_assert(sizeof(PoseRefinementRecord) == 128 && sizeof(PoseWithoutRecord) == 104 &&
               sizeof(PairRecord) == 56 + 6 * pair_columns * pair_rows);
 static_assert(std::is_trivially_copyable_v<PhotoRecord> && std::numeric_limits<float>::is_iec559);
 

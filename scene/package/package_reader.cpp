@@ -50,8 +50,8 @@ const char* flaw_of(const package::PhotoRecord& p) {
     if (p.thumbnail_width > largest_thumbnail || p.thumbnail_height > largest_thumbnail)
         return "thumbnail size is out of range";
     for (int i = 0; i < 3; ++i)
-        if (!(p.gain[i] >= 1e-3 && p.gain[i] <= 1e3) || !(std::abs(p.falloff[i]) <= 100))
-            return "gain or falloff is out of range";
+        if (!(p.gain[i] >= 1e-3 && p.gain[i] <= 1e3) || !(std::abs(p.vignetting[i]) <= 100))
+            return "gain or vignetting is out of range";
     return nullptr;
 }
 
@@ -73,8 +73,8 @@ const char* flaw_of(const package::SceneRecord& s) {
 }
 
 /// That a photo may belong to: 1 without BAND.
-std::uint64_t number_of_bands(const DirectoryEntry* chunk) {
-    return chunk ? chunk->head_length / sizeof(package::BandRecord) : 1;
+std::uint64_t number_of_image_sets(const DirectoryEntry* chunk) {
+    return chunk ? chunk->head_length / sizeof(package::ImageSetRecord) : 1;
 }
 
 std::vector<std::string_view> names_of(std::span<const package::PhotoRecord> photos) {
@@ -176,7 +176,7 @@ struct PackageReader::Mapping {
         const auto [found, is_new] = contents.try_emplace(&e);
         if (!is_new) return found->second;
         const std::uint64_t length = word(e.offset);
-        if (length / package::most_expansion > e.length) return {};
+        if (length / package::max_expansion > e.length) return {};
         found->second.resize(length);
         const std::span frame(data + e.offset + sizeof length, e.length - sizeof length);
         if (!codec::decompress(frame, found->second)) found->second = {};
@@ -355,13 +355,13 @@ std::span<const std::byte> PackageReader::block(const DirectoryEntry& e, std::si
     return {first + from, to - from};
 }
 
-std::span<const std::byte> PackageReader::sound_block(const DirectoryEntry& e, std::size_t i) const& {
+std::span<const std::byte> PackageReader::valid_block(const DirectoryEntry& e, std::size_t i) const& {
     const auto bytes = block(e, i);
-    if (!block_sound(e, i)) map_->damaged(Defect::tile_checksum, tile_mismatch(*this, e, i));
+    if (!block_valid(e, i)) map_->damaged(Defect::tile_checksum, tile_mismatch(*this, e, i));
     return bytes;
 }
 
-bool PackageReader::block_sound(const DirectoryEntry& e, std::size_t i) const {
+bool PackageReader::block_valid(const DirectoryEntry& e, std::size_t i) const {
     const auto bytes = block(e, i);
     return !bytes.empty() && checksum(bytes) == map_->word(e.offset + i * sizeof(std::uint64_t));
 }
@@ -396,10 +396,10 @@ std::uint64_t PackageReader::scene_bytes() const {
     return bytes;
 }
 
-bool PackageReader::sound(const DirectoryEntry& e) const {
-    if (!head_sound(e)) return false;
+bool PackageReader::valid(const DirectoryEntry& e) const {
+    if (!head_valid(e)) return false;
     for (std::size_t b = 0; b < blocks(e); ++b)
-        if (!block_sound(e, b)) return false;
+        if (!block_valid(e, b)) return false;
     return true;
 }
 
@@ -414,7 +414,7 @@ void PackageReader::forget(std::span<const std::byte> bytes) const {
 
 void PackageReader::forget_all() const { forget({map_->data, map_->size}); }
 
-bool PackageReader::head_sound(const DirectoryEntry& e) const {
+bool PackageReader::head_valid(const DirectoryEntry& e) const {
     if (e.block_length == 0 && e.coded_blocks == 0) map_->keep({&e});
     return checksum(head(e)) == e.checksum;
 }
@@ -429,7 +429,7 @@ std::span<const std::byte> PackageReader::checked(Type type, std::uint32_t photo
                           "chunk " + std::string(reinterpret_cast<const char*>(&t), 4) + " is missing");
         return {};
     }
-    if (!head_sound(*e) && !(map_->again(*e) && head_sound(*e)))
+    if (!head_valid(*e) && !(map_->again(*e) && head_valid(*e)))
         map_->damaged(Defect::chunk_checksum, describe(*e, *this) + ": checksum does not match");
     if (content_length(e) % record)
         map_->damaged(Defect::invalid_record,
@@ -466,14 +466,15 @@ std::span<const package::PhotoRecord> PackageReader::photos() const& {
     std::call_once(map_->photos_read, [this] {
         const auto given = records<package::PhotoRecord>(Type::photos);
         std::vector<package::PhotoRecord> photos(given.begin(), given.end());
-        const std::uint64_t bands = number_of_bands(find(Type::bands));
+        const std::uint64_t image_sets = number_of_image_sets(find(Type::image_sets));
         for (std::size_t i = 0; i < photos.size(); ++i) {
             if (const char* flaw = flaw_of(photos[i]))
                 map_->damaged(Defect::invalid_record, "PHOT " + std::to_string(i) + ": " + flaw);
-            if (photos[i].band >= bands)
-                map_->damaged(Defect::invalid_record, "PHOT " + std::to_string(i) + ": band " +
-                                                          std::to_string(photos[i].band) +
-                                                          ", expected one below " + std::to_string(bands));
+            if (photos[i].image_set >= image_sets)
+                map_->damaged(Defect::invalid_record, "PHOT " + std::to_string(i) + ": image set " +
+                                                          std::to_string(photos[i].image_set) +
+                                                          ", expected one below " +
+                                                          std::to_string(image_sets));
         }
         map_->photos = std::move(photos);
     });
@@ -513,7 +514,7 @@ void add_block_mismatches(const PackageReader& package, const DirectoryEntry& e,
             held = package.hold({&next, 1});
             end = begin + next.size();
         }
-        if (!package.block_sound(e, b)) out.push_back({Defect::tile_checksum, tile_mismatch(package, e, b)});
+        if (!package.block_valid(e, b)) out.push_back({Defect::tile_checksum, tile_mismatch(package, e, b)});
     }
 }
 
@@ -524,17 +525,17 @@ std::vector<Mismatch> mismatches(const PackageReader& package, bool tiles, std::
     for (const DirectoryEntry& e : package.directory()) {
         const auto head = package.head(e);
         const Held held = package.hold({&head, 1});
-        const bool sound = package.head_sound(e);
-        if (!sound)
+        const bool valid = package.head_valid(e);
+        if (!valid)
             out.push_back({Defect::chunk_checksum, describe(e, package) + ": checksum does not match"});
-        if (tiles && sound) add_block_mismatches(package, e, most, out);
+        if (tiles && valid) add_block_mismatches(package, e, most, out);
         if (tiles) package.forget(package.raw(e));
         if (out.size() >= most) break;
     }
     return out;
 }
 
-void expect_sound(const PackageReader& package) {
+void expect_valid(const PackageReader& package) {
     for (const Mismatch& m : mismatches(package, true, 1))
         throw DamagedPackage(m.defect, package.path().string() + ": " + m.text);
 }
@@ -569,7 +570,7 @@ Pose pose_of(const Record& r) {
 }  // namespace
 
 Pose cam_from_origin(const package::PhotoRecord& photo) { return pose_of(photo); }
-Pose cam_from_origin(const package::RegistrationRecord& given) { return pose_of(given); }
+Pose cam_from_origin(const package::PoseRefinementRecord& given) { return pose_of(given); }
 Pose cam_from_origin(const package::PoseWithoutRecord& without) { return pose_of(without); }
 
 Eigen::AlignedBox3d bounds_from_origin(const package::SceneRecord& s) {

@@ -66,10 +66,10 @@ class PackageReader {
     std::span<const std::byte> block(const package::DirectoryEntry& entry, std::size_t index) const&;
     std::span<const std::byte> block(const package::DirectoryEntry&, std::size_t) const&& = delete;
     /// The same, checked. Throws Error(damaged) if its checksum does not match.
-    std::span<const std::byte> sound_block(const package::DirectoryEntry& entry, std::size_t index) const&;
-    std::span<const std::byte> sound_block(const package::DirectoryEntry&, std::size_t) const&& = delete;
+    std::span<const std::byte> valid_block(const package::DirectoryEntry& entry, std::size_t index) const&;
+    std::span<const std::byte> valid_block(const package::DirectoryEntry&, std::size_t) const&& = delete;
     /// True if the block's checksum matches.
-    bool block_sound(const package::DirectoryEntry& entry, std::size_t index) const;
+    bool block_valid(const package::DirectoryEntry& entry, std::size_t index) const;
     /// Of a chunk, as stored.
     Part head(const package::DirectoryEntry& entry) const&;
     Part head(const package::DirectoryEntry&) const&& = delete;
@@ -98,9 +98,9 @@ class PackageReader {
     void forget(std::span<const std::byte> bytes) const;
     void forget_all() const;
     /// True if the head's checksum matches; of a chunk without blocks, that is all of it.
-    bool head_sound(const package::DirectoryEntry& entry) const;
+    bool head_valid(const package::DirectoryEntry& entry) const;
     /// True if the checksums of the head and of every block match.
-    bool sound(const package::DirectoryEntry& entry) const;
+    bool valid(const package::DirectoryEntry& entry) const;
 
     /// A chunk as records. Throws Error(damaged) if it is missing (and `required`), its checksum does not
     /// match, or its length is not a multiple of the record's.
@@ -142,11 +142,11 @@ struct Mismatch {
     std::string text;
 };
 /// The chunks that do not match their checksums, or whose heads do not, and with `tiles` all tiles; at most
-/// `most`. A package without any is sound. Pages that were read are released.
+/// `most`. A package without any is valid. Pages that were read are released.
 std::vector<Mismatch> mismatches(const PackageReader& package, bool tiles,
                                  std::size_t most = std::numeric_limits<std::size_t>::max());
 /// Reads the whole package. Throws Error(damaged) with the first mismatch.
-void expect_sound(const PackageReader& package);
+void expect_valid(const PackageReader& package);
 
 /// A photo's pinhole camera, for positions relative to the origin.
 Intrinsics intrinsics(const package::PhotoRecord& photo);
@@ -154,7 +154,7 @@ Intrinsics intrinsics(const package::PhotoRecord& photo);
 /// model or coefficients that are not finite.
 Lens lens_of(const PackageReader& package, std::uint32_t photo);
 Pose cam_from_origin(const package::PhotoRecord& photo);
-Pose cam_from_origin(const package::RegistrationRecord& given);
+Pose cam_from_origin(const package::PoseRefinementRecord& given);
 Pose cam_from_origin(const package::PoseWithoutRecord& without);
 /// The bounds of the model without strays, relative to the origin.
 Eigen::AlignedBox3d bounds_from_origin(const package::SceneRecord& scene);

@@ -9,9 +9,9 @@
 #include "base/text/photo_names.h"
 #include "base/values/tiling.h"
 #include "scene/package/chunk_table.h"
+#include "scene/package/contents/background.h"
 #include "scene/package/contents/opaque_part.h"
 #include "scene/package/contents/stored_tile.h"
-#include "scene/package/contents/surroundings.h"
 
 namespace vantage {
 namespace {
@@ -46,10 +46,10 @@ std::string without_path(const Error& e, const PackageReader& reader) {
     return line.starts_with(path) ? line.substr(path.size()) : line;
 }
 
-void surroundings_shape(const PackageReader& reader, Lines& out) {
+void background_shape(const PackageReader& reader, Lines& out) {
     try {
-        const bool present = read_surroundings(reader).has_value();
-        if (present != effect_on(reader.scene(), Effect::surroundings))
+        const bool present = read_background(reader).has_value();
+        if (present != effect_on(reader.scene(), Effect::background))
             out.emplace_back(present ? "SURR: the effect is off" : "SURR is missing");
     } catch (const Error& e) {
         out.push_back(without_path(e, reader));
@@ -57,29 +57,30 @@ void surroundings_shape(const PackageReader& reader, Lines& out) {
 }
 
 void layers_shape(const PackageReader& reader, const package::SceneRecord& scene, Lines& out) {
-    if (!effect_on(scene, Effect::scalar_layers)) return;
+    if (!effect_on(scene, Effect::scalar_fields)) return;
     const DirectoryEntry* e = reader.find(Type::scalars, package::scene_wide);
     const std::uint64_t layer = scene.vertices * sizeof(float);
     if (!e || layer == 0 || reader.content_length(e) % layer != 0 ||
-        reader.content_length(e) / layer != scene.scalar_layers)
+        reader.content_length(e) / layer != scene.scalar_fields)
         out.emplace_back("VSCL does not have one value per vertex and layer");
 }
 
-void bands_shape(const PackageReader& reader, const package::SceneRecord& scene, Lines& out) {
-    const DirectoryEntry* e = reader.find(Type::bands);
-    if ((e != nullptr) != effect_on(scene, Effect::bands)) {
+void image_sets_shape(const PackageReader& reader, const package::SceneRecord& scene, Lines& out) {
+    const DirectoryEntry* e = reader.find(Type::image_sets);
+    if ((e != nullptr) != effect_on(scene, Effect::image_sets)) {
         out.emplace_back(e ? "BAND: the effect is off" : "BAND is missing");
         return;
     }
-    const auto bands = reader.records<package::BandRecord>(Type::bands, package::scene_wide, false);
-    if (e && (bands.size() < 2 || bands.size() > package::most_bands))
-        out.push_back("BAND: has " + std::to_string(bands.size()) + " bands, expected 2 to " +
-                      std::to_string(package::most_bands));
+    const auto image_sets =
+        reader.records<package::ImageSetRecord>(Type::image_sets, package::scene_wide, false);
+    if (e && (image_sets.size() < 2 || image_sets.size() > package::max_image_sets))
+        out.push_back("BAND: has " + std::to_string(image_sets.size()) + " image sets, expected 2 to " +
+                      std::to_string(package::max_image_sets));
     std::set<std::string> names;
-    for (const package::BandRecord& b : bands) {
+    for (const package::ImageSetRecord& b : image_sets) {
         const std::string name(b.name, ::strnlen(b.name, sizeof b.name));
-        if (name.size() == sizeof b.name || !is_band_name(name) || !names.insert(name).second)
-            out.push_back("BAND: band " + std::to_string(&b - bands.data()) +
+        if (name.size() == sizeof b.name || !is_image_set_name(name) || !names.insert(name).second)
+            out.push_back("BAND: image set " + std::to_string(&b - image_sets.data()) +
                           " has no name of its own that a folder may have");
     }
 }
@@ -142,9 +143,9 @@ std::vector<std::string> misshapen(const PackageReader& reader) {
     const package::SceneRecord& scene = reader.scene();
     model_shape(reader, scene, out);
     transparency_shape(reader, out);
-    surroundings_shape(reader, out);
+    background_shape(reader, out);
     layers_shape(reader, scene, out);
-    bands_shape(reader, scene, out);
+    image_sets_shape(reader, scene, out);
     lenses_shape(reader, scene, out);
     const auto photos = reader.photos();
     for (std::uint32_t i = 0; i < photos.size(); ++i)

@@ -48,7 +48,7 @@ std::vector<std::byte> compressed(std::span<const std::byte> bytes) {
     const std::uint64_t length = bytes.size();
     const std::vector<std::byte> frame = codec::compress(bytes, zstd_level);
     std::vector<std::byte> out(
-        std::max<std::size_t>(sizeof length + frame.size(), length / package::most_expansion + 1));
+        std::max<std::size_t>(sizeof length + frame.size(), length / package::max_expansion + 1));
     std::memcpy(out.data(), &length, sizeof length);
     std::ranges::copy(frame, out.begin() + sizeof length);
     if (out.size() >= bytes.size()) out.clear();
@@ -72,7 +72,7 @@ void seal_header(Header& h) {
     h.header_checksum = checksum(bytes_of_one(h).first(offsetof(Header, header_checksum)));
 }
 
-bool is_sound(const Header& h) {
+bool is_valid(const Header& h) {
     Header expected = h;
     seal_header(expected);
     return h.header_checksum == expected.header_checksum;
@@ -81,7 +81,7 @@ bool is_sound(const Header& h) {
 /// Whether the file is a package, finished or not, with the same photo chunks in the same places.
 bool can_resume(const Header& h, const PackageLayout& layout, Share share) {
     const auto is = [&](const char(&magic)[8]) { return std::memcmp(h.magic, magic, sizeof magic) == 0; };
-    return (is(package::part_magic) || is(package::magic)) && is_sound(h) && h.version == package::version &&
+    return (is(package::part_magic) || is(package::magic)) && is_valid(h) && h.version == package::version &&
            h.layout == layout.checksum && h.share == share.share && h.shares == share.shares &&
            h.file_size >= layout.bytes && h.directory_count <= layout.directory.size() + 1;
 }

@@ -71,7 +71,7 @@ class PackageWriter {
 
     /// Keeps a chunk that FILE.part already holds, as `entry` describes it.
     void keep(const package::DirectoryEntry& entry);
-    /// Copies a chunk from another package, as photo `photo`. The caller checks that it is sound.
+    /// Copies a chunk from another package, as photo `photo`. The caller checks that it is valid.
     void copy(const PackageReader& from, const package::DirectoryEntry& entry, std::uint32_t photo);
     /// Drops the chunks of a photo that cannot be used; their place stays empty, and takes no space if the
     /// file system supports holes.

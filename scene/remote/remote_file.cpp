@@ -19,16 +19,16 @@ namespace vantage {
 
 namespace {
 
-constexpr std::uint64_t most_request_blocks = (4 << 20) / block_bytes;  // 4 MiB
-constexpr std::uint64_t most_first_bytes = 64 << 20;
+constexpr std::uint64_t max_request_blocks = (4 << 20) / block_bytes;  // 4 MiB
+constexpr std::uint64_t max_first_bytes = 64 << 20;
 
 TransferOptions transfer_options(const RemoteOptions& given) {
     return {given.connect_timeout, given.stall_timeout, given.retry_pause,
-            std::clamp(given.most_requests, 1, 64), given.certificates};
+            std::clamp(given.max_requests, 1, 64), given.certificates};
 }
 
 std::uint64_t first_bytes(const RemoteOptions& given) {
-    const std::uint64_t bytes = std::clamp<std::uint64_t>(given.first_bytes, 1, most_first_bytes);
+    const std::uint64_t bytes = std::clamp<std::uint64_t>(given.first_bytes, 1, max_first_bytes);
     return number_of_blocks(bytes) * block_bytes;
 }
 
@@ -197,7 +197,7 @@ RemoteFile::Impl::Parts RemoteFile::Impl::request(const std::vector<BlockRun>& r
                 parts.push_back(found->second);
                 continue;
             }
-            while (end < run.end && end - block < most_request_blocks && !file->table().present(end) &&
+            while (end < run.end && end - block < max_request_blocks && !file->table().present(end) &&
                    !pending.contains(end))
                 ++end;
             request_run({block, end}, kept, parts);

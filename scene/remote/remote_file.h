@@ -22,7 +22,7 @@ struct RemoteOptions {
     std::chrono::seconds stall_timeout{20};  ///< at fewer than 256 bytes per second
     /// Before the second try; four times as long before the third.
     std::chrono::milliseconds retry_pause{250};
-    int most_requests = 6;  ///< in flight at once, 1 to 64; each takes 64 KiB of memory for bodies
+    int max_requests = 6;  ///< in flight at once, 1 to 64; each takes 64 KiB of memory for bodies
     std::uint64_t first_bytes = 256 << 10;  ///< that opening fetches; rounded up to 64 KiB, at most 64 MiB
     std::filesystem::path certificates{};   ///< PEM file of trusted authorities; empty: those of the system
 };

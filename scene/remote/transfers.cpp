@@ -21,9 +21,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr long receive_buffer = 64 << 10;            // bytes per request
-constexpr std::size_t most_header_bytes = 64 << 10;  // per answer
-constexpr long most_redirects = 5;
+constexpr long receive_buffer = 64 << 10;           // bytes per request
+constexpr std::size_t max_header_bytes = 64 << 10;  // per answer
+constexpr long max_redirects = 5;
 constexpr long stall_rate = 256;                    // bytes per second; slower is a stall
 constexpr std::uint64_t progress_bytes = 64 << 10;  // that a try must bring to count as progress
 
@@ -116,9 +116,9 @@ std::size_t on_header(char* data, std::size_t, std::size_t size, void* active) {
         if (a.answered && !line.starts_with("HTTP/")) return true;  // after the body
         a.answered = false;
         take_header_line(a.answer, line);
-        if (a.answer.header_bytes > most_header_bytes) {
+        if (a.answer.header_bytes > max_header_bytes) {
             a.fault =
-                a.failure("the headers of the answer exceed " + std::to_string(most_header_bytes) + " bytes");
+                a.failure("the headers of the answer exceed " + std::to_string(max_header_bytes) + " bytes");
             return false;
         }
         return line.find_first_not_of("\r\n") != std::string_view::npos || headers_end(a);
@@ -175,7 +175,7 @@ Reason reason_of(const Active& a, CURLcode code, const TransferOptions& options)
         case CURLE_SSL_CACERT_BADFILE:
             return {"the server's certificate is not valid: " + detail};
         case CURLE_TOO_MANY_REDIRECTS:
-            return {"the server redirects more than " + std::to_string(most_redirects) + " times"};
+            return {"the server redirects more than " + std::to_string(max_redirects) + " times"};
         case CURLE_UNSUPPORTED_PROTOCOL:
             return {"the server does not redirect to http or https: " + detail};
         default:
@@ -201,7 +201,7 @@ struct Transfers::Impl {
         : url_(std::move(url)), shown_url_(shown_url(url_)), options_(given) {
         if (starts_library()) multi_.reset(curl_multi_init());
         if (!multi_) throw Error(Exit::internal, "cannot start libcurl");
-        curl_multi_setopt(multi_.get(), CURLMOPT_MAXCONNECTS, long(options_.most_in_flight));
+        curl_multi_setopt(multi_.get(), CURLMOPT_MAXCONNECTS, long(options_.max_in_flight));
         try {
             thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
         } catch (const std::system_error&) {
@@ -249,7 +249,7 @@ struct Transfers::Impl {
         });
     }
 
-    bool room() const { return in_flight_.size() < std::size_t(std::max(1, options_.most_in_flight)); }
+    bool room() const { return in_flight_.size() < std::size_t(std::max(1, options_.max_in_flight)); }
 
     void start_due() {
         for (auto a = waiting_.begin(); a != waiting_.end() && room();) {
@@ -316,7 +316,7 @@ struct Transfers::Impl {
         curl_easy_setopt(easy, CURLOPT_PROTOCOLS_STR, "http,https");
         curl_easy_setopt(easy, CURLOPT_REDIR_PROTOCOLS_STR, "http,https");
         curl_easy_setopt(easy, CURLOPT_FOLLOWLOCATION, 1L);
-        curl_easy_setopt(easy, CURLOPT_MAXREDIRS, most_redirects);
+        curl_easy_setopt(easy, CURLOPT_MAXREDIRS, max_redirects);
         curl_easy_setopt(easy, CURLOPT_SSL_VERIFYPEER, 1L);
         curl_easy_setopt(easy, CURLOPT_SSL_VERIFYHOST, 2L);
         if (!options_.certificates.empty())

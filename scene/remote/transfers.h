@@ -15,7 +15,7 @@ struct TransferOptions {
     std::chrono::seconds stall_timeout{20};
     std::chrono::milliseconds retry_pause{
         250};                            ///< before the second try; four times as long before the third
-    int most_in_flight = 6;              ///< requests
+    int max_in_flight = 6;               ///< requests
     std::filesystem::path certificates;  ///< PEM file of trusted authorities; empty: those of the system
 };
 

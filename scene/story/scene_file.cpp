@@ -82,13 +82,13 @@ class ObjectTable {
         Eigen::Vector3d out = Eigen::Vector3d::Zero();
         if (!has(key)) return out;
         const auto* list = table_[key].as_array();
-        bool sound = list && list->size() == 3;
-        for (std::size_t i = 0; sound && i < 3; ++i) {
+        bool valid = list && list->size() == 3;
+        for (std::size_t i = 0; valid && i < 3; ++i) {
             const auto value = (*list)[i].value<double>();
-            sound = value && std::abs(*value) <= farthest;
-            if (sound) out[Eigen::Index(i)] = *value;
+            valid = value && std::abs(*value) <= farthest;
+            if (valid) out[Eigen::Index(i)] = *value;
         }
-        if (!sound) fail(std::string(key) + ": expected three numbers, such as [1, 0, 0.5]");
+        if (!valid) fail(std::string(key) + ": expected three numbers, such as [1, 0, 0.5]");
         return out;
     }
 
@@ -103,9 +103,9 @@ class ObjectTable {
                     m(Eigen::Index(i), Eigen::Index(j)) = (*row)[j].value<double>().value_or(NAN);
         const Eigen::Matrix3d turn = m.leftCols<3>();
         const double scale = std::cbrt(turn.determinant());
-        const bool sound = m.allFinite() && scale > 0 && m.col(3).cwiseAbs().maxCoeff() <= farthest &&
+        const bool valid = m.allFinite() && scale > 0 && m.col(3).cwiseAbs().maxCoeff() <= farthest &&
                            (turn * turn.transpose() / (scale * scale)).isIdentity(1e-6);
-        if (!sound) fail("align: expected 3 rows of 4 numbers: a rotation times a scale, and a translation");
+        if (!valid) fail("align: expected 3 rows of 4 numbers: a rotation times a scale, and a translation");
         return Similarity{turn / scale, m.col(3), scale};
     }
 

@@ -19,11 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr std::size_t most_bytes = std::size_t(8) << 20, most_notes = 1000, most_tours = 100,
-                      most_stops = 1000, most_languages = 50, most_id = 100, most_title = 500,
-                      most_text = 20000, most_path = 500;
-constexpr int most_depth = 12;
-constexpr double most_seconds = 3600, fov_low = 0.02, fov_high = 178;
+constexpr std::size_t max_bytes = std::size_t(8) << 20, max_notes = 1000, max_tours = 100, max_stops = 1000,
+                      max_languages = 50, max_id = 100, max_title = 500, max_text = 20000, max_path = 500;
+constexpr int max_depth = 12;
+constexpr double max_seconds = 3600, fov_low = 0.02, fov_high = 178;
 
 std::string read_language(const LocatedJson& at, const std::string& tag) {
     const auto allowed = [](unsigned char c) { return std::isalnum(c) || c == '-'; };
@@ -35,7 +34,7 @@ std::string read_language(const LocatedJson& at, const std::string& tag) {
 StoryText read_text(const LocatedJson& at, std::size_t most, bool lines) {
     StoryText out;
     if (at.is_object())
-        for (const auto& [tag, words] : at.entries(most_languages))
+        for (const auto& [tag, words] : at.entries(max_languages))
             out.by_language[read_language(words, tag)] = words.text(most, lines);
     else if (at.is_text())
         out.plain = at.text(most, lines);
@@ -45,7 +44,7 @@ StoryText read_text(const LocatedJson& at, std::size_t most, bool lines) {
 }
 
 std::string read_id(const LocatedJson& at) {
-    const std::string id = at.text(most_id);
+    const std::string id = at.text(max_id);
     const auto allowed = [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_' || c == '.'; };
     if (id.empty() || !std::ranges::all_of(id, allowed))
         at.fail("an id of letters, digits, '-', '_' and '.'");
@@ -53,7 +52,7 @@ std::string read_id(const LocatedJson& at) {
 }
 
 StoryColor read_color(const LocatedJson& at) {
-    const std::string text = at.text(most_id);
+    const std::string text = at.text(max_id);
     const auto is_digit = [](unsigned char c) { return std::isxdigit(c) != 0; };
     if (text.size() != 7 || text[0] != '#' || !std::all_of(text.begin() + 1, text.end(), is_digit))
         at.fail("a color, such as \"#20262e\"");
@@ -77,7 +76,7 @@ StoryView read_view(const LocatedJson& at) {
 }
 
 std::string read_picture(const LocatedJson& at) {
-    const fs::path picture = at.text(most_path);
+    const fs::path picture = at.text(max_path);
     const std::string extension = lower_extension(picture);
     if (picture.is_absolute() || is_url(picture.native()) ||
         std::ranges::find(picture, fs::path("..")) != picture.end())
@@ -91,8 +90,8 @@ StoryNote read_note(const LocatedJson& at) {
     at.expect_object({"id", "title", "text", "picture", "view", "anchor"});
     StoryNote out;
     out.id = read_id(at.at("id"));
-    if (at.has("title")) out.title = read_text(at.at("title"), most_title, false);
-    if (at.has("text")) out.text = read_text(at.at("text"), most_text, true);
+    if (at.has("title")) out.title = read_text(at.at("title"), max_title, false);
+    if (at.has("text")) out.text = read_text(at.at("text"), max_text, true);
     if (at.has("picture")) out.picture = read_picture(at.at("picture"));
     if (at.has("view")) out.view = read_view(at.at("view"));
     if (at.has("anchor")) out.anchor = at.at("anchor").vector();
@@ -101,14 +100,14 @@ StoryNote read_note(const LocatedJson& at) {
 
 std::vector<StoryStop> read_stops(const LocatedJson& at) {
     std::vector<StoryStop> out;
-    for (const LocatedJson& stop : at.items(most_stops)) {
+    for (const LocatedJson& stop : at.items(max_stops)) {
         stop.expect_object({"note", "view", "fly", "stay"});
         if (stop.has("note") == stop.has("view")) stop.fail("either a note or a view");
         StoryStop& s = out.emplace_back();
         if (stop.has("note")) s.note = read_id(stop.at("note"));
         if (stop.has("view")) s.view = read_view(stop.at("view"));
-        if (stop.has("fly")) s.fly = stop.at("fly").number(0, most_seconds);
-        if (stop.has("stay")) s.stay = stop.at("stay").number(0, most_seconds);
+        if (stop.has("fly")) s.fly = stop.at("fly").number(0, max_seconds);
+        if (stop.has("stay")) s.stay = stop.at("stay").number(0, max_seconds);
     }
     if (out.empty()) at.fail("at least one stop");
     return out;
@@ -117,7 +116,7 @@ std::vector<StoryStop> read_stops(const LocatedJson& at) {
 StoryTour read_tour(const LocatedJson& at) {
     at.expect_object({"id", "title", "stops"});
     StoryTour out{read_id(at.at("id")), {}, read_stops(at.at("stops"))};
-    if (at.has("title")) out.title = read_text(at.at("title"), most_title, false);
+    if (at.has("title")) out.title = read_text(at.at("title"), max_title, false);
     return out;
 }
 
@@ -138,10 +137,10 @@ StoryAttract read_attract(const LocatedJson& at) {
     StoryAttract out;
     if (int(at.has("tour")) + int(at.has("stops")) + int(at.has("turn")) != 1)
         at.fail("one of tour, stops and turn");
-    if (at.has("after")) out.after = at.at("after").number(1, 24 * most_seconds);
+    if (at.has("after")) out.after = at.at("after").number(1, 24 * max_seconds);
     if (at.has("tour")) out.tour = read_id(at.at("tour"));
     if (at.has("stops")) out.stops = read_stops(at.at("stops"));
-    if (at.has("turn")) out.turn = at.at("turn").number(1, most_seconds);
+    if (at.has("turn")) out.turn = at.at("turn").number(1, max_seconds);
     return out;
 }
 
@@ -155,19 +154,19 @@ void expect_different(const std::vector<Item>& items, const LocatedJson& at) {
 
 Story read_top(const LocatedJson& at) {
     at.expect_object({"format", "language", "title", "opening", "background", "notes", "tours", "attract"});
-    if (at.at("format").text(most_title) != story_format)
+    if (at.at("format").text(max_title) != story_format)
         at.at("format").fail('"' + std::string(story_format) + '"');
     Story out;
-    if (at.has("language")) out.language = read_language(at.at("language"), at.at("language").text(most_id));
-    if (at.has("title")) out.title = read_text(at.at("title"), most_title, false);
+    if (at.has("language")) out.language = read_language(at.at("language"), at.at("language").text(max_id));
+    if (at.has("title")) out.title = read_text(at.at("title"), max_title, false);
     if (at.has("opening")) out.opening = read_view(at.at("opening"));
     if (at.has("background")) out.background = read_background(at.at("background"));
     if (at.has("notes")) {
-        for (const LocatedJson& note : at.at("notes").items(most_notes)) out.notes.push_back(read_note(note));
+        for (const LocatedJson& note : at.at("notes").items(max_notes)) out.notes.push_back(read_note(note));
         expect_different(out.notes, at.at("notes"));
     }
     if (at.has("tours")) {
-        for (const LocatedJson& tour : at.at("tours").items(most_tours)) out.tours.push_back(read_tour(tour));
+        for (const LocatedJson& tour : at.at("tours").items(max_tours)) out.tours.push_back(read_tour(tour));
         expect_different(out.tours, at.at("tours"));
     }
     if (at.has("attract")) out.attract = read_attract(at.at("attract"));
@@ -290,7 +289,7 @@ fs::path story_file_of(const fs::path& package) {
 
 ReadStory parse_story(const std::string& text, const std::string& file) {
     ReadStory out;
-    const nlohmann::json json = parsed_json(text, file, most_depth);
+    const nlohmann::json json = parsed_json(text, file, max_depth);
     out.story = read_top(LocatedJson(file, json, out.unknown));
     return out;
 }
@@ -300,7 +299,7 @@ ReadStory read_story(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     if (!fs::is_regular_file(file, error) || !in)
         throw Error(Exit::input, file.string() + ": cannot be read");
-    if (fs::file_size(file, error) > most_bytes)
+    if (fs::file_size(file, error) > max_bytes)
         throw Error(Exit::input, file.string() + ": is longer than 8 MiB, expected a story");
     std::ostringstream text;
     text << in.rdbuf();

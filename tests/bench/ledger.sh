@@ -46,7 +46,7 @@ preparing() {
 first_picture() {
     local shown=() empty=()
     for _ in 1 2 3 4 5 6; do
-        shown+=("$(in_window "$player" "$1.vantage" --fresh --frames 1 --size 1280x720 | sed -n 's/.*after \([0-9]*\) ms.*/\1/p')")
+        shown+=("$(in_window "$player" "$1.vantage" --no-saved-settings --frames 1 --size 1280x720 | sed -n 's/.*after \([0-9]*\) ms.*/\1/p')")
         empty+=("$(in_window "$ledger/ledger-window")")
     done
     record "first picture $1" "$(ratio "$(best "${shown[@]}")" "$(best "${empty[@]}")")"
@@ -71,7 +71,7 @@ done
 for photos in 1 4 8; do
     frames=() draws=()
     for _ in 1 2; do
-        bench demo40 still --blended $photos
+        bench demo40 still --max-photos $photos
         frames+=("$(summary ms)")
         draws+=("$("$ledger/ledger-draws" demo40.vantage $photos)")
     done

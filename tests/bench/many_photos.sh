@@ -37,15 +37,15 @@ for n in "$@"; do
     printf '\n[exposure]\nstops = 0.3\n' >>"$scene.toml"
     "$vantage" synth "$scene.toml" -o "$scene" >/dev/null 2>&1
   fi
-  prepare "$scene" --judge off
-  unjudged=$(seconds "$folder/trace.json" colors)
+  prepare "$scene" --validate off
+  unvalidated=$(seconds "$folder/trace.json" colors)
   prepare "$scene"
   line="$n\t$(grep -oP '^package .*, \K[0-9.]+(?= s\))' <<<"$printed")\t$(grep -oP '^needs .*about \K[0-9]+' <<<"$printed")"
   line+="\t$(megabytes)\t$(grep -oP '^needs .*at most \K[0-9]+' <<<"$printed")"
-  for spans in register "consensus|consensus masks" colors; do line+="\t$(seconds "$folder/trace.json" "$spans")"; done
-  line+="\t$unjudged"
+  for spans in register "transients|transients masks" colors; do line+="\t$(seconds "$folder/trace.json" "$spans")"; done
+  line+="\t$unvalidated"
   if [ "$n" -le 320 ]; then
-    prepare "$scene" --effect registration=on
+    prepare "$scene" --effect pose-refinement=on
     line+="\t$(seconds "$folder/trace.json" register)\t$(megabytes)"
   else
     line+="\t-\t-"
@@ -70,15 +70,15 @@ set xrange [8:2000]
 set datafile missing "-"
 set title "seconds"
 set yrange [0.01:1000]
-plot "$table" every ::1 using 1:10 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "camera registration (if needed)", \
+plot "$table" every ::1 using 1:10 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "camera pose_refinement (if needed)", \
   "" every ::1 using 1:2 with linespoints linewidth 2 pointtype 7 linecolor rgb "#424242" title "prepare", \
   "" every ::1 using 1:3 with points pointtype 6 linecolor rgb "#424242" title "as estimated", \
-  "" every ::1 using 1:8 with linespoints linewidth 2 pointtype 7 linecolor rgb "#6a1b9a" title "gains, judged (if needed)", \
-  "" every ::1 using 1:7 with linespoints linewidth 2 pointtype 7 linecolor rgb "#2e7d32" title "consensus evidence (always)", \
+  "" every ::1 using 1:8 with linespoints linewidth 2 pointtype 7 linecolor rgb "#6a1b9a" title "gains, validated (if needed)", \
+  "" every ::1 using 1:7 with linespoints linewidth 2 pointtype 7 linecolor rgb "#2e7d32" title "transients evidence (always)", \
   "" every ::1 using 1:6 with linespoints linewidth 2 pointtype 7 linecolor rgb "#1565c0" title "camera evidence (always)"
 set title "peak memory, MB"
 set yrange [10:1000]
-plot "$table" every ::1 using 1:11 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "with registration", \
+plot "$table" every ::1 using 1:11 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "with pose_refinement", \
   "" every ::1 using 1:4 with linespoints linewidth 2 pointtype 7 linecolor rgb "#424242" title "prepare", \
   "" every ::1 using 1:5 with points pointtype 6 linecolor rgb "#424242" title "at most, as estimated"
 PLOT

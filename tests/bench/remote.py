@@ -95,7 +95,7 @@ def run(arguments, cache, before=()):
 
 def first_picture(package, cache):
     """Seconds until the window shows one."""
-    words = run([package, "--fresh", "--size", "1280x720", "--frames", "1"], cache, ["xvfb-run", "-a"])[1]
+    words = run([package, "--no-saved-settings", "--size", "1280x720", "--frames", "1"], cache, ["xvfb-run", "-a"])[1]
     return float(words.split("first picture after ")[1].split()[0]) / 1000
 
 
@@ -107,7 +107,7 @@ def sharp_in_the_window(package, photo, folder, cache):
 
 def exact_picture(package, photo, folder, cache):
     """Seconds for a picture for which no tile is left out."""
-    return run([package, "--offscreen", "--photo", photo, "--size", "1280x720", "--samples", "1", "--blended", "4",
+    return run([package, "--offscreen", "--photo", photo, "--size", "1280x720", "--samples", "1", "--max-photos", "4",
                 "-o", f"{folder}/picture.png"], cache)[0]
 
 

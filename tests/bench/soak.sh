@@ -5,7 +5,7 @@
 # usage: soak.sh PLAYER PACKAGE FOLDER [MINUTES [PLAYER-OPTIONS...]]
 set -euo pipefail
 player=$1
-sound=$(realpath "$2")
+valid=$(realpath "$2")
 folder=$3
 minutes=${4:-30}
 shift $(($# < 4 ? $# : 4))
@@ -13,9 +13,9 @@ mkdir -p "$folder"
 shown=$folder/shown.vantage opened=$folder/opened.vantage
 rm -f "$shown" "$opened"
 trap 'rm -f "$shown" "$opened"' EXIT
-cp "$sound" "$shown"
+cp "$valid" "$shown"
 ln "$shown" "$opened"  # keeps the file that the player has opened reachable after it is replaced
-bytes=$(stat -c %s "$sound")
+bytes=$(stat -c %s "$valid")
 
 "$player" bench "$shown" --paths flight --modes stream --repeats 1 --minutes "$minutes" --warm \
   --graphics-memory 96 --size 640x360 -o "$folder" "$@" >"$folder/bench.txt" 2>&1 &
@@ -48,8 +48,8 @@ while kill -0 $flight 2>/dev/null; do
   for p in "${places[@]}"; do copy /dev/urandom "$p"; done
   damages=$((damages + ${#places[@]}))
   sleep 8
-  for p in "${places[@]}"; do copy "$sound" "$p" "$p"; done
-  cp --reflink=auto "$sound" "$folder/next.vantage"
+  for p in "${places[@]}"; do copy "$valid" "$p" "$p"; done
+  cp --reflink=auto "$valid" "$folder/next.vantage"
   mv "$folder/next.vantage" "$shown"
   replacements=$((replacements + 1))
   sleep 8

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Several processes use one shelf of packages at random, and an oracle checks every verdict.
+"""Several processes use one collection of packages at random, and an oracle checks every verdict.
 
     soak.py --vantage PROGRAM --player PROGRAM FOLDER [--minutes 10] [--workers 3] [--packages 4] [--seed 1]
 
@@ -24,7 +24,7 @@ import tempfile
 import threading
 import time
 
-SOUND, STALE, DAMAGED, INCOMPLETE, STORAGE, MEMORY = 0, 5, 4, 9, 6, 12  # exit codes
+VALID, STALE, DAMAGED, INCOMPLETE, STORAGE, MEMORY = 0, 5, 4, 9, 6, 12  # exit codes
 
 
 class Package:
@@ -33,7 +33,7 @@ class Package:
     def __init__(self, folder, index, template):
         self.scene = os.path.join(folder, 'scene%d' % index)
         shutil.copytree(template, self.scene)
-        self.file = os.path.join(folder, 'shelf%d.vantage' % index)
+        self.file = os.path.join(folder, 'collection%d.vantage' % index)
         self.photos = sorted(os.listdir(os.path.join(self.scene, 'images')))
         self.good = {p: self.content(p) for p in self.photos}
         self.lock = threading.Lock()
@@ -114,7 +114,7 @@ class Soak:
             return {3}
         if p.damaged:
             return {DAMAGED}
-        return {INCOMPLETE} if p.prepared[1] else {SOUND}
+        return {INCOMPLETE} if p.prepared[1] else {VALID}
 
     def verdict_against(self, p):
         if not os.path.exists(p.file) or p.damaged:
@@ -122,7 +122,7 @@ class Soak:
         inputs, incomplete = p.prepared
         if inputs != p.inputs():
             return {STALE}
-        return {INCOMPLETE} if incomplete else {SOUND}
+        return {INCOMPLETE} if incomplete else {VALID}
 
     def prepare(self, p, r):
         settings = r.choice([[], [], ['--border-width', '48'], ['--refine', 'off'], ['--memory', '600M']])
@@ -201,7 +201,7 @@ class Soak:
     def refine(self, p, r):
         words = [self.o.vantage, 'refine', '--progress', 'none', '--exposure', r.choice(['on', 'off']), p.file]
         code, text = self.run(words)
-        self.expect('refine', code, text, {0} if self.verdict(p) <= {SOUND, INCOMPLETE} else {3, DAMAGED} | ({0} if p.damaged else set()))
+        self.expect('refine', code, text, {0} if self.verdict(p) <= {VALID, INCOMPLETE} else {3, DAMAGED} | ({0} if p.damaged else set()))
         if code == 0 and p.damaged:  # what was damaged was made again, or is said to be damaged still
             code, text = self.run([self.o.vantage, 'check', '--deep', p.file])
             self.expect('check --deep after refine', code, text, {0, DAMAGED})

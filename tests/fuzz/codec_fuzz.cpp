@@ -18,9 +18,9 @@ using namespace vantage::codec;
 
 namespace {
 
-constexpr int most_pixels = 4096;
+constexpr int max_pixels = 4096;
 
-bool small(int width, int height) { return std::int64_t(width) * height <= most_pixels; }
+bool small(int width, int height) { return std::int64_t(width) * height <= max_pixels; }
 
 /// The header is followed by cells of equal length.
 void decode_equal_cells(std::span<const std::byte> data, std::span<std::byte> out) {
@@ -58,7 +58,7 @@ FUZZ_TARGET(codec)(const std::uint8_t* bytes, std::size_t size) {
     if (size < 3) return 0;
     const int width = 1 + bytes[1] % 64, height = 1 + bytes[2] % 64;
     const std::span<const std::byte> data(reinterpret_cast<const std::byte*>(bytes) + 3, size - 3);
-    static std::vector<std::byte> out(4 * std::size_t(most_pixels));
+    static std::vector<std::byte> out(4 * std::size_t(max_pixels));
     const std::span texels = std::span(out).first(std::size_t(width) * std::size_t(height) * 4);
     switch (bytes[0] % 5) {
         case 0:

@@ -1,4 +1,4 @@
-// Malicious packages: a sound package with some bytes overwritten and all checksums recomputed, so that the
+// Malicious packages: a valid package with some bytes overwritten and all checksums recomputed, so that the
 // checksums do not shield the code that reads the values. An input is a list of 16-byte edits: chunk, width,
 // position and value.
 #include <algorithm>
@@ -15,11 +15,11 @@
 #include "player/plan/plan_scene.h"
 #include "player/plan/point_plan.h"
 #include "player/stream/photo_pages.h"
-#include "scene/package/contents/value_layer.h"
+#include "scene/package/contents/scalar_field.h"
 #include "scene/package/package_shape.h"
 #include "tests/fuzz/support/fuzz_target.h"
 #include "tests/fuzz/support/memory_file.h"
-#include "tests/fuzz/support/sound_package.h"
+#include "tests/fuzz/support/valid_package.h"
 
 using namespace vantage;
 using package::DirectoryEntry;
@@ -35,12 +35,12 @@ struct Edit {
 };
 static_assert(sizeof(Edit) == 16);
 
-void apply(const Edit& edit, const fuzz::SoundPackage& sound, std::vector<std::uint8_t>& b) {
+void apply(const Edit& edit, const fuzz::ValidPackage& valid, std::vector<std::uint8_t>& b) {
     std::uint64_t at = 0, length = sizeof(package::Header);
     if (edit.chunk == 0xfffe) {
-        at = sound.header.directory_offset, length = sound.entries.size() * sizeof(DirectoryEntry);
+        at = valid.header.directory_offset, length = valid.entries.size() * sizeof(DirectoryEntry);
     } else if (edit.chunk != 0xffff) {
-        const DirectoryEntry& e = sound.entries[edit.chunk % sound.entries.size()];
+        const DirectoryEntry& e = valid.entries[edit.chunk % valid.entries.size()];
         at = e.offset, length = e.head_length;
     }
     const std::uint64_t place = edit.at % length;
@@ -67,7 +67,7 @@ void play(const PackageReader& package) {
     for (const Plan& plan :
          {make_plan(scene, view, {}, photos), make_plan(scene, view, {}, photos, {}, seen)})
         for (const PlannedPhoto& p : plan.photos)
-            for (std::uint32_t l = 0; l < most_levels; ++l) {
+            for (std::uint32_t l = 0; l < max_levels; ++l) {
                 for (const std::uint32_t t : p.needs.color[l]) {
                     const StreamRequest r = color_request(package, pages, p.photo, l, t);
                     touch(package.block(*r.chunk, r.block));
@@ -78,7 +78,7 @@ void play(const PackageReader& package) {
                     touch(package.block(*r.second, r.block));
                 }
             }
-    for (const ValueLayer& layer : read_layers(package))
+    for (const ScalarField& layer : read_fields(package))
         for (const bool logarithmic : {false, true}) {
             const ValueRange range = whole_range(layer, true, logarithmic);
             if (!(range.low < range.high)) std::abort();
@@ -100,19 +100,19 @@ void play(const PackageReader& package) {
 }  // namespace
 
 FUZZ_TARGET(package)(const std::uint8_t* data, std::size_t size) {
-    static const fuzz::SoundPackage sound;
+    static const fuzz::ValidPackage valid;
     static fuzz::MemoryFile file;
     static std::vector<std::uint8_t> bytes;
-    if (bytes.empty()) file.set(bytes = sound.bytes);
-    for (const auto& [at, length] : sound.parts)  // undo the previous edits
-        std::copy_n(sound.bytes.begin() + std::ptrdiff_t(at), length, bytes.begin() + std::ptrdiff_t(at));
+    if (bytes.empty()) file.set(bytes = valid.bytes);
+    for (const auto& [at, length] : valid.parts)  // undo the previous edits
+        std::copy_n(valid.bytes.begin() + std::ptrdiff_t(at), length, bytes.begin() + std::ptrdiff_t(at));
     for (std::size_t i = 0; i + sizeof(Edit) <= size && i < 32 * sizeof(Edit); i += sizeof(Edit)) {
         Edit edit;
         std::memcpy(&edit, data + i, sizeof edit);
-        apply(edit, sound, bytes);
+        apply(edit, valid, bytes);
     }
     fuzz::fix_checksums(bytes);
-    for (const auto& [at, length] : sound.parts) file.write(at, std::span(bytes).subspan(at, length));
+    for (const auto& [at, length] : valid.parts) file.write(at, std::span(bytes).subspan(at, length));
     try {
         const PackageReader package(file.path());
         for (const DirectoryEntry& e : package.directory()) {

@@ -6,15 +6,15 @@
 #include "player/view/shots.h"
 #include "tests/fuzz/support/fuzz_target.h"
 #include "tests/fuzz/support/memory_file.h"
-#include "tests/fuzz/support/sound_package.h"
+#include "tests/fuzz/support/valid_package.h"
 
 using namespace vantage;
 
 FUZZ_TARGET(path)(const std::uint8_t* data, std::size_t size) {
-    static const fuzz::SoundPackage sound;
+    static const fuzz::ValidPackage valid;
     static fuzz::MemoryFile file;
     static const PackageReader package = [] {
-        std::vector<std::uint8_t> bytes = sound.bytes;
+        std::vector<std::uint8_t> bytes = valid.bytes;
         fuzz::fix_checksums(bytes);
         file.set(bytes);
         return PackageReader(file.path());

@@ -61,8 +61,8 @@ std::vector<std::pair<std::string, RenderSettings>> kinds() {
             out.emplace_back(name, s);
             s.weights.sharpness = 0.005;
             s.weights.exponent = 64;
-            s.consensus = true;
-            out.emplace_back(name + ", sharp, consensus", s);
+            s.transients = true;
+            out.emplace_back(name + ", sharp, transient masking", s);
         }
     RenderSettings shown;
     shown.fill_holes = true;
@@ -75,7 +75,7 @@ std::vector<std::pair<std::string, RenderSettings>> kinds() {
     taps.anisotropy = 4;
     taps.trilinear = false;
     out.emplace_back("fragment, 4 taps, bilinear", taps);
-    for (const Compare c : {Compare::side_by_side, Compare::wiper, Compare::difference}) {
+    for (const Compare c : {Compare::side_by_side, Compare::swipe, Compare::difference}) {
         RenderSettings compared;
         compared.compare = c;
         compared.compare_photo = 1;

@@ -24,7 +24,7 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/reports/check.h"
 #include "pipeline/run/until_stopped.h"
-#include "pipeline/stages/seen_hull.h"
+#include "pipeline/stages/footprint_hull.h"
 #include "pipeline/stages/surface_samples.h"
 #include "player/measure/bench/finite_targets.h"
 #include "player/render/picture.h"
@@ -85,7 +85,7 @@ class Geometry : public TemporaryFolder {
         std::vector<double> seen;       ///< share of the vertices that each photo sees
         std::size_t triangles = 0;
     };
-    /// Reads, prepares, checks and renders a mesh. The package must be sound and all values finite.
+    /// Reads, prepares, checks and renders a mesh. The package must be valid and all values finite.
     Result shown(const Mesh& mesh, const std::function<void(SceneInput&)>& change = {}) {
         Result out;
         SceneInput with = scene;
@@ -182,7 +182,7 @@ class GeometryAtLength : public Geometry {};
 }  // namespace
 
 TEST_F(Geometry, ZeroAreaTrianglesChangeNothing) {
-    const Result sound = shown(scene.mesh);
+    const Result valid = shown(scene.mesh);
     Mesh mesh = scene.mesh;
     const Eigen::Vector3d a = mesh.positions[0], b = mesh.positions[1];
     add(mesh, a, a, a);
@@ -193,13 +193,13 @@ TEST_F(Geometry, ZeroAreaTrianglesChangeNothing) {
     mesh.triangles.push_back({3, 3, 4});
     mesh.triangles.push_back({5, 5, 5});
     const Result with = shown(mesh);
-    expect_same(sound.pictures, with.pictures);
+    expect_same(valid.pictures, with.pictures);
     ASSERT_EQ(with.warnings.size(), 1u);
     EXPECT_NE(with.warnings[0].find("2 invalid triangles"), std::string::npos) << with.warnings[0];
 }
 
 TEST_F(Geometry, DuplicateTrianglesChangeNothing) {
-    const Result sound = shown(scene.mesh);
+    const Result valid = shown(scene.mesh);
     Mesh same_corners = scene.mesh, other_corners = scene.mesh;
     const auto vertices = std::uint32_t(scene.mesh.positions.size());
     for (const Eigen::Vector3d& p : scene.mesh.positions) other_corners.positions.push_back(p);
@@ -208,24 +208,24 @@ TEST_F(Geometry, DuplicateTrianglesChangeNothing) {
         same_corners.triangles.push_back({t[1], t[2], t[0]});
         other_corners.triangles.push_back({t[0] + vertices, t[1] + vertices, t[2] + vertices});
     }
-    expect_same(sound.pictures, shown(same_corners).pictures);
+    expect_same(valid.pictures, shown(same_corners).pictures);
     const Result twice = shown(other_corners);
-    expect_same(sound.pictures, twice.pictures);
+    expect_same(valid.pictures, twice.pictures);
     for (std::size_t i = 0; i < twice.seen.size(); ++i)
-        EXPECT_NEAR(twice.seen[i], sound.seen[i], 0.01) << "a surface does not occlude its duplicate";
+        EXPECT_NEAR(twice.seen[i], valid.seen[i], 0.01) << "a surface does not occlude its duplicate";
 }
 
 TEST_F(Geometry, UnusedVerticesChangeNothing) {
-    const Result sound = shown(scene.mesh);
+    const Result valid = shown(scene.mesh);
     Mesh mesh = scene.mesh;
     for (const double far : {1e3, -1e6, 1e12, 1e200}) add(mesh, {far, -far, far});
     add(mesh, {not_a_number, 0, 0});
     add(mesh, {infinite, -infinite, 0});
-    expect_same(sound.pictures, shown(mesh).pictures);
+    expect_same(valid.pictures, shown(mesh).pictures);
 }
 
 TEST_F(Geometry, TrianglesWithNonFiniteVerticesAreDropped) {
-    const Result sound = shown(scene.mesh);
+    const Result valid = shown(scene.mesh);
     Mesh mesh = scene.mesh;
     for (const double bad : {not_a_number, infinite, -infinite, 1e300, -1e30})
         for (int axis = 0; axis < 3; ++axis) {
@@ -234,7 +234,7 @@ TEST_F(Geometry, TrianglesWithNonFiniteVerticesAreDropped) {
             add(mesh, mesh.positions[0], p, mesh.positions[2]);
         }
     const Result with = shown(mesh);
-    expect_same(sound.pictures, with.pictures);
+    expect_same(valid.pictures, with.pictures);
     ASSERT_EQ(with.warnings.size(), 1u);
     EXPECT_NE(with.warnings[0].find("15 invalid triangles"), std::string::npos) << with.warnings[0];
 }
@@ -279,7 +279,7 @@ TEST_F(Geometry, InvalidNormalsAreRecomputed) {
 TEST_F(GeometryAtLength, VisibilityDoesNotDependOnWindingOrNormals) {
     subdivide_large_triangles(scene.mesh,
                               main_box(scene.mesh));  // done here because it depends on the order of corners
-    const Result sound = shown(scene.mesh);
+    const Result valid = shown(scene.mesh);
     Mesh inside_out = scene.mesh, mixed = scene.mesh, normals_only = scene.mesh;
     std::mt19937 random(11);
     for (auto& t : inside_out.triangles) std::swap(t[0], t[1]);
@@ -289,15 +289,15 @@ TEST_F(GeometryAtLength, VisibilityDoesNotDependOnWindingOrNormals) {
     for (Eigen::Vector3f& n : normals_only.normals) n = -n;
     for (const Mesh& mesh : {inside_out, mixed, normals_only}) {
         const Result with = shown(mesh);
-        EXPECT_EQ(with.seen, sound.seen);
-        for (std::size_t i = 0; i < sound.pictures.size(); ++i) {
+        EXPECT_EQ(with.seen, valid.seen);
+        for (std::size_t i = 0; i < valid.pictures.size(); ++i) {
             std::size_t holes = 0;
-            for (std::size_t c = 3; c < sound.pictures[i].rgba.size(); c += 4)
-                holes += sound.pictures[i].rgba[c] != with.pictures[i].rgba[c];
+            for (std::size_t c = 3; c < valid.pictures[i].rgba.size(); c += 4)
+                holes += valid.pictures[i].rgba[c] != with.pictures[i].rgba[c];
             EXPECT_EQ(holes, 0u) << "picture " << i;
         }
         // The lumigraph does not use normals.
-        expect_same({sound.pictures[0], sound.pictures[3]}, {with.pictures[0], with.pictures[3]});
+        expect_same({valid.pictures[0], valid.pictures[3]}, {with.pictures[0], with.pictures[3]});
     }
 }
 
@@ -508,7 +508,7 @@ Eigen::Vector3d through(const Eigen::Vector2d& uv) {
 
 }  // namespace
 
-TEST(SeenHull, MatchesTheMonotoneChain) {
+TEST(FootprintHull, MatchesTheMonotoneChain) {
     std::mt19937 random(19);
     std::uniform_real_distribution<double> unit(0, 1);
     for (int trial = 0; trial < 300; ++trial) {
@@ -524,7 +524,7 @@ TEST(SeenHull, MatchesTheMonotoneChain) {
             if (i % 4 == 0) uv.emplace_back(-1, -1);
         }
         const Polygon truth = measured(hull_of(visible));
-        const SeenHull found = seen_hull(uv, frame, Pose{});
+        const FootprintHull found = footprint_hull(uv, frame, Pose{});
         ASSERT_NEAR(found.area, truth.area, 1e-6) << "trial " << trial;
         ASSERT_TRUE(truth.area < 1e-5 || (found.direction - through(truth.centroid)).norm() < 1e-3)
             << "trial " << trial;
@@ -532,7 +532,7 @@ TEST(SeenHull, MatchesTheMonotoneChain) {
     }
 }
 
-RC_GTEST_PROP(SeenHull, AnyPointsMatchTheMonotoneChain, ()) {
+RC_GTEST_PROP(FootprintHull, AnyPointsMatchTheMonotoneChain, ()) {
     // On a coarse grid, so that many are collinear or equal.
     const auto grid = *rc::gen::container<std::vector<std::array<int, 2>>>(
         rc::gen::container<std::array<int, 2>>(rc::gen::inRange(0, 17)));
@@ -543,23 +543,23 @@ RC_GTEST_PROP(SeenHull, AnyPointsMatchTheMonotoneChain, ()) {
         visible.push_back(uv.back().cast<double>());
     }
     const Polygon truth = visible.empty() ? Polygon{} : measured(hull_of(visible));
-    const SeenHull found = seen_hull(uv, frame, Pose{});
+    const FootprintHull found = footprint_hull(uv, frame, Pose{});
     RC_ASSERT(std::abs(found.area - truth.area) < 1e-6);
     RC_ASSERT(std::abs(found.direction.norm() - 1) < 1e-9);
     if (truth.area > 1e-5) RC_ASSERT((found.direction - through(truth.centroid)).norm() < 1e-3);
 }
 
-TEST(SeenHull, NoPointsOnePointOrALineHaveNoAreaButADirection) {
+TEST(FootprintHull, NoPointsOnePointOrALineHaveNoAreaButADirection) {
     const Pose pose{Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix(),
                     {1, 2, 3}};
     for (const auto& uv : {std::vector<Eigen::Vector2f>{}, std::vector<Eigen::Vector2f>(50, {-1, -1})}) {
-        const SeenHull none = seen_hull(uv, frame, pose);
+        const FootprintHull none = footprint_hull(uv, frame, pose);
         EXPECT_EQ(none.area, 0);
         EXPECT_LT((none.direction - pose.direction()).norm(), 1e-12) << "the optical axis";
     }
     const Eigen::Vector2f a(0.2f, 0.3f);
     for (const std::size_t copies : {1u, 2u, 3u, 1000u}) {
-        const SeenHull point = seen_hull(std::vector<Eigen::Vector2f>(copies, a), frame, Pose{});
+        const FootprintHull point = footprint_hull(std::vector<Eigen::Vector2f>(copies, a), frame, Pose{});
         EXPECT_EQ(point.area, 0) << copies;
         EXPECT_LT((point.direction - through(a.cast<double>())).norm(), 1e-6) << copies;
     }
@@ -569,7 +569,7 @@ TEST(SeenHull, NoPointsOnePointOrALineHaveNoAreaButADirection) {
         for (int i = 0; i <= 16; ++i)
             line.push_back(Eigen::Vector2f(0.25f, 0.25f) + float(i * i % 17) / 16 * along);
         line.push_back(Eigen::Vector2f(0.25f, 0.25f) + along);
-        const SeenHull found = seen_hull(line, frame, Pose{});
+        const FootprintHull found = footprint_hull(line, frame, Pose{});
         EXPECT_NEAR(found.area, 0, 1e-9) << along.transpose();
         const Eigen::Vector3d from = through({0.25, 0.25}),
                               to = through((Eigen::Vector2f(0.25f, 0.25f) + along).cast<double>());

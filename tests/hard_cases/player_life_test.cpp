@@ -116,7 +116,7 @@ TEST_F(PlayerLifetime, WindowResizedEveryFrame) {
 TEST_F(PlayerLifetime, ComparesInWindowsOfAFewPixels) {
     for (const int width : {1, 2, 3, 5})
         for (const Compare compare :
-             {Compare::nothing, Compare::side_by_side, Compare::wiper, Compare::difference}) {
+             {Compare::nothing, Compare::side_by_side, Compare::swipe, Compare::difference}) {
             RenderSettings s;
             s.compare = compare;
             s.compare_photo = 2;
@@ -263,20 +263,20 @@ TEST_F(PlayerLifetime, OverwrittenTilesAreLeftOutUntilRestored) {
     const View view = own_view(2, 0.5);
     const RenderSettings s = streamed();
     ASSERT_TRUE(settle(*renderer, own_view(0, 0.1), s, 0));
-    const std::string sound = slurp(file);
+    const std::string valid = slurp(file);
     const auto overwrite = [&](const std::string& bytes) {
         std::fstream(file, std::ios::in | std::ios::out | std::ios::binary)
             .write(bytes.data(), std::streamsize(bytes.size()));
     };
     std::mt19937 random(5);
     for (int round = 0; round < 3; ++round) {
-        std::string noise(sound.size(), 0);
+        std::string noise(valid.size(), 0);
         for (char& c : noise) c = char(random());
-        overwrite(round == 2 ? std::string(sound.size(), '\xff') : noise);
+        overwrite(round == 2 ? std::string(valid.size(), '\xff') : noise);
         for (int i = 0; i < 30; ++i)
             renderer->draw(own_view(std::uint32_t(i) % 5, 0.5), s, photos, {}, round + i / 30.0);
     }
-    overwrite(sound);
+    overwrite(valid);
     ASSERT_TRUE(settle(*renderer, view, s, 20));
     const auto report = settle(*renderer, view, s, 40);
     ASSERT_TRUE(report);
@@ -297,7 +297,7 @@ TEST_F(PlayerLifetime, MissingOpenGlIsReportedInOneLine) {
         EXPECT_TRUE(one_line(outcome.message)) << outcome.message;
         EXPECT_NE(outcome.message.find("OpenGL 4.5"), std::string::npos) << outcome.message;
     }
-    const Outcome window = play("--fresh --frames 1", "-u DISPLAY -u WAYLAND_DISPLAY " + none);
+    const Outcome window = play("--no-saved-settings --frames 1", "-u DISPLAY -u WAYLAND_DISPLAY " + none);
     EXPECT_EQ(window.code, int(Exit::graphics)) << window.message;
     EXPECT_TRUE(one_line(window.message)) << window.message;
     EXPECT_EQ(play("--list", none).code, 0) << "--list needs no graphics";

@@ -64,7 +64,7 @@ struct Opened {
         RenderSettings s;
         s.blend = blend;
         // Their depths are steps: where two are as good, rounding decides.
-        s.surroundings = ShowSurroundings::off;
+        s.background = ShowBackground::off;
         return take_picture(renderer, view, s, photos, 1);
     }
     /// The input vertex numbers of all triangles, in package order.
@@ -118,7 +118,7 @@ class ScaleAndPlace : public TemporaryFolder {
     std::unique_ptr<Opened> opened(const SceneInput& input, const char* name) const {
         const std::filesystem::path file = dir / name;
         PrepareSettings settings;  // for these photos, rounding decides whether gains are enabled
-        settings.effects = {{Effect::exposure, EffectChoice::off}, {Effect::falloff, EffectChoice::off}};
+        settings.effects = {{Effect::exposure, EffectChoice::off}, {Effect::vignetting, EffectChoice::off}};
         settings.vertex_coordinates = true;
         prepare(input, settings, file, [](const Progress&) {});
         for (const Issue& i : check_package(file, {.deep = true})) ADD_FAILURE() << name << ": " << i.text;
@@ -291,7 +291,7 @@ TEST_F(ScaleAndPlace, StrayTriangleCostsNoPrecision) {
         const Picture own = without->picture(view_of_photo(without->package.photos()[1], 1), Blend::best);
         const auto left_out = [&](Opened& o) {
             RenderSettings model_only;
-            model_only.surroundings = ShowSurroundings::off;
+            model_only.background = ShowBackground::off;
             return take_picture(o.renderer, view_of_photo(o.package.photos()[1], 1), model_only, others, 1);
         };
         const Picture a = left_out(*without), b = left_out(*with);

@@ -242,7 +242,7 @@ ColorFit fit(const SamplesByPhoto& photos) {
             EXPECT_TRUE(std::isfinite(v));
             EXPECT_LE(std::abs(v), std::log(4) + 1e-9);
         }
-    for (const Falloff& l : f.falloff)
+    for (const Vignetting& l : f.vignetting)
         for (const double v : l) EXPECT_TRUE(std::isfinite(v));
     EXPECT_TRUE(std::isfinite(f.before) && std::isfinite(f.after));
     EXPECT_LE(f.after, f.before + 1e-3);  // up to a thousandth of the light
@@ -256,12 +256,12 @@ SampleRecord sample(double light, double radius) {
 
 }  // namespace
 
-TEST(ColorSolver, DiscsAtOneRadiusGiveNoFalloff) {
+TEST(ColorSolver, DiscsAtOneRadiusGiveNoVignetting) {
     SamplesByPhoto photos(4);
     for (std::size_t i = 0; i < photos.size(); ++i)
         for (int d = 0; d < 200; ++d) photos[i].push_back(sample(0.1 * std::exp2(0.3 * double(i)), 0.5));
     const ColorFit f = fit(photos);
-    for (const double v : f.falloff[0]) EXPECT_EQ(v, 0);
+    for (const double v : f.vignetting[0]) EXPECT_EQ(v, 0);
     EXPECT_LT(f.after, 1e-3);
 }
 
@@ -317,7 +317,7 @@ RC_GTEST_PROP(ColorSolver, AnyPhotosGiveFiniteValuesWithinBounds, ()) {
     const ColorFit f = fit_colors(spans, lens, true);
     for (const auto& g : f.ln_gain)
         for (const double v : g) RC_ASSERT(std::abs(v) <= std::log(4) + 1e-9);
-    for (const Falloff& l : f.falloff)
+    for (const Vignetting& l : f.vignetting)
         for (const double v : l) RC_ASSERT(std::isfinite(v));
     RC_ASSERT(std::isfinite(f.before));
     RC_ASSERT(std::isfinite(f.after));

@@ -239,15 +239,15 @@ std::vector<Extreme> extremes() {
         out.push_back({"exponent 64, angle by photo", s});
         s.weights.angle_per_photo = false;
         out.push_back({"exponent 64, sharpness 0.005", s});
-        s.consensus = true;
-        out.push_back({"exponent 64, sharpness 0.005, consensus", s});
+        s.transients = true;
+        out.push_back({"exponent 64, sharpness 0.005, transient masking", s});
         s = {};
         s.blend = blend;
         s.weights.sharpness = 3;
         s.weights.exponent = 0;
         out.push_back({"exponent 0, sharpness 3", s});
         WeightSettings& w = s.weights;
-        w.angle_mask = w.depth_mask = w.border_mask = w.consensus_mask = w.distance = w.angle = false;
+        w.angle_mask = w.depth_mask = w.border_mask = w.transient_mask = w.distance = w.angle = false;
         out.push_back({"all weights off", s});
     }
     return out;
@@ -284,9 +284,9 @@ double summed(const std::vector<double>& weights, const std::vector<double>& col
     glEnable(GL_BLEND);
     glUseProgram(add.id());
     glUniform1i(shader::takes_one_uniform, GL_FALSE);
-    glUniform1f(shader::most_uniform, 0);
+    glUniform1f(shader::max_uniform, 0);
     glUniform2i(shader::frame_size_uniform, 1, 1);
-    glUniform3f(shader::falloff_uniform, 0, 0, 0);
+    glUniform3f(shader::vignetting_uniform, 0, 0, 0);
     glUniform3f(shader::lens_uniform, 0, 0, 0);
     glUniform1f(shader::progress_uniform, 1);
     glBindVertexArray(none.id());

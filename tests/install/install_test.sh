@@ -22,11 +22,11 @@ for program in vantage vantage-player; do
   $program --version >/dev/null
 done
 vantage synth "$source/data/tiny.toml" -o scene 2>/dev/null >/dev/null
-vantage prepare scene -o tiny.vantage --config default --progress none >/dev/null
+vantage prepare scene -o tiny.vantage --preset default --progress none >/dev/null
 presets="$prefix/share/vantage/configs"
 [ -x "$presets/slurm/submit.sh" ] || fail "submit.sh is not executable"
 echo 'sparkle = 1' >"$presets/ci.toml"
-message=$(! vantage prepare scene -o other.vantage --config ci 2>&1)
+message=$(! vantage prepare scene -o other.vantage --preset ci 2>&1)
 contains "$message" "$prefix/bin/../share/vantage/configs/ci.toml: sparkle: unknown setting" "the installed preset"
 LD_DEBUG=files vantage extract tiny.vantage -o files 2>loaded
 grep -q "calling init: $prefix/.*lib/vantage/libvantage_images.so" loaded || fail "the installed library is not loaded"
@@ -62,7 +62,7 @@ for program in vantage vantage-player; do
     grep -qx $verb <<<"$offered" || fail "completion of $program does not offer $verb"
   done
 done
-contains "$(page vantage-prepare)" "vantage prepare chapel -o look.vantage --config preview" "examples"
+contains "$(page vantage-prepare)" "vantage prepare chapel -o look.vantage --preset preview" "examples"
 contains "$(page vantage)" "12 out of memory" "exit codes"
 if command -v man >/dev/null; then
   for file in "$prefix"/share/man/man1/*; do
@@ -82,7 +82,7 @@ expect_offered() {  # EXPECTED WORD...
 expect_offered 'prepare ' vantage pre
 expect_offered 'color full off ' vantage prepare scene --refine ''
 expect_offered 'color ' vantage prepare scene --refine = c
-expect_offered 'preview ' vantage prepare --config p
+expect_offered 'preview ' vantage prepare --preset p
 expect_offered 'stream,resident ' vantage-player bench --modes stream,r
 expect_offered 'average ' vantage-player tiny.vantage --blend a
 expect_offered ' ' vantage prepare --threads ''

@@ -231,23 +231,23 @@ struct Judged {
 };
 
 Judged begin_row(const Row& row, const fs::path& folder, Vantage how) {
-    Judged judged{&row, folder, ::fork()};
-    if (judged.process != 0) return judged;
+    Judged validated{&row, folder, ::fork()};
+    if (validated.process != 0) return validated;
     std::string flaws;
     try {
         flaws = flaws_of(row, folder, how);
     } catch (const std::exception& e) {
         flaws = e.what();
     }
-    std::ofstream(judged.flaws_file()) << flaws;
+    std::ofstream(validated.flaws_file()) << flaws;
     ::_exit(0);
 }
 
-void end_row(const Judged& judged, int status) {
-    const std::string flaws = status != 0 ? "the test itself ended" : slurp(judged.flaws_file());
-    EXPECT_EQ(flaws, "") << judged.row->family << ": " << judged.row->what;
+void end_row(const Judged& validated, int status) {
+    const std::string flaws = status != 0 ? "the test itself ended" : slurp(validated.flaws_file());
+    EXPECT_EQ(flaws, "") << validated.row->family << ": " << validated.row->what;
     std::error_code error;
-    fs::remove_all(judged.folder, error);
+    fs::remove_all(validated.folder, error);
 }
 
 class RealInputs : public TemporaryFolder, public ::testing::WithParamInterface<std::string> {
@@ -263,7 +263,7 @@ class RealInputs : public TemporaryFolder, public ::testing::WithParamInterface<
     }
     /// `whole`: of so many rows, one runs the program itself. `packages`: of so many that make a package, one
     /// is run.
-    void judge(std::size_t whole, std::size_t packages) const {
+    void validate(std::size_t whole, std::size_t packages) const {
         const char* only = std::getenv("ROW");
         std::vector<Row> rows = rows_of(GetParam());
         std::erase_if(rows, [&, i = std::size_t(0)](const Row& row) mutable {
@@ -290,8 +290,8 @@ class RealInputsAtLength : public RealInputs {};
 
 }  // namespace
 
-TEST_P(RealInputs, GiveTheirExpectedAnswers) { judge(20, 4); }
-TEST_P(RealInputsAtLength, GiveTheirExpectedAnswers) { judge(5, 1); }
+TEST_P(RealInputs, GiveTheirExpectedAnswers) { validate(20, 4); }
+TEST_P(RealInputsAtLength, GiveTheirExpectedAnswers) { validate(5, 1); }
 
 const auto family_name = [](const auto& family) { return replaced(family.param, " ", "_"); };
 INSTANTIATE_TEST_SUITE_P(Family, RealInputs, ::testing::ValuesIn(families()), family_name);

@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 TOP = {"base", "cmake", "configs", "data", "docs", "pipeline", "player", "scene", "shaders", "tests"}
-MOST_UNITS, MOST_LINES, MOST_MODULES, MOST_PARAMETERS = 15, 400, 45, 6
+MAX_UNITS, MAX_LINES, MAX_MODULES, MAX_PARAMETERS = 15, 400, 45, 6
 SOURCES = {".cpp", ".h"}
 PROGRAMS = {"base", "pipeline", "player", "scene"}
 
@@ -56,15 +56,15 @@ def faults(source, modules):
         if f.parts[0] in PROGRAMS and f.stem != "main":
             names[f.stem].add(str(f.parent))
         text = (source / f).read_text()
-        if (lines := text.count("\n")) > MOST_LINES:
-            yield f"{f}: {lines} lines, {MOST_LINES} are the limit"
+        if (lines := text.count("\n")) > MAX_LINES:
+            yield f"{f}: {lines} lines, {MAX_LINES} are the limit"
         if f.parts[0] in PROGRAMS and f.suffix == ".h":
             for name, count in parameters(text):
-                if count > MOST_PARAMETERS:
-                    yield f"{f}: {name} takes {count} parameters, {MOST_PARAMETERS} are the limit"
+                if count > MAX_PARAMETERS:
+                    yield f"{f}: {name} takes {count} parameters, {MAX_PARAMETERS} are the limit"
     for folder, stems in sorted(units.items()):
-        if len(stems) > MOST_UNITS:
-            yield f"{folder}/: {len(stems)} units, {MOST_UNITS} are the limit"
+        if len(stems) > MAX_UNITS:
+            yield f"{folder}/: {len(stems)} units, {MAX_UNITS} are the limit"
     for name, folders in sorted(names.items()):
         if len(folders) > 1:
             yield f"{name}: the name of a file in {' and '.join(sorted(folders))}"
@@ -72,8 +72,8 @@ def faults(source, modules):
     for name, count in ends.items():
         if count > 1:
             yield f"{name}: the name of {count} modules"
-    if len(modules) > MOST_MODULES:
-        yield f"{len(modules)} modules, {MOST_MODULES} are the limit"
+    if len(modules) > MAX_MODULES:
+        yield f"{len(modules)} modules, {MAX_MODULES} are the limit"
 
 
 def main():

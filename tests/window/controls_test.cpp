@@ -75,7 +75,7 @@ TEST_F(WindowControls, OfBlending) {
     changes(w, "Prefer near", weights.exponent, 0.3);
     EXPECT_GT(weights.exponent, 5);
     EXPECT_LT(weights.exponent, 25) << "of 32";
-    toggles(w, "Consensus", s.consensus);
+    toggles(w, "Transient masking", s.transients);
     toggles(w, "Fill holes", s.fill_holes);
     toggles(w, "Near photos", weights.distance);
     toggles(w, "Facing photos", weights.angle_mask);
@@ -85,12 +85,12 @@ TEST_F(WindowControls, OfBlending) {
     toggles(w, "Soft borders", weights.border_mask);
     toggles(w, "Field of view", weights.fov_normalization);
     toggles(w, "Aim at what is seen", weights.corrected_directions);
-    grayed("Passers-by", weights.consensus_mask, 0.5);
+    grayed("Passers-by", weights.transient_mask, 0.5);
     w.press("Freeze weights");
     EXPECT_TRUE(s.weights_from);
     w.press("Freeze weights");
     EXPECT_FALSE(s.weights_from);
-    chooses(w, "Choose to", s.choice, {"cover the view", "nearest"});
+    chooses(w, "Select by", s.choice, {"cover the view", "nearest"});
     w.press("Photos", 0.02);
     EXPECT_EQ(s.photos, 1);
     w.press("Photos", 0.7);
@@ -126,18 +126,18 @@ TEST_F(WindowControls, OfThePicture) {
     w.press("Photo 2");
     w.wait(1);
     EXPECT_EQ(s.compare_photo, w.session.standing_at);
-    chooses(w, "Compare", s.compare, {"nothing", "side by side", "wiper", "difference"});
-    w.choose("Compare", "wiper");
-    const Eigen::Vector2d before = w.place("Wiper");
+    chooses(w, "Compare", s.compare, {"nothing", "side by side", "swipe", "difference"});
+    w.choose("Compare", "swipe");
+    const Eigen::Vector2d before = w.place("Swipe");
     w.point_at(before);
     w.drag(0, 60, 0);
-    EXPECT_NEAR(w.place("Wiper").x(), before.x() + 60, 0.51);
+    EXPECT_NEAR(w.place("Swipe").x(), before.x() + 60, 0.51);
     w.choose("Compare", "nothing");
     chooses(w, "Two eyes", w.session.stereo.mode,
             {"off", "side by side", "above each other", "red and cyan glasses", "checkerboard"});
-    EXPECT_FALSE(w.there("Eyes apart"));
+    EXPECT_FALSE(w.there("Eye separation"));
     w.choose("Two eyes", "side by side");
-    changes(w, "Eyes apart", w.session.stereo.eyes.share, 0.5);
+    changes(w, "Eye separation", w.session.stereo.eyes.share, 0.5);
     w.choose("Two eyes", "off");
     toggles(w, "Orthographic", w.session.orthographic);
     changes(w, "Flying speed", w.session.flying_speed, 0.1);
@@ -218,8 +218,8 @@ TEST_F(WindowControls, OfTheBarAndTheRadar) {
     toggles(w, "Bar Expert", w.session.panels.expert);
     w.press("Bar Compare");
     w.wait(1);
-    EXPECT_EQ(w.session.settings.compare, Compare::wiper);
-    EXPECT_TRUE(w.there("Wiper"));
+    EXPECT_EQ(w.session.settings.compare, Compare::swipe);
+    EXPECT_TRUE(w.there("Swipe"));
     w.press("Bar Compare");
     EXPECT_EQ(w.session.settings.compare, Compare::nothing);
     for (const auto& [entry, light] : {std::pair{"Lamp at the viewer", Light::lamp},
@@ -247,14 +247,14 @@ TEST_F(WindowControls, OfTheBarAndTheRadar) {
     EXPECT_EQ(w.session.camera.eye, w.session.home.eye);
 }
 
-TEST_F(WindowControlsAtLength, OfSurroundingsGlassLayersAndPoints) {
+TEST_F(WindowControlsAtLength, OfBackgroundGlassLayersAndPoints) {
     HeadlessWindow w(package_of(WindowScene::garden));
     open_all(w);
     RenderSettings& s = w.session.settings;
-    chooses(w, "Surroundings", s.surroundings, {"shown", "dimmed", "hidden"});
+    chooses(w, "Background", s.background, {"shown", "dimmed", "hidden"});
     chooses(w, "Transparency", s.transparency, {"exact", "approximate", "hidden"});
-    ASSERT_TRUE(w.there("Layer") || (w.press("Section Layers"), w.there("Layer")));
-    w.choose("Layer", "height");
+    ASSERT_TRUE(w.there("Field") || (w.press("Section Scalar fields"), w.there("Field")));
+    w.choose("Field", "height");
     ASSERT_GE(s.layer.layer, 0);
     chooses(w, "Colors", s.layer.map, {"automatic", "viridis", "magma", "cividis", "coolwarm"});
     changes(w, "Over photos", s.layer.share, 0.3);
@@ -266,7 +266,7 @@ TEST_F(WindowControlsAtLength, OfSurroundingsGlassLayersAndPoints) {
     w.press("Highest", 0.5);
     w.press("Whole range");
     EXPECT_FALSE(s.layer.range);
-    w.choose("Layer", "none: photos only");
+    w.choose("Field", "none: photos only");
     EXPECT_EQ(s.layer.layer, -1);
     w.choose("Points", "hidden");
     EXPECT_FALSE(s.points.show);
@@ -285,31 +285,31 @@ TEST_F(WindowControlsAtLength, OfSurroundingsGlassLayersAndPoints) {
     changes(w, "Million points", s.points.budget, 0.1);
 }
 
-TEST_F(WindowControls, OfBands) {
-    HeadlessWindow w(package_of(WindowScene::bands));
+TEST_F(WindowControls, OfImageSets) {
+    HeadlessWindow w(package_of(WindowScene::image_sets));
     open_all(w);
-    BandSettings& b = w.session.settings.bands;
-    w.choose("Band", "infrared: 4 photos");
-    EXPECT_EQ(w.scene().bands[b.shown].name, "infrared");
+    ImageSetSettings& b = w.session.settings.image_sets;
+    w.choose("Image set", "infrared: 4 photos");
+    EXPECT_EQ(w.scene().image_sets[b.shown].name, "infrared");
     EXPECT_TRUE(w.there("Photo 4"));
-    EXPECT_FALSE(w.there("Photo 5")) << "of another band";
-    w.choose("Second band", "visible");
+    EXPECT_FALSE(w.there("Photo 5")) << "of another image set";
+    w.choose("Second image set", "visible");
     ASSERT_TRUE(b.other);
-    EXPECT_EQ(w.scene().bands[*b.other].name, "visible");
+    EXPECT_EQ(w.scene().image_sets[*b.other].name, "visible");
     EXPECT_TRUE(w.there("Photo 9"));
     changes(w, "Share of the second", b.share, 0.25);
     EXPECT_FALSE(w.there("Divided at"));
     chooses(w, "Together", b.how, {"cross-fade", "beside each other", "divided"});
     w.choose("Together", "divided");
-    changes(w, "Divided at", b.wiper, 0.2);
+    changes(w, "Divided at", b.swipe, 0.2);
     const std::uint32_t shown = b.shown;
     w.key(GLFW_KEY_X);
     EXPECT_NE(b.shown, shown);
     EXPECT_EQ(b.other, shown) << "they change places";
     w.key(GLFW_KEY_X);
     EXPECT_EQ(b.shown, shown);
-    w.choose("Compare", "wiper");
-    EXPECT_EQ(b.how, BandView::mix) << "one comparison at a time";
+    w.choose("Compare", "swipe");
+    EXPECT_EQ(b.how, ImageSetView::mix) << "one comparison at a time";
 }
 
 TEST_F(WindowControls, OfObjects) {

@@ -51,15 +51,15 @@ TEST_F(WindowEventsTest, TapsQuickerThanAFrameAllActInOrder) {
     EXPECT_TRUE(w.session.panels.status && w.session.panels.frusta && !w.session.panels.radar);
     EXPECT_TRUE(w.there("Section Picture")) << "F3 shows its section with the sidebar";
     w.key(GLFW_KEY_C, control);
-    EXPECT_FALSE(w.there("Wiper")) << "Ctrl+C compares";
+    EXPECT_FALSE(w.there("Swipe")) << "Ctrl+C compares";
     for (int i = 0; i < 3; ++i) w.tap(GLFW_KEY_C);
     w.frames(4);
-    EXPECT_TRUE(w.there("Wiper"));
+    EXPECT_TRUE(w.there("Swipe"));
     for (const bool shown : {false, true}) {
         for (const int key : {GLFW_KEY_TAB, GLFW_KEY_C, GLFW_KEY_F5}) w.tap(key);
         w.frames(4);
         EXPECT_EQ(w.there("Section Picture"), shown);
-        EXPECT_EQ(w.there("Wiper"), shown);
+        EXPECT_EQ(w.there("Swipe"), shown);
     }
 }
 
@@ -81,7 +81,7 @@ TEST_F(WindowEventsTest, EscEndsWhatIsOpenAndNothingElse) {
     w.key(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(w.session.flight);
     w.key(GLFW_KEY_ESCAPE);
-    EXPECT_FALSE(w.there("Wiper"));
+    EXPECT_FALSE(w.there("Swipe"));
     w.key(GLFW_KEY_O);
     EXPECT_TRUE(w.there("Cancel"));
     w.key(GLFW_KEY_ESCAPE);
@@ -101,7 +101,7 @@ TEST_F(WindowEventsTest, EscEndsWhatIsOpenAndNothingElse) {
     for (const int key : {GLFW_KEY_O, GLFW_KEY_C, GLFW_KEY_F5, GLFW_KEY_ESCAPE}) w.tap(key);
     w.frames(4);
     EXPECT_FALSE(w.there("Cancel"));
-    EXPECT_FALSE(w.there("Wiper")) << "C acts behind the dialog";
+    EXPECT_FALSE(w.there("Swipe")) << "C acts behind the dialog";
     w.key(GLFW_KEY_Q, control);
     EXPECT_TRUE(w.session.quit);
 }
@@ -130,7 +130,7 @@ TEST_F(WindowEventsTest, EveryKeyOfTheHelpActs) {
     w.key(GLFW_KEY_TAB);  // F2 and others show the sidebar if it is closed
     toggles(GLFW_KEY_F1, p.help), toggles(GLFW_KEY_F2, p.blending), toggles(GLFW_KEY_F3, p.status);
     toggles(GLFW_KEY_F4, p.photos), toggles(GLFW_KEY_F5, p.frusta), toggles(GLFW_KEY_F6, p.radar);
-    toggles(GLFW_KEY_F7, p.layers), toggles(GLFW_KEY_F8, p.points), toggles(GLFW_KEY_F9, p.bands);
+    toggles(GLFW_KEY_F7, p.layers), toggles(GLFW_KEY_F8, p.points), toggles(GLFW_KEY_F9, p.image_sets);
     toggles(GLFW_KEY_F10, p.objects), toggles(GLFW_KEY_F11, s.full_screen), toggles(GLFW_KEY_F12, p.picture);
     toggles(GLFW_KEY_TAB, p.expert), toggles(GLFW_KEY_M, p.measure), toggles(GLFW_KEY_J, p.story);
     for (const Show shown : {Show::sources, Show::coverage, Show::colors}) {

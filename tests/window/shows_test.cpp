@@ -88,7 +88,7 @@ TEST_F(WindowShows, PhotosAreListedByNameByPointAndByError) {
     const std::vector<std::string> by_error = listed(w);
     EXPECT_EQ(std::set(by_error.begin(), by_error.end()), std::set(all.begin(), all.end()));
     w.press("Worst first");
-    w.press("Of a point");
+    w.press("Photos at point");
     w.resize(900, 700);
     const View& v = w.view();
     w.point_at({v.intrinsics.cx, v.intrinsics.cy}), w.frames();
@@ -101,7 +101,7 @@ TEST_F(WindowShows, PhotosAreListedByNameByPointAndByError) {
     EXPECT_TRUE(std::ranges::is_sorted(showing, {}, &Footprint::size)) << "the finest pixels first";
     w.resize(1200, 3000);
     EXPECT_EQ(listed(w).size(), showing.size());
-    w.press("Of a point");
+    w.press("Photos at point");
     EXPECT_EQ(listed(w), all);
 }
 
@@ -110,7 +110,7 @@ TEST_F(WindowShows, ACutIsWrittenAsADrawing) {
     open_section(w, "Cut");
     w.press("Cut the model");
     w.choose("Across", "z");
-    w.press("Write the cut");
+    w.press("Export section");
     // Pairs of a group code and a value.
     const auto values = [&](const std::string& text, const std::set<int>& codes) {
         std::vector<double> out;
@@ -127,7 +127,7 @@ TEST_F(WindowShows, ACutIsWrittenAsADrawing) {
     EXPECT_LT(highest, 6);
     w.choose("Cut by", "a box");
     w.press("x from", 0.2);
-    w.press("Write the cut");
+    w.press("Export section");
     const auto across = values(written(w, dir / "one-cut-0002.dxf", "EOF"), {10, 11});
     const double side = std::ranges::min(across);
     EXPECT_GT(side, -8);
@@ -167,7 +167,7 @@ TEST_F(WindowShows, PointsAndComparisonsAreInPerspective) {
     w.frames(3);
     EXPECT_TRUE(w.session.orthographic);
     w.key(GLFW_KEY_C);
-    EXPECT_TRUE(w.there("Wiper"));
+    EXPECT_TRUE(w.there("Swipe"));
     EXPECT_FALSE(w.session.orthographic);
 }
 

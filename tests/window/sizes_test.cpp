@@ -63,7 +63,7 @@ TEST_F(WindowSizes, FitInEveryLanguageAndTextScale) {
 }
 
 TEST_F(WindowSizes, EverySectionFitsTheSidebar) {
-    for (const WindowScene scene : {WindowScene::garden, WindowScene::bands})
+    for (const WindowScene scene : {WindowScene::garden, WindowScene::image_sets})
         for (const char* language : {"en", "de", "fr"}) {
             ShowOptions options;
             options.window.language = language;
@@ -75,7 +75,8 @@ TEST_F(WindowSizes, EverySectionFitsTheSidebar) {
             p.expert = p.photo_list = p.cut = p.orthophoto = p.status = p.objects = p.layers = true;
             w.resize(1200, 4000);
             w.frames(3);
-            EXPECT_TRUE(w.there("Write the cut") && w.there("Write the orthophoto") && w.there("Save scene"));
+            EXPECT_TRUE(w.there("Export section") && w.there("Write the orthophoto") &&
+                        w.there("Save scene"));
             EXPECT_EQ(misplaced(w, 1200, 4000), "") << language;
         }
 }

@@ -61,14 +61,14 @@ void shuffle_names(const fs::path& scan, int photos) {
 }
 
 void make(WindowScene scene, const fs::path& scan, const fs::path& package) {
-    SynthSpec spec = small_photos(scene == WindowScene::bands ? "bands" : "tiny");
+    SynthSpec spec = small_photos(scene == WindowScene::image_sets ? "image_sets" : "tiny");
     PrepareSettings settings;
     settings.vertex_coordinates = scene == WindowScene::tiny;
     if (scene == WindowScene::garden) {
         spec.height_layer = true;
         spec.garden = {.radius = 30, .hill = 8};
         spec.glass.alpha = 0.3;
-        settings.effects[Effect::surroundings] = EffectChoice::on;
+        settings.effects[Effect::background] = EffectChoice::on;
     }
     if (scene == WindowScene::many) spec.photos.count = 60, spec.object.triangles = 600;
     copy_scene(spec, scan);
@@ -81,7 +81,7 @@ void make(WindowScene scene, const fs::path& scan, const fs::path& package) {
 }
 
 const char* name_of(WindowScene scene) {
-    return std::array{"tiny", "garden", "bands", "many"}[std::size_t(scene)];
+    return std::array{"tiny", "garden", "image_sets", "many"}[std::size_t(scene)];
 }
 
 fs::path scan_of(WindowScene scene) { return folder() / name_of(scene); }

@@ -18,16 +18,17 @@ void add_input_options(const Command& c, InputOptions& o, PrepareSettings& setti
          "point cloud to show, with the mesh in the same coordinates or alone: PLY, LAS, OBJ, STL, OFF; may "
          "be repeated")
         .type("FILE");
-    c.file("--bands", settings.bands,
+    c.file("--image-sets", settings.image_sets,
            "photo sets that are shown one at a time: auto (by folders named visible, infrared, uvf, raking, "
-           "before, ...), folders (each is a band), off, or a TOML file with the patterns of each band, such "
+           "before, ...), folders (each is an image set), off, or a TOML file with the patterns of each "
+           "image set, such "
            "as infrared = [\"ir/*\", \"*_nir.tif\"]")
         .suggests({"auto", "folders", "off"});
 }
 
 FoundInput find_input(const InputOptions& o, const PrepareSettings& settings) {
     InputFiles given{.mesh = o.mesh, .cameras = o.cameras, .photos = o.photos};
-    given.bands = settings.bands;
+    given.image_sets = settings.image_sets;
     given.align = settings.align;
     given.points.assign(settings.points.begin(), settings.points.end());
     given.compared.assign(settings.deviation_from.begin(), settings.deviation_from.end());

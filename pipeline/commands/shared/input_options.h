@@ -8,12 +8,12 @@
 
 namespace vantage {
 
-/// Where the command line says that an input is; point clouds and bands are in PrepareSettings.
+/// Where the command line says that an input is; point clouds and image sets are in PrepareSettings.
 struct InputOptions {
     std::string input, mesh, cameras, photos;
 };
 
-/// Adds INPUT, --mesh, --cameras, --photos, --points and --bands to a command.
+/// Adds INPUT, --mesh, --cameras, --photos, --points and --image-sets to a command.
 void add_input_options(const Command& command, InputOptions& options, PrepareSettings& settings);
 
 /// The parts of the input, as given or found in the folder. If they are not enough, `lacks` is Error(usage),

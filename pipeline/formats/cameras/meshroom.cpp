@@ -40,7 +40,7 @@ std::array<double, 2> focal_of(const LocatedJson& i, const Version& version) {
 std::vector<double> coefficients_of(const LocatedJson& i) {
     if (!i.has("distortionParams") || i.at("distortionParams").is_text()) return {};  // "" for none
     const LocatedJson list = i.at("distortionParams");
-    return numerals(list, list.items(most_cameras).size());
+    return numerals(list, list.items(max_cameras).size());
 }
 
 /// By `distortionType`, until 1.2.7 by `type`.
@@ -97,15 +97,15 @@ CameraSet read_meshroom(const std::filesystem::path& file) {
     const LocatedJson root = json.root();
     const Version version = version_of(root);
     std::map<std::string, LocatedJson> intrinsics;
-    for (const LocatedJson& i : root.at("intrinsics").items(most_cameras))
+    for (const LocatedJson& i : root.at("intrinsics").items(max_cameras))
         intrinsics.emplace(identifier(i.at("intrinsicId")), i);
     std::map<std::string, Pose> poses;
     if (root.has("poses"))
-        for (const LocatedJson& p : root.at("poses").items(most_cameras))
+        for (const LocatedJson& p : root.at("poses").items(max_cameras))
             poses[identifier(p.at("poseId"))] = meshroom_pose(p);
     CameraSet set{"Meshroom", {}, {}};
     LeftOut left_out;
-    for (const LocatedJson& view : root.at("views").items(most_cameras)) {
+    for (const LocatedJson& view : root.at("views").items(max_cameras)) {
         const std::string photo = view.at("path").text(10000);
         const auto pose = poses.find(identifier(view.at("poseId")));
         const auto intrinsic = intrinsics.find(identifier(view.at("intrinsicId")));

@@ -85,13 +85,13 @@ CameraSet read_openmvg(const std::filesystem::path& file) {
     std::map<std::string, std::pair<LocatedJson, std::string>> cameras;  // and the names of their types
     std::map<std::string, Pose> poses;
     TypeNames names;
-    for (const LocatedJson& i : root.at("intrinsics").items(most_cameras))
+    for (const LocatedJson& i : root.at("intrinsics").items(max_cameras))
         cameras.emplace(identifier(i.at("key")), std::pair(i.at("value"), names.of(i.at("value"))));
-    for (const LocatedJson& e : root.at("extrinsics").items(most_cameras))
+    for (const LocatedJson& e : root.at("extrinsics").items(max_cameras))
         poses[identifier(e.at("key"))] = openmvg_pose(e.at("value"));
     CameraSet set{"OpenMVG", {}, {}};
     LeftOut left_out;
-    for (const LocatedJson& v : root.at("views").items(most_cameras)) {
+    for (const LocatedJson& v : root.at("views").items(max_cameras)) {
         const LocatedJson view = v.at("value").at("ptr_wrapper").at("data");
         const std::string folder = view.has("local_path") ? view.at("local_path").text(10000) : "",
                           photo = (std::filesystem::path(folder) / view.at("filename").text(10000)).string();

@@ -52,10 +52,10 @@ Pose opensfm_pose(const LocatedJson& shot) {
 
 CameraSet read_opensfm(const std::filesystem::path& file) {
     JsonFile json(file);
-    const std::vector<LocatedJson> worlds = json.root().items(most_cameras);
+    const std::vector<LocatedJson> worlds = json.root().items(max_cameras);
     if (worlds.empty()) throw NoCamera(file.string() + ": expected a reconstruction, found none");
     std::vector<std::vector<std::pair<std::string, LocatedJson>>> shots;
-    for (const LocatedJson& w : worlds) shots.push_back(w.at("shots").entries(most_cameras));
+    for (const LocatedJson& w : worlds) shots.push_back(w.at("shots").entries(max_cameras));
     const auto most = std::ranges::max_element(shots, {}, [](const auto& s) { return s.size(); });
     const LocatedJson& world = worlds[std::size_t(most - shots.begin())];
     CameraSet set{"OpenSfM", {}, {}};
@@ -65,8 +65,7 @@ CameraSet read_opensfm(const std::filesystem::path& file) {
                                    std::to_string(shots[i].size()) + " photos; the largest has " +
                                    std::to_string(most->size()));
     std::map<std::string, LocatedJson> cameras;
-    for (const auto& [name, camera] : world.at("cameras").entries(most_cameras))
-        cameras.emplace(name, camera);
+    for (const auto& [name, camera] : world.at("cameras").entries(max_cameras)) cameras.emplace(name, camera);
     for (const auto& [photo, shot] : *most) {
         const auto camera = cameras.find(shot.at("camera").text(1000));
         if (camera == cameras.end()) shot.at("camera").fail("a camera of this file");

@@ -140,7 +140,7 @@ CameraSet read_transforms(const std::filesystem::path& file) {
     CameraSet set{"transforms.json", {}, {}};
     set.transform = frames.transform();
     std::map<std::string, Eigen::Matrix3d> seen;
-    for (const LocatedJson& frame : all.at("frames").items(most_cameras)) {
+    for (const LocatedJson& frame : all.at("frames").items(max_cameras)) {
         CameraSet::Entry entry = frames.read(frame);
         const auto [other, first] = seen.emplace(entry.photo, entry.camera.cam_from_world.R);
         if (first)

@@ -83,7 +83,7 @@ std::array<double, N> numbers(const LocatedJson& list) {
     const std::vector<LocatedJson> items = list.items(N);
     if (items.size() != N) list.fail("an array of " + std::to_string(N) + " numbers");
     std::array<double, N> out;
-    for (std::size_t i = 0; i < N; ++i) out[i] = items[i].number(-most_value, most_value);
+    for (std::size_t i = 0; i < N; ++i) out[i] = items[i].number(-max_value, max_value);
     return out;
 }
 

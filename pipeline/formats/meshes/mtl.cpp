@@ -12,7 +12,7 @@ namespace vantage {
 namespace {
 
 constexpr std::string_view blanks = " \t\r";
-constexpr std::size_t most_listed = 8;  ///< warnings per file
+constexpr std::size_t max_listed = 8;  ///< warnings per file
 
 std::string_view trimmed(std::string_view text) {
     text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
@@ -100,7 +100,7 @@ class MtlReader {
     }
     void warn(const char* what) { warn(what, line_); }
     void warn(const char* what, std::size_t line) {
-        if (warned_ || listed_ == most_listed) return;
+        if (warned_ || listed_ == max_listed) return;
         warned_ = true;
         ++listed_;
         warnings_.push_back(file_.filename().string() + ", line " + std::to_string(line) + ": " + what);

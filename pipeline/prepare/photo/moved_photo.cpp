@@ -6,6 +6,7 @@
 #include "base/values/halve.h"
 #include "pipeline/output/earlier_package.h"
 #include "pipeline/output/photo_records.h"
+#include "pipeline/stages/surface_samples.h"
 #include "pipeline/stages/tile_levels.h"
 #include "scene/package/contents/pinhole_image.h"
 
@@ -42,7 +43,7 @@ void move_photo(const GeometryContext& c, const PackageReader& part, std::uint32
                   pixels.get_future(), r);
     make_on_model(in, missing);
     state.pose = pose_checksum(pose);
-    state.consensus = 0;
+    state.transients = 0;
     for (const StageRow& row : stage_table())
         if (missing[row.stage])
             state.stages[std::size_t(row.stage)].content = content_of(row.stage, i, int(r.levels), c.writer);

@@ -62,7 +62,7 @@ struct Place {
 /// The surface that a photo sees, coarsely.
 class Surface {
   public:
-    Surface(const RegistrationInput& in, std::uint32_t photo) : pose_(cam_from_origin(in.photos[photo])) {
+    Surface(const PoseRefinementInput& in, std::uint32_t photo) : pose_(cam_from_origin(in.photos[photo])) {
         const package::PhotoRecord& r = in.photos[photo];
         const int level = coarse_level(r, depth_side);
         const Level size = level_size(int(r.width), int(r.height), level);
@@ -149,7 +149,7 @@ void add_frame(CellDisplacements& out, std::span<const GivenCamera> cameras,
 
 }  // namespace
 
-CellDisplacements cell_displacements(const RegistrationInput& in, std::span<const PairRecord> pairs) {
+CellDisplacements cell_displacements(const PoseRefinementInput& in, std::span<const PairRecord> pairs) {
     CellDisplacements out;
     const std::vector<GivenCamera> cameras(in.photos.begin(), in.photos.end());
     std::vector<std::vector<Place>> places;

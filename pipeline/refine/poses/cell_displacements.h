@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/refine/poses/common_motion.h"
-#include "pipeline/refine/poses/registration.h"
+#include "pipeline/refine/poses/pose_refinement.h"
 
 namespace vantage {
 
@@ -40,6 +40,7 @@ struct CellDisplacements {
     double frame_unit = 0;  ///< SmallMotion of about one pixel
 };
 /// Reads the depth of each first photo at a coarse level. Throws Error(damaged).
-CellDisplacements cell_displacements(const RegistrationInput& in, std::span<const package::PairRecord> pairs);
+CellDisplacements cell_displacements(const PoseRefinementInput& in,
+                                     std::span<const package::PairRecord> pairs);
 
 }  // namespace vantage

@@ -18,10 +18,10 @@ namespace {
 
 using package::PairRecord;
 
-constexpr double explained = 0.5;       ///< share of the displacement that must be left at most
-constexpr double noticed_common = 1;    ///< px
-constexpr int judged_side = 384;        ///< texels at which poses are judged
-constexpr std::size_t max_judged = 12;  ///< photos
+constexpr double explained = 0.5;          ///< share of the displacement that must be left at most
+constexpr double noticed_common = 1;       ///< px
+constexpr int validated_side = 384;        ///< texels at which poses are judged
+constexpr std::size_t max_validated = 12;  ///< photos
 
 /// The pairs of which no photo is among `photos`.
 std::vector<PairRecord> pairs_without(std::span<const PairRecord> pairs,
@@ -34,11 +34,12 @@ std::vector<PairRecord> pairs_without(std::span<const PairRecord> pairs,
 
 /// Photos that are displaced relative to all others, the worst first; at most a third of all. None of those
 /// that stay.
-std::vector<std::uint32_t> odd_photos(const RegistrationInput& in, std::span<const PairRecord> pairs,
+std::vector<std::uint32_t> odd_photos(const PoseRefinementInput& in, std::span<const PairRecord> pairs,
                                       std::span<const std::uint32_t> stay) {
     std::vector<std::uint32_t> odd;
-    const std::uint32_t band = pairs.empty() ? 0 : in.photos[pairs.front().a].band;
-    const auto count = std::size_t(std::ranges::count(in.photos, band, &package::PhotoRecord::band));
+    const std::uint32_t image_set = pairs.empty() ? 0 : in.photos[pairs.front().a].image_set;
+    const auto count =
+        std::size_t(std::ranges::count(in.photos, image_set, &package::PhotoRecord::image_set));
     while (odd.size() < count / 3) {
         std::vector<PairRecord> rest = pairs_without(pairs_without(pairs, odd), stay);
         double worst = 0;
@@ -73,14 +74,14 @@ std::vector<std::uint32_t> overlapping(std::span<const PairRecord> pairs, std::s
 }
 
 /// The input as if other photos had no pixels. `records` and `samples` hold what it refers to.
-RegistrationInput input_of(const RegistrationInput& in, std::span<const std::uint32_t> photos,
-                           std::vector<package::PhotoRecord>& records,
-                           std::vector<std::span<const package::SampleRecord>>& samples) {
+PoseRefinementInput input_of(const PoseRefinementInput& in, std::span<const std::uint32_t> photos,
+                             std::vector<package::PhotoRecord>& records,
+                             std::vector<std::span<const package::SampleRecord>>& samples) {
     records.assign(in.photos.begin(), in.photos.end());
     samples.assign(in.samples.begin(), in.samples.end());
     for (std::uint32_t i = 0; i < records.size(); ++i)
         if (std::ranges::count(photos, i) == 0) records[i].levels = 0, samples[i] = {};
-    RegistrationInput out = in;
+    PoseRefinementInput out = in;
     out.photos = records;
     out.samples = samples;
     return out;
@@ -110,9 +111,9 @@ enum class Own { given, fitted };
 
 /// What a candidate is worth to left-out photos, whose pixels had no part in the others' poses and gains,
 /// compared with `before` (null: the given poses).
-Judgment judge(const PoseRounds& rounds, const Folds& folds, std::span<const PhotoColors> gains,
-               const Candidate* before, const Candidate& after, Own own) {
-    std::vector<JudgedPhoto> photos(folds.all().size());
+Judgment validate(const PoseRounds& rounds, const Folds& folds, std::span<const PhotoColors> gains,
+                  const Candidate* before, const Candidate& after, Own own) {
+    std::vector<ValidatedPhoto> photos(folds.all().size());
     folds.each([&](const Folds::View& v) {
         const std::size_t f = v.index;
         const std::uint32_t photo = v.fold.photo;
@@ -122,7 +123,7 @@ Judgment judge(const PoseRounds& rounds, const Folds& folds, std::span<const Pho
                                                 : rounds.resection(c ? &c->solution : nullptr, poses, photo);
             return predict(v.target, v.sightings(poses, pose), {.ln_gain = gains[f].ln_gain});
         };
-        const std::vector<JudgeScore> s =
+        const std::vector<ValidationScore> s =
             score(own_color(v.target), std::array{predicted(before), predicted(&after)});
         photos[f] = {folds.input().photos[photo].name, s[0], s[1]};
     });
@@ -141,7 +142,7 @@ double uncertainty(const PoseRounds& rounds, const Folds& folds, const Candidate
 /// Cameras that move by less than their uncertainty keep their given poses.
 void keep_uncertain(const PoseRounds& rounds, const Folds& folds, Candidate& c) {
     for (std::uint32_t i = 0; i < c.solution.photos.size(); ++i) {
-        PhotoRegistration& p = c.solution.photos[i];
+        PhotoPoseRefinement& p = c.solution.photos[i];
         if (!p.pose) continue;
         p.uncertainty = std::max(p.uncertainty, uncertainty(rounds, folds, c, i));
         if (p.by <= p.uncertainty) p.pose.reset();
@@ -150,12 +151,12 @@ void keep_uncertain(const PoseRounds& rounds, const Folds& folds, Candidate& c) 
 
 std::size_t moved(const PoseSolution& s) {
     return std::size_t(
-        std::ranges::count_if(s.photos, [](const PhotoRegistration& p) { return bool(p.pose); }));
+        std::ranges::count_if(s.photos, [](const PhotoPoseRefinement& p) { return bool(p.pose); }));
 }
 
 std::string outcome(const PoseSolution& s) {
     std::vector<double> by, uncertainty;
-    for (const PhotoRegistration& p : s.photos)
+    for (const PhotoPoseRefinement& p : s.photos)
         if (p.pose) by.push_back(p.by), uncertainty.push_back(p.uncertainty);
     return fmt::format(
         "{} by {:.2f} px (median; uncertainty {:.2f} px), which reduced the error of holdout corners from "
@@ -167,8 +168,8 @@ std::string outcome(const PoseSolution& s) {
 /// The choice in progress.
 class PoseChoice {
   public:
-    PoseChoice(const RegistrationInput& in, const CellDisplacements& cells, Registration& out)
-        : out_(out), judge_(in.judge && !out.decision.forced), in_(in), cells_(cells) {}
+    PoseChoice(const PoseRefinementInput& in, const CellDisplacements& cells, PoseRefinement& out)
+        : out_(out), judge_(in.validate && !out.decision.forced), in_(in), cells_(cells) {}
 
     /// Whether the cells of the pairs, which have been measured anyway, leave hope for a fit of these photos
     /// (none: of all); else says why not.
@@ -197,21 +198,21 @@ class PoseChoice {
         if (solution.after > explained * solution.before) return reject_unexplained(solution, of);
         judging();
         Candidate c = candidate(rounds(), *folds_, std::move(solution), which);
-        std::string judged;
+        std::string validated;
         if (judge_) {
             const Candidate* taken = taken_ ? &*taken_ : nullptr;
-            const Judgment fitted = judge(rounds(), *folds_, gains_, taken, c, Own::fitted);
+            const Judgment fitted = validate(rounds(), *folds_, gains_, taken, c, Own::fitted);
             if (!taken) out_.decision.judgment = fitted;
             if (!is_called_for(fitted)) return reject(of + ": " + sentence(fitted));
-            const Judgment given = judge(rounds(), *folds_, gains_, taken, c, Own::given);
+            const Judgment given = validate(rounds(), *folds_, gains_, taken, c, Own::given);
             if (given.gain < -2 * given.error || (which == Moved::together && !is_called_for(given)))
                 return reject(of + " would leave the frame of the given cameras: " + sentence(given));
             out_.decision.judgment = fitted;
-            judged = "; " + sentence(fitted);
+            validated = "; " + sentence(fitted);
         }
         keep_uncertain(rounds(), *folds_, c);
         if (moved(c.solution) == 0) return reject(of + " would be less than the uncertainty");
-        out_.decision.evidence += "; " + outcome(c.solution) + judged;
+        out_.decision.evidence += "; " + outcome(c.solution) + validated;
         taken_ = std::move(c);
     }
 
@@ -242,13 +243,13 @@ class PoseChoice {
     void judging() {
         if (folds_) return;
         folds_.emplace(FoldsInput{in_.package, in_.photos, in_.samples, in_.discs, in_.border_width,
-                                  in_.threads, judged_side, max_judged});
+                                  in_.threads, validated_side, max_validated});
         gains_ = colors_without(*folds_, lenses_of(in_.photos), false).gains;
     }
 
-    Registration& out_;
+    PoseRefinement& out_;
     bool judge_;
-    const RegistrationInput& in_;
+    const PoseRefinementInput& in_;
     const CellDisplacements& cells_;
     std::optional<PoseRounds> rounds_;
     std::optional<Folds> folds_;
@@ -257,7 +258,7 @@ class PoseChoice {
 };
 
 /// Fits all cameras, unless a trial with a few of many that overlap shows that it would not help.
-void choose_all(const RegistrationInput& in, Registration& out, PoseChoice& choice) {
+void choose_all(const PoseRefinementInput& in, PoseRefinement& out, PoseChoice& choice) {
     constexpr std::size_t few = 8;
     if (!choice.may_help({}, "moving all cameras")) return;
     const std::vector<std::uint32_t> some = overlapping(out.pairs, few);
@@ -265,7 +266,7 @@ void choose_all(const RegistrationInput& in, Registration& out, PoseChoice& choi
     if (all > 2 * few && some.size() == few) {
         std::vector<package::PhotoRecord> records;
         std::vector<std::span<const package::SampleRecord>> samples;
-        const RegistrationInput few_input = input_of(in, some, records, samples);
+        const PoseRefinementInput few_input = input_of(in, some, records, samples);
         if (!choice.promises(PoseRounds(few_input, Effort::trial).fit_all(),
                              fmt::format("moving {} cameras that overlap", few)))
             return;
@@ -279,8 +280,8 @@ void choose_all(const RegistrationInput& in, Registration& out, PoseChoice& choi
 
 }  // namespace
 
-void choose_poses(const RegistrationInput& in, const CellDisplacements& cells, const SystematicErrors& errors,
-                  Registration& out) {
+void choose_poses(const PoseRefinementInput& in, const CellDisplacements& cells,
+                  const SystematicErrors& errors, PoseRefinement& out) {
     PoseChoice choice(in, cells, out);
     std::vector<std::uint32_t> stay;
     for (const LensError& e : errors.lenses) stay.insert(stay.end(), e.photos.begin(), e.photos.end());

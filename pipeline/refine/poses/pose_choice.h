@@ -13,7 +13,7 @@ namespace vantage {
 /// predicted better (see is_called_for), and not worse from their given cameras; and, per camera, if it moves
 /// by more than its uncertainty. The second condition is skipped if the choice is forced or `input.judge` is
 /// false. Throws Error(damaged).
-void choose_poses(const RegistrationInput& input, const CellDisplacements& cells,
-                  const SystematicErrors& errors, Registration& out);
+void choose_poses(const PoseRefinementInput& input, const CellDisplacements& cells,
+                  const SystematicErrors& errors, PoseRefinement& out);
 
 }  // namespace vantage

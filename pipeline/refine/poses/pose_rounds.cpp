@@ -69,7 +69,7 @@ std::vector<Track> tracks_without(std::span<const Track> tracks, std::uint32_t p
 
 }  // namespace
 
-PoseRounds::PoseRounds(const RegistrationInput& in, Effort effort)
+PoseRounds::PoseRounds(const PoseRefinementInput& in, Effort effort)
     : in_(in),
       pairs_(photo_pairs(in.photos, in.samples, in.discs, matched_pairs_per_photo)),
       corners_(effort == Effort::full ? full_corners : trial_corners),
@@ -181,7 +181,7 @@ PoseSolution PoseRounds::fit_all() const {
 PoseSolution PoseRounds::moved_together(const Similarity& common, double uncertainty) const {
     const std::size_t n = in_.photos.size();
     PoseSolution s{
-        .photos = std::vector<PhotoRegistration>(n), .poses = {}, .cameras = cameras_, .matched = {}};
+        .photos = std::vector<PhotoPoseRefinement>(n), .poses = {}, .cameras = cameras_, .matched = {}};
     for (const Pose& p : given_) s.poses.push_back(compose(p, common));
     s.matched = match(s.poses, pairs_, finest());
     const std::vector<double> before = holdout_displacement(as_given(), n),

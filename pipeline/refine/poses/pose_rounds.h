@@ -5,13 +5,13 @@
 
 #include "pipeline/refine/poses/common_motion.h"
 #include "pipeline/refine/poses/pose_fit.h"
-#include "pipeline/refine/poses/registration.h"
+#include "pipeline/refine/poses/pose_refinement.h"
 
 namespace vantage {
 
 /// Poses with which photos agree better.
 struct PoseSolution {
-    std::vector<PhotoRegistration> photos;
+    std::vector<PhotoPoseRefinement> photos;
     std::vector<Pose> poses;            ///< of all photos, moved or not
     std::vector<FittedCamera> cameras;  ///< `fixed` are those that were not moved
     Matching matched;                   ///< under these poses
@@ -27,7 +27,7 @@ enum class Effort { trial, full };
 /// Alternates between matching photos and fitting their poses.
 class PoseRounds {
   public:
-    explicit PoseRounds(const RegistrationInput& input, Effort effort = Effort::full);
+    explicit PoseRounds(const PoseRefinementInput& input, Effort effort = Effort::full);
 
     /// Fits the poses of the given photos to all others, which stay. Throws Error(damaged).
     PoseSolution fit_some(std::span<const std::uint32_t> photos) const;
@@ -70,7 +70,7 @@ class PoseRounds {
     void keep_improved(PoseSolution& solution, const Pairs& pairs, std::vector<PoseChange> change,
                        const Matching& before) const;
 
-    const RegistrationInput& in_;
+    const PoseRefinementInput& in_;
     Pairs pairs_;
     std::vector<Intrinsics> intrinsics_;
     std::vector<FittedCamera> cameras_;

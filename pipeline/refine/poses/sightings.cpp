@@ -21,7 +21,7 @@ struct Projector {
     Eigen::Matrix3f R;
     Vector3f t, center;  ///< the center in the target's camera space
     float fx, fy, cx, cy;
-    float radius_scale;  ///< from squared texels to the squared radius of the falloff
+    float radius_scale;  ///< from squared texels to the squared radius of the vignetting
     float focal;         ///< relative to the target's
 
     Projector(const OtherPhoto& other, const CoarsePhoto& target, const Pose& pose)
@@ -31,7 +31,7 @@ struct Projector {
           fy(float(photo.k.fy)),
           cx(float(photo.k.cx)),
           cy(float(photo.k.cy)),
-          radius_scale(float(std::pow(falloff_radius(photo.k, {photo.k.cx + 1, photo.k.cy}), 2))),
+          radius_scale(float(std::pow(vignetting_radius(photo.k, {photo.k.cx + 1, photo.k.cy}), 2))),
           focal(float(photo.focal / target.focal)) {
         const Eigen::Matrix3d turn = other.pose.R * pose.R.transpose();
         const Eigen::Vector3d shift = other.pose.t - turn * pose.t;

@@ -13,9 +13,9 @@ struct Sighting {
     float root[3];        ///< square roots of linear light, as exposed
     float smooth[3];      ///< the same of CoarsePhoto's `smooth`
     float theta;          ///< radians, between the rays from the surface to the viewer and to the photo
-    float weight;         ///< of the lumigraph, without consensus
+    float weight;         ///< of the lumigraph, without transient masking
     float x, y;           ///< position in the other photo, texels
-    float radius2;        ///< square of falloff_radius there
+    float radius2;        ///< square of vignetting_radius there
 };
 
 /// The sightings of every pixel of a view, pixel by pixel.

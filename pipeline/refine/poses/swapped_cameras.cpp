@@ -24,7 +24,7 @@ constexpr std::size_t max_suspects = 12;
 double longer_side(const package::PhotoRecord& p) { return double(std::max(p.width, p.height)); }
 
 /// Whether the pair contradicts, or is displaced farther than by inexact cameras.
-bool is_bad(const RegistrationInput& in, const PairRecord& p) {
+bool is_bad(const PoseRefinementInput& in, const PairRecord& p) {
     return contradicts(p) || (trusted(p) && double(p.median) > near * longer_side(in.photos[p.a]));
 }
 
@@ -32,7 +32,7 @@ struct Counts {
     std::size_t all = 0, bad = 0, contradicting = 0;
 };
 /// Of each photo's pairs, without those with photos to `ignore`.
-std::vector<Counts> count_pairs(const RegistrationInput& in, std::span<const PairRecord> pairs,
+std::vector<Counts> count_pairs(const PoseRefinementInput& in, std::span<const PairRecord> pairs,
                                 const std::vector<bool>& ignore) {
     std::vector<Counts> out(in.photos.size());
     for (const PairRecord& p : pairs) {
@@ -49,7 +49,7 @@ std::vector<Counts> count_pairs(const RegistrationInput& in, std::span<const Pai
 /// How well photos fit their neighbors with their own and with other cameras.
 class CameraFits {
   public:
-    explicit CameraFits(const RegistrationInput& in)
+    explicit CameraFits(const PoseRefinementInput& in)
         // More neighbors than were measured, in case the nearest ones are misplaced as well.
         : in_(in), near_(photo_pairs(in.photos, in.samples, in.discs, 8)) {}
 
@@ -86,7 +86,7 @@ class CameraFits {
         return found / double(compared);
     }
 
-    const RegistrationInput& in_;
+    const PoseRefinementInput& in_;
     std::vector<PhotoPair> near_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, Eigen::Array2d> fits_;
 };
@@ -99,7 +99,7 @@ struct Swap {
 };
 
 /// Photos with bad pairs, the largest share first.
-std::vector<std::uint32_t> suspects(const RegistrationInput& in, std::span<const PairRecord> pairs) {
+std::vector<std::uint32_t> suspects(const PoseRefinementInput& in, std::span<const PairRecord> pairs) {
     const std::vector<Counts> counts = count_pairs(in, pairs, std::vector<bool>(in.photos.size()));
     std::vector<std::uint32_t> out;
     for (std::uint32_t i = 0; i < in.photos.size(); ++i)
@@ -111,7 +111,7 @@ std::vector<std::uint32_t> suspects(const RegistrationInput& in, std::span<const
     return out;
 }
 
-std::vector<Swap> possible_swaps(const RegistrationInput& in, std::span<const std::uint32_t> photos) {
+std::vector<Swap> possible_swaps(const PoseRefinementInput& in, std::span<const std::uint32_t> photos) {
     std::vector<Swap> out;
     if (photos.size() < 2) return out;
     CameraFits fits(in);
@@ -133,7 +133,7 @@ std::vector<Swap> possible_swaps(const RegistrationInput& in, std::span<const st
 
 }  // namespace
 
-MisplacedPhotos misplaced_photos(const RegistrationInput& in, std::span<const PairRecord> pairs) {
+MisplacedPhotos misplaced_photos(const PoseRefinementInput& in, std::span<const PairRecord> pairs) {
     MisplacedPhotos out;
     std::vector<bool> reported(in.photos.size());
     for (const Swap& s : possible_swaps(in, suspects(in, pairs))) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/refine/poses/registration.h"
+#include "pipeline/refine/poses/pose_refinement.h"
 
 namespace vantage {
 
@@ -17,6 +17,7 @@ struct MisplacedPhotos {
 /// 12, those with the largest share of such pairs. Two suspects are swapped if each fits its neighbors with
 /// the other's camera, and at least twice as well as with its own. Of the other photos, those are reported
 /// that contradict all photos but swapped ones. Throws Error(damaged).
-MisplacedPhotos misplaced_photos(const RegistrationInput& input, std::span<const package::PairRecord> pairs);
+MisplacedPhotos misplaced_photos(const PoseRefinementInput& input,
+                                 std::span<const package::PairRecord> pairs);
 
 }  // namespace vantage

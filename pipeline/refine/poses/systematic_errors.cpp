@@ -170,7 +170,7 @@ class SystematicFit {
 /// The errors of one scene.
 class ErrorSearch {
   public:
-    ErrorSearch(const RegistrationInput& in, const CellDisplacements& cells)
+    ErrorSearch(const PoseRefinementInput& in, const CellDisplacements& cells)
         : in_(in), cells_(cells), fit_(cells, lenses_of(in.photos)) {
         if (cells_.frame_unit == 0) return;
         all_ = fit_.solve({}, any_cell);
@@ -282,7 +282,7 @@ class ErrorSearch {
             out.common_motion, apart, apart_error);
     }
 
-    const RegistrationInput& in_;
+    const PoseRefinementInput& in_;
     const CellDisplacements& cells_;
     SystematicFit fit_;
     std::uint32_t groups_ = 0;
@@ -292,11 +292,11 @@ class ErrorSearch {
 
 }  // namespace
 
-SystematicErrors systematic_errors(const RegistrationInput& in, const CellDisplacements& cells) {
+SystematicErrors systematic_errors(const PoseRefinementInput& in, const CellDisplacements& cells) {
     return ErrorSearch(in, cells).result();
 }
 
-LeftByPoses left_by_poses(const RegistrationInput& in, const CellDisplacements& cells,
+LeftByPoses left_by_poses(const PoseRefinementInput& in, const CellDisplacements& cells,
                           std::span<const std::uint32_t> photos) {
     Model model = poses_only;
     model.moving.assign(in.photos.size(), photos.empty());

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/refine/poses/cell_displacements.h"
-#include "pipeline/refine/poses/registration.h"
+#include "pipeline/refine/poses/pose_refinement.h"
 
 namespace vantage {
 
@@ -33,7 +33,7 @@ struct SystematicErrors {
 /// cameras); if cells that were held out of the fit are displaced less with it; and, for lenses, if poses
 /// alone do not explain them better. A displaced mesh shows as a motion of all cameras; other errors of the
 /// mesh are not explained by few numbers.
-SystematicErrors systematic_errors(const RegistrationInput& in, const CellDisplacements& cells);
+SystematicErrors systematic_errors(const PoseRefinementInput& in, const CellDisplacements& cells);
 
 /// What remains of the displacement of cells if the cameras of `photos` move each on its own: their median
 /// without the motions and with them, in px, of pairs with one of the photos; half of the cells, as on a
@@ -41,7 +41,7 @@ SystematicErrors systematic_errors(const RegistrationInput& in, const CellDispla
 struct LeftByPoses {
     double before, after;
 };
-LeftByPoses left_by_poses(const RegistrationInput& in, const CellDisplacements& cells,
+LeftByPoses left_by_poses(const PoseRefinementInput& in, const CellDisplacements& cells,
                           std::span<const std::uint32_t> photos);
 
 }  // namespace vantage

@@ -44,7 +44,7 @@ Numbers numbers_of(const Camera& camera) {
     return all;
 }
 
-bool is_sound(const Camera& camera) {
+bool is_valid(const Camera& camera) {
     return std::ranges::all_of(numbers_of(camera), [](double x) { return std::isfinite(x); }) &&
            camera.intrinsics.fx > 0 && camera.intrinsics.fy > 0;
 }
@@ -64,7 +64,7 @@ LensFacts lens_facts(std::span<const CameraSet::Entry* const> cameras) {
     std::set<Numbers> calibrations;
     for (const CameraSet::Entry* entry : cameras) {
         const Camera& camera = entry->camera;
-        if (!is_sound(camera) || !calibrations.insert(numbers_of(camera)).second) continue;
+        if (!is_valid(camera) || !calibrations.insert(numbers_of(camera)).second) continue;
         facts.focal_x.add(camera.intrinsics.fx);
         facts.focal_y.add(camera.intrinsics.fy);
         facts.view_x.add(field_of_view(*entry, 0));

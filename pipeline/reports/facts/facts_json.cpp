@@ -94,11 +94,11 @@ json photos_json(const InputFacts& facts) {
             {"stencils", facts.photos->stencils}};
 }
 
-json bands_json(const InputFacts& facts) {
+json image_sets_json(const InputFacts& facts) {
     json out = json::array();
     if (facts.scene)
-        for (const auto& band : facts.scene->bands)
-            out.push_back({{"name", band.name}, {"count", band.photos}});
+        for (const auto& image_set : facts.scene->image_sets)
+            out.push_back({{"name", image_set.name}, {"count", image_set.photos}});
     return out;
 }
 
@@ -159,7 +159,7 @@ json facts_json(const InputFacts& facts) {
             {"points", points_json(facts)},
             {"cameras", cameras_json(facts)},
             {"photos", photos_json(facts)},
-            {"bands", bands_json(facts)},
+            {"image_sets", image_sets_json(facts)},
             {"scale", scale_json(facts)},
             {"usable_photos", facts.scene ? json(facts.scene->photos) : json()},
             {"left_out", left_out_json(facts)},

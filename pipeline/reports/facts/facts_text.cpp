@@ -13,7 +13,7 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t most_names = 5, most_lines = 8;
+constexpr std::size_t max_names = 5, max_lines = 8;
 
 /// Lines under a label, which is printed once.
 class Lines {
@@ -37,8 +37,8 @@ std::string counted(std::size_t n, const std::string& one) { return counted(n, o
 
 /// "a, b, c and 4 more"
 std::string first_of(std::span<const std::string> names) {
-    std::string out = fmt::format("{}", fmt::join(names.first(std::min(names.size(), most_names)), ", "));
-    if (names.size() > most_names) out += fmt::format(" and {} more", names.size() - most_names);
+    std::string out = fmt::format("{}", fmt::join(names.first(std::min(names.size(), max_names)), ", "));
+    if (names.size() > max_names) out += fmt::format(" and {} more", names.size() - max_names);
     return out;
 }
 
@@ -69,7 +69,7 @@ void add_shape(const ShapeFacts& shape, const std::vector<std::filesystem::path>
             shape.strays ? ", without " + counted(shape.strays, "vertex", "vertices") + " far away" : "");
     std::string has = shape.colors ? "vertex colors" : "no vertex colors";
     if (!shape.layers.empty())
-        has += fmt::format(", {} ({})", counted(shape.layers.size(), "scalar layer"), first_of(shape.layers));
+        has += fmt::format(", {} ({})", counted(shape.layers.size(), "scalar field"), first_of(shape.layers));
     std::vector<std::string> names;
     for (const auto& file : companions)
         if (std::filesystem::exists(file)) names.push_back(file.filename().string());
@@ -130,12 +130,12 @@ void add_cameras(const InputFacts& facts, Lines& out) {
         out.add("cameras", "at {}{}", corner(box.min()),
                 box.min() == box.max() ? "" : " to " + corner(box.max()));
     for (const LensFacts& lens :
-         std::span(facts.cameras->lenses).first(std::min(facts.cameras->lenses.size(), most_lines))) {
+         std::span(facts.cameras->lenses).first(std::min(facts.cameras->lenses.size(), max_lines))) {
         out.add("lens", "{}", in_words(lens));
         out.add("lens", "{}", distortion(lens));
     }
-    if (facts.cameras->lenses.size() > most_lines)
-        out.add("lens", "and {} more kinds", facts.cameras->lenses.size() - most_lines);
+    if (facts.cameras->lenses.size() > max_lines)
+        out.add("lens", "and {} more kinds", facts.cameras->lenses.size() - max_lines);
 }
 
 std::string in_words(const PhotoGroup& group) {
@@ -156,10 +156,10 @@ void add_photos(const InputFacts& facts, Lines& out) {
     const PhotoFacts& photos = *facts.photos;
     out.add("photos", "{}: {}, {:.1f} megapixels, {}", facts.files.photos.string(),
             counted(photos.photos(), "photo"), photos.pixels() / 1e6, megabytes(double(photos.bytes())));
-    for (const PhotoGroup& group : std::span(photos.groups).first(std::min(photos.groups.size(), most_lines)))
+    for (const PhotoGroup& group : std::span(photos.groups).first(std::min(photos.groups.size(), max_lines)))
         out.add("photos", "{}", in_words(group));
-    if (photos.groups.size() > most_lines)
-        out.add("photos", "and {} more sizes or formats", photos.groups.size() - most_lines);
+    if (photos.groups.size() > max_lines)
+        out.add("photos", "and {} more sizes or formats", photos.groups.size() - max_lines);
     if (photos.stencils > 0) out.add("photos", "{} of them with a stencil", photos.stencils);
 }
 
@@ -178,8 +178,8 @@ void add_scale(const ScaleFacts& scale, Lines& out) {
 }
 
 void add_scene(const InputFacts& facts, Lines& out) {
-    for (const auto& band : facts.scene->bands)
-        out.add("band", "{} ({})", band.name, counted(band.photos, "photo"));
+    for (const auto& image_set : facts.scene->image_sets)
+        out.add("image_set", "{} ({})", image_set.name, counted(image_set.photos, "photo"));
     if (facts.scene->scale) add_scale(*facts.scene->scale, out);
 }
 
@@ -208,7 +208,7 @@ void add_effects(const std::vector<EffectDecision>& effects, std::size_t photos,
 
 void add_warnings(const InputFacts& facts, Lines& out) {
     for (const std::string& note : facts.files.notes) out.add("note", "{}", note);
-    const std::size_t shown = std::min(facts.warnings.size(), most_lines);
+    const std::size_t shown = std::min(facts.warnings.size(), max_lines);
     for (std::size_t i = 0; i < shown; ++i) out.add("warning", "{}", facts.warnings[i]);
     if (shown < facts.warnings.size()) out.add("warning", "and {} more", facts.warnings.size() - shown);
 }

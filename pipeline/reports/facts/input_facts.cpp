@@ -43,11 +43,11 @@ void add_scene(const SceneInput& scene, InputFacts& facts) {
     facts.left_out = scene.left_out;
     const auto& shape = has_points_only(scene) ? facts.points : facts.mesh;
     facts.scene = {.photos = scene.photos.size(),
-                   .bands = {},
+                   .image_sets = {},
                    .scale = shape ? scale_facts(scene, shape->diagonal()) : std::nullopt};
-    for (std::uint32_t b = 0; scene.bands.size() > 1 && b < scene.bands.size(); ++b)
-        facts.scene->bands.push_back(
-            {scene.bands[b], std::size_t(std::ranges::count(scene.photos, b, &PhotoInput::band))});
+    for (std::uint32_t b = 0; scene.image_sets.size() > 1 && b < scene.image_sets.size(); ++b)
+        facts.scene->image_sets.push_back(
+            {scene.image_sets[b], std::size_t(std::ranges::count(scene.photos, b, &PhotoInput::image_set))});
 }
 
 /// As prepare() begins, with the same results.

@@ -31,12 +31,12 @@ struct InputFacts {
 
     /// Only if the scene can be read.
     struct Scene {
-        struct Band {
+        struct ImageSet {
             std::string name;
             std::size_t photos;
         };
-        std::size_t photos = 0;   ///< that can be used
-        std::vector<Band> bands;  ///< if there are several
+        std::size_t photos = 0;            ///< that can be used
+        std::vector<ImageSet> image_sets;  ///< if there are several
         std::optional<ScaleFacts> scale;
     };
     std::optional<Scene> scene{};

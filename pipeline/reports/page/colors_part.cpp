@@ -37,15 +37,15 @@ std::string row(const package::PhotoRecord& photo, const ColorFit& fit, std::siz
 }
 
 /// Relative illumination from the center to the corner, one line per lens.
-std::string falloff_curves(const ColorFit& fit) {
+std::string vignetting_curves(const ColorFit& fit) {
     constexpr int width = 320, height = 130;
     std::string lines;
-    for (const Falloff& f : fit.falloff) {
-        if (log_falloff(f, 1) == 0) continue;
+    for (const Vignetting& f : fit.vignetting) {
+        if (log_vignetting(f, 1) == 0) continue;
         std::string points;
         for (int i = 0; i <= 32; ++i)
             points += fmt::format("{:.1f},{:.1f} ", 30 + (width - 40) * i / 32.0,
-                                  10 + (height - 30) * (1 - std::exp(-log_falloff(f, i / 32.0))));
+                                  10 + (height - 30) * (1 - std::exp(-log_vignetting(f, i / 32.0))));
         lines += "<polyline fill=none stroke=#117733 stroke-width=2 points=\"" + points + "\"/>";
     }
     if (lines.empty()) return {};
@@ -64,7 +64,7 @@ std::string colors_part(std::span<const package::PhotoRecord> photos, const Colo
                       (r.exposure.on ? " All photos are shown at the mean photo's exposure."
                                      : " Photos are shown at their own exposure.") +
                       "</p>\n";
-    if (r.falloff.on) out += falloff_curves(r.fit);
+    if (r.vignetting.on) out += vignetting_curves(r.fit);
     const Column columns[] = {
         {"photo", ""},
         {"gray card", "left: how this photo shows a card that the mean photo shows as on the right"},

@@ -8,7 +8,7 @@
 namespace vantage {
 
 /// HTML: the color differences between photos and the gains that correct them, per photo, and the lenses'
-/// falloff.
+/// vignetting.
 std::string colors_part(std::span<const package::PhotoRecord> photos, const ColorRefinement& refinement);
 
 }  // namespace vantage

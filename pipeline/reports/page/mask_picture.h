@@ -13,7 +13,7 @@ struct MaskColor {
     const char *name, *meaning;
     std::array<std::uint8_t, 3> color;
 };
-/// Full weight, angle, depth, border, consensus, nothing seen: the legend of mask_picture().
+/// Full weight, angle, depth, border, transient masking, nothing seen: the legend of mask_picture().
 extern const std::array<MaskColor, 6> mask_colors;
 
 /// The linear depth at which the nearest of the photos resolves what it sees, as pixels per unit: of the

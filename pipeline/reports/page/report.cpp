@@ -20,14 +20,14 @@
 #include "pipeline/photos/reduced.h"
 #include "pipeline/prepare/finish.h"
 #include "pipeline/reports/page/colors_part.h"
-#include "pipeline/reports/page/consensus_part.h"
 #include "pipeline/reports/page/coverage_pictures.h"
 #include "pipeline/reports/page/embedded_picture.h"
 #include "pipeline/reports/page/mask_picture.h"
-#include "pipeline/reports/page/registration_part.h"
+#include "pipeline/reports/page/pose_refinement_part.h"
 #include "pipeline/reports/page/timeline.h"
+#include "pipeline/reports/page/transient_part.h"
 #include "pipeline/run/for_each_photo.h"
-#include "scene/package/contents/bands.h"
+#include "scene/package/contents/image_sets.h"
 #include "scene/package/contents/point_cloud.h"
 #include "scene/package/contents/stored_tile.h"
 
@@ -172,8 +172,8 @@ RgbaImage thumbnail(const PackageReader& package, std::uint32_t i, const PhotoRe
 
 std::string photo_figure(const PackageReader& package, std::uint32_t i, const PhotoRecord& p, double best) {
     std::string flags;
-    if (const std::vector<Band> bands = read_bands(package); bands.size() > 1)
-        flags += ", " + escaped(bands[p.band].name);
+    if (const std::vector<ImageSet> image_sets = read_image_sets(package); image_sets.size() > 1)
+        flags += ", " + escaped(image_sets[p.image_set].name);
     if (const Lens lens = lens_of(package, i); lens.distorts())
         flags += ", lens: " + std::string(name(lens.model));
     if (p.flags & package::photo_has_alpha) flags += ", partly transparent";
@@ -259,9 +259,9 @@ void write_report(const fs::path& file, const PackageReader& package, const std:
             << effects_part(package, meta, run);
         if (!package.photos().empty()) out << coverage_part(package);
         if (run && run->prepared.agreement) {
-            out << registration_part(package.photos(), run->prepared.agreement->registration)
+            out << pose_refinement_part(package.photos(), run->prepared.agreement->pose_refinement)
                 << colors_part(package.photos(), run->prepared.agreement->colors)
-                << consensus_part(package.photos(), run->prepared.agreement->consensus);
+                << transient_part(package.photos(), run->prepared.agreement->transients);
         }
         write_photos_part(out, package);
         if (run) out << run_part(*run);

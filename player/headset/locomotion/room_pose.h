@@ -15,7 +15,7 @@ struct RoomPose {
 };
 
 /// Whether all its numbers are finite, and it is a direction.
-inline bool is_sound(const RoomPose& pose) {
+inline bool is_valid(const RoomPose& pose) {
     return pose.at.allFinite() && std::abs(pose.turn.squaredNorm() - 1) < 0.01;
 }
 

@@ -127,7 +127,7 @@ std::optional<RoomPose> pose_in(XrSpace space, XrSpace room, XrTime time) {
         XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
     if ((location.locationFlags & both) != both) return {};
     const RoomPose pose = room_pose_of(location.pose);
-    if (!is_sound(pose)) return {};
+    if (!is_valid(pose)) return {};
     return pose;
 }
 

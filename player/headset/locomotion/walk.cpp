@@ -32,8 +32,8 @@ void hold_scene(Walk& w, const Hands& hands, const FreeHands& free) {
     if (count == 0)
         w.hold.reset();
     else
-        w.stance = held(*w.hold, std::span(places).first(count), w.usual_scale / most_scaling,
-                        w.usual_scale * most_scaling);
+        w.stance = held(*w.hold, std::span(places).first(count), w.usual_scale / max_scaling,
+                        w.usual_scale * max_scaling);
     w.held_at = w.stance;
 }
 

@@ -11,7 +11,7 @@ namespace vantage {
 /// How somebody in a headset moves about.
 struct Walk {
     Stance stance;
-    double usual_scale = 1;    ///< scene units per meter; hands change it by up to most_scaling
+    double usual_scale = 1;    ///< scene units per meter; hands change it by up to max_scaling
     bool smooth = true;        ///< a stick flies; otherwise one only teleports
     double snap_degrees = 30;  ///< per turn
 
@@ -24,7 +24,7 @@ struct Walk {
     std::array<bool, 2> ready{};          ///< sticks that have been in the middle since they got their use
     double vignette = 0;                  ///< 0: the whole picture is shown, 1: its middle
 };
-inline constexpr double most_scaling = 200;
+inline constexpr double max_scaling = 200;
 
 /// What a hand may do here. One that points at a panel may do neither; selecting may have another use.
 struct FreeHand {

@@ -12,7 +12,7 @@ std::optional<EyeFrustum> eye_frustum(const RoomPose& pose, double left, double 
     if (left > right) std::swap(left, right);
     if (down > up) std::swap(down, up);
     const bool in_range = left > -widest && right < widest && down > -widest && up < widest;
-    if (!is_sound(pose) || !in_range || !(right - left > least) || !(up - down > least)) return {};
+    if (!is_valid(pose) || !in_range || !(right - left > least) || !(up - down > least)) return {};
     return EyeFrustum{pose, std::tan(left), std::tan(right), std::tan(up), std::tan(down)};
 }
 

@@ -7,8 +7,9 @@
 
 namespace vantage {
 
-/// The photo with pixels, of a band that is shown, whose view agrees best with this one; none without photos.
+/// The photo with pixels, of an image set that is shown, whose view agrees best with this one; none without
+/// photos.
 std::optional<std::uint32_t> agreeing_photo(const PlanScene& scene, const View& view,
-                                            const BandSettings& bands);
+                                            const ImageSetSettings& image_sets);
 
 }  // namespace vantage

@@ -26,23 +26,23 @@ void plate(Controls& c, float x, float y, float share, const std::string& text) 
 }
 
 /// A handle as high as the free area, around the line.
-void drag_wiper(Controls& c, Session& s, const Area& frame) {
-    const float em = ImGui::GetFontSize(), x = float(frame.width * s.settings.wiper), top = float(s.free.top),
+void drag_swipe(Controls& c, Session& s, const Area& frame) {
+    const float em = ImGui::GetFontSize(), x = float(frame.width * s.settings.swipe), top = float(s.free.top),
                 high = float(s.free.height);
     ImGui::SetNextWindowPos(ImVec2(x - em, top));
     ImGui::SetNextWindowSize(ImVec2(2 * em, high));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-    ImGui::Begin("##wiper", nullptr,
+    ImGui::Begin("##swipe", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleVar(2);
     ImGui::InvisibleButton("##line", ImVec2(2 * em, high));
-    c.note("Wiper");
+    c.note("Swipe");
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsItemActive())
-        s.settings.wiper =
+        s.settings.swipe =
             std::clamp(double(ImGui::GetIO().MousePos.x) / std::max(1.0, frame.width), 0.0, 1.0);
     ImGui::End();
     const ImVec2 middle(x, top + high / 2);
@@ -87,9 +87,9 @@ void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& fra
     switch (r.compare) {
         case Compare::side_by_side:
             return both(0.5);
-        case Compare::wiper:
-            both(r.wiper);
-            return drag_wiper(c, s, frame);
+        case Compare::swipe:
+            both(r.swipe);
+            return drag_swipe(c, s, frame);
         case Compare::difference:
             return plate(c, float(s.free.left + s.free.width / 2), y, 0.5f,
                          formatted(tr("difference from photo %s, doubled; black: none"),
@@ -104,10 +104,10 @@ void toggle_comparison(Session& s, const PlanScene& scene, const View& view, dou
         s.settings.compare = Compare::nothing;
         return;
     }
-    const auto photo = agreeing_photo(scene, view, s.settings.bands);
+    const auto photo = agreeing_photo(scene, view, s.settings.image_sets);
     if (!photo) return;
-    s.settings.compare = Compare::wiper;
-    s.settings.bands.how = BandView::mix;  // one comparison at a time
+    s.settings.compare = Compare::swipe;
+    s.settings.image_sets.how = ImageSetView::mix;  // one comparison at a time
     fly_to(s, *photo, scene.photos[*photo], now);
 }
 

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// What the picture compares: names of both sides, and the wiper's line, which can be dragged. `frame`: the
+/// What the picture compares: names of both sides, and the swipe's line, which can be dragged. `frame`: the
 /// whole window, pixels.
 void comparison(Controls& controls, Session& session, const PlanScene& scene, const Area& frame);
 

@@ -9,7 +9,7 @@
 #include "player/interface/overlays/photo_frustum.h"
 #include "player/interface/overlays/scene_line.h"
 #include "player/interface/overlays/weight_color.h"
-#include "player/interface/sections/band_section.h"
+#include "player/interface/sections/image_set_section.h"
 #include "player/interface/sections/photo_list_section.h"
 
 namespace vantage {
@@ -46,7 +46,7 @@ void frusta(Session& s, Renderer& renderer, PhotoStrip& strip, const View& view,
     const Eigen::Vector3d eye = view.cam_from_origin.center();
     std::optional<std::uint32_t> under;
     for (std::uint32_t i = 0; i < scene.photos.size(); ++i) {
-        if (!is_shown(s.settings.bands, scene.photos[i])) continue;
+        if (!is_shown(s.settings.image_sets, scene.photos[i])) continue;
         const PhotoFrustum f = photo_frustum(scene, i);
         if ((f.center - eye).norm() < 0.0012 * scene.size) continue;  // the viewer is at this camera
         const bool used = renderer.uses(i), white = shows_listed_point(s, i);

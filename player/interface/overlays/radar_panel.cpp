@@ -9,7 +9,7 @@
 
 #include "base/text/translation.h"
 #include "player/interface/overlays/weight_color.h"
-#include "player/interface/sections/band_section.h"
+#include "player/interface/sections/image_set_section.h"
 
 namespace vantage {
 
@@ -57,7 +57,7 @@ void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const
     std::uint32_t nearest = 0;
     double best = 1e30;
     for (std::uint32_t i = 0; i < scene.poses.size(); ++i) {
-        if (!is_shown(s.settings.bands, scene.photos[i])) continue;
+        if (!is_shown(s.settings.image_sets, scene.photos[i])) continue;
         arrow(scene.poses[i],
               weight_color(weights.distance[i], weights.angle[i], renderer.uses(i) ? 1.0f : 0.5f), 14);
         const ImVec2 at = place(scene.poses[i].center());

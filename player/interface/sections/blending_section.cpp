@@ -28,7 +28,7 @@ void blend_controls(Controls& c, RenderSettings& r) {
     c.slider("Prefer near", &r.weights.exponent, 0.0, 32.0, "%.1f");
     ImGui::EndDisabled();
     c.explain("How strongly near photos are preferred. For Average.");
-    c.checkbox("Consensus", &r.consensus);
+    c.checkbox("Reject outliers", &r.transients);
     c.explain("Leaves out colors that differ from those of most photos.");
     in_second_column("Fill holes");
     c.checkbox("Fill holes", &r.fill_holes);
@@ -60,8 +60,8 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
     in_second_column("Soft borders");
     c.checkbox("Soft borders", &w.border_mask);
     c.explain("Fades photos out towards their edges and towards silhouettes.");
-    ImGui::BeginDisabled(!effect_on(renderer.package().scene(), Effect::consensus));
-    c.checkbox("Passers-by", &w.consensus_mask);
+    ImGui::BeginDisabled(!effect_on(renderer.package().scene(), Effect::transients));
+    c.checkbox("Passers-by", &w.transient_mask);
     ImGui::EndDisabled();
     c.explain("Gives little weight to a photo where prepare found that it disagrees with the others.");
     in_second_column("Field of view");
@@ -79,11 +79,11 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
 
 void photo_controls(Controls& c, RenderSettings& r, const Renderer& renderer) {
     static const char* const choices[] = {marked("cover the view"), marked("nearest")};
-    choice(c, "Choose to", r.choice, choices);
+    choice(c, "Select by", r.choice, choices);
     c.explain("Which photos are blended: those that cover the view together, or those nearest to you.");
     c.slider("Photos", &r.photos, 1, std::max(1, int(renderer.scene().photos.size())));
     c.explain("How many photos are blended. More photos take more time.");
-    c.slider("Per pass", &r.photos_per_pass, 1, most_photos_per_pass);
+    c.slider("Per pass", &r.photos_per_pass, 1, max_photos_per_pass);
     c.explain("How many photos are drawn at once. Does not change the picture.");
     c.slider("Angle limit", &r.angle_limit, 10.0, 180.0, "%.0f deg");
     c.explain("Leaves out photos that look in a direction further than this from yours.");
@@ -99,7 +99,7 @@ void photo_controls(Controls& c, RenderSettings& r, const Renderer& renderer) {
 
 void blending_section(Controls& c, Session& s, const Renderer& renderer) {
     blend_controls(c, s.settings);
-    ImGui::TextDisabled("%s", tr("What counts"));
+    ImGui::TextDisabled("%s", tr("Weights"));
     weight_controls(c, s, renderer);
     ImGui::TextDisabled("%s", tr("Which photos"));
     photo_controls(c, s.settings, renderer);

@@ -122,7 +122,7 @@ void cut_section(Controls& c, Session& s, const PlanScene& scene, const Eigen::V
         plane_controls(c, s, scene, origin, begins);
     else
         box_controls(c, cut, scene, origin);
-    if (c.button("Write the cut")) cut.saves = true;
+    if (c.button("Export section")) cut.saves = true;
     c.explain(
         "Writes the lines of the cut as a drawing (DXF) into the current folder, in the input's "
         "coordinates.");
@@ -138,7 +138,7 @@ void CutLines::show(std::span<const PlacedMesh> meshes, std::span<const SectionP
     }
     if (planes.empty()) return;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    if (planes.size() == most_sections) draw_box(list, planes, view);
+    if (planes.size() == max_sections) draw_box(list, planes, view);
     for (const auto& [a, b] : lines_) scene_line(list, view, a, b, IM_COL32(255, 90, 60, 255), 2);
 }
 

@@ -168,7 +168,7 @@ void MeasurePanel::set_point(Session& s, double now) {
 
 void MeasurePanel::add(const SurveyPoint& point) {
     next_.points.push_back(point);
-    if (next_.points.size() == most_points(next_.measure)) end();
+    if (next_.points.size() == max_points(next_.measure)) end();
 }
 
 /// Keeps what is being measured, if it has enough points.

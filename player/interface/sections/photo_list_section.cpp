@@ -9,8 +9,8 @@
 #include "base/text/formatted.h"
 #include "base/text/lower_case.h"
 #include "base/text/translation.h"
-#include "player/interface/sections/band_section.h"
 #include "player/interface/sections/columns.h"
+#include "player/interface/sections/image_set_section.h"
 #include "player/survey/ray_cast.h"
 
 namespace vantage {
@@ -26,7 +26,7 @@ std::vector<std::uint32_t> listed(const Session& s, const PlanScene& scene) {
     std::vector<std::uint32_t> out;
     const std::string filter = lower_case(s.photo_list.filter.data());
     const auto passes = [&](std::uint32_t p) {
-        return is_shown(s.settings.bands, scene.photos[p]) &&
+        return is_shown(s.settings.image_sets, scene.photos[p]) &&
                lower_case(scene.photos[p].name).find(filter) != std::string::npos;
     };
     if (s.photo_list.by_point && s.photo_list.point) {
@@ -101,7 +101,7 @@ void photo_list_section(Controls& c, Session& s, const Renderer& renderer, doubl
         c.note("Name contains");
     }
     if (s.keyboard) {
-        c.checkbox("Of a point", &list.by_point);
+        c.checkbox("Photos at point", &list.by_point);
         c.explain(
             "Lists the photos that show the point you click on the model, those with the finest pixels "
             "first.");

@@ -14,7 +14,7 @@ namespace {
 void exposure_controls(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
     const package::SceneRecord& scene = renderer.package().scene();
-    if (!effect_on(scene, Effect::exposure) && !effect_on(scene, Effect::falloff)) return;
+    if (!effect_on(scene, Effect::exposure) && !effect_on(scene, Effect::vignetting)) return;
     c.checkbox("Equal exposure", &r.refined_colors);
     c.explain("Shows all photos as if they had been exposed alike.");
     in_second_column("This photo's");
@@ -49,12 +49,12 @@ void light_controls(Controls& c, Session& s) {
 void comparison_controls(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
     ImGui::BeginDisabled(renderer.scene().photos.empty());
-    static const char* const compares[] = {marked("nothing"), marked("side by side"), marked("wiper"),
+    static const char* const compares[] = {marked("nothing"), marked("side by side"), marked("swipe"),
                                            marked("difference")};
     choice(c, "Compare", r.compare, compares);
     ImGui::EndDisabled();
     c.explain("Compares the model with the photo you flew to last. Drag the line in the picture.");
-    if (r.compare != Compare::nothing) r.bands.how = BandView::mix;  // one comparison at a time
+    if (r.compare != Compare::nothing) r.image_sets.how = ImageSetView::mix;  // one comparison at a time
 }
 
 void stereo_controls(Controls& c, Session& s) {
@@ -65,7 +65,7 @@ void stereo_controls(Controls& c, Session& s) {
     c.explain("Pictures for the left and the right eye, for 3D displays and glasses.");
     if (stereo.mode == StereoMode::off) return;
     double percent = 100 * stereo.eyes.share;
-    if (c.slider("Eyes apart", &percent, 0.2, 20.0, "%.1f %%", ImGuiSliderFlags_Logarithmic))
+    if (c.slider("Eye separation", &percent, 0.2, 20.0, "%.1f %%", ImGuiSliderFlags_Logarithmic))
         stereo.eyes.share = percent / 100, stereo.eyes.distance = 0;
     c.explain("In percent of the distance from which the model is seen. More is deeper, and harder to view.");
 }
@@ -78,9 +78,9 @@ void picture_content(Controls& c, Session& s, const Renderer& renderer) {
     choice(c, "Show", r.show, shows);
     c.explain("The photos, or false colors: the photo that counts most, or how many photos see each point.");
     exposure_controls(c, s, renderer);
-    if (renderer.scene().has_surroundings()) {
-        static const char* const surroundings[] = {marked("shown"), marked("dimmed"), marked("hidden")};
-        choice(c, "Surroundings", r.surroundings, surroundings);
+    if (renderer.scene().has_background()) {
+        static const char* const background[] = {marked("shown"), marked("dimmed"), marked("hidden")};
+        choice(c, "Background", r.background, background);
         c.explain("What the photos show beside the mesh.");
     }
     if (renderer.scene().has_transparency()) {

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// What the picture shows: photos or false colors, exposure, surroundings, glass, light.
+/// What the picture shows: photos or false colors, exposure, background, glass, light.
 void picture_content(Controls& controls, Session& session, const Renderer& renderer);
 /// The same, and how it is seen: comparison, two eyes, projection, flying.
 void picture_section(Controls& controls, Session& session, const Renderer& renderer);

@@ -14,8 +14,8 @@
 namespace vantage {
 namespace {
 
-constexpr std::uint64_t most_bytes = std::uint64_t(64) << 20, most_pixels = 40'000'000;
-constexpr int most_side = 1600;  ///< of the texture
+constexpr std::uint64_t max_bytes = std::uint64_t(64) << 20, max_pixels = 40'000'000;
+constexpr int max_side = 1600;  ///< of the texture
 
 struct Size {
     int width, height;
@@ -53,7 +53,7 @@ std::vector<std::byte> bytes_of(const std::filesystem::path& file) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error))
         throw Error(Exit::input, file.string() + ": does not exist");
-    if (std::filesystem::file_size(file, error) > most_bytes)
+    if (std::filesystem::file_size(file, error) > max_bytes)
         throw Error(Exit::input, file.string() + ": is longer than 64 MiB, expected a smaller picture");
     std::ifstream in(file, std::ios::binary);
     std::vector<std::byte> out(std::filesystem::file_size(file, error));
@@ -71,7 +71,7 @@ Picture read_note_picture(const std::filesystem::path& file) {
     if (!png && !jpeg) throw Error(Exit::input, file.string() + ": is not a PNG or JPEG file");
     const Size size = png ? *png : *jpeg;
     if (size.width < 1 || size.height < 1 ||
-        std::uint64_t(size.width) * std::uint64_t(size.height) > most_pixels)
+        std::uint64_t(size.width) * std::uint64_t(size.height) > max_pixels)
         throw Error(Exit::input,
                     file.string() + ": has no size or more than 40 megapixels, expected a smaller picture");
     if (png) return read_png(file);
@@ -102,7 +102,7 @@ Picture reduced_picture(Picture p, int most) {
 
 NotePicture::Read NotePicture::read(const std::filesystem::path& file) {
     try {
-        return {file, reduced_picture(read_note_picture(file), most_side), {}};
+        return {file, reduced_picture(read_note_picture(file), max_side), {}};
     } catch (const Error& e) {
         return {file, {}, e.what()};
     }

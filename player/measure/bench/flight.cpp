@@ -92,8 +92,8 @@ CameraPath path_named(const std::string& name, const PackageReader& package, con
                       int repeat) {
     const int frames = o.minutes > 0 ? 1 << 20 : o.frames;
     if (std::filesystem::is_regular_file(name)) return recorded_path(name, package, frames);
-    const std::uint32_t band = band_settings(package, o.blending.bands).shown,
-                        first = o.package.photos.empty() ? first_photo(package, band)
+    const std::uint32_t image_set = image_set_settings(package, o.blending.image_sets).shown,
+                        first = o.package.photos.empty() ? first_photo(package, image_set)
                                                          : named_photos(package, o.package.photos).front();
     return scripted_path(name, home_of(package, first), frames, unsigned(repeat) + 1);
 }

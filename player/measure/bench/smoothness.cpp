@@ -37,9 +37,9 @@ double usual_distance(const PackageReader& package) {
 }
 
 std::vector<Navigation> path_of(const PackageReader& package, const SmoothnessOptions& o) {
-    const std::uint32_t band = band_settings(package, o.blending.bands).shown;
+    const std::uint32_t image_set = image_set_settings(package, o.blending.image_sets).shown;
     const std::vector<std::uint32_t> photos = o.package.photos.empty()
-                                                  ? photos_in_use(package, o.package, band)
+                                                  ? photos_in_use(package, o.package, image_set)
                                                   : named_photos(package, o.package.photos);
     std::vector<Navigation> path =
         in_steps(o.path.empty() ? photo_stops(package, photos)

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "scene/agreement/color_fit.h"
-#include "scene/package/contents/bands.h"
+#include "scene/package/contents/image_sets.h"
 #include "scene/package/package_reader.h"
 
 namespace vantage {
@@ -14,9 +14,9 @@ class ColorsWithout {
     /// Reads the photos' samples of the surface. Throws Error(damaged).
     explicit ColorsWithout(const PackageReader& package);
 
-    /// Gains, and falloff if that is on, fitted without `photo` to the others of its band.
+    /// Gains, and vignetting if that is on, fitted without `photo` to the others of its image set.
     PhotoColors colors(std::uint32_t photo) const;
-    /// The package's records with these colors, as far as the effects are on for the photo's band.
+    /// The package's records with these colors, as far as the effects are on for the photo's image set.
     std::vector<package::PhotoRecord> records(const PhotoColors& colors, std::uint32_t photo) const;
     std::vector<package::PhotoRecord> records(std::uint32_t photo) const {
         return records(colors(photo), photo);
@@ -28,7 +28,7 @@ class ColorsWithout {
     const PackageReader& package_;
     PhotoSamples samples_;
     std::vector<std::uint32_t> lens_;  ///< per photo
-    std::vector<Band> bands_;
+    std::vector<ImageSet> image_sets_;
 };
 
 }  // namespace vantage

@@ -16,8 +16,8 @@
 #include "player/measure/evaluation/evaluation_table.h"
 #include "player/measure/evaluation/held_out.h"
 #include "player/view/shots.h"
-#include "scene/agreement/consensus_without.h"
 #include "scene/agreement/registered_without.h"
+#include "scene/agreement/transient_without.h"
 
 namespace vantage {
 namespace {
@@ -156,9 +156,9 @@ void expect_earlier(const EvaluateOptions& o) {
 }
 
 /// Cameras that were moved together, on which the photos left out had a say.
-void report_registration(const PackageReader& package) {
-    if (effect_on(package.scene(), Effect::registration) &&
-        !package.find(package::Type::registration_without))
+void report_pose_refinement(const PackageReader& package) {
+    if (effect_on(package.scene(), Effect::pose_refinement) &&
+        !package.find(package::Type::pose_refinement_without))
         std::printf(
             "the cameras were moved together, with the photos left out; for figures without them, use "
             "vantage prepare --hold-out\n");
@@ -167,33 +167,33 @@ void report_registration(const PackageReader& package) {
 /// The package's results without a photo that is left out.
 class SceneWithout {
   public:
-    SceneWithout(const PackageReader& package, bool consensus_masks)
+    SceneWithout(const PackageReader& package, bool transient_masks)
         : colors_(package), fits_colors_(uses_colors(package.scene())) {
-        if (consensus_masks && effect_on(package.scene(), Effect::consensus))
-            consensus_.emplace(package, colors_.samples());
+        if (transient_masks && effect_on(package.scene(), Effect::transients))
+            transient_.emplace(package, colors_.samples());
     }
     /// Shows the others' masks as they are without the photo. Returns the records.
     std::vector<package::PhotoRecord> leave_out(std::uint32_t photo, Renderer& renderer) {
         const PhotoColors colors = fits_colors_ ? colors_.colors(photo) : PhotoColors{};
         std::vector<package::PhotoRecord> out = colors_.records(colors, photo);
-        if (effect_on(renderer.package().scene(), Effect::registration))
+        if (effect_on(renderer.package().scene(), Effect::pose_refinement))
             use_poses_without(renderer.package(), photo, out);
-        if (consensus_) {
-            consensus_->leave_out(photo, colors, out);
-            renderer.use_weights([this](std::uint32_t other) { return consensus_->of(other); });
+        if (transient_) {
+            transient_->leave_out(photo, colors, out);
+            renderer.use_weights([this](std::uint32_t other) { return transient_->of(other); });
         }
         return out;
     }
 
   private:
     static bool uses_colors(const package::SceneRecord& scene) {
-        return effect_on(scene, Effect::exposure) || effect_on(scene, Effect::falloff) ||
-               effect_on(scene, Effect::consensus);
+        return effect_on(scene, Effect::exposure) || effect_on(scene, Effect::vignetting) ||
+               effect_on(scene, Effect::transients);
     }
 
     ColorsWithout colors_;
     bool fits_colors_;
-    std::optional<ConsensusWithout> consensus_;
+    std::optional<TransientWithout> transient_;
 };
 
 }  // namespace
@@ -202,9 +202,9 @@ int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
     const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
     const std::vector<std::uint32_t> left_out = photos_to_leave_out(
         package, o,
-        o.blending.bands.band.empty()
+        o.blending.image_sets.image_set.empty()
             ? photos
-            : photos_in_use(package, o.package, band_settings(package, o.blending.bands).shown));
+            : photos_in_use(package, o.package, image_set_settings(package, o.blending.image_sets).shown));
     if (left_out.empty()) throw Error(Exit::input, package.path().string() + ": no photos to leave out");
     expect_earlier(o);
     make_folder(o.folder);
@@ -212,17 +212,18 @@ int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
     settings.fill_holes = false;   // the whole frame is scored besides
     settings.points.show = false;  // photos are scored
     settings.transparency = Transparency::off;
-    report_registration(package);
+    report_pose_refinement(package);
     const gl::HeadlessContext context;
     Renderer renderer(package, memory_budget(o.memory));
-    SceneWithout without(package, settings.weights.consensus_mask);
+    SceneWithout without(package, settings.weights.transient_mask);
     std::vector<LeftOut> results;
     std::vector<RegionError> regions(renderer.scene().clusters.size());
     const int names = name_width(package, left_out);
     print_heading(names);
     for (const std::uint32_t p : left_out) {
         LeftOutPictures pictures;
-        settings.bands = {.shown = package.photos()[p].band};  // the others of its band predict it
+        settings.image_sets = {.shown =
+                                   package.photos()[p].image_set};  // the others of its image set predict it
         const int level = std::min(o.level, int(package.photos()[p].levels) - 1);
         const auto records = without.leave_out(p, renderer);
         results.push_back(leave_out(renderer, settings, photos, records, p, level, regions, pictures));

@@ -11,10 +11,10 @@
 namespace vantage {
 namespace {
 
-constexpr double most_decibels = 99;  ///< for an error that has a single cause
+constexpr double max_decibels = 99;  ///< for an error that has a single cause
 
 double decibels_without(double share) {
-    return share < 1 ? std::min(most_decibels, -10 * std::log10(1 - share)) : most_decibels;
+    return share < 1 ? std::min(max_decibels, -10 * std::log10(1 - share)) : max_decibels;
 }
 
 CauseTotal cause_total(Cause cause, const std::vector<LeftOut>& results, const CauseSquares& all) {

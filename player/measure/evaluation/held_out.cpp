@@ -135,7 +135,7 @@ LeftOut leave_out(Renderer& renderer, RenderSettings settings, std::span<const s
                   std::vector<RegionError>& regions, LeftOutPictures& p) {
     const PackageReader& package = renderer.package();
     renderer.use_records(records);
-    settings.surroundings = ShowSurroundings::off;  // the photo had a say in their shape
+    settings.background = ShowBackground::off;  // the photo had a say in their shape
     std::vector<std::uint32_t> others(photos.begin(), photos.end());
     std::erase(others, photo);
     p.photo = photo_at_level(package, photo, level);

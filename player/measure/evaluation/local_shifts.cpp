@@ -11,13 +11,13 @@ using Line = Eigen::Map<const Eigen::ArrayXf>;
 constexpr int shift_block = cell_margin;  // px: cells and margins are whole blocks
 static_assert(cell_size == 2 * shift_block);
 
-/// The plane with `most_shift` more pixels on all sides, equal to the nearest of the edge.
+/// The plane with `max_shift` more pixels on all sides, equal to the nearest of the edge.
 Plane extended(const Plane& p) {
-    Plane out(p.width + 2 * most_shift, p.height + 2 * most_shift);
+    Plane out(p.width + 2 * max_shift, p.height + 2 * max_shift);
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x)
-            out.row(y)[x] = p.row(
-                std::clamp(y - most_shift, 0, p.height - 1))[std::clamp(x - most_shift, 0, p.width - 1)];
+            out.row(y)[x] =
+                p.row(std::clamp(y - max_shift, 0, p.height - 1))[std::clamp(x - max_shift, 0, p.width - 1)];
     return out;
 }
 
@@ -28,11 +28,10 @@ Plane block_sums(const Plane& photo, const Plane& wide, const Plane& mask, Pixel
     for (int b = 0; b < out.height; ++b) {
         columns.setZero();
         for (int y = b * shift_block; y < std::min(photo.height, (b + 1) * shift_block); ++y)
-            columns.head(photo.width) +=
-                Line(mask.row(y), photo.width) *
-                (Line(photo.row(y), photo.width) -
-                 Line(wide.row(y + most_shift + s.y) + most_shift + s.x, photo.width))
-                    .square();
+            columns.head(photo.width) += Line(mask.row(y), photo.width) *
+                                         (Line(photo.row(y), photo.width) -
+                                          Line(wide.row(y + max_shift + s.y) + max_shift + s.x, photo.width))
+                                             .square();
         Eigen::Map<Eigen::ArrayXf>(out.row(b), out.width) =
             columns.reshaped(shift_block, out.width).colwise().sum().transpose();
     }
@@ -50,8 +49,8 @@ float sum_over(const Plane& blocks, Place p) {
 /// All shifts, the smallest first.
 std::vector<PixelShift> shifts() {
     std::vector<PixelShift> out;
-    for (int y = -most_shift; y <= most_shift; ++y)
-        for (int x = -most_shift; x <= most_shift; ++x) out.push_back({x, y});
+    for (int y = -max_shift; y <= max_shift; ++y)
+        for (int x = -max_shift; x <= max_shift; ++x) out.push_back({x, y});
     std::ranges::stable_sort(out, {}, [](const PixelShift& s) { return s.x * s.x + s.y * s.y; });
     return out;
 }

@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// Energy above half the Nyquist frequency: what the half-band filter of Deslauriers and Dubuc (1989)
+/// Energy above half the Nyquist frequency: what the half-image set filter of Deslauriers and Dubuc (1989)
 /// removes, along rows and columns.
 double fine_energy(const Plane& p, const std::vector<bool>& scored) {
     constexpr std::array<double, 4> half{16 / 32.0, 9 / 32.0, 0, -1 / 32.0};

@@ -32,14 +32,14 @@ void add_blending_options(const Command& c, BlendingOptions& o) {
         .type("PHOTO")
         .group(blending_group);
     c.flag("--original-colors", r.refined_colors,
-           "photos as exposed, without gains and falloff; for comparison", false)
+           "photos as exposed, without gains and vignetting; for comparison", false)
         .group(blending_group);
     c.flag("--thumbnails", r.thumbnails, "use only thumbnails").group(blending_group);
-    add_band_option(c, o.bands);
+    add_image_set_option(c, o.image_sets);
 }
 
 void add_blended_option(const Command& c, BlendingOptions& o) {
-    c.integer("--blended", o.photos, 0, 1 << 20,
+    c.integer("--max-photos", o.photos, 0, 1 << 20,
               "photos to blend; more if the view needs more to be covered; 0: all (default 4 in the window, "
               "all for pictures)")
         .group(blending_group);
@@ -47,15 +47,14 @@ void add_blended_option(const Command& c, BlendingOptions& o) {
 
 void add_holes_option(const Command& c, BlendingOptions& o) {
     c.choice("--holes", o.holes, {"transparent", "shade"},
-             "what no photo shows: transparent (default for pictures without surroundings) or shade")
+             "what no photo shows: transparent (default for pictures without a background) or shade")
         .group(blending_group);
 }
 
-void add_surroundings_option(const Command& c, BlendingOptions& o) {
-    c.choice(
-         "--surroundings", o.render.surroundings,
-         {{"on", ShowSurroundings::on}, {"dimmed", ShowSurroundings::dimmed}, {"off", ShowSurroundings::off}},
-         "what photos show beside the mesh, if the package has it")
+void add_background_option(const Command& c, BlendingOptions& o) {
+    c.choice("--background", o.render.background,
+             {{"on", ShowBackground::on}, {"dimmed", ShowBackground::dimmed}, {"off", ShowBackground::off}},
+             "what photos show beside the mesh, if the package has it")
         .group(blending_group);
 }
 
@@ -72,13 +71,12 @@ void add_transparency_option(const Command& c, BlendingOptions& o) {
 RenderSettings render_settings(const PackageReader& package, const BlendingOptions& o, Purpose purpose) {
     RenderSettings r = o.render;
     r.weights.fov_normalization = effect_on(package.scene(), Effect::fov_normalization);
-    r.bands = band_settings(package, o.bands);
-    r.background = background_of(package.scene());
+    r.image_sets = image_set_settings(package, o.image_sets);
+    r.plain_background = plain_background_of(package.scene());
     r.photos = o.photos >= 0 ? o.photos : (purpose == Purpose::pictures ? 0 : window_photos);
     if (!o.exposure.empty()) r.exposure = named_photos(package, {o.exposure}).front();
-    const bool fills_frame =
-        purpose == Purpose::window ||
-        (effect_on(package.scene(), Effect::surroundings) && r.surroundings != ShowSurroundings::off);
+    const bool fills_frame = purpose == Purpose::window || (effect_on(package.scene(), Effect::background) &&
+                                                            r.background != ShowBackground::off);
     r.fill_holes = o.holes == "shade" || (o.holes.empty() && fills_frame);
     if (r.coordinates == Coordinates::vertex && !points_only(package.scene()) && !has_coordinates(package))
         throw Error(Exit::usage, package.path().string() +

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "player/options/shown/band_options.h"
+#include "player/options/shown/image_set_options.h"
 #include "player/render/render_settings.h"
 #include "scene/package/package_reader.h"
 
@@ -14,15 +14,15 @@ struct BlendingOptions {
     RenderSettings render;
     int photos = -1;  ///< to blend; -1: default, 0: all
     std::string holes, exposure;
-    BandOptions bands;
+    ImageSetOptions image_sets;
     bool given = false;  ///< an option of blending_group was on the command line
 };
 inline constexpr const char* blending_group = "Blending";
-/// Those that all commands use that draw photos, with --band.
+/// Those that all commands use that draw photos, with --image-set.
 void add_blending_options(const Command& command, BlendingOptions& options);
 void add_blended_option(const Command& command, BlendingOptions& options);
 void add_holes_option(const Command& command, BlendingOptions& options);
-void add_surroundings_option(const Command& command, BlendingOptions& options);
+void add_background_option(const Command& command, BlendingOptions& options);
 void add_transparency_option(const Command& command, BlendingOptions& options);
 
 /// Determines defaults: a window blends few photos and shades holes; pictures blend all and leave holes

@@ -29,9 +29,9 @@ std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const Pac
 }
 
 std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& o,
-                                         std::uint32_t band) {
+                                         std::uint32_t image_set) {
     std::vector<std::uint32_t> photos = photos_in_use(package, o);
-    std::erase_if(photos, [&](std::uint32_t p) { return package.photos()[p].band != band; });
+    std::erase_if(photos, [&](std::uint32_t p) { return package.photos()[p].image_set != image_set; });
     return photos;
 }
 

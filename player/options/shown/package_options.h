@@ -23,8 +23,8 @@ void add_photo_option(const Command& command, PackageOptions& options);
 /// All photos but the excluded ones. Throws Error(usage) for an unknown name.
 std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& options);
 
-/// Those of them that are of one band.
+/// Those of them that are of one image set.
 std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& options,
-                                         std::uint32_t band);
+                                         std::uint32_t image_set);
 
 }  // namespace vantage

@@ -27,7 +27,7 @@ class Shown {
         texels_[std::size_t(level)][std::size_t(y * size.columns() + x)] += texels;
     }
     /// Lists the tiles worth loading, by level; the texels of the others count for the next coarser level.
-    void list(double worth, std::array<std::vector<std::uint32_t>, most_levels>& out) {
+    void list(double worth, std::array<std::vector<std::uint32_t>, max_levels>& out) {
         constexpr double all = double(tile_content) * tile_content;
         for (int l = first_; l <= last(); ++l)
             for (std::uint32_t t = 0; t < texels_[std::size_t(l)].size(); ++t) {

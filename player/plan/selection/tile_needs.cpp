@@ -74,7 +74,7 @@ class Marks {
 
 std::size_t TileNeeds::tiles() const {
     std::size_t n = 0;
-    for (std::size_t l = 0; l < most_levels; ++l) n += color[l].size() + masks[l].size();
+    for (std::size_t l = 0; l < max_levels; ++l) n += color[l].size() + masks[l].size();
     return n;
 }
 

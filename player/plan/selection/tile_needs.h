@@ -10,11 +10,11 @@
 
 namespace vantage {
 
-inline constexpr std::uint32_t most_levels = 12;
+inline constexpr std::uint32_t max_levels = 12;
 
 /// Tiles of one photo, by level; each list ascending, without duplicates. Depth has the tiles of the masks.
 struct TileNeeds {
-    std::array<std::vector<std::uint32_t>, most_levels> color, masks;
+    std::array<std::vector<std::uint32_t>, max_levels> color, masks;
     std::size_t tiles() const;  ///< number; a tile of masks and its depth count as one
 };
 

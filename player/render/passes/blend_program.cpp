@@ -11,13 +11,13 @@ gl::Program make_blend_program(const BlendVariant& v, const package::SceneRecord
     EffectSet effects = scene.effects & ~effect_bit(Effect::per_fragment);
     if (v.per_fragment) effects |= effect_bit(Effect::per_fragment);
     if (!v.refined_colors) effects &= ~effects_from(Basis::colors);
-    if (!v.surroundings) effects &= ~effect_bit(Effect::surroundings);
+    if (!v.background) effects &= ~effect_bit(Effect::background);
     std::vector<std::string> defines = shader_defines("blend", effects);
     defines.push_back("PASS_PHOTOS " + std::to_string(v.photos));
     const BlendRow& row = blend_row(v.blend);
     if (*row.define) defines.emplace_back(row.define);
     if (row.takes_one) defines.emplace_back("TAKES_ONE");
-    if (v.consensus) defines.emplace_back("CONSENSUS");
+    if (v.transients) defines.emplace_back("TRANSIENTS");
     if (v.traces_texels) defines.emplace_back("TRACE_TEXELS");
     if (!v.trilinear) defines.emplace_back("BILINEAR");
     if (v.anisotropy > 1) defines.push_back("TAPS " + std::to_string(v.anisotropy));

@@ -12,13 +12,13 @@ struct BlendVariant {
     int photos;  ///< per pass, at most
     bool per_fragment;
     Blend blend;
-    bool consensus;      ///< the second round of passes
+    bool transients;     ///< the second round of passes
     bool traces_texels;  ///< sets a bit for each texel read
     bool trilinear;
     int anisotropy;
     bool refined_colors;
-    bool surroundings;           ///< shown; implies per_fragment
-    EffectSet effects = 0;       ///< of the photos' band, if the scene has several
+    bool background;             ///< shown; implies per_fragment
+    EffectSet effects = 0;       ///< of the photos' image set, if the scene has several
     bool on_points = false;      ///< on the points of a frame, not on the model; implies per_fragment
     bool by_triangle = false;    ///< on the triangles that the frame shows; implies per_fragment
     bool behind_points = false;  ///< by_triangle: points may be in front

@@ -16,8 +16,8 @@ struct SurfaceTargets {
 };
 
 /// The render targets of a frame: the bare surface, the picture of photos that others are replacing, two
-/// float targets of sums (best photo and consensus read one and write the other), and the samples of each
-/// eye's picture. They may have room for larger frames.
+/// float targets of sums (best photo and transient masking read one and write the other), and the samples of
+/// each eye's picture. They may have room for larger frames.
 struct FrameTargets {
     int width = 0, height = 0;             ///< of the frame, pixels; up to `room`
     FrameSize room;                        ///< of the textures

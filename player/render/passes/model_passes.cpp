@@ -32,7 +32,7 @@ GLuint switches(const WeightSettings& w) {
     return w.angle_mask * shader::angle_mask_switch | w.depth_mask * shader::depth_mask_switch |
            w.border_mask * shader::border_mask_switch |
            (w.angle && !w.angle_per_photo) * shader::angle_switch |
-           w.consensus_mask * shader::consensus_mask_switch;
+           w.transient_mask * shader::transient_mask_switch;
 }
 
 static_assert(GLuint(Light::lamp) == shader::light_lamp && GLuint(Light::raking) == shader::light_raking &&
@@ -57,7 +57,7 @@ constexpr std::size_t lens_words = 2 * std::size_t(LensTable::side) * LensTable:
 
 void write_lens(const LensTable& lens, PhotoBlock& block, std::byte* table, std::uint32_t& next) {
     block.direction[3] = float(next);  // exact below 2^24
-    block.falloff[3] = float(lens.range * lens.range);
+    block.vignetting[3] = float(lens.range * lens.range);
     std::memcpy(table + std::size_t(next) * 4, lens.displaced.data(), 4 * lens_words);
     next += std::uint32_t(lens_words);
 }
@@ -69,7 +69,7 @@ std::size_t photo_bytes(const PackagePages& pages, std::size_t clusters, bool le
     for (const PhotoPages& p : pages.photos)
         largest = std::max<std::size_t>(largest, p.color_count + p.mask_count);
     if (lenses) largest += lens_words;
-    return std::size_t(most_photos_per_pass) * (sizeof(PhotoBlock) + 4 * largest) + clusters * 4 + 4096;
+    return std::size_t(max_photos_per_pass) * (sizeof(PhotoBlock) + 4 * largest) + clusters * 4 + 4096;
 }
 
 /// Likewise, of draws.
@@ -79,7 +79,7 @@ std::size_t draw_bytes(std::size_t clusters) {
 
 std::vector<std::string> surface_defines(const PackageReader& package, const PlanScene& scene) {
     std::vector<std::string> defines = shader_defines("surface", package.scene().effects);
-    for (std::string& d : surroundings_defines(scene)) defines.push_back(std::move(d));
+    for (std::string& d : background_defines(scene)) defines.push_back(std::move(d));
     return defines;
 }
 
@@ -88,11 +88,11 @@ gl::Program make_surface_program(const std::vector<std::string>& defines) {
         "surface", {{GL_VERTEX_SHADER, "surface.vert"}, {GL_FRAGMENT_SHADER, "surface.frag"}}, defines);
 }
 
-/// Depth of the surroundings, behind everything of the mesh: a power of two keeps the precision of floats.
-constexpr float surroundings_depth = 0x1p-60f;
+/// Depth of the background, behind everything of the mesh: a power of two keeps the precision of floats.
+constexpr float background_depth = 0x1p-60f;
 
 void set_sections(std::span<const SectionPlane> sections) {
-    std::array<Eigen::Vector4f, most_sections> planes;
+    std::array<Eigen::Vector4f, max_sections> planes;
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const SectionPlane& cut = sections[i];
         planes[i] =
@@ -114,8 +114,8 @@ std::string section_define(const RenderSettings& settings) {
 
 }  // namespace
 
-std::vector<std::string> surroundings_defines(const PlanScene& scene) {
-    return scene.has_surroundings() ? std::vector<std::string>{"SURROUNDINGS"} : std::vector<std::string>{};
+std::vector<std::string> background_defines(const PlanScene& scene) {
+    return scene.has_background() ? std::vector<std::string>{"BACKGROUND"} : std::vector<std::string>{};
 }
 
 ModelPasses::ModelPasses(const PackageReader& package, const PlanScene& scene, const PhotoStore& store)
@@ -137,7 +137,7 @@ ModelPasses::ModelPasses(const PackageReader& package, const PlanScene& scene, c
 void ModelPasses::use_records(std::span<const package::PhotoRecord> photos) { blocks_ = make_blocks(photos); }
 
 bool ModelPasses::shows_layer(const RenderSettings& settings) const {
-    const LayerSettings& l = settings.layer;
+    const FieldSettings& l = settings.layer;
     return l.layer >= 0 && std::size_t(l.layer) < layers_.size() && l.share > 0;
 }
 
@@ -148,14 +148,14 @@ std::vector<std::string> ModelPasses::asked_defines(const RenderSettings& settin
     return out;
 }
 
-bool ModelPasses::shows_surroundings(const RenderSettings& settings) const {
-    return scene_->has_surroundings() && settings.surroundings != ShowSurroundings::off;
+bool ModelPasses::shows_background(const RenderSettings& settings) const {
+    return scene_->has_background() && settings.background != ShowBackground::off;
 }
 
 bool ModelPasses::per_fragment(const RenderSettings& settings) const {
     if (points_only(package_->scene()) || !has_coordinates(*package_)) return true;
-    // Triangles of the surroundings are too large for coordinates per vertex.
-    if (shows_surroundings(settings)) return true;
+    // Triangles of the background is too large for coordinates per vertex.
+    if (shows_background(settings)) return true;
     if (settings.coordinates != Coordinates::automatic) return settings.coordinates == Coordinates::fragment;
     return effect_on(package_->scene(), Effect::per_fragment);
 }
@@ -236,11 +236,11 @@ double ModelPasses::nearness(const View& view, const Plan& plan) const {
 }
 
 bool ModelPasses::suits_coarse(const View& view, const RenderSettings& settings, const Plan& plan) const {
-    constexpr double most_pixels = 1;  // of the frame, which is enlarged
+    constexpr double max_pixels = 1;  // of the frame, which is enlarged
     if (!settings.swift || settings.light.wireframe || coarse_.indices.empty() || !by_triangle(settings) ||
         view.orthographic_depth > 0)
         return false;
-    return coarse_.error * view.intrinsics.fx <= most_pixels * nearness(view, plan);
+    return coarse_.error * view.intrinsics.fx <= max_pixels * nearness(view, plan);
 }
 
 /// All of it, in one draw: it is small.
@@ -348,7 +348,7 @@ bool ModelPasses::load_layer(const RenderSettings& settings) {
     if (!shows_layer(settings) || loaded_layer_ == settings.layer.layer) return false;
     loaded_layer_ = settings.layer.layer;
     const auto i = std::size_t(loaded_layer_);
-    ValueLayer& layer = layers_[i];
+    ScalarField& layer = layers_[i];
     if (layer.measure && layer.values.empty()) {
         measured_[i] = measure_photos(*package_, *layer.measure);
         layer.values = measured_[i];
@@ -360,9 +360,9 @@ bool ModelPasses::load_layer(const RenderSettings& settings) {
     return first;
 }
 
-void ModelPasses::set_layer(const LayerSettings& settings) {
-    const ValueLayer& layer = layers_[std::size_t(settings.layer)];
-    const LayerLegend legend = layer_legend(layer, settings);
+void ModelPasses::set_layer(const FieldSettings& settings) {
+    const ScalarField& layer = layers_[std::size_t(settings.layer)];
+    const FieldLegend legend = field_legend(layer, settings);
     if (!color_map_)
         color_map_ =
             gl::make_texture_2d("color map", GL_SRGB8_ALPHA8, std::tuple_size_v<ColorTable>, 1, GL_LINEAR);
@@ -384,16 +384,16 @@ std::size_t ModelPasses::draw_clusters(std::span<const std::uint32_t> clusters, 
     const auto behind = std::ranges::lower_bound(clusters, scene_->first_surrounding);
     const auto of_mesh = std::size_t(behind - clusters.begin());
     std::size_t draws = draw_run(clusters.first(of_mesh), 0, eyes);
-    if (of_mesh < clusters.size()) draws += draw_surroundings(clusters.subspan(of_mesh), eyes);
+    if (of_mesh < clusters.size()) draws += draw_background(clusters.subspan(of_mesh), eyes);
     return draws;
 }
 
-/// Whatever is wrong with their depth, surroundings never hide the mesh, and from outside they are not seen.
-std::size_t ModelPasses::draw_surroundings(std::span<const std::uint32_t> clusters, std::size_t eyes) {
-    glDepthRangef(0, surroundings_depth);
+/// Whatever is wrong with their depth, background never hide the mesh, and from outside they are not seen.
+std::size_t ModelPasses::draw_background(std::span<const std::uint32_t> clusters, std::size_t eyes) {
+    glDepthRangef(0, background_depth);
     glEnable(GL_CULL_FACE);
     glFrontFace(GL_CW);  // row 0 of a frame is its top row, which mirrors triangles
-    const std::size_t draws = draw_run(clusters, shader::surroundings_bit, eyes);
+    const std::size_t draws = draw_run(clusters, shader::background_bit, eyes);
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
     glDepthRangef(0, 1);
@@ -434,21 +434,21 @@ bool ModelPasses::by_triangle(const RenderSettings& settings) const {
     return settings.by_triangle && model_.triangle_clusters && per_fragment(settings);
 }
 
-const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bool consensus, BlendOn on) {
+const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bool transients, BlendOn on) {
     const bool fragment = on != BlendOn::model || per_fragment(settings);
     const Blend blend = settings.show == Show::coverage ? Blend::average : settings.blend;
     // Only programs for per-vertex coordinates depend on the number of photos, through their vertex outputs.
-    const int photos = fragment ? most_photos_per_pass : settings.photos_per_pass;
+    const int photos = fragment ? max_photos_per_pass : settings.photos_per_pass;
     const BlendVariant variant{.photos = photos,
                                .per_fragment = fragment,
                                .blend = blend,
-                               .consensus = consensus,
+                               .transients = transients,
                                .traces_texels = trace_ != 0,
                                .trilinear = settings.trilinear,
                                .anisotropy = settings.anisotropy,
                                .refined_colors = settings.refined_colors,
-                               .surroundings = shows_surroundings(settings),
-                               .effects = scene_->bands.at(settings.bands.shown).effects,
+                               .background = shows_background(settings),
+                               .effects = scene_->image_sets.at(settings.image_sets.shown).effects,
                                .on_points = on == BlendOn::points,
                                .by_triangle = on == BlendOn::frame || on == BlendOn::frame_behind_points,
                                .behind_points = on == BlendOn::frame_behind_points};
@@ -461,7 +461,7 @@ const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bo
 }
 
 std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
-                                     const FrameTargets& targets, const PointSurface& points, bool consensus,
+                                     const FrameTargets& targets, const PointSurface& points, bool transients,
                                      int into) {
     const RenderSettings& settings = drawn.settings;
     bind_target(targets.sums_target(into).id(), targets.size());
@@ -475,18 +475,18 @@ std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, 
         glDisable(GL_BLEND);
         glBindTextureUnit(shader::best_so_far_unit, targets.sums[1 - into].id());
     }
-    if (consensus) glBindTextureUnit(shader::first_sums_unit, targets.sums[1 - into].id());
+    if (transients) glBindTextureUnit(shader::first_sums_unit, targets.sums[1 - into].id());
     const bool frame_wise = by_triangle(settings);
     if (!points.alone) {
         const BlendOn on = !frame_wise     ? BlendOn::model
                            : points.places ? BlendOn::frame_behind_points
                                            : BlendOn::frame;
-        glUseProgram(blend_program(settings, consensus, on).id());
+        glUseProgram(blend_program(settings, transients, on).id());
         set_uniforms(pass, drawn, on);
     }
     std::vector<std::uint32_t> photos;
     // The best color so far is copied from target to target, so every cluster is drawn.
-    const std::uint32_t always = takes_one(settings.blend) ? 1u << most_photos_per_pass : 0;
+    const std::uint32_t always = takes_one(settings.blend) ? 1u << max_photos_per_pass : 0;
     cluster_photos_.assign(scene_->clusters.size(), always);
     for (const PlannedPhoto* p : pass) {
         for (const std::uint32_t c : p->clusters) cluster_photos_[c] |= 1u << photos.size();
@@ -501,7 +501,7 @@ std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, 
         draws += draw_clusters(drawn.plan.plan().clusters);
         draws_.end();
     }
-    if (points.places) draw_on_points(pass, drawn, points, consensus), ++draws;
+    if (points.places) draw_on_points(pass, drawn, points, transients), ++draws;
     ring_.end();
     return draws;
 }
@@ -511,7 +511,7 @@ void ModelPasses::draw_on_frame(const FrameTargets& targets, const PointSurface&
     const FrameRing::Space photos = ring_.take(4 * cluster_photos_.size());
     const std::size_t mesh = std::min<std::size_t>(scene_->first_surrounding, cluster_photos_.size());
     for (std::uint32_t& bits : std::span(cluster_photos_).subspan(mesh))
-        if (bits) bits |= shader::surroundings_bit;
+        if (bits) bits |= shader::background_bit;
     std::memcpy(photos.memory, cluster_photos_.data(), std::size_t(photos.bytes));
     const auto bind = [](int binding, const gl::Buffer& buffer) {
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(binding), buffer.id());
@@ -534,9 +534,9 @@ void ModelPasses::draw_on_frame(const FrameTargets& targets, const PointSurface&
 
 /// Blends the same photos where the frame shows points. What is behind points failed the test of depth.
 void ModelPasses::draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
-                                 const PointSurface& points, bool consensus) {
+                                 const PointSurface& points, bool transients) {
     glDisable(GL_DEPTH_TEST);
-    glUseProgram(blend_program(drawn.settings, consensus, BlendOn::points).id());
+    glUseProgram(blend_program(drawn.settings, transients, BlendOn::points).id());
     set_uniforms(pass, drawn, BlendOn::points);
     const Intrinsics& k = drawn.view.intrinsics;
     glUniform4f(shader::frame_uniform, float(k.fx), float(k.fy), float(k.cx), float(k.cy));
@@ -563,8 +563,8 @@ void ModelPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const 
     glUniform1f(shader::sharpness_uniform, float(settings.weights.sharpness));
     glUniform1f(shader::lod_bias_uniform, float(settings.lod_bias - std::log2(drawn.side)));
     glUniform1ui(shader::blend_show_uniform, GLuint(settings.show));
-    if (shows_surroundings(settings))
-        glUniform1f(shader::surroundings_distance_uniform, float(2 * scene_->spread));
+    if (shows_background(settings))
+        glUniform1f(shader::background_distance_uniform, float(2 * scene_->spread));
     if (trace_) {
         const ResidencyLayout& layout = store_->residency().layout();
         glUniform2ui(shader::first_layers_uniform, layout.color, layout.color + layout.masks);

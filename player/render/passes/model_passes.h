@@ -16,12 +16,12 @@
 #include "player/stream/photo_block.h"
 #include "player/stream/photo_store.h"
 #include "player/view/view.h"
-#include "scene/package/contents/photo_layers.h"
+#include "scene/package/contents/photo_fields.h"
 
 namespace vantage {
 
-/// The preprocessor symbols of a scene with surroundings.
-std::vector<std::string> surroundings_defines(const PlanScene& scene);
+/// The preprocessor symbols of a scene with a background.
+std::vector<std::string> background_defines(const PlanScene& scene);
 
 /// What all passes of a frame have in common.
 struct DrawnView {
@@ -58,7 +58,7 @@ class ModelPasses {
     /// package's.
     void use_records(std::span<const package::PhotoRecord> photos);
     /// Those that are not stored have no values until they were shown.
-    std::span<const ValueLayer> layers() const { return layers_; }
+    std::span<const ScalarField> layers() const { return layers_; }
     /// Measures the layer that the settings show and loads its values, unless that was done last. Returns
     /// whether it has taken graphics memory.
     bool load_layer(const RenderSettings& settings);
@@ -66,8 +66,8 @@ class ModelPasses {
     bool shows_layer(const RenderSettings& settings) const;
     /// The preprocessor symbols of what is compiled only once it is shown: light, a layer.
     std::vector<std::string> asked_defines(const RenderSettings& settings) const;
-    /// Whether the scene has surroundings and the settings show them.
-    bool shows_surroundings(const RenderSettings& settings) const;
+    /// Whether the scene has a background and the settings show them.
+    bool shows_background(const RenderSettings& settings) const;
     bool per_fragment(const RenderSettings& settings) const;
     /// Swift frames may be drawn with this mesh from now on.
     void use_coarse(CoarseMesh mesh);
@@ -84,10 +84,10 @@ class ModelPasses {
     void draw_surfaces(const DrawnView& left, const DrawnView& right, const FrameTargets& targets);
     /// The transparent surfaces, into the lists or sums of a TransparentPass. Returns the number of draws.
     std::size_t draw_transparent(const DrawnView& drawn, const TransparentTarget& target);
-    /// Adds photos to the sums `into`; best photo and consensus read the other sums. Returns the number of
-    /// draws.
+    /// Adds photos to the sums `into`; best photo and transient masking read the other sums. Returns the
+    /// number of draws.
     std::size_t draw_photos(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
-                            const FrameTargets& targets, const PointSurface& points, bool consensus,
+                            const FrameTargets& targets, const PointSurface& points, bool transients,
                             int into);
     /// Runs `draw` with one photo, as far as it is resident, bound as photo 0.
     void with_photo(std::uint32_t photo, const std::function<void()>& draw);
@@ -103,7 +103,7 @@ class ModelPasses {
     std::span<const std::uint32_t> clusters_of(DrawnEyes eyes);
     /// Draws the given clusters that have bits in cluster_photos_, in one call. Returns the number of draws.
     std::size_t draw_clusters(std::span<const std::uint32_t> clusters, std::size_t eyes = 1);
-    std::size_t draw_surroundings(std::span<const std::uint32_t> clusters, std::size_t eyes);
+    std::size_t draw_background(std::span<const std::uint32_t> clusters, std::size_t eyes);
     std::size_t draw_run(std::span<const std::uint32_t> clusters, std::uint32_t bits, std::size_t eyes = 1);
     double nearness(const View& view, const Plan& plan) const;
     void draw_coarse(std::size_t eyes);
@@ -111,7 +111,7 @@ class ModelPasses {
     const gl::Program& transparent_program(const RenderSettings& settings, bool lists);
     void set_surface(DrawnEyes eyes);
     void set_light(DrawnEyes eyes);
-    void set_layer(const LayerSettings& settings);
+    void set_layer(const FieldSettings& settings);
     /// What a program blends photos on: the model, drawn again; the triangles that the frame shows, where no
     /// points are in front of them; points.
     enum class BlendOn { model, frame, frame_behind_points, points };
@@ -120,15 +120,15 @@ class ModelPasses {
     void draw_on_frame(const FrameTargets& targets, const PointSurface& points);
     void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn, BlendOn on);
     void draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
-                        const PointSurface& points, bool consensus);
+                        const PointSurface& points, bool transients);
     /// Writes the photos and their pages into the ring, and binds them.
     void bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights);
-    const gl::Program& blend_program(const RenderSettings& settings, bool consensus, BlendOn on);
+    const gl::Program& blend_program(const RenderSettings& settings, bool transients, BlendOn on);
 
     const PackageReader* package_;
     const PlanScene* scene_;
     const PhotoStore* store_;
-    std::vector<ValueLayer> layers_;
+    std::vector<ScalarField> layers_;
     std::vector<std::vector<float>> measured_;  ///< per layer; empty if it is stored or was not shown
     Model model_;
     CoarseMesh coarse_;

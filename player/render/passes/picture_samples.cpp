@@ -14,8 +14,8 @@ PictureSamples make_picture_samples(FrameSize room) {
 
 void PictureSamples::add_other() {
     if (other) return;
-    other = gl::make_texture_2d("frame samples of another band", GL_RGBA32F, room.width, room.height);
-    other_target = gl::make_framebuffer("frame samples of another band", std::array{other.id()}, 0);
+    other = gl::make_texture_2d("frame samples of another image set", GL_RGBA32F, room.width, room.height);
+    other_target = gl::make_framebuffer("frame samples of another image set", std::array{other.id()}, 0);
     const std::array<float, 4> zero{};
     glClearNamedFramebufferfv(other_target.id(), GL_COLOR, 0, zero.data());
 }

@@ -6,9 +6,9 @@
 
 namespace vantage {
 
-/// The samples of a picture, summed: light times coverage, and coverage. A second band has its own. Where
-/// holes are filled behind transparent surfaces: what is over the holes (`veil`), and the samples without
-/// those surfaces (`clean`), from which the holes are filled.
+/// The samples of a picture, summed: light times coverage, and coverage. A second image set has its own.
+/// Where holes are filled behind transparent surfaces: what is over the holes (`veil`), and the samples
+/// without those surfaces (`clean`), from which the holes are filled.
 struct PictureSamples {
     FrameSize room;  ///< of the textures
     gl::Texture sum, other, veil, clean;

@@ -70,7 +70,7 @@ PointPass::PointPass(const PackageReader& package, PointCloud cloud, std::uint64
       spacings_(points_only(package.scene()) ? local_spacings(cloud_.nodes) : own_spacings(cloud_)),
       only_(points_only(package.scene())),
       store_(package, cloud_, bytes),
-      ring_("drawn points", std::min(most_point_nodes, cloud_.nodes.size()) *
+      ring_("drawn points", std::min(max_point_nodes, cloud_.nodes.size()) *
                                     (sizeof(Command) + sizeof(Record) + sizeof(shader::PointSizes)) +
                                 1024),
       program_(make_point_program({})),

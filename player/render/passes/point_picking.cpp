@@ -7,7 +7,7 @@
 namespace vantage {
 
 static_assert(shader::points_per_node == package::point_node &&
-              std::uint64_t(most_point_nodes) * package::point_node < 0xffffffffu);
+              std::uint64_t(max_point_nodes) * package::point_node < 0xffffffffu);
 
 std::optional<PickedPoint> point_numbered(const PackageReader& package, const PointCloud& cloud,
                                           std::span<const DrawnNode> nodes, std::uint32_t number) {

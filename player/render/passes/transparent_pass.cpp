@@ -29,7 +29,7 @@ void TransparentPass::release() {
 std::uint32_t TransparentPass::capacity_for(int width, int height) const {
     GLint64 block = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
-    const std::uint64_t most = std::min({list_bytes_, most_list_bytes, std::uint64_t(block)});
+    const std::uint64_t most = std::min({list_bytes_, max_list_bytes, std::uint64_t(block)});
     return std::uint32_t(std::min(layers_per_pixel * pixels(width, height), most / fragment_bytes));
 }
 

@@ -23,7 +23,7 @@ class TransparentPass {
     /// Room in lists: this many fragments per pixel on average; what finds none goes to the sums.
     static constexpr std::uint64_t layers_per_pixel = 4;
     /// Lists take at most this, in bytes.
-    static constexpr std::uint64_t most_list_bytes = std::uint64_t(512) << 20;
+    static constexpr std::uint64_t max_list_bytes = std::uint64_t(512) << 20;
 
     /// `list_bytes`: of graphics memory for lists.
     explicit TransparentPass(std::uint64_t list_bytes) : list_bytes_(list_bytes) {}

@@ -13,7 +13,7 @@
 
 #include "base/text/translation.h"
 #include "player/interface/overlays/comparison.h"
-#include "player/interface/sections/band_section.h"
+#include "player/interface/sections/image_set_section.h"
 #include "player/interface/sections/measure_panel.h"
 #include "player/interface/style.h"
 #include "player/render/passes/blend_table.h"
@@ -156,7 +156,7 @@ void fly_on(Session& s, const PlanScene& scene, int by, double now) {
     const int count = int(order.size()), here = int(std::ranges::find(order, s.standing_at) - order.begin());
     for (int i = 1; i <= count; ++i) {
         const std::uint32_t photo = order[std::size_t((here + by * i % count + count) % count)];
-        if (scene.photos[photo].levels && is_shown(s.settings.bands, scene.photos[photo]))
+        if (scene.photos[photo].levels && is_shown(s.settings.image_sets, scene.photos[photo]))
             return fly_to(s, photo, scene.photos[photo], now);
     }
 }
@@ -180,9 +180,10 @@ void toggle_panel(Session& s, int number) {
         bool* shown;
         bool section = false;
     };
-    const Part parts[] = {{&p.help},        {&p.blending, true}, {&p.status, true}, {&p.photos},
-                          {&p.frusta},      {&p.radar},          {&p.layers, true}, {&p.points, true},
-                          {&p.bands, true}, {&p.objects, true},  {&s.full_screen},  {&p.picture, true}};
+    const Part parts[] = {{&p.help},          {&p.blending, true}, {&p.status, true},
+                          {&p.photos},        {&p.frusta},         {&p.radar},
+                          {&p.layers, true},  {&p.points, true},   {&p.image_sets, true},
+                          {&p.objects, true}, {&s.full_screen},    {&p.picture, true}};
     if (number >= int(std::size(parts))) return;
     const auto [shown, section] = parts[number];
     *shown = (section && !p.expert) || !*shown;
@@ -190,7 +191,7 @@ void toggle_panel(Session& s, int number) {
 }
 
 void change_text(Session& s, float factor) {
-    s.text_scale = std::clamp(s.text_scale * factor, least_text_scale, most_text_scale);
+    s.text_scale = std::clamp(s.text_scale * factor, least_text_scale, max_text_scale);
 }
 
 /// Keys with Ctrl.
@@ -224,7 +225,7 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
             return toggle_comparison(s, scene, view_of(s.camera, int(frame.x), int(frame.y), s.free), now);
         }
         case GLFW_KEY_X:
-            return show_next_band(s, scene.bands.size());
+            return show_next_image_set(s, scene.image_sets.size());
         case GLFW_KEY_V:
             return next(s.settings.show);
         case GLFW_KEY_R:

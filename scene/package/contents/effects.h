@@ -18,13 +18,13 @@ enum class Effect : int {
     fov_normalization,
     vertex_colors,
     exposure,
-    falloff,
-    registration,
-    consensus,
-    surroundings,
-    scalar_layers,
+    vignetting,
+    pose_refinement,
+    transients,
+    background,
+    scalar_fields,
     points,
-    bands,
+    image_sets,
     transparency,
     compact,
     count
@@ -71,9 +71,9 @@ struct Judgment {
     std::string worst_photo;
 };
 
-/// What one band of photos decided about an effect, see EffectDecision.
-struct BandDecision {
-    std::string band;
+/// What one image set of photos decided about an effect, see EffectDecision.
+struct ImageSetDecision {
+    std::string image_set;
     bool on = false;
     double measured = 0;
     std::string evidence;
@@ -88,7 +88,8 @@ struct EffectDecision {
     double measured = 0;                 ///< in the row's unit
     std::string evidence;                ///< one human-readable sentence
     std::optional<Judgment> judgment{};  ///< if photos were left out to decide
-    std::vector<BandDecision> bands{};   ///< if each band decided for itself; on if it is on for any
+    std::vector<ImageSetDecision>
+        image_sets{};  ///< if each image set decided for itself; on if it is on for any
 };
 
 enum class EffectChoice { automatic, on, off };

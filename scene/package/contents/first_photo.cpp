@@ -4,13 +4,13 @@
 
 namespace vantage {
 
-std::uint32_t first_photo(const PackageReader& package, std::uint32_t band) {
+std::uint32_t first_photo(const PackageReader& package, std::uint32_t image_set) {
     const auto photos = package.photos();
     const std::uint64_t first = package.scene().first_photo;
     auto best = std::uint32_t(photos.size());
     double nearest = std::numeric_limits<double>::infinity();
     for (std::uint32_t p = 0; p < photos.size(); ++p) {
-        if (photos[p].band != band || !photos[p].levels) continue;
+        if (photos[p].image_set != image_set || !photos[p].levels) continue;
         const double away =
             first >= photos.size()
                 ? p

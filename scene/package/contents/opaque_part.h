@@ -31,7 +31,7 @@ OpaquePart opaque_part(std::span<const package::ClusterRecord> clusters,
 OpaquePart opaque_part(const PackageReader& package);
 
 /// Why a package with the effect is damaged: no alpha, or a cluster of both kinds or out of order. Nothing if
-/// it is sound, or if the effect is off. The other chunks must have their shape.
+/// it is valid, or if the effect is off. The other chunks must have their shape.
 std::optional<std::string> transparency_damage(const PackageReader& package);
 
 }  // namespace vantage

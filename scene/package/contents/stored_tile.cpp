@@ -56,7 +56,7 @@ bool decode_from_cells(const PackageReader& package, const DirectoryEntry& chunk
     if (!grid || !fits(*grid, level, package.blocks(chunk))) return false;
     const codec::PixelRect part = in_level(level, tile);
     for (const std::size_t cell : cells_of(*grid, part))
-        if (!package.block_sound(chunk, cell)) return false;
+        if (!package.block_valid(chunk, cell)) return false;
     return decode_cells(
         header, *grid, part, [&](std::size_t cell) { return package.block(chunk, cell); }, packed);
 }
@@ -74,12 +74,12 @@ bool decode_from_jpeg(std::span<const std::byte> shared, std::span<const std::by
 bool decode(const PackageReader& package, const DirectoryEntry& chunk, const Level& level, std::size_t tile,
             const TilePart& inner, std::span<std::byte> packed) {
     if (chunk.form == Form::cells)
-        return package.head_sound(chunk) && decode_from_cells(package, chunk, level, tile, packed);
-    if (!package.block_sound(chunk, tile)) return false;
+        return package.head_valid(chunk) && decode_from_cells(package, chunk, level, tile, packed);
+    if (!package.block_valid(chunk, tile)) return false;
     const auto block = package.block(chunk, tile);
     switch (chunk.form) {
         case Form::jpeg:
-            return package.head_sound(chunk) &&
+            return package.head_valid(chunk) &&
                    decode_from_jpeg(package.shared(chunk), block, inner.width(), inner.height(), packed);
         case Form::planes:
             return codec::decode_planes(block, inner.width(), inner.height(), packed);
@@ -93,9 +93,9 @@ bool decode(const PackageReader& package, const DirectoryEntry& chunk, const Lev
 }  // namespace
 
 std::optional<std::vector<std::byte>> own_jpeg(const PackageReader& package, const DirectoryEntry& chunk) {
-    if (!package.head_sound(chunk)) return {};
+    if (!package.head_valid(chunk)) return {};
     for (std::size_t cell = 0; cell < package.blocks(chunk); ++cell)
-        if (!package.block_sound(chunk, cell)) return {};
+        if (!package.block_valid(chunk, cell)) return {};
     return codec::joined_jpeg(package.shared(chunk),
                               [&](std::size_t cell) { return package.block(chunk, cell); });
 }
@@ -125,7 +125,7 @@ namespace {
 bool copy_or_decode(const PackageReader& package, const DirectoryEntry& chunk, const Level& level,
                     std::size_t tile, std::span<std::byte> to) {
     if (chunk.form == Form::raw) {
-        if (!package.block_sound(chunk, tile)) return false;
+        if (!package.block_valid(chunk, tile)) return false;
         std::ranges::copy(package.block(chunk, tile), to.begin());
         return true;
     }
@@ -181,9 +181,9 @@ namespace {
 
 bool decode_thumbnail(const PackageReader& package, const DirectoryEntry& chunk,
                       const package::PhotoRecord& p, std::span<std::byte> to) {
-    if (!package.head_sound(chunk)) return false;
+    if (!package.head_valid(chunk)) return false;
     if (chunk.form == Form::jpeg)
-        return package.blocks(chunk) == 1 && package.block_sound(chunk, 0) &&
+        return package.blocks(chunk) == 1 && package.block_valid(chunk, 0) &&
                to.size() == texel * p.thumbnail_width * p.thumbnail_height &&
                decode_from_jpeg(package.shared(chunk), package.block(chunk, 0), int(p.thumbnail_width),
                                 int(p.thumbnail_height), to);
@@ -207,10 +207,10 @@ bool read_thumbnail(const PackageReader& package, std::uint32_t photo, std::span
 
 std::string describe_damaged_tile(const PackageReader& package, const DirectoryEntry& chunk,
                                   const Level& level, std::size_t tile) {
-    const bool sound = std::ranges::all_of(stored_pieces(package, chunk, level, tile),
+    const bool valid = std::ranges::all_of(stored_pieces(package, chunk, level, tile),
                                            [&](const auto& piece) { return !piece.empty(); });
     return describe(chunk, package) + ": tile " + std::to_string(tile) + " of " +
-           std::to_string(level.tiles()) + (sound ? ": checksum does not match" : ": is damaged");
+           std::to_string(level.tiles()) + (valid ? ": checksum does not match" : ": is damaged");
 }
 
 }  // namespace vantage

@@ -151,7 +151,7 @@ std::shared_ptr<CachedFile> CacheFolder::find_or_make(const Origin& origin) cons
     return CachedFile::create(folder, origin);
 }
 
-std::uint64_t CacheFolder::prune(std::uint64_t most_bytes) const {
+std::uint64_t CacheFolder::prune(std::uint64_t max_bytes) const {
     const Descriptor locked = lock();
     std::vector<Usage> all;
     std::error_code error;
@@ -163,7 +163,7 @@ std::uint64_t CacheFolder::prune(std::uint64_t most_bytes) const {
     std::uint64_t total = 0;
     for (const Usage& usage : all) total += usage.bytes;
     for (const Usage& usage : all) {
-        if (total <= most_bytes) break;
+        if (total <= max_bytes) break;
         if (!unused(usage.folder)) continue;
         drop(usage.folder);
         ::rmdir(usage.folder.c_str());

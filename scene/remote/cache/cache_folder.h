@@ -29,7 +29,7 @@ class CacheFolder {
     std::shared_ptr<CachedFile> find_or_make(const Origin& origin) const;
     /// Deletes the least recently used files that no process has open until all take at most this many bytes
     /// of the disk. Returns what they take then; files that are open may exceed it.
-    std::uint64_t prune(std::uint64_t most_bytes) const;
+    std::uint64_t prune(std::uint64_t max_bytes) const;
 
   private:
     Descriptor lock() const;

@@ -24,12 +24,12 @@ std::uint64_t hash_of(const Origin& origin) {
 }  // namespace
 
 std::string origin_text(const std::filesystem::path& folder) {
-    constexpr std::size_t most_bytes = 64 << 10;
+    constexpr std::size_t max_bytes = 64 << 10;
     const Descriptor fd(
         ::open((folder / cached::origin).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     struct stat st {};
     if (!fd || ::fstat(fd.get(), &st) != 0 || !S_ISREG(st.st_mode)) return {};
-    std::string content(most_bytes, '\0');
+    std::string content(max_bytes, '\0');
     const ssize_t n = ::pread(fd.get(), content.data(), content.size(), 0);
     content.resize(n < 0 ? 0 : std::size_t(n));
     return content;

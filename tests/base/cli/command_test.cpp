@@ -210,7 +210,7 @@ TEST(CommandLine, DescribesFlagsAndNumbers) {
     EXPECT_EQ(integer.least + " " + integer.most + " " + integer.initial, "1 4096 256");
     EXPECT_EQ(integer.group, "Pictures");
     double share = 0;
-    const auto real = option([&](const Command& c) { c.real("--share", share, 0.5, 1.5, ""); });
+    const auto real = option([&](const Command& c) { c.real("--max-diff-fraction", share, 0.5, 1.5, ""); });
     EXPECT_EQ(real.type + " " + real.least + " " + real.most, "NUMBER 0.5 1.5");
     EXPECT_EQ(real.initial, "");  // out of range: there is no default
 }
@@ -224,7 +224,7 @@ TEST(CommandLine, DescribesValuesToChooseFrom) {
     EXPECT_EQ(o.type + " " + o.initial, "TEXT average");
     std::string text;
     const auto open = option([&](const Command& c) {
-        c.file("--bands", text, "").suggests({"auto", "off"});
+        c.file("--image-sets", text, "").suggests({"auto", "off"});
     });
     EXPECT_EQ(open.values, (Words{"auto", "off"}));
     EXPECT_EQ(open.type, "FILE");

@@ -13,7 +13,7 @@ KIND:
   slightly    each camera off by 0.5 to 1 px
   camera      one camera off by 4 px
   exposure    each photo +-0.3 stops, and each of its channels +-0.1 stops
-  falloff     all photos lose 35 % of the light in the corners; so does the truth, since the player shows a photo's own falloff
+  vignetting     all photos lose 35 % of the light in the corners; so does the truth, since the player shows a photo's own vignetting
   strangers   two textured figures in each of four photos, at different places
   waves       the mesh displaced along its normals by waves of 0.3 % of its size
   smooth      the mesh smoothed"""
@@ -160,7 +160,7 @@ def main():
     parser.add_argument('kind')
     parser.add_argument('out')
     parser.add_argument('--kit', required=True, help='folder of the measuring kit')
-    parser.add_argument('--photo-size', type=int, default=768, help='long side of the reduced photos in px')
+    parser.add_argument('--max-photo-size', type=int, default=768, help='long side of the reduced photos in px')
     parser.add_argument('--seed', type=int, default=1)
     a = parser.parse_args()
     sys.path.insert(0, a.kit)
@@ -173,17 +173,17 @@ def main():
         'slightly': lambda: move_all(scene, 0.5, 1, random),
         'camera': lambda: move(scene, data.names[len(data.names) // 2], 4, random),
         'exposure': lambda: expose(scene, random),
-        'falloff': lambda: darken_corners(scene),
+        'vignetting': lambda: darken_corners(scene),
         'strangers': lambda: paint_strangers(scene, random),
         'waves': lambda: wave(scene, random),
         'smooth': lambda: smooth(scene),
     }
     if a.kind not in disturbances:
         parser.error('no kind %s; there are %s' % (a.kind, ', '.join(disturbances)))
-    if a.kind == 'falloff':
+    if a.kind == 'vignetting':
         disturbances[a.kind]()
     scene.write(os.path.join(a.out, 'truth'), False)
-    if a.kind != 'falloff':
+    if a.kind != 'vignetting':
         disturbances[a.kind]()
     scene.write(os.path.join(a.out, 'scan'), True)
 

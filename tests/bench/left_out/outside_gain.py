@@ -3,15 +3,15 @@
 
     outside_gain.py SCENE... --build BUILD --kit KIT [--every 2] [--results FOLDER]
 
-SCENE: folder made by disturb.py, with scan/ and truth/. The judge's gain, its error and the decision come from preparing
+SCENE: folder made by disturb.py, with scan/ and truth/. The validate's gain, its error and the decision come from preparing
 all of the scan. The gain from outside: each photo in turn is held out wholly, so that nothing but its camera is known, and
 its view is rendered with the effect off and on, the other effects as decided. Both pictures are compared with the true
 photo by the kit (compare.py: PSNR after the best gain per channel, on the pixels that all variants color). Errors are
 standard errors of the mean over the photos.
 
 The held-out photo has its TRUE camera, the others have those of the scan: a wrong camera of the held-out photo itself would
-hide what registration does to the others. Where registration was decided on, it is decided again for the rest of the photos,
-and forced if it is then off; elsewhere "on" is what `--effect registration=on` does.
+hide what pose_refinement does to the others. Where pose_refinement was decided on, it is decided again for the rest of the photos,
+and forced if it is then off; elsewhere "on" is what `--effect pose-refinement=on` does.
 
 A decision is right if the effect is on when the gain from outside is above 0.05 dB and off when it is below -0.05 dB."""
 import argparse
@@ -24,7 +24,7 @@ import sys
 
 import numpy as np
 
-EFFECTS = ['exposure', 'falloff', 'registration', 'consensus']
+EFFECTS = ['exposure', 'vignetting', 'pose_refinement', 'transients']
 MARGIN = 0.05  # dB
 
 
@@ -81,7 +81,7 @@ def cameras_with_true_one(scene, name, folder):
 
 def applied(effects, effect):
     """Whether the effect changes anything."""
-    return effects[effect]['on'] and not (effect == 'falloff' and effects[effect]['measured'] == 0)
+    return effects[effect]['on'] and not (effect == 'vignetting' and effects[effect]['measured'] == 0)
 
 
 def gains_of_photo(programs, scene, name, decided, work):
@@ -89,21 +89,21 @@ def gains_of_photo(programs, scene, name, decided, work):
     shutil.rmtree(work, ignore_errors=True)
     scan, package = os.path.join(scene, 'scan'), os.path.join(work, 'p.vantage')
     cameras = cameras_with_true_one(scene, name, os.path.join(work, 'sparse'))
-    registering = ['auto', 'on'] if decided['registration'] else ['on']  # the choices that are left to try
+    registering = ['auto', 'on'] if decided['pose_refinement'] else ['on']  # the choices that are left to try
 
     def prepare(on):
         while True:
             choices = {e: 'on' if on[e] else 'off' for e in EFFECTS}
-            if on['registration']:
-                choices['registration'] = registering[0]
+            if on['pose_refinement']:
+                choices['pose_refinement'] = registering[0]
             effects = programs.prepare(scan, package, cameras, choices, name)
-            if not on['registration'] or applied(effects, 'registration') or len(registering) == 1:
+            if not on['pose_refinement'] or applied(effects, 'pose_refinement') or len(registering) == 1:
                 return effects
             registering.pop(0)
 
     base, folders = prepare(decided), {'base': os.path.join(work, 'base')}
     programs.render(package, name, folders['base'])
-    for effect in ['exposure', 'falloff', 'consensus', 'registration']:  # until the last one, prepare keeps the cameras
+    for effect in ['exposure', 'vignetting', 'transients', 'pose_refinement']:  # until the last one, prepare keeps the cameras
         effects = prepare({**decided, effect: not decided[effect]})
         if applied(effects, effect) != applied(base, effect):
             folders[effect] = os.path.join(work, effect)
@@ -118,14 +118,14 @@ def measure(programs, scene, every, work):
     decided = {e: effects[e]['on'] for e in EFFECTS}
     names = sorted(os.path.splitext(f)[0] for f in os.listdir(os.path.join(scene, 'truth', 'images')))[::every]
     gains = {n: gains_of_photo(programs, scene, n, decided, os.path.join(work, 'held_out')) for n in names}
-    return {e: {'on': decided[e], 'judged': effects[e].get('judged'), 'evidence': effects[e]['evidence'],
+    return {e: {'on': decided[e], 'validated': effects[e].get('validated'), 'evidence': effects[e]['evidence'],
                 'outside': {n: gains[n][e] for n in names}} for e in EFFECTS}
 
 
 def judgment(effect):
-    """The judge's gain and its error. A registration that was refused has them only in the evidence, the last attempt last."""
-    if effect['judged']:
-        return '%+.2f ± %.2f dB' % (effect['judged']['gain'], effect['judged']['error'])
+    """The validate's gain and its error. A pose_refinement that was refused has them only in the evidence, the last attempt last."""
+    if effect['validated']:
+        return '%+.2f ± %.2f dB' % (effect['validated']['gain'], effect['validated']['error'])
     found = re.findall(r'left-out photos (gain|lose) ([0-9.]+) dB \(standard error ([0-9.]+)', effect['evidence'])
     return '%s%s ± %s dB' % ('-' if found[-1][0] == 'lose' else '+', *found[-1][1:]) if found else '—'
 
@@ -151,7 +151,7 @@ def main():
     a = parser.parse_args()
     os.makedirs(a.results, exist_ok=True)
     programs, work = Programs(a.build, a.kit), os.path.join(a.results, 'work')
-    print("| scene | effect | judge's gain | decision | gain from outside | right? |\n|---|---|---|---|---|---|")
+    print("| scene | effect | validate's gain | decision | gain from outside | right? |\n|---|---|---|---|---|---|")
     for scene in a.scenes:
         name = os.path.basename(os.path.normpath(scene))
         stored = os.path.join(a.results, name + '.json')

@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
-constexpr std::size_t most_polygons = 8'000'000;
+constexpr std::size_t max_polygons = 8'000'000;
 
 /// Seconds that `work` takes: the fastest of `runs`.
 template <class Work>
@@ -71,7 +71,7 @@ Tree partitioned(const Mesh& mesh) {
         triangles.push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
     std::optional<BspTree> tree;
     Tree out{};
-    out.build = seconds(1, [&] { tree.emplace(triangles, 1, most_polygons); });
+    out.build = seconds(1, [&] { tree.emplace(triangles, 1, max_polygons); });
     std::size_t corners = 0;
     out.traverse = seconds(3, [&] {
         tree->back_to_front({0, -14, 2.5}, [&](const PaintedPolygon& p) { corners += p.corners.size(); });
@@ -92,8 +92,8 @@ Frames drawn(SceneInput input, const Mesh& mesh, const fs::path& file) {
     input.mesh.colors.assign(mesh.positions.size(), {255, 255, 255, 128});
     if (input.mesh.normals.empty()) input.mesh.normals.assign(mesh.positions.size(), {0, -1, 0});
     PrepareSettings settings;
-    settings.judge = false;
-    settings.effects[Effect::surroundings] = EffectChoice::off;
+    settings.validate = false;
+    settings.effects[Effect::background] = EffectChoice::off;
     fs::remove(file);
     prepare(input, settings, file, [](const Progress&) {});
     const PackageReader package(file);

@@ -156,9 +156,9 @@ double radius(const PlotPoint& p) { return p.chosen ? 7.5 : 5.5; }
 /// rest.
 std::vector<LabelRequest> label_requests(const Layout& l) {
     std::vector<LabelRequest> out;
-    const bool background = std::ranges::any_of(l.plot.curves, &PlotCurve::muted);
+    const bool plain_background = std::ranges::any_of(l.plot.curves, &PlotCurve::muted);
     each_point(l.plot, [&](const PlotCurve& c, const PlotPoint& p) {
-        const bool first = p.chosen || p.exact || (background && !c.muted);
+        const bool first = p.chosen || p.exact || (plain_background && !c.muted);
         out.push_back({l.pixel(l.place(p.x, p.y)), p.quiet ? "" : p.label, radius(p), first ? 0 : 3});
     });
     const auto prefer = [&](std::size_t i, int rank) { out[i].rank = std::min(out[i].rank, rank); };

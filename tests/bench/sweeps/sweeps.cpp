@@ -6,14 +6,14 @@ namespace vantage::bench {
 extern const Sweep border_sweep, depth_sweep, coordinates_sweep, tile_format_sweep, tile_size_sweep,
     tile_border_sweep, blending_sweep, exponent_sweep, sums_sweep, selection_sweep, hysteresis_sweep,
     filtering_sweep, loading_sweep, photos_sweep, preparing_sweep, agreeing_sweep, presets_sweep,
-    guards_sweep, surroundings_sweep, two_eyes_sweep, second_eye_sweep;
+    guards_sweep, background_sweep, two_eyes_sweep, second_eye_sweep;
 
 std::span<const Sweep> sweeps() {
-    static const Sweep all[] = {border_sweep,       depth_sweep,       coordinates_sweep, tile_format_sweep,
-                                tile_size_sweep,    tile_border_sweep, blending_sweep,    exponent_sweep,
-                                sums_sweep,         selection_sweep,   hysteresis_sweep,  filtering_sweep,
-                                loading_sweep,      photos_sweep,      preparing_sweep,   agreeing_sweep,
-                                surroundings_sweep, presets_sweep,     guards_sweep,      two_eyes_sweep,
+    static const Sweep all[] = {border_sweep,     depth_sweep,       coordinates_sweep, tile_format_sweep,
+                                tile_size_sweep,  tile_border_sweep, blending_sweep,    exponent_sweep,
+                                sums_sweep,       selection_sweep,   hysteresis_sweep,  filtering_sweep,
+                                loading_sweep,    photos_sweep,      preparing_sweep,   agreeing_sweep,
+                                background_sweep, presets_sweep,     guards_sweep,      two_eyes_sweep,
                                 second_eye_sweep};
     return all;
 }

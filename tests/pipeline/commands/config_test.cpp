@@ -64,7 +64,7 @@ TEST_F(Config, PrepareAcceptsEveryPreset) {
         const Command program("vantage", "");
         add_prepare(program);
         try {
-            program.run({"prepare", (dir / "none").string(), "-o", (dir / "out").string(), "--config",
+            program.run({"prepare", (dir / "none").string(), "-o", (dir / "out").string(), "--preset",
                          preset.path().string()});
             ADD_FAILURE() << "there is nothing to prepare";
         } catch (const Error& e) {

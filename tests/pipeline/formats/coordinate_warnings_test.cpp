@@ -106,7 +106,7 @@ TEST_F(CoordinateWarnings, TooFewDigitsAreNamedWithTheirSteps) {
     EXPECT_THAT(as_obj(surface({0, 0, 0}), "%.2f %.2f %.2f"), IsEmpty());
 }
 
-TEST_F(CoordinateWarnings, TerrainOnAGridIsSound) {
+TEST_F(CoordinateWarnings, TerrainOnAGridIsValid) {
     for (const double spacing : {0.25, 0.5, 1.0, 2.0})
         EXPECT_THAT(as_ply<double>(surface(utm, spacing, 0)), IsEmpty()) << spacing;
 }
@@ -132,7 +132,7 @@ TEST_F(CoordinateWarnings, StraysDoNotHideRounding) {
 }
 
 // Real scans have a dense object in a large surrounding: it is no stray.
-TEST_F(CoordinateWarnings, SurroundingsAreNotStrays) {
+TEST_F(CoordinateWarnings, BackgroundAreNotStrays) {
     Mesh m = surface({0, 0, 0}, 0.001, 0.0003);
     const auto n = std::uint32_t(m.positions.size());
     const Mesh ground = surface({-2000, -2000, 0}, 100);

@@ -103,9 +103,9 @@ TEST_F(Las, WithheldPointsAreDroppedAndCounted) {
 }
 
 TEST_F(Las, DamagedFilesAreRefusedWithAReason) {
-    const std::string sound = file(all_formats[3], 10);
+    const std::string valid = file(all_formats[3], 10);
     const auto with = [&](std::size_t at, auto value) {
-        std::string bytes = sound;
+        std::string bytes = valid;
         put(bytes, at, value);
         return complaint(bytes);
     };
@@ -113,10 +113,10 @@ TEST_F(Las, DamagedFilesAreRefusedWithAReason) {
         EXPECT_NE(text.find(part), std::string::npos) << text;
     };
     says(complaint(""), "is not a LAS file");
-    says(complaint("PLY\n" + sound), "is not a LAS file");
-    says(complaint(sound.substr(0, 150)), "cut off in its header");
-    says(complaint(sound.substr(0, sound.size() - 1)), "counts 10 points, 9 are there");
-    says(complaint(sound.substr(0, 240)), "counts 10 points, 0 are there");
+    says(complaint("PLY\n" + valid), "is not a LAS file");
+    says(complaint(valid.substr(0, 150)), "cut off in its header");
+    says(complaint(valid.substr(0, valid.size() - 1)), "counts 10 points, 9 are there");
+    says(complaint(valid.substr(0, 240)), "counts 10 points, 0 are there");
     says(with(107, std::uint32_t(0)), "has no points");
     says(with(107, std::uint32_t(0xffffffff)), "expected at most");
     says(with(104, std::uint8_t(11)), "point format 11");

@@ -36,7 +36,7 @@ Eigen::AlignedBox3d cube_of(const PointNode& n) {
 
 /// What every tree must satisfy: each point is in exactly one node, within that node's cube and as far from
 /// where it is stored as promised; nodes lie in their parents and in the blocks.
-void expect_sound(const PointTree& tree, const Mesh& cloud, const Eigen::Vector3d& origin) {
+void expect_valid(const PointTree& tree, const Mesh& cloud, const Eigen::Vector3d& origin) {
     std::vector<int> times(cloud.positions.size(), 0);
     std::uint32_t next = 1;
     std::map<std::uint32_t, std::uint32_t> used;
@@ -86,20 +86,20 @@ TEST(PointTree, HoldsEachPointOnceNearWhereItIs) {
           std::tuple(std::size_t(50'000), 1e-3, Eigen::Vector3d(0, 0, 0)),
           std::tuple(std::size_t(50'000), 100.0, Eigen::Vector3d(481234, 5412345, 312))}) {
         const Mesh cloud = random_cloud(points, size, at);
-        expect_sound(make_point_tree(cloud, at), cloud, at);
+        expect_valid(make_point_tree(cloud, at), cloud, at);
     }
 }
 
 TEST(PointTree, SurvivesPointsInOnePlaceAndStrays) {
     Mesh cloud = random_cloud(40'000, 1, Eigen::Vector3d::Zero());
     cloud.positions.resize(90'000, Eigen::Vector3d(0.1, 0.1, 0.1));  // 50,000 in one place
-    expect_sound(make_point_tree(cloud, Eigen::Vector3d::Zero()), cloud, Eigen::Vector3d::Zero());
+    expect_valid(make_point_tree(cloud, Eigen::Vector3d::Zero()), cloud, Eigen::Vector3d::Zero());
     cloud.positions.emplace_back(1e9, 0, 0);
-    expect_sound(make_point_tree(cloud, Eigen::Vector3d::Zero()), cloud, Eigen::Vector3d::Zero());
+    expect_valid(make_point_tree(cloud, Eigen::Vector3d::Zero()), cloud, Eigen::Vector3d::Zero());
     Mesh same;
     same.positions.resize(100'000, Eigen::Vector3d(7, 7, 7));
     const PointTree tree = make_point_tree(same, Eigen::Vector3d(7, 7, 7));
-    expect_sound(tree, same, Eigen::Vector3d(7, 7, 7));
+    expect_valid(tree, same, Eigen::Vector3d(7, 7, 7));
     EXPECT_TRUE(make_point_tree({}, Eigen::Vector3d::Zero()).empty());
 }
 

@@ -54,7 +54,7 @@ TEST_F(Prepare, OpenGlAndProcessorAgree) {
         for (const Issue& i : check_package(dir / name(by), {.deep = true, .against = dir / "scene"}))
             ADD_FAILURE() << name(by) << ": " << i.text;
     }
-    const PackageReader a(dir / "opengl"), b(dir / "processor");
+    const PackageReader a(dir / "opengl"), b(dir / "cpu");
     for (std::uint32_t p = 0; p < a.photos().size(); ++p) {
         EXPECT_NEAR(a.photos()[p].visible_vertices, b.photos()[p].visible_vertices, 1e-3);
         EXPECT_NEAR(a.photos()[p].seen_distance, b.photos()[p].seen_distance,
@@ -196,29 +196,29 @@ TEST_F(Prepare, DamageAndTruncationAreReportedForEveryChunk) {
     }
 }
 
-/// On this scene, thresholds ask for consensus masks, which left-out photos refute.
+/// On this scene, thresholds ask for transient masks, which left-out photos refute.
 TEST_F(PrepareAtLength, WithoutTheJudgeThresholdsDecide) {
     VANTAGE_DATASET(input, "sceaux");
     PrepareSettings settings;
     settings.photo_size = 1500;
-    settings.effects[Effect::registration] = EffectChoice::off;
+    settings.effects[Effect::pose_refinement] = EffectChoice::off;
     const auto decided = [&] {
         return prepare(read_scene(discover(input)), settings, dir / "a.vantage", quiet)
-            .agreement->consensus.decision;
+            .agreement->transients.decision;
     };
-    const EffectDecision judged = decided();
-    EXPECT_FALSE(judged.on) << judged.evidence;
-    ASSERT_TRUE(judged.judgment);
-    EXPECT_LT(judged.judgment->gain, 0);
+    const EffectDecision validated = decided();
+    EXPECT_FALSE(validated.on) << validated.evidence;
+    ASSERT_TRUE(validated.judgment);
+    EXPECT_LT(validated.judgment->gain, 0);
     const auto costs = effect_costs(PackageReader(dir / "a.vantage"), {});
     const auto cost_of = [&](const char* name) { return *std::ranges::find(costs, name, &EffectCost::name); };
-    EXPECT_EQ(cost_of("consensus").state, "off");
-    EXPECT_TRUE(cost_of("consensus").gain.starts_with("-")) << cost_of("consensus").gain;
+    EXPECT_EQ(cost_of("transients").state, "off");
+    EXPECT_TRUE(cost_of("transients").gain.starts_with("-")) << cost_of("transients").gain;
     EXPECT_TRUE(cost_of("exposure").seams.starts_with("-")) << cost_of("exposure").seams;
-    EXPECT_EQ(cost_of("registration").state, "off, forced");
+    EXPECT_EQ(cost_of("pose-refinement").state, "off, forced");
     EXPECT_GT(cost_of("exposure").bytes, 0u);
     EXPECT_FALSE(cost_of("exposure").seconds) << "the run is not known";
-    settings.judge = false;
+    settings.validate = false;
     const EffectDecision by_threshold = decided();
     EXPECT_TRUE(by_threshold.on) << by_threshold.evidence;
     EXPECT_FALSE(by_threshold.judgment);
@@ -226,9 +226,9 @@ TEST_F(PrepareAtLength, WithoutTheJudgeThresholdsDecide) {
     fs::remove(dir / "a.vantage");
     prepare(read_scene(discover(input)), settings, dir / "a.vantage", quiet);
     const std::string fresh = slurp(dir / "a.vantage");
-    settings.judge = true;
+    settings.validate = true;
     decided();
-    settings.judge = false;
+    settings.validate = false;
     decided();
     EXPECT_TRUE(slurp(dir / "a.vantage") == fresh) << "judged and back";
 }

@@ -53,7 +53,7 @@ struct PhotosBesideTarget {
         sightings(target, std::array{OtherPhoto{0, &left, left.pose}, OtherPhoto{1, &right, right.pose}});
     std::vector<std::array<double, 3>> gains{{0, 0, 0}, {-std::log(1.5), -std::log(1.5), -std::log(1.5)}};
 
-    JudgeScore score_of(const Alternative& alternative) const {
+    ValidationScore score_of(const Alternative& alternative) const {
         return score(own_color(target), std::array{predict(target, seen, alternative)}).front();
     }
 };
@@ -73,7 +73,7 @@ TEST(Prediction, PhotosOfEqualExposurePredictTheTarget) {
 
 TEST(Prediction, PaintedSeamIsMeasuredAndMendedByGains) {
     const PhotosBesideTarget two;
-    const JudgeScore without = two.score_of({}), with = two.score_of({.ln_gain = two.gains});
+    const ValidationScore without = two.score_of({}), with = two.score_of({.ln_gain = two.gains});
     EXPECT_GT(without.seams, 0.05);
     EXPECT_LT(with.seams, 0.1 * without.seams);
     EXPECT_GT(with.psnr, without.psnr + 10);
@@ -98,7 +98,7 @@ TEST(Prediction, ContradictedTexelsAreLeftOut) {
         Grid<const std::uint8_t>{weights.data(), two.left.k.width, two.left.k.height}, {}};
     const Alternative without{.ln_gain = two.gains};
     Alternative with = without;
-    with.consensus = maps;
+    with.transients = maps;
     EXPECT_GT(two.score_of(with).psnr, two.score_of(without).psnr + 5);
 }
 

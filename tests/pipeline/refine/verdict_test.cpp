@@ -7,8 +7,8 @@ using namespace vantage;
 namespace {
 
 /// Photos that gain these decibels, with seams of 1 before and `seams` after.
-Judgment judged(const std::vector<double>& gains, double seams = 1) {
-    std::vector<JudgedPhoto> photos;
+Judgment validated(const std::vector<double>& gains, double seams = 1) {
+    std::vector<ValidatedPhoto> photos;
     for (const double g : gains)
         photos.push_back(
             {"photo" + std::to_string(photos.size()), {10000, 30, 0.9, 1}, {10000, 30 + g, 0.9, seams}});
@@ -18,7 +18,7 @@ Judgment judged(const std::vector<double>& gains, double seams = 1) {
 }  // namespace
 
 TEST(Verdict, SummarizesGainErrorAndWorstPhoto) {
-    const Judgment j = judged({0.1, 0.3, -0.1, 0.5});
+    const Judgment j = validated({0.1, 0.3, -0.1, 0.5});
     EXPECT_NEAR(j.gain, 0.2, 1e-9);
     EXPECT_NEAR(j.error, 0.1291, 1e-4) << "standard error of the mean";
     EXPECT_NEAR(j.noise, 0.0354, 1e-4) << "the loss of 0.1, once up and once down, among 4 photos";
@@ -28,33 +28,33 @@ TEST(Verdict, SummarizesGainErrorAndWorstPhoto) {
 }
 
 TEST(Verdict, ClearGainCallsForAnEffect) {
-    EXPECT_TRUE(is_called_for(judged({0.2, 0.3, 0.25})));
-    EXPECT_FALSE(is_called_for(judged({1, -0.4, 0.1}))) << "within the error";
-    EXPECT_TRUE(is_called_for(judged({4, 1, 0, 0.01, -0.01, 0}))) << "few photos gain, and none loses";
-    EXPECT_FALSE(is_called_for(judged({2, 0.3, -0.4, -0.4, -0.4, -0.4}))) << "one gains, and most lose";
-    EXPECT_FALSE(is_called_for(judged({0, 0, 0})));
-    EXPECT_FALSE(is_called_for(judged({-0.2, -0.3, -0.25})));
+    EXPECT_TRUE(is_called_for(validated({0.2, 0.3, 0.25})));
+    EXPECT_FALSE(is_called_for(validated({1, -0.4, 0.1}))) << "within the error";
+    EXPECT_TRUE(is_called_for(validated({4, 1, 0, 0.01, -0.01, 0}))) << "few photos gain, and none loses";
+    EXPECT_FALSE(is_called_for(validated({2, 0.3, -0.4, -0.4, -0.4, -0.4}))) << "one gains, and most lose";
+    EXPECT_FALSE(is_called_for(validated({0, 0, 0})));
+    EXPECT_FALSE(is_called_for(validated({-0.2, -0.3, -0.25})));
 }
 
 TEST(Verdict, FewerSeamsCallForAnEffectThatLosesNothing) {
-    EXPECT_TRUE(is_called_for(judged({0.1, -0.1, 0.05}, 0.8)));
-    EXPECT_FALSE(is_called_for(judged({0.1, -0.1, 0.05}, 0.95)));
-    EXPECT_FALSE(is_called_for(judged({-0.2, -0.3, -0.25}, 0.5)));
+    EXPECT_TRUE(is_called_for(validated({0.1, -0.1, 0.05}, 0.8)));
+    EXPECT_FALSE(is_called_for(validated({0.1, -0.1, 0.05}, 0.95)));
+    EXPECT_FALSE(is_called_for(validated({-0.2, -0.3, -0.25}, 0.5)));
 }
 
 TEST(Verdict, NoPhotoMayLoseMuch) {
-    EXPECT_FALSE(is_called_for(judged({2, 2.1, 1.9, 2, 2, 2, 2, 2, -0.9}, 0.5)));
+    EXPECT_FALSE(is_called_for(validated({2, 2.1, 1.9, 2, 2, 2, 2, 2, -0.9}, 0.5)));
 }
 
 TEST(Verdict, TooFewPhotosDoNotJudge) {
-    EXPECT_FALSE(is_called_for(judged({1, 1})));
-    EXPECT_EQ(judged({}).photos, 0);
+    EXPECT_FALSE(is_called_for(validated({1, 1})));
+    EXPECT_EQ(validated({}).photos, 0);
     EffectDecision decision{Effect::exposure, true, false, 0.1, "differ"};
-    confirm(decision, judged({-1, -1}));
+    confirm(decision, validated({-1, -1}));
     EXPECT_TRUE(decision.on) << "the threshold has decided";
-    confirm(decision, judged({-1, -1, -1}));
+    confirm(decision, validated({-1, -1, -1}));
     EXPECT_FALSE(decision.on);
     EffectDecision forced{Effect::exposure, true, true, 0.1, "differ"};
-    confirm(forced, judged({-1, -1, -1}));
+    confirm(forced, validated({-1, -1, -1}));
     EXPECT_TRUE(forced.on);
 }

@@ -24,15 +24,15 @@ GLint property_of(const gl::Program& program, const char* member, GLenum propert
 
 TEST(ShaderContract, PhotosHaveTheSameLayoutInCppAndGlsl) {
     const gl::HeadlessContext context;
-    const gl::Program program = make_blend_program({.photos = most_photos_per_pass,
+    const gl::Program program = make_blend_program({.photos = max_photos_per_pass,
                                                     .per_fragment = true,
                                                     .blend = Blend::lumigraph,
-                                                    .consensus = false,
+                                                    .transients = false,
                                                     .traces_texels = false,
                                                     .trilinear = true,
                                                     .anisotropy = 1,
                                                     .refined_colors = true,
-                                                    .surroundings = false},
+                                                    .background = false},
                                                    package::SceneRecord{});
     struct Member {
         const char* name;
@@ -46,7 +46,7 @@ TEST(ShaderContract, PhotosHaveTheSameLayoutInCppAndGlsl) {
                             Member{"photos[0].thumbnail", offsetof(PhotoBlock, thumbnail)},
                             Member{"photos[0].false_color", offsetof(PhotoBlock, false_color)},
                             Member{"photos[0].gain", offsetof(PhotoBlock, gain)},
-                            Member{"photos[0].falloff", offsetof(PhotoBlock, falloff)},
+                            Member{"photos[0].vignetting", offsetof(PhotoBlock, vignetting)},
                             Member{"photos[0].color_base[0]", offsetof(PhotoBlock, color_base)},
                             Member{"photos[0].mask_base[0]", offsetof(PhotoBlock, mask_base)}}) {
         EXPECT_EQ(property_of(program, m.name, GL_OFFSET), GLint(m.offset)) << m.name;

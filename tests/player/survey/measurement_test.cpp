@@ -138,7 +138,7 @@ TEST(Measurement, IsFiniteForEqualAndCollinearPoints) {
         const auto measure = Measure(i % int(Measure::count));
         const Vector3d at = random.vector(10), along = random.vector(std::pow(10, random(-12, 3)));
         std::vector<Vector3d> points;
-        while (points.size() < std::min<std::size_t>(most_points(measure), 5))
+        while (points.size() < std::min<std::size_t>(max_points(measure), 5))
             points.push_back(at + along * std::floor(random(0, 3)));
         const Measured m = measured(measure, points);
         EXPECT_TRUE(!m.value || std::isfinite(*m.value)) << name_of(measure);

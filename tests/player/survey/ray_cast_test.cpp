@@ -76,7 +76,7 @@ TEST(RayCast, FindsWhatAPixelShows) {
     EXPECT_GT(hits, 40);
 }
 
-TEST(RayCast, MissesSurroundingsAndWhatIsOutOfRange) {
+TEST(RayCast, MissesBackgroundAndWhatIsOutOfRange) {
     MeshScene m;
     m.add_quad({-1, -1, 5}, {2, 0, 0}, {0, 2, 0});
     m.finish();

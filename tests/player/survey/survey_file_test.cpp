@@ -117,7 +117,7 @@ TEST_F(SurveyFiles, ThatCannotBeWrittenLeaveNothingBehind) {
 }
 
 TEST_F(SurveyFiles, LieBesideThePackage) {
-    EXPECT_EQ(survey_file_of("shelf/chapel.vantage", false).path, "shelf/chapel.measurements.json");
+    EXPECT_EQ(survey_file_of("collection/chapel.vantage", false).path, "collection/chapel.measurements.json");
     EXPECT_EQ(survey_file_of("https://example.org/chapel.vantage", true).path, "chapel.measurements.json");
 }
 

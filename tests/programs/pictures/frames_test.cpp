@@ -19,12 +19,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of a package that has surroundings.
+/// Of a package that has a background.
 class Frames : public GardenPackage {
   protected:
     void SetUp() override {
         GardenPackage::SetUp();
-        make_package({{Effect::surroundings, EffectChoice::on}, {Effect::per_fragment, EffectChoice::on}});
+        make_package({{Effect::background, EffectChoice::on}, {Effect::per_fragment, EffectChoice::on}});
     }
     /// A photo's own; between photos; and so near that triangles reach behind the viewer.
     static std::vector<View> views(const PackageReader& package) {
@@ -92,10 +92,10 @@ TEST_F(FramesAtLength, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
     Renderer renderer(package, MemoryBudget{});
     for (const View& view : views(package))
         for (const Blend blend : {Blend::lumigraph, Blend::average, Blend::best})
-            for (const bool consensus : {false, true}) {
+            for (const bool transients : {false, true}) {
                 RenderSettings settings;
                 settings.blend = blend;
-                settings.consensus = consensus;
+                settings.transients = transients;
                 settings.photos_per_pass = 3;  // so that there are several passes
                 settings.fill_holes = true;
                 const Picture by_pixel = take_picture(renderer, view, settings, all(package), 1);
@@ -118,7 +118,7 @@ TEST_F(FramesAtLength, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
 TEST_F(Frames, ACoarseMeshInMotionLooksLikeTheMesh) {
     copy_scene(garden_spec(60000, 400, 300), dir / "fine");
     PrepareSettings prepared;
-    prepared.effects[Effect::surroundings] = EffectChoice::on;
+    prepared.effects[Effect::background] = EffectChoice::on;
     prepared.effects[Effect::per_fragment] = EffectChoice::on;
     const fs::path fine = made_package(dir / "fine", prepared);
     const PackageReader package(fine);
@@ -174,7 +174,7 @@ TEST_F(Frames, SmallerThanTheirTargetsLookAsWithTargetsOfTheirOwn) {
     Renderer own(package, MemoryBudget{}), roomy(package, MemoryBudget{});
     RenderSettings settings;
     settings.fill_holes = true;
-    settings.background = {{0.1f, 0.2f, 0.4f}, {0.4f, 0.3f, 0.2f}, 0.1};
+    settings.plain_background = {{0.1f, 0.2f, 0.4f}, {0.4f, 0.3f, 0.2f}, 0.1};
     for (const View& view : views(package)) {
         RenderSettings in_room = settings;
         in_room.room = {view.intrinsics.width, view.intrinsics.height};

@@ -10,7 +10,7 @@
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
-#include "scene/package/contents/surroundings.h"
+#include "scene/package/contents/background.h"
 #include "tests/made_scenes.h"
 #include "tests/programs/garden_spec.h"
 #include "tests/temporary_folder.h"
@@ -50,9 +50,9 @@ bool shows(const RayScene& world, const Camera& camera, const Eigen::Vector3d& p
 
 }  // namespace
 
-TEST_F(Garden, SurroundingsHaveItsDepth) {
+TEST_F(Garden, BackgroundHaveItsDepth) {
     const PackageReader package = prepared({});
-    const auto found = read_surroundings(package);
+    const auto found = read_background(package);
     ASSERT_TRUE(found) << "lawn, hill and sky are worth showing";
     const RayScene world(build_world(spec).mesh), model(build_model(spec).mesh);
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
@@ -102,8 +102,8 @@ TEST_F(Garden, FillsTheFrameOfALeftOutPhoto) {
         std::vector<double> beside;  ///< absolute, per channel
         std::size_t near = 0, railing = 0;
     };
-    const auto errors = [&](ShowSurroundings shown) {
-        settings.surroundings = shown;
+    const auto errors = [&](ShowBackground shown) {
+        settings.background = shown;
         const Picture p = take_picture(renderer, view, settings, photos, 1);
         Errors out;
         for (int y = 0; y < p.height; ++y)
@@ -125,10 +125,10 @@ TEST_F(Garden, FillsTheFrameOfALeftOutPhoto) {
             }
         return out;
     };
-    const Errors without = errors(ShowSurroundings::off), with = errors(ShowSurroundings::on);
+    const Errors without = errors(ShowBackground::off), with = errors(ShowBackground::on);
     ASSERT_GT(with.beside.size(), 1000u);
     std::printf(
-        "beside the mesh: median error %.0f of 255, without surroundings %.0f; railings: %.0f %% of %zu "
+        "beside the mesh: median error %.0f of 255, without a background %.0f; railings: %.0f %% of %zu "
         "pixels within 10\n",
         median(with.beside), median(without.beside), 100.0 * double(with.near) / double(with.railing),
         with.railing);

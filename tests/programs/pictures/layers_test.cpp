@@ -1,4 +1,4 @@
-// Scalar layers on the model, compared with the values where rays meet the mesh.
+// Scalar fields on the model, compared with the values where rays meet the mesh.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 #include "player/interface/overlays/value_at_pixel.h"
 #include "player/render/picture.h"
 #include "scene/package/contents/color_map.h"
-#include "scene/package/contents/photo_layers.h"
+#include "scene/package/contents/photo_fields.h"
 #include "scene/package/package_shape.h"
 #include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
@@ -47,7 +47,7 @@ class Layers : public TemporaryFolder {
     }
     PackageReader prepared(EffectChoice choice = EffectChoice::automatic) {
         PrepareSettings settings;
-        settings.effects[Effect::scalar_layers] = choice;
+        settings.effects[Effect::scalar_fields] = choice;
         const std::filesystem::path file = dir / "scene.vantage";
         std::filesystem::remove(file);
         prepare(scene, settings, file, [](const Progress&) {});
@@ -116,7 +116,7 @@ TEST_F(Layers, ColorsAreThoseOfTheValuesThatRaysMeet) {
     settings.layer.layer = 0;
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
     const Rays rays(scene.mesh, origin, view);
-    const ValueLayer& layer = renderer.layers()[0];
+    const ScalarField& layer = renderer.layers()[0];
     EXPECT_EQ(layer.name, "height");
     for (const ColorMap map : {ColorMap::viridis, ColorMap::coolwarm})
         for (const bool clamped : {false, true}) {
@@ -124,7 +124,7 @@ TEST_F(Layers, ColorsAreThoseOfTheValuesThatRaysMeet) {
             settings.layer.range.reset();
             if (clamped) settings.layer.range = ValueRange{1, 2};
             const Picture picture = take_picture(renderer, view, settings, all(package), 1);
-            const auto [shown, range] = layer_legend(layer, settings.layer);
+            const auto [shown, range] = field_legend(layer, settings.layer);
             const ColorTable table = color_table(shown);
             std::size_t compared = 0, wrong = 0;
             for (int y = 0; y < picture.height; ++y)
@@ -243,7 +243,7 @@ TEST_F(Layers, ValuesUnderThePointerAreThoseOfTheSurface) {
 
 TEST_F(Layers, NothingOfThemIsThereWhenTheyAreOff) {
     const PackageReader without = prepared();
-    EXPECT_FALSE(effect_on(without.scene(), Effect::scalar_layers));
+    EXPECT_FALSE(effect_on(without.scene(), Effect::scalar_fields));
     const gl::HeadlessContext context;
     const auto shown = [&](const PackageReader& package, int layer = -1) {
         Renderer renderer(package, MemoryBudget{.graphics = std::uint64_t(200) << 20});
@@ -258,20 +258,20 @@ TEST_F(Layers, NothingOfThemIsThereWhenTheyAreOff) {
     add("unknown", [](const Eigen::Vector3d&) { return double(none); });
     {
         const PackageReader constant = prepared();
-        EXPECT_FALSE(effect_on(constant.scene(), Effect::scalar_layers)) << "nothing varies";
+        EXPECT_FALSE(effect_on(constant.scene(), Effect::scalar_fields)) << "nothing varies";
         EXPECT_FALSE(constant.find(package::Type::scalars, package::scene_wide));
     }
     add("height", height);
     {
         const PackageReader off = prepared(EffectChoice::off);
         EXPECT_FALSE(off.find(package::Type::scalars, package::scene_wide));
-        EXPECT_TRUE(read_layers(off).empty());
+        EXPECT_TRUE(read_fields(off).empty());
         EXPECT_EQ(shown(off), bare);
     }
     const PackageReader on = prepared();
-    EXPECT_TRUE(effect_on(on.scene(), Effect::scalar_layers));
+    EXPECT_TRUE(effect_on(on.scene(), Effect::scalar_fields));
     EXPECT_TRUE(misshapen(on).empty());
-    ASSERT_EQ(read_layers(on).size(), 3u);
+    ASSERT_EQ(read_fields(on).size(), 3u);
     EXPECT_EQ(shown(on), bare) << "before it is shown";
     EXPECT_GT(shown(on, 0).second, bare.second);
 }
@@ -316,7 +316,7 @@ TEST_F(Layers, PhotosAreCountedAndTheirDensityMeasuredAsByRays) {
 
 TEST_F(Layers, WhatPhotosSeeIsALayerOfEveryPackageAndCostsNothingUntilShown) {
     const PackageReader package = prepared();
-    ASSERT_TRUE(read_layers(package).empty());
+    ASSERT_TRUE(read_fields(package).empty());
     const gl::HeadlessContext context;
     Renderer renderer(package, MemoryBudget{.graphics = std::uint64_t(200) << 20});
     ASSERT_EQ(renderer.layers().size(), 2u);
@@ -327,7 +327,7 @@ TEST_F(Layers, WhatPhotosSeeIsALayerOfEveryPackageAndCostsNothingUntilShown) {
     const Picture photos = take_picture(renderer, view, settings, all(package), 1);
     settings.layer.layer = layer_named(renderer.layers(), "photo-count");
     const Picture counted = take_picture(renderer, view, settings, all(package), 1);
-    const ValueLayer& layer = renderer.layers()[0];
+    const ScalarField& layer = renderer.layers()[0];
     EXPECT_GE(layer.low, 0);
     EXPECT_LE(layer.high, double(package.photos().size()));
     EXPECT_EQ(layer.high, *std::ranges::max_element(layer.values));
@@ -340,7 +340,7 @@ TEST_F(Layers, WhatPhotosSeeIsALayerOfEveryPackageAndCostsNothingUntilShown) {
     EXPECT_EQ(take_picture(renderer, view, settings, all(package), 1).rgba, photos.rgba);
     add("photo-count", height);
     const PackageReader own = prepared();
-    const std::vector<ValueLayer> layers = all_layers(own);
+    const std::vector<ScalarField> layers = all_layers(own);
     ASSERT_EQ(layers.size(), 2u);
     EXPECT_EQ(layers[0].name, "photo-count");
     EXPECT_FALSE(layers[0].measure) << "the file's own layer comes first";

@@ -65,14 +65,14 @@ Vector3d front(double column, double row) { return {-4 + column * resolution, -2
 
 class OrthophotoProgram : public TemporaryFolder {
   protected:
-    static inline fs::path shelf;
-    static fs::path package() { return shelf / "scene.vantage"; }
+    static inline fs::path collection;
+    static fs::path package() { return collection / "scene.vantage"; }
     static void SetUpTestSuite() {
-        shelf = fs::temp_directory_path() / ("vantage-orthophoto-" + std::to_string(::getpid()));
-        copy_scene(spec(), shelf / "scene");
-        copy_package(shelf / "scene", {}, package());
+        collection = fs::temp_directory_path() / ("vantage-orthophoto-" + std::to_string(::getpid()));
+        copy_scene(spec(), collection / "scene");
+        copy_package(collection / "scene", {}, package());
     }
-    static void TearDownTestSuite() { fs::remove_all(shelf); }
+    static void TearDownTestSuite() { fs::remove_all(collection); }
 
     int run(const std::string& options) const {
         const std::string command = std::string(VANTAGE_PLAYER " orthophoto ") + package().string() + " -q " +
@@ -188,7 +188,7 @@ TEST_F(OrthophotoProgram, IsTheSameHoweverItIsTiled) {
     const gl::HeadlessContext context;
     Renderer renderer(reader, {});
     RenderSettings settings;
-    settings.surroundings = ShowSurroundings::off;
+    settings.background = ShowBackground::off;
     const Orthophoto o =
         orthophoto_of(parse_plane("front", Vector3d::UnitZ()), parse_extent("-4.5,0,4.5,7"), 0.02);
     std::vector<std::uint32_t> photos(reader.photos().size());

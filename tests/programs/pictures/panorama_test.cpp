@@ -23,7 +23,7 @@ class Panoramas : public GardenPackage {
   protected:
     void SetUp() override {
         GardenPackage::SetUp();
-        make_package({{Effect::surroundings, EffectChoice::off}});
+        make_package({{Effect::background, EffectChoice::off}});
     }
 };
 
@@ -85,9 +85,10 @@ TEST_F(PanoramasAtLength, ShowToEachEyeWhatItSeesWhereItTurns) {
     const PackageReader package(file);
     constexpr double apart = 0.4;
     constexpr int w = 768, h = 384;
-    const auto both = read_png(offscreen("both",
-                                         "--view 4,-7,2,4,-3,2 --panorama --stereo over-under --eye-distance "
-                                         "0.4 --size 768x384 --holes shade"));
+    const auto both =
+        read_png(offscreen("both",
+                           "--view 4,-7,2,4,-3,2 --panorama --stereo over-under --eye-separation "
+                           "0.4 --size 768x384 --holes shade"));
     ASSERT_EQ(both.width, w);
     ASSERT_EQ(both.height, 2 * h);
     for (const Eigen::Vector2d& ahead : {Eigen::Vector2d(0, 1), {0.6, 0.8}, {-0.8, 0.6}}) {

@@ -106,7 +106,7 @@ double difference(const Picture& truth, const Picture& p, double& share) {
 
 TEST_F(PointScenes, LookLikeTheMeshWithTheSamePhotos) {
     PrepareSettings settings;
-    settings.effects[Effect::surroundings] = EffectChoice::off;
+    settings.effects[Effect::background] = EffectChoice::off;
     prepare(with_mesh, settings, dir / "mesh.vantage", [](const Progress&) {}, {});
     const PackageReader mesh(dir / "mesh.vantage");
     put_cloud(samples(300'000));

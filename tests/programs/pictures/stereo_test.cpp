@@ -18,12 +18,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of a package that has surroundings.
+/// Of a package that has a background.
 class StereoPictures : public GardenPackage {
   protected:
     void SetUp() override {
         GardenPackage::SetUp();
-        make_package({{Effect::surroundings, EffectChoice::on}});
+        make_package({{Effect::background, EffectChoice::on}});
     }
     Picture offscreen(const std::string& name, const std::string& options) const {
         return read_png(GardenPackage::offscreen(name, options));
@@ -103,7 +103,7 @@ TEST_F(StereoPicturesAtLength, AreTwoSinglePicturesToTheBit) {
 TEST_F(StereoPicturesAtLength, AreTheSameHoweverTheirSurfaceIsDrawn) {
     copy_scene(garden_spec(60000, 400, 300), dir / "fine");
     PrepareSettings prepared;
-    prepared.effects[Effect::surroundings] = EffectChoice::on;
+    prepared.effects[Effect::background] = EffectChoice::on;
     const fs::path fine = made_package(dir / "fine", prepared);  // fine enough for a coarse mesh
     const PackageReader package(fine);
     const gl::HeadlessContext context;
@@ -169,7 +169,7 @@ TEST_F(StereoPictures, OfAWindowShareTheirPhotosAndUploadEachTileOnce) {
 }
 
 TEST_F(StereoPictures, OfTheProgramAreArrangedAsAsked) {
-    const std::string view = "--photo 0002 --scale 0.5 --eye-distance 0.4 --convergence 6 --stereo ";
+    const std::string view = "--photo 0002 --scale 0.5 --eye-separation 0.4 --convergence 6 --stereo ";
     const Picture beside = offscreen("beside", view + "side-by-side");
     const int w = beside.width / 2, h = beside.height;
     const Picture left = part(beside, 0, 0, w, h), right = part(beside, w, 0, w, h);
@@ -210,19 +210,20 @@ TEST_F(StereoPicturesAtLength, OfAWindowAreThoseOfTwoEyes) {
     const auto window = [&](const std::string& name, const std::string& options) {
         const fs::path png = dir / (name + ".png");
         const std::string command = "env HOME=" + dir.string() + " xvfb-run -a -s '-screen 0 1280x1024x24' " +
-                                    VANTAGE_PLAYER + " " + file.string() + " --fresh --quiet --frames 60 " +
-                                    options + " --screenshot " + png.string();
+                                    VANTAGE_PLAYER + " " + file.string() +
+                                    " --no-saved-settings --quiet --frames 60 " + options + " --screenshot " +
+                                    png.string();
         EXPECT_EQ(std::system(command.c_str()), 0) << options;
         return read_png(png);
     };
     // Where no panels are.
     constexpr int w = 400, h = 250;
     const Picture mono = part(window("mono", "--size 400x400"), 0, 0, w, h);
-    const Picture both = window("both", "--size 800x400 --stereo side-by-side --eye-distance 0.3");
+    const Picture both = window("both", "--size 800x400 --stereo side-by-side --eye-separation 0.3");
     const Picture left = part(both, 0, 0, w, h), right = part(both, w, 0, w, h);
     EXPECT_GT(difference_of_frames(left, right), 0.5) << "the eyes are at two places";
     EXPECT_LT(difference_of_frames(left, mono), 10);
     EXPECT_LT(difference_of_frames(right, mono), 10);
-    const Picture above = window("above", "--size 400x800 --stereo over-under --eye-distance 0.3");
+    const Picture above = window("above", "--size 400x800 --stereo over-under --eye-separation 0.3");
     EXPECT_LT(difference_of_frames(part(above, 0, 0, w, h), part(above, 0, 400, w, h)), 10);
 }

@@ -24,7 +24,7 @@
 #include "shaders/contract.h"
 #include "tests/bench/painter/bsp_tree.h"
 #include "tests/bench/painter/transparent_layers.h"
-#include "tests/fuzz/support/sound_package.h"
+#include "tests/fuzz/support/valid_package.h"
 #include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
@@ -56,7 +56,7 @@ class Transparent : public TemporaryFolder {
         copy_scene(spec, dir / "scene");
         input = read_scene(discover(dir / "scene"));
         settings.judge = false;
-        settings.effects[Effect::surroundings] = EffectChoice::off;
+        settings.effects[Effect::background] = EffectChoice::off;
     }
     /// A triangle of its own, with one normal.
     void add(const std::array<Vector3d, 3>& corners, const std::array<Color, 3>& colors) {
@@ -91,9 +91,9 @@ class Transparent : public TemporaryFolder {
     /// Triangles that cross each other, with alpha from 0 to 1, both included; every fifth lies in the plane
     /// of the one before it, at the same place or at another. These planes face the viewer, or are
     /// `inclined`.
-    void scatter(int count, int most_alpha, bool inclined) {
+    void scatter(int count, int max_alpha, bool inclined) {
         std::uniform_real_distribution<double> across(-3, 3), up(0.2, 4.5), size(1, 4);
-        std::uniform_int_distribution<int> alpha(0, most_alpha), kind(0, 9);
+        std::uniform_int_distribution<int> alpha(0, max_alpha), kind(0, 9);
         std::array<Vector3d, 3> before;
         before.fill(Vector3d::Zero());
         for (int i = 0; i < count; ++i) {
@@ -202,12 +202,12 @@ void tie(std::vector<TransparentLayers::Fragment>& fragments) {
 }  // namespace
 
 TEST_F(Transparent, ExactBlendingIsThatOfSortedFragments) {
-    for (const auto& [most_alpha, inclined] :
+    for (const auto& [max_alpha, inclined] :
          {std::pair(255, false), std::pair(40, false), std::pair(255, true)}) {
         ground();
-        scatter(560, most_alpha, inclined);
+        scatter(560, max_alpha, inclined);
         const PackageReader package =
-            prepared(std::string(inclined ? "inclined" : "facing") + std::to_string(most_alpha));
+            prepared(std::string(inclined ? "inclined" : "facing") + std::to_string(max_alpha));
         ASSERT_TRUE(effect_on(package.scene(), Effect::transparency));
         const gl::HeadlessContext context;
         Renderer renderer(package, MemoryBudget{});
@@ -227,7 +227,7 @@ TEST_F(Transparent, ExactBlendingIsThatOfSortedFragments) {
             if (f.empty() || pixels[i].edge || crosses(f, opaque[i])) continue;
             hidden += std::erase_if(f, [&](const auto& one) { return one.z > opaque[i]; });
             most = std::max(most, f.size());
-            if (f.size() > std::size_t(shader::most_sorted_fragments)) continue;
+            if (f.size() > std::size_t(shader::max_sorted_fragments)) continue;
             tie(f);
             for (std::size_t j = 1; j < f.size(); ++j) tied += f[j].z == f[j - 1].z;
             const Vector4d expected = blended(f, behind[i]);
@@ -244,7 +244,7 @@ TEST_F(Transparent, ExactBlendingIsThatOfSortedFragments) {
         EXPECT_LE(worst, 1.0) << "codes of 8 bits";
         approximation /= double(compared);
         std::printf("%s, alpha up to %d: exact within %.3f codes; approximate: mean %.1f, worst %.1f codes\n",
-                    inclined ? "inclined" : "facing", most_alpha, worst, approximation, worst_approximation);
+                    inclined ? "inclined" : "facing", max_alpha, worst, approximation, worst_approximation);
         EXPECT_GT(approximation, 0.5) << "the approximation is told from what it approximates";
         EXPECT_LT(approximation, 45);
     }
@@ -627,9 +627,9 @@ TEST_F(Transparent, HolesBehindItAreFilledWithColorsWithoutIt) {
     copy_scene(spec, dir / "garden");
     input = read_scene(discover(dir / "garden"));
     add_quad({-6, -5, 0}, {12, 0, 0}, {0, 0, 9}, {200, 100, 50, 128});
-    settings.effects[Effect::surroundings] = EffectChoice::on;
+    settings.effects[Effect::background] = EffectChoice::on;
     const PackageReader package = prepared();
-    ASSERT_TRUE(effect_on(package.scene(), Effect::surroundings));
+    ASSERT_TRUE(effect_on(package.scene(), Effect::background));
     const gl::HeadlessContext context;
     Renderer renderer(package, MemoryBudget{});
     const Vector3d origin = Eigen::Map<const Vector3d>(package.scene().origin);
@@ -647,7 +647,7 @@ TEST_F(Transparent, HolesBehindItAreFilledWithColorsWithoutIt) {
             if (pixels[i].fragments.size() != 1 || pixels[i].edge || holes[i][3] > 0.5) continue;
             ++filled;
             const auto& f = pixels[i].fragments[0];
-            const double covers = without.rgba[4 * i + 3] / 255.0;  // beyond the surroundings, nothing does
+            const double covers = without.rgba[4 * i + 3] / 255.0;  // beyond the background, nothing does
             int most = 0;
             for (std::size_t c = 0; c < 3; ++c) {
                 const double s = without.rgba[4 * i + c] / 255.0,

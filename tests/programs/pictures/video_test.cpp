@@ -116,7 +116,7 @@ TEST_F(Video, TurntableGoesAroundTheTargetAndIsTheSameEachTime) {
 TEST_F(Video, TurntableFramesTheWholeModel) {
     for (const std::string size : {"96x64", "48x128"}) {
         const Outcome made = play(
-            "--turntable --seconds 0.3 --frame-rate 10 --holes transparent --surroundings "
+            "--turntable --seconds 0.3 --frame-rate 10 --holes transparent --background "
             "off -o whole --size " +
             size);
         ASSERT_EQ(made.code, 0) << made.err;
@@ -182,10 +182,10 @@ TEST_F(Video, TourOfTheStoryStaysAtItsStops) {
 }
 
 TEST_F(Video, BackgroundOfTheStoryIsBehindTheModel) {
-    const auto corners = [&](const std::string& background, const std::string& options = "") {
-        write("scene.story.json", R"({"format": "vantage-story-1", "background": )" + background + "}");
+    const auto corners = [&](const std::string& plain_background, const std::string& options = "") {
+        write("scene.story.json", R"({"format": "vantage-story-1", "background": )" + plain_background + "}");
         const Outcome made =
-            play("--turntable --seconds 0.1 --frame-rate 10 --surroundings off -o frames " + options);
+            play("--turntable --seconds 0.1 --frame-rate 10 --background off -o frames " + options);
         EXPECT_EQ(made.code, 0) << made.err;
         const Picture p = read_png(dir / "frames/scene-0001.png");
         std::vector<std::array<int, 3>> out;

@@ -54,7 +54,7 @@ class CompactPackages : public TemporaryFolder {
     static std::vector<std::byte> level(const PackageReader& p, Type type, std::uint32_t photo, int l) {
         return read_level(p, p.photos()[photo], photo, type, l);
     }
-    static void expect_sound_package(const std::filesystem::path& file) {
+    static void expect_valid_package(const std::filesystem::path& file) {
         for (const Issue& issue : check_package(file, {.deep = true})) ADD_FAILURE() << issue.text;
     }
 };
@@ -74,7 +74,7 @@ TEST_F(CompactPackages, ShowThePhotosOwnPixelsAndTheSameMasks) {
     VANTAGE_DATASET(scan, "sceaux-small");
     copy_package(scan, settings(EffectChoice::off), dir / "raw.vantage");
     copy_package(scan, settings(EffectChoice::on), dir / "compact.vantage");
-    expect_sound_package(dir / "compact.vantage");
+    expect_valid_package(dir / "compact.vantage");
     const PackageReader raw(dir / "raw.vantage"), compact(dir / "compact.vantage");
     EXPECT_LT(compact.size(), raw.size() / 6);
     ASSERT_EQ(raw.photos().size(), compact.photos().size());
@@ -156,7 +156,7 @@ TEST_F(CompactPackages, AreRepackedFromRawAndBack) {
     copy_package(scan, settings(EffectChoice::on), dir / "compact.vantage");
     repack(dir / "compact.vantage", false, dir / "raw.vantage");
     repack(dir / "raw.vantage", true, dir / "again.vantage");
-    for (const char* file : {"raw.vantage", "again.vantage"}) expect_sound_package(dir / file);
+    for (const char* file : {"raw.vantage", "again.vantage"}) expect_valid_package(dir / file);
     const PackageReader compact(dir / "compact.vantage"), raw(dir / "raw.vantage"),
         again(dir / "again.vantage");
     EXPECT_LT(again.size(), raw.size() / 6);

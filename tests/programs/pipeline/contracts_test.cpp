@@ -1,5 +1,5 @@
 // What docs/contracts.md promises: what programs write and replace, what they never touch, and what "current"
-// and "sound" mean.
+// and "valid" mean.
 #include <sys/stat.h>
 
 #include <fstream>
@@ -136,7 +136,8 @@ TEST_F(Contracts, PrepareReplacesOnlyPackagesReportsAndTracesOfItsOwn) {
     fs::remove(images / "0001.mask.png");
     const std::string trace = "--trace " + (dir / "trace.json").string() + " ";
     EXPECT_EQ(run(prepare_to(text) + trace + "--force").code, 0);
-    EXPECT_EQ(run(prepare_to(text) + trace + "--thumbnail 128").code, 0) << "package, report and trace again";
+    EXPECT_EQ(run(prepare_to(text) + trace + "--thumbnail-size 128").code, 0)
+        << "package, report and trace again";
     const PackageReader replaced(text);
     EXPECT_EQ(replaced.photos()[0].thumbnail_width, 128u);
     write(file, "");
@@ -149,7 +150,7 @@ TEST_F(ContractsAtLength, LinksAreFollowed) {
     fs::create_symlink("store/a.vantage", link);
     fs::create_symlink(store / "b.vantage", dangling);
     for (const fs::path& out : {link, dangling, link}) {
-        const Outcome o = run(prepare_to(out) + "--thumbnail " + (fs::exists(link) ? "128" : "256"));
+        const Outcome o = run(prepare_to(out) + "--thumbnail-size " + (fs::exists(link) ? "128" : "256"));
         EXPECT_EQ(o.code, 0) << o.err;
         EXPECT_TRUE(fs::is_symlink(out)) << out;
         EXPECT_TRUE(fs::is_regular_file(fs::read_symlink(out).is_absolute() ? fs::read_symlink(out)
@@ -247,29 +248,29 @@ TEST_F(ContractsAtLength, MeasurementsReplaceOlderOnes) {
 
 TEST_F(ContractsAtLength, RepairedPhotosAreTakenUpAgain) {
     const fs::path photo = images / "0002.jpg";
-    const std::string sound = slurp(photo), bytes = undisturbed();
+    const std::string valid = slurp(photo), bytes = undisturbed();
     SynthSpec spec = spec_named("tiny");
     spec.photos.count = 1;
     spec.photos.width = 120;
     spec.photos.height = 110;
     copy_scene(spec, dir / "other");
-    const std::string broken[] = {"", sound.substr(0, 100), sound.substr(0, sound.size() / 2),
+    const std::string broken[] = {"", valid.substr(0, 100), valid.substr(0, valid.size() / 2),
                                   slurp(dir / "other" / "images" / "0000.jpg")};
     for (const std::string& bad : broken) {
         const std::string rehash = bad.empty() ? "--rehash" : "";
         write(photo, bad);
         const Outcome lacking = prepare_program(rehash);
         EXPECT_EQ(lacking.code, int(Exit::incomplete)) << bad.size() << lacking.out;
-        write(photo, sound);
+        write(photo, valid);
         EXPECT_EQ(run("check " + package() + " --against " + scene.string()).code, int(Exit::stale))
             << bad.size();
         const Outcome repaired = prepare_program(rehash);
         EXPECT_EQ(repaired.code, 0) << bad.size() << repaired.out;
         expect_whole(bytes, "a repaired photo");
     }
-    write(images / "stranger.jpg", "no camera");
+    write(images / "passer-by.jpg", "no camera");
     EXPECT_EQ(prepare_program().code, int(Exit::incomplete));
-    write(images / "stranger.jpg", "still no camera");
+    write(images / "passer-by.jpg", "still no camera");
     EXPECT_EQ(run("check " + package() + " --against " + scene.string()).code, int(Exit::incomplete))
         << "a photo without a camera is not an input";
 }
@@ -290,8 +291,8 @@ void Contracts::expect_damage_found(std::initializer_list<package::Type> types) 
     const std::string bytes = undisturbed(settings);
     const auto prepare_again = [&] { return prepare_program("--vertex-coordinates"); };
     copy_package(scene, settings, file);
-    const fs::path sound = dir / "sound.vantage", files = dir / "files";
-    fs::copy_file(file, sound);
+    const fs::path valid = dir / "valid.vantage", files = dir / "files";
+    fs::copy_file(file, valid);
     for (const package::Type type : types) {
         const bool whole = type == package::Type::positions, mask = type == package::Type::masks;
         const bool extracted = whole || mask || type == package::Type::tiles;
@@ -314,7 +315,7 @@ void Contracts::expect_damage_found(std::initializer_list<package::Type> types) 
         EXPECT_EQ(x.code, extracted ? int(Exit::damaged) : 0) << int(type);
         EXPECT_EQ(one_line(x.err), extracted) << x.err;
         EXPECT_EQ(fs::exists(files / "photos" / "0001.jpg"), type != package::Type::tiles);
-        const Outcome d = run("diff " + package() + " " + sound.string());
+        const Outcome d = run("diff " + package() + " " + valid.string());
         EXPECT_EQ(d.code, int(Exit::damaged)) << d.out;
         EXPECT_TRUE(one_line(d.err)) << d.err;
         const Outcome repaired = prepare_again();

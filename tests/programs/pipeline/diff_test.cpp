@@ -61,7 +61,7 @@ TEST_F(Diff, PageOfEqualPackagesSaysSo) {
 }
 
 TEST_F(Diff, PageListsDifferencesWithoutPictures) {
-    prepare("b", "--thumbnail 128");
+    prepare("b", "--thumbnail-size 128");
     EXPECT_EQ(diff("b"), int(Exit::different));
     EXPECT_FALSE(says("Identical"));
     for (const char* text : {"<td>settings<td>thumbnail<td>", "<td>0003.jpg<td>thumbnail<td>", "<p>None: "})

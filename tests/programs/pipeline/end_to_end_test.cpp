@@ -339,7 +339,7 @@ TEST_F(EndToEnd, BlackPixelsAreOpaque) {
 TEST_F(EndToEnd, ExcludedPhotoDoesNotContribute) {
     const fs::path scene = make(tiny());
     PrepareSettings settings;
-    settings.effects[Effect::surroundings] = EffectChoice::off;  // their shape depends on all photos
+    settings.effects[Effect::background] = EffectChoice::off;  // their shape depends on all photos
     PrepareSettings without = settings;
     without.hold_out = {"0002"};
     const Picture held = Prepared(scene, dir / "held.vantage", without).own_view(2, Blend::average);
@@ -402,10 +402,10 @@ TEST_F(EndToEnd, DifferentExposuresAreReconciled) {
     spec.exposure = {0.7, 0.2, 0.3};
     Prepared p = prepared(make(spec));
     ASSERT_TRUE(effect_on(p.package->scene(), Effect::exposure));
-    ASSERT_TRUE(effect_on(p.package->scene(), Effect::falloff));
+    ASSERT_TRUE(effect_on(p.package->scene(), Effect::vignetting));
     for (const std::uint32_t i : {1u, 2u, 3u}) {
         const auto photo = read_photo(p.scene.photos[i].file, {662, 500}).rgba;
-        EXPECT_GE(psnr(p.own_view(i, Blend::best), photo), 40) << "with its own falloff and exposure";
+        EXPECT_GE(psnr(p.own_view(i, Blend::best), photo), 40) << "with its own vignetting and exposure";
         std::vector<std::uint32_t> others = p.photos;
         std::erase(others, i);
         const View view = view_of_photo(p.package->photos()[i], 1);
@@ -455,36 +455,37 @@ TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
     const auto untouched = read_photo(scene.photos[3].file, {1000, 750}).rgba;
     {
         PrepareSettings never;
-        never.effects[Effect::consensus] = EffectChoice::off;
+        never.effects[Effect::transients] = EffectChoice::off;
         Prepared clean(folder, dir / "clean.vantage"), off(folder, dir / "off.vantage", never);
-        EXPECT_FALSE(effect_on(clean.package->scene(), Effect::consensus));
+        EXPECT_FALSE(effect_on(clean.package->scene(), Effect::transients));
         for (std::uint32_t i = 0; i < clean.photos.size(); ++i)
             EXPECT_EQ(clean.package->find(package::Type::masks, i, mask_level)->checksum,
                       off.package->find(package::Type::masks, i, mask_level)->checksum)
                 << "a consistent scene is not changed";
     }
     // A person in front of the wall, and the reflection of a flash.
-    const auto stranger = [](int x, int y) { return std::hypot((x - 420) / 45.0, (y - 380) / 110.0) < 1; };
+    const auto passer_by = [](int x, int y) { return std::hypot((x - 420) / 45.0, (y - 380) / 110.0) < 1; };
     const auto flash = [](int x, int y) { return std::hypot(x - 640, y - 300) < 40; };
-    paint(scene.photos[2], {190, 30, 25}, stranger);
+    paint(scene.photos[2], {190, 30, 25}, passer_by);
     paint(scene.photos[4], {255, 255, 255}, flash);
     Prepared p = prepared(folder);
-    ASSERT_TRUE(effect_on(p.package->scene(), Effect::consensus));
+    ASSERT_TRUE(effect_on(p.package->scene(), Effect::transients));
     // The photo between them, rendered from the others.
     std::vector<std::uint32_t> others = p.photos;
     std::erase(others, 3u);
     const View view = view_of_photo(p.package->photos()[3], 1);
     RenderSettings model_only;
-    model_only.surroundings = ShowSurroundings::off;
+    model_only.background = ShowBackground::off;
     const double without = psnr(take_picture(*p.renderer, view, model_only, others, 1), untouched);
     RenderSettings all = model_only;
-    all.weights.consensus_mask = false;
+    all.weights.transient_mask = false;
     const double with = psnr(take_picture(*p.renderer, view, all, others, 1), untouched);
     // The same photos, unpainted.
     fs::remove_all(folder);
     Prepared clean = Prepared(make(spec), dir / "again.vantage");
     const double best = psnr(take_picture(*clean.renderer, view, model_only, others, 1), untouched);
-    std::printf("with strangers %.1f dB, without them %.1f dB, never painted %.1f dB\n", with, without, best);
+    std::printf("with passers-by %.1f dB, without them %.1f dB, never painted %.1f dB\n", with, without,
+                best);
     EXPECT_GT(without, with + 1);
     EXPECT_GT(without, best - 0.1);
     // The person vanishes from the photo's own view, too.
@@ -560,19 +561,19 @@ TEST_F(EndToEndAtLength, OwnViewsMatchThePhotosOnSceaux) {
     expect_visibility_is_that_of_rays(p, 4);
 }
 
-TEST_F(EndToEndAtLength, OwnViewsMatchThePhotosDespiteTheConsensusMask) {
+TEST_F(EndToEndAtLength, OwnViewsMatchThePhotosDespiteTheTransientMask) {
     VANTAGE_DATASET(set, "sceaux-small");  // trees appear in single photos
     PrepareSettings masked;
-    masked.effects[Effect::consensus] = EffectChoice::on;
+    masked.effects[Effect::transients] = EffectChoice::on;
     Prepared p(set, dir / "scene.vantage", masked);
     expect_own_views_are_the_photos(p, 6, 3);
 }
 
-TEST_F(EndToEnd, SurroundingsFillTheFrameAndLeaveTheMeshAlone) {
+TEST_F(EndToEnd, BackgroundFillTheFrameAndLeaveTheMeshAlone) {
     VANTAGE_DATASET(set, "sceaux-small");
-    const auto picture = [](Prepared& of, ShowSurroundings shown) {
+    const auto picture = [](Prepared& of, ShowBackground shown) {
         RenderSettings settings;
-        settings.surroundings = shown;
+        settings.background = shown;
         std::vector<std::uint32_t> others = of.photos;
         std::erase(others, 4u);
         return take_picture(*of.renderer, view_of_photo(of.package->photos()[4], 1), settings, others, 1)
@@ -582,15 +583,15 @@ TEST_F(EndToEnd, SurroundingsFillTheFrameAndLeaveTheMeshAlone) {
     std::vector<std::uint8_t> before;
     {
         PrepareSettings without;
-        without.effects[Effect::surroundings] = EffectChoice::off;
+        without.effects[Effect::background] = EffectChoice::off;
         without.vertex_coordinates = true;  // as prepared() does
         Prepared none(set, dir / "none.vantage", without);
         const auto directory = none.package->directory();
         chunks.assign(directory.begin(), directory.end());
-        before = picture(none, ShowSurroundings::on);
+        before = picture(none, ShowBackground::on);
     }
     Prepared p = prepared(set);
-    ASSERT_TRUE(effect_on(p.package->scene(), Effect::surroundings)) << "trees, lawn and sky";
+    ASSERT_TRUE(effect_on(p.package->scene(), Effect::background)) << "trees, lawn and sky";
     EXPECT_EQ(p.package->directory().size(), chunks.size() + 1);
     for (const package::DirectoryEntry& e : chunks) {
         const auto* same = p.package->find(package::Type(e.type), e.photo, e.level);
@@ -599,8 +600,8 @@ TEST_F(EndToEnd, SurroundingsFillTheFrameAndLeaveTheMeshAlone) {
         ASSERT_TRUE(same);
         EXPECT_TRUE(lists_effects || same->checksum == e.checksum) << describe(*same, *p.package);
     }
-    const auto off = picture(p, ShowSurroundings::off), on = picture(p, ShowSurroundings::on),
-               dimmed = picture(p, ShowSurroundings::dimmed);
+    const auto off = picture(p, ShowBackground::off), on = picture(p, ShowBackground::on),
+               dimmed = picture(p, ShowBackground::dimmed);
     EXPECT_TRUE(off == before) << "the same frame as without the effect";
     std::size_t filled = 0, beside = 0, changed = 0, darker = 0;
     for (std::size_t i = 0; i < on.size(); i += 4) {

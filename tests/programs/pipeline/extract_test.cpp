@@ -13,7 +13,7 @@
 #include "pipeline/formats/meshes/read_mesh.h"
 #include "pipeline/stages/tile_levels.h"
 #include "pipeline/synth/synthesize.h"
-#include "scene/package/contents/bands.h"
+#include "scene/package/contents/image_sets.h"
 #include "scene/package/contents/point_cloud.h"
 #include "scene/package/package_reader.h"
 #include "tests/made_scenes.h"
@@ -102,7 +102,7 @@ TEST_F(Extract, FolderIsAScanWithTheSamePhotosAndRefinedCameras) {
     copy_scene(spec, scan);
     const Eigen::Vector3d far(3000, -2000, 500);
     move_scan(far, "0003.jpg");
-    round_trip("--effect registration=on --hold-out 0000");
+    round_trip("--effect pose-refinement=on --hold-out 0000");
     const PackageReader a = first(), b = again();
     ASSERT_EQ(b.photos().size(), 4u) << "the photo that is held out has no pixels";
     const CameraSet given = read_cameras(scan / "sparse");
@@ -167,7 +167,7 @@ TEST_F(Extract, PhotosAreAsTakenOrUndistorted) {
     EXPECT_THROW(extract(package, files, {"0001"}, true), Error) << "and this one photos as taken";
 }
 
-TEST_F(Extract, FolderOfBandsHasTheSameBands) {
+TEST_F(Extract, FolderOfImageSetsHasTheSameImageSets) {
     SynthSpec spec = tiny();
     spec.infrared.count = 4;
     spec.infrared.width = 260;
@@ -176,11 +176,11 @@ TEST_F(Extract, FolderOfBandsHasTheSameBands) {
     round_trip();
     const PackageReader a = first(), b = again();
     ASSERT_EQ(b.photos().size(), 9u);
-    const auto bands = read_bands(a), others = read_bands(b);
+    const auto image_sets = read_image_sets(a), others = read_image_sets(b);
     ASSERT_EQ(others.size(), 2u);
     for (const package::PhotoRecord& p : a.photos()) {
         const package::PhotoRecord& q = same_photo(b, p);
-        EXPECT_EQ(bands[p.band].name, others[q.band].name) << p.name;
+        EXPECT_EQ(image_sets[p.image_set].name, others[q.image_set].name) << p.name;
         expect_same_camera(a, p, b, q);
     }
 }

@@ -155,7 +155,7 @@ TEST_F(Inspect, StatesTheTruthOfASyntheticScan) {
     EXPECT_EQ(j["usable_photos"], truth.photos.count);
     EXPECT_TRUE(j["not_seeing"].empty());
     EXPECT_EQ(effect(j, "undistortion")["on"], false);
-    EXPECT_TRUE(effect(j, "registration")["on"].is_null()) << "only pixels can decide";
+    EXPECT_TRUE(effect(j, "pose-refinement")["on"].is_null()) << "only pixels can decide";
 
     // Positions of cameras on an arc of known radius around the building.
     const Eigen::Vector3d low = point(j["cameras"]["low"]), high = point(j["cameras"]["high"]);
@@ -186,7 +186,9 @@ TEST_F(Inspect, TextAndJsonAgree) {
     expect("prepare would use 4 photos and leave 1 out");
     for (const json& e : j["effects"])
         if (!e["on"].is_null()) expect(e["evidence"]);
-    expect("exposure, falloff, registration, consensus, surroundings are decided from the photos' pixels");
+    expect(
+        "exposure, vignetting, pose refinement, transient masking, background is decided from the photos' "
+        "pixels");
 }
 
 TEST_F(Inspect, CoefficientsOfTheLensAreNamed) {

@@ -31,7 +31,7 @@ class KindsOfScan : public TemporaryFolder {
         const PrepareResult result =
             prepare(read_scene(discover(folder)), settings, dir / "scene.vantage", [](const Progress&) {});
         package.emplace(dir / "scene.vantage");
-        EXPECT_EQ(effect_on(package->scene(), Effect::surroundings), result.agreement->surroundings.on);
+        EXPECT_EQ(effect_on(package->scene(), Effect::background), result.agreement->background.on);
         return *result.agreement;
     }
     Agreement prepared(const places::Place& place) {
@@ -74,7 +74,7 @@ PrepareSettings small_photos() {
 TEST_F(KindsOfScan, AnObjectThatWasMovedBetweenSeriesIsShownUprightWithoutBackground) {
     const Agreement a = prepared(places::moved_object());
     EXPECT_EQ(a.presentation.kind, KindOfScan::object);
-    EXPECT_FALSE(a.surroundings.on) << a.surroundings.evidence;
+    EXPECT_FALSE(a.background.on) << a.background.evidence;
     const double fills = reach({-0.2, -0.15, 0}, {0.2, 0.15, 0.7}).maxCoeff();
     EXPECT_GT(fills, 0.6);
     EXPECT_LT(fills, 0.9);
@@ -86,7 +86,7 @@ TEST_F(KindsOfScan, AnObjectThatWasMovedBetweenSeriesIsShownUprightWithoutBackgr
 TEST_F(KindsOfScanAtLength, AnObjectOnATurntableHasNoBackground) {
     const Agreement a = prepared(places::turned_object());
     EXPECT_EQ(a.presentation.kind, KindOfScan::object);
-    EXPECT_FALSE(a.surroundings.on) << a.surroundings.evidence;
+    EXPECT_FALSE(a.background.on) << a.background.evidence;
 }
 
 TEST_F(KindsOfScan, AnObjectHalfAroundBeforeStudioPaperHasNone) {
@@ -98,24 +98,23 @@ TEST_F(KindsOfScan, AnObjectHalfAroundBeforeStudioPaperHasNone) {
         };
         write_scan(dir / "scan", place.mesh, places::ring(9, 1.5, 0.6, 0.8, {0, 0, 0.35}, 0, pi), studio);
         const Agreement a = prepared(dir / "scan");
-        EXPECT_FALSE(a.surroundings.on);
-        EXPECT_NE(a.surroundings.evidence.find(plain ? "is plain" : "moves with the camera"),
-                  std::string::npos)
-            << a.surroundings.evidence;
+        EXPECT_FALSE(a.background.on);
+        EXPECT_NE(a.background.evidence.find(plain ? "is plain" : "moves with the camera"), std::string::npos)
+            << a.background.evidence;
     }
 }
 
 TEST_F(KindsOfScanAtLength, AMonumentInAGardenHasItsGarden) {
     const Agreement a = prepared(places::monument());
     EXPECT_EQ(a.presentation.kind, KindOfScan::object);
-    EXPECT_TRUE(a.surroundings.on) << a.surroundings.evidence;
+    EXPECT_TRUE(a.background.on) << a.background.evidence;
     EXPECT_GT(reach({-1.5, -1.2, 0}, {1.5, 1.2, 4}).maxCoeff(), 0.6);
 }
 
 TEST_F(KindsOfScan, ACourtyardIsShownFromInsideWithWhatIsBeyond) {
     const Agreement a = prepared(places::courtyard(true));
     EXPECT_EQ(a.presentation.kind, KindOfScan::inside);
-    EXPECT_TRUE(a.surroundings.on) << a.surroundings.evidence;
+    EXPECT_TRUE(a.background.on) << a.background.evidence;
     const Navigation n = first_view(*package, 0);
     EXPECT_NEAR(n.fov, 2 * std::atan(180 / 280.0) * 180 / pi, 1e-6) << "as a photo shows it";
 }
@@ -123,7 +122,7 @@ TEST_F(KindsOfScan, ACourtyardIsShownFromInsideWithWhatIsBeyond) {
 TEST_F(KindsOfScanAtLength, AClosedCourtyardHasItsSky) {
     const Agreement a = prepared(places::courtyard(false));
     EXPECT_EQ(a.presentation.kind, KindOfScan::inside);
-    EXPECT_TRUE(a.surroundings.on) << a.surroundings.evidence;
+    EXPECT_TRUE(a.background.on) << a.background.evidence;
 }
 
 TEST_F(KindsOfScan, ARoomAroundTheCamerasHasNone) {
@@ -138,16 +137,16 @@ TEST_F(KindsOfScan, ARoomAroundTheCamerasHasNone) {
     }
     const Agreement a = prepared(room);
     EXPECT_EQ(a.presentation.kind, KindOfScan::inside);
-    EXPECT_FALSE(a.surroundings.on);
-    EXPECT_NE(a.surroundings.evidence.find("leaves 0.0 % of the photos open"), std::string::npos)
-        << a.surroundings.evidence;
+    EXPECT_FALSE(a.background.on);
+    EXPECT_NE(a.background.evidence.find("leaves 0.0 % of the photos open"), std::string::npos)
+        << a.background.evidence;
 }
 
 TEST_F(KindsOfScanAtLength, HousesFromTheAirOnALawnHaveNone) {
     const Agreement a = prepared(places::block(35));
     EXPECT_NE(a.presentation.kind, KindOfScan::inside);
-    EXPECT_FALSE(a.surroundings.on);
-    EXPECT_NE(a.surroundings.evidence.find("is plain"), std::string::npos) << a.surroundings.evidence;
+    EXPECT_FALSE(a.background.on);
+    EXPECT_NE(a.background.evidence.find("is plain"), std::string::npos) << a.background.evidence;
     EXPECT_GT(package->scene().shade[1], package->scene().shade[0]) << "the lawn's";
 }
 
@@ -159,8 +158,8 @@ TEST_F(KindsOfScan, AFacadeInAGardenHasItsGarden) {
     copy_scene(spec, dir / "scene");
     const Agreement a = prepared(dir / "scene");
     EXPECT_EQ(a.presentation.kind, KindOfScan::front);
-    EXPECT_TRUE(a.surroundings.on);
-    EXPECT_NE(a.surroundings.evidence.find("over a plain color"), std::string::npos);
+    EXPECT_TRUE(a.background.on);
+    EXPECT_NE(a.background.evidence.find("over a plain color"), std::string::npos);
     EXPECT_LT(degrees_off(Vector3d::UnitZ()), 0.01);
 }
 
@@ -173,18 +172,18 @@ TEST_F(KindsOfScan, AFacadeThatFillsThePhotosHasNone) {
     for (int i = 0; i < 6; ++i)
         wall.cameras.push_back(places::camera_at({i - 2.5, -8, 1.7}, {i - 2.5, 0, 3}));
     const Agreement a = prepared(wall);
-    EXPECT_FALSE(a.surroundings.on);
-    EXPECT_NE(a.surroundings.evidence.find("leaves 0.0 % of the photos open"), std::string::npos)
-        << a.surroundings.evidence;
+    EXPECT_FALSE(a.background.on);
+    EXPECT_NE(a.background.evidence.find("leaves 0.0 % of the photos open"), std::string::npos)
+        << a.background.evidence;
 }
 
 TEST_F(KindsOfScanAtLength, ACastleIsUprightUnderItsSky) {
     VANTAGE_DATASET(sceaux, "sceaux");
     const Agreement a = prepared(sceaux, small_photos());
     EXPECT_EQ(a.presentation.kind, KindOfScan::front);
-    EXPECT_TRUE(a.surroundings.on) << a.surroundings.evidence;
-    ASSERT_TRUE(a.surroundings.judgment);
-    EXPECT_GT(a.surroundings.judgment->gain, 3) << a.surroundings.evidence;
+    EXPECT_TRUE(a.background.on) << a.background.evidence;
+    ASSERT_TRUE(a.background.judgment);
+    EXPECT_GT(a.background.judgment->gain, 3) << a.background.evidence;
     EXPECT_LT(degrees_off(-Vector3d::UnitZ()), 0.5) << "though all photos lean by up to 2.5 degrees";
 }
 
@@ -192,7 +191,7 @@ TEST_F(KindsOfScanAtLength, AWallBesideAYardHasItThoughMostPhotosShowLittleOfIt)
     VANTAGE_DATASET(fountain, "fountain-P11");
     const Agreement a = prepared(fountain, small_photos());
     EXPECT_EQ(a.presentation.kind, KindOfScan::front);
-    EXPECT_TRUE(a.surroundings.on) << a.surroundings.evidence;
+    EXPECT_TRUE(a.background.on) << a.background.evidence;
     EXPECT_LT(degrees_off(-Vector3d::UnitZ()), 0.5);
 }
 
@@ -200,7 +199,7 @@ TEST_F(KindsOfScanAtLength, AHeadOnATableShowsItsFaceBeforeCalmGround) {
     VANTAGE_DATASET(head, "head");
     const Agreement a = prepared(head, small_photos());
     EXPECT_EQ(a.presentation.kind, KindOfScan::object);
-    EXPECT_FALSE(a.surroundings.on) << a.surroundings.evidence;
+    EXPECT_FALSE(a.background.on) << a.background.evidence;
     EXPECT_LT(degrees_off(-Vector3d::UnitY()), 12);
     // The face looks toward -z, seen from the photos of the last series.
     const std::string first = package->photos()[package->scene().first_photo].name;

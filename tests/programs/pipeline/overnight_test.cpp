@@ -260,9 +260,9 @@ TEST_F(Overnight, RefiningLaterGivesTheSamePackage) {
     copy_package(scene, {}, file);
     const std::string agreeing = slurp(file);
     PrepareSettings off;
-    off.effects = {{Effect::exposure, EffectChoice::off}, {Effect::falloff, EffectChoice::off}};
+    off.effects = {{Effect::exposure, EffectChoice::off}, {Effect::vignetting, EffectChoice::off}};
     const Outcome refined =
-        run("refine " + file.string() + " --effect exposure=off --effect falloff=off -o " +
+        run("refine " + file.string() + " --effect exposure=off --effect vignetting=off -o " +
             (dir / "off.vantage").string());
     EXPECT_EQ(refined.code, 0) << refined.err;
     undisturbed(off);
@@ -293,7 +293,7 @@ TEST_F(OvernightAtLength, RegisteringLaterOrByMergingGivesTheSamePackage) {
     }
     EXPECT_FALSE(fs::exists(file));
     const PrepareResult one = prepare_here();
-    ASSERT_TRUE(one.agreement->registration.decision.on);
+    ASSERT_TRUE(one.agreement->pose_refinement.decision.on);
     const std::string registered = slurp(file);
     const std::string a = (dir / "a.share").string(), b = (dir / "b.share").string(),
                       merged = (dir / "merged.vantage").string();
@@ -304,8 +304,8 @@ TEST_F(OvernightAtLength, RegisteringLaterOrByMergingGivesTheSamePackage) {
     EXPECT_TRUE(slurp(merged) == registered);
 
     PrepareSettings off;
-    off.effects = {{Effect::registration, EffectChoice::off}};
-    EXPECT_EQ(run("refine " + merged + " --effect registration=off").code, 0);
+    off.effects = {{Effect::pose_refinement, EffectChoice::off}};
+    EXPECT_EQ(run("refine " + merged + " --effect pose-refinement=off").code, 0);
     undisturbed(off);
     const Outcome diff = run("diff " + merged + " " + (dir / "undisturbed.vantage").string());
     EXPECT_EQ(diff.code, 0) << diff.out;
@@ -406,10 +406,10 @@ TEST_F(Overnight, InterruptedUpdateResumes) {
 
 TEST_F(Overnight, UnusablePhotosAreLeftOutAndListed) {
     const std::vector<fs::path> all = photos();
-    fs::resize_file(all[0], fs::file_size(all[0]) / 2);            // truncated
-    fs::remove(all[1]);                                            // missing
-    fs::copy_file(all[2], all[2].parent_path() / "stranger.jpg");  // no camera
-    std::ofstream(all[3], std::ios::trunc) << "not a picture";     // not a photo
+    fs::resize_file(all[0], fs::file_size(all[0]) / 2);             // truncated
+    fs::remove(all[1]);                                             // missing
+    fs::copy_file(all[2], all[2].parent_path() / "passer-by.jpg");  // no camera
+    std::ofstream(all[3], std::ios::trunc) << "not a picture";      // not a photo
     SynthSpec other = spec_named("tiny");
     other.photos.count = 1;
     other.photos.width = 120;
@@ -421,7 +421,7 @@ TEST_F(Overnight, UnusablePhotosAreLeftOutAndListed) {
     for (const std::string& line :
          {"left out " + all[0].filename().string() + ": JPEG is corrupt or truncated",
           "left out " + all[1].filename().string() + ": has a camera but no photo",
-          std::string("left out stranger.jpg: has no camera"),
+          std::string("left out passer-by.jpg: has no camera"),
           "left out " + all[3].filename().string() + ": ",
           "left out " + all[4].filename().string() + ": is 120x110, but its camera expects "})
         EXPECT_NE(done.out.find(line), std::string::npos) << line << "\n" << done.out;
@@ -432,7 +432,7 @@ TEST_F(Overnight, UnusablePhotosAreLeftOutAndListed) {
     const Outcome again = prepare_program();
     EXPECT_EQ(again.code, int(Exit::incomplete)) << "still";
     EXPECT_NE(again.out.find("nothing to do"), std::string::npos) << again.out;
-    const Outcome strict = prepare_program("--strict --thumbnail 128");
+    const Outcome strict = prepare_program("--strict --thumbnail-size 128");
     EXPECT_EQ(strict.code, int(Exit::input));
     EXPECT_TRUE(one_line(strict.err)) << strict.err;
 }
@@ -496,7 +496,7 @@ TEST_F(Overnight, OnlyOneProcessWritesAtATime) {
     copy_package(scene, {}, file);
     std::vector<ChunkPlan> plan{{package::Type::meta, package::scene_wide, 0, 4}};
     PackageWriter other(file, plan);
-    const Outcome second = prepare_program("--thumbnail 128");
+    const Outcome second = prepare_program("--thumbnail-size 128");
     EXPECT_EQ(second.code, int(Exit::storage));
     EXPECT_TRUE(one_line(second.err)) << second.err;
     EXPECT_NE(second.err.find("another process is writing it"), std::string::npos) << second.err;

@@ -53,15 +53,15 @@ class Report : public TemporaryFolder {
     std::vector<NamedCamera> cameras;
 
     /// A wall in the world's plane y = 0, and gray photos of it from `cameras`; the world turned by `R`.
-    /// `stranger`: a photo with something red in its middle.
-    void prepare(const Matrix3d& R, const std::vector<Vector3f>& corners, const std::string& stranger = "",
+    /// `passer-by`: a photo with something red in its middle.
+    void prepare(const Matrix3d& R, const std::vector<Vector3f>& corners, const std::string& passer_by = "",
                  const std::string& options = "") const {
         fs::create_directories(dir / "scan" / "images");
         std::vector<NamedCamera> turned = cameras;
         for (NamedCamera& c : turned) {
             c.camera.cam_from_world.R *= R.transpose();
             std::vector<std::uint8_t> rgb(std::size_t(3 * side * side), 150);
-            for (int y = 80; c.photo == stranger && y < 120; ++y)
+            for (int y = 80; c.photo == passer_by && y < 120; ++y)
                 for (int x = 80; x < 120; ++x) rgb[std::size_t(3 * (y * side + x)) + 1] = 0;
             image_files().write(dir / "scan" / "images" / c.photo, side, side, 3, Sample::u8,
                                 std::as_bytes(std::span(rgb)));
@@ -156,7 +156,7 @@ TEST_F(Report, ContradictedPartsHaveTheirColor) {
     for (int i = 0; i < 5; ++i)
         cameras.push_back(
             {std::to_string(i) + ".png", look({0.4 * (i - 2), -4, 0}, {0.4 * (i - 2), 0, 0}, up)});
-    prepare(Matrix3d::Identity(), wall, "2.png", "--effect consensus=on");
+    prepare(Matrix3d::Identity(), wall, "2.png", "--effect transients=on");
     EXPECT_EQ(meaning(at(picture("weight of 2.png"), 0.5, 0.5), legend()), "contradicted");
     EXPECT_EQ(meaning(at(picture("weight of 2.png"), 0.2, 0.2), legend()), "full weight");
     EXPECT_EQ(meaning(at(picture("weight of 1.png"), 0.5, 0.5), legend()), "full weight");

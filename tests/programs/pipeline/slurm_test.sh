@@ -81,5 +81,5 @@ for _ in $(seq 300); do
 done
 for log in "$work"/many.vantage.logs/*; do echo "== ${log##*/}"; cat "$log"; done
 cmp "$work/one.vantage" "$work/many.vantage"
-[ -z "$(ls "$work"/*.share 2>/dev/null)" ]
+[ -z "$(ls "$work"/*.shard 2>/dev/null)" ]
 echo "3 jobs and a merge give the bytes of a single run"

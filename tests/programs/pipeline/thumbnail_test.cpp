@@ -78,7 +78,7 @@ TEST_F(Thumbnail, IsNotOfAPhotoThatIsHeldOut) {
 
 TEST_F(Thumbnail, OfADamagedFileIsOneLineAndAnExitCode) {
     copy_package(scene, {}, file);
-    const std::string sound = slurp(file);
+    const std::string valid = slurp(file);
     std::uint64_t at = 0;
     {
         const PackageReader package(file);
@@ -86,17 +86,17 @@ TEST_F(Thumbnail, OfADamagedFileIsOneLineAndAnExitCode) {
         at = chunk->offset + chunk->head_length + 50;
     }
     const auto write = [&](const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; };
-    std::string rotten = sound;
+    std::string rotten = valid;
     rotten[at] = char(~rotten[at]);
     write(rotten);
     expect_failure(thumbnail(), Exit::damaged, "a thumbnail with a wrong bit");
-    write(sound.substr(0, sound.size() / 2));
+    write(valid.substr(0, valid.size() / 2));
     expect_failure(thumbnail(), Exit::damaged, "half of a package");
     write("VANTAGE\n");
     expect_failure(thumbnail(), Exit::damaged, "eight bytes");
     write("");
     expect_failure(thumbnail(), Exit::damaged, "an empty file");
-    write(sound);
+    write(valid);
     expect_failure(thumbnail("", (dir / "none.vantage").string()), Exit::input, "no file");
     EXPECT_EQ(thumbnail("--size 0").code, int(Exit::usage));
     EXPECT_EQ(thumbnail().code, 0);

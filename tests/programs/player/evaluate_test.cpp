@@ -55,7 +55,7 @@ class Evaluate : public TemporaryFolder {
     /// Of every photo, or of one.
     std::vector<LeftOut> evaluate(bool corrects_exposure = true, std::optional<std::uint32_t> only = {}) {
         PrepareSettings as_given;
-        as_given.effects[Effect::registration] = EffectChoice::off;
+        as_given.effects[Effect::pose_refinement] = EffectChoice::off;
         if (!corrects_exposure) as_given.effects[Effect::exposure] = EffectChoice::off;
         prepare(scene, as_given, file, [](const Progress&) {});
         const PackageReader package(file);
@@ -67,7 +67,7 @@ class Evaluate : public TemporaryFolder {
         std::vector<RegionError> regions;
         LeftOutPictures pictures;
         RenderSettings settings;
-        settings.weights.consensus_mask = false;  // as in run_evaluate
+        settings.weights.transient_mask = false;  // as in run_evaluate
         for (const std::uint32_t p : photos)
             if (!only || p == *only)
                 out.push_back(
@@ -95,8 +95,8 @@ void repaint(const fs::path& file, const auto& paint) {
     image_files().write(file, image.width, image.height, 3, Sample::u8, rgb);
 }
 
-/// A tall red stranger, half as high as the photo.
-void paint_stranger(std::array<std::uint8_t, 3>& color, int x, int y) {
+/// A tall red passer-by, half as high as the photo.
+void paint_passer_by(std::array<std::uint8_t, 3>& color, int x, int y) {
     if (x >= 360 && x < 460 && y >= 150 && y < 450) color = {200, 30, 30};
 }
 
@@ -108,11 +108,11 @@ void replace_by_noise(const fs::path& file) {
 }
 
 /// Effects that depend on all photos, on without a judgment, which would be another without a photo.
-PrepareSettings all_but_registration() {
+PrepareSettings all_but_pose_refinement() {
     PrepareSettings settings;
-    for (const Effect e : {Effect::exposure, Effect::falloff, Effect::consensus})
+    for (const Effect e : {Effect::exposure, Effect::vignetting, Effect::transients})
         settings.effects[e] = EffectChoice::on;
-    settings.effects[Effect::registration] = EffectChoice::off;
+    settings.effects[Effect::pose_refinement] = EffectChoice::off;
     return settings;
 }
 
@@ -170,8 +170,8 @@ TEST_F(EvaluateAtLength, WrongCameraIsDetectedWithItsOffset) {
         EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), r.photo == 2 ? 2 * off : 0.7 * off) << r.name;
 }
 
-TEST_F(EvaluateAtLength, StrangerInTheLeftOutPhotoMakesItOdd) {
-    repaint(scene.photos[2].file, paint_stranger);
+TEST_F(EvaluateAtLength, PasserByInTheLeftOutPhotoMakesItOdd) {
+    repaint(scene.photos[2].file, paint_passer_by);
     const LeftOut r = evaluate_photo(2);
     EXPECT_EQ(largest_at_colored(r.causes), Cause::odd_photo);
     const auto region = std::ranges::find(r.worst, Cause::odd_photo, &WorstRegion::cause);
@@ -202,8 +202,8 @@ TEST_F(Evaluate, DarkerPhotoIsReportedWithItsStops) {
     EXPECT_FALSE(remarks_on(r, "something in front of it"));
 }
 
-TEST_F(EvaluateAtLength, StrangerInAnotherPhotoIsADisagreement) {
-    repaint(scene.photos[1].file, paint_stranger);
+TEST_F(EvaluateAtLength, PasserByInAnotherPhotoIsADisagreement) {
+    repaint(scene.photos[1].file, paint_passer_by);
     const std::vector<LeftOut> results = evaluate();
     EXPECT_EQ(largest_at_colored(results[1].causes), Cause::odd_photo);
     EXPECT_EQ(largest_at_colored(results[2].causes), Cause::disagreement);
@@ -340,13 +340,13 @@ TEST_F(EvaluateAtLength, ComparesWithAnEarlierEvaluation) {
 }
 
 TEST_F(Evaluate, LeftOutPhotoHasNoPartInItsPicture) {
-    repaint(scene.photos[1].file, paint_stranger);
+    repaint(scene.photos[1].file, paint_passer_by);
     EvaluateOptions options;
     options.level = 2;
     options.package.photos = {"0002"};
     const auto rendered = [&](const fs::path& folder) {
         fs::remove(file);
-        prepare(scene, all_but_registration(), file, [](const Progress&) {});
+        prepare(scene, all_but_pose_refinement(), file, [](const Progress&) {});
         options.folder = folder;
         EXPECT_EQ(run_evaluate(PackageReader(file), options), 0);
         return slurp(folder / "0002-rendered.png");
@@ -358,8 +358,8 @@ TEST_F(Evaluate, LeftOutPhotoHasNoPartInItsPicture) {
 }
 
 TEST_F(Evaluate, PictureIsThatOfAPackagePreparedWithoutThePhoto) {
-    repaint(scene.photos[1].file, paint_stranger);
-    PrepareSettings settings = all_but_registration();
+    repaint(scene.photos[1].file, paint_passer_by);
+    PrepareSettings settings = all_but_pose_refinement();
     prepare(scene, settings, file, [](const Progress&) {});
     EvaluateOptions options;
     options.folder = dir / "evaluation";
@@ -368,20 +368,20 @@ TEST_F(Evaluate, PictureIsThatOfAPackagePreparedWithoutThePhoto) {
     settings.hold_out = {"0002"};
     const fs::path without = dir / "without.vantage";
     prepare(scene, settings, without, [](const Progress&) {});
-    const auto picture = [](const fs::path& package_file, bool consensus_mask) {
+    const auto picture = [](const fs::path& package_file, bool transient_mask) {
         const PackageReader package(package_file);
         const gl::HeadlessContext context(gl::Debug::on);
         Renderer renderer(package, {});
         RenderSettings shown = render_settings(package, {}, Purpose::pictures);
         shown.fill_holes = false;
-        shown.surroundings = ShowSurroundings::off;  // as in evaluate
-        shown.weights.consensus_mask = consensus_mask;
+        shown.background = ShowBackground::off;  // as in evaluate
+        shown.weights.transient_mask = transient_mask;
         return take_picture(renderer, view_of_level(package.photos()[2], 1), shown,
                             std::array{0u, 1u, 3u, 4u}, 2);
     };
     const Picture evaluated = read_png(options.folder / "0002-rendered.png");
     EXPECT_EQ(evaluated.rgba, picture(without, true).rgba);
-    EXPECT_NE(evaluated.rgba, picture(without, false).rgba) << "the stranger is masked";
+    EXPECT_NE(evaluated.rgba, picture(without, false).rgba) << "the passer-by is masked";
     EXPECT_NE(evaluated.rgba, picture(file, true).rgba) << "on whose masks the photo has voted";
 }
 
@@ -393,11 +393,11 @@ TEST_F(EvaluateAtLength, CamerasAreRegisteredWithoutTheLeftOutPhoto) {
     wrong.R = turn * wrong.R;
     wrong.t = turn * wrong.t;
     PrepareSettings settings;
-    settings.effects[Effect::registration] = EffectChoice::on;
+    settings.effects[Effect::pose_refinement] = EffectChoice::on;
     const auto records = [&](const fs::path& package_file, bool without) {
         prepare(scene, settings, package_file, [](const Progress&) {});
         const PackageReader package(package_file);
-        EXPECT_TRUE(effect_on(package.scene(), Effect::registration));
+        EXPECT_TRUE(effect_on(package.scene(), Effect::pose_refinement));
         std::vector<package::PhotoRecord> out(package.photos().begin(), package.photos().end());
         if (without) use_poses_without(package, 2, out);
         return out;
@@ -406,7 +406,7 @@ TEST_F(EvaluateAtLength, CamerasAreRegisteredWithoutTheLeftOutPhoto) {
     settings.hold_out = {"0002"};
     const auto held_out = records(dir / "without.vantage", false);
     const PackageReader package(file);
-    const auto given = package.records<package::RegistrationRecord>(package::Type::registration);
+    const auto given = package.records<package::PoseRefinementRecord>(package::Type::pose_refinement);
     // How far the middle of the photo moves.
     const auto apart = [&](const Pose& a, const Pose& b) {
         const Eigen::Vector3d x = a.R.transpose() * (Eigen::Vector3d(0, 0, stored[3].seen_distance) - a.t);
@@ -426,8 +426,8 @@ TEST_F(EvaluateAtLength, JudgeFindsTheGainsThatThePlayerShows) {
     copy_scene(spec, dir / "exposed");
     PrepareSettings corrected;
     corrected.effects[Effect::exposure] = EffectChoice::on;
-    corrected.effects[Effect::falloff] = EffectChoice::off;
-    corrected.effects[Effect::registration] = EffectChoice::off;
+    corrected.effects[Effect::vignetting] = EffectChoice::off;
+    corrected.effects[Effect::pose_refinement] = EffectChoice::off;
     copy_package(dir / "exposed", corrected, file);
     const PackageReader package(file);
     const gl::HeadlessContext context(gl::Debug::on);

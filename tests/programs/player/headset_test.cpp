@@ -54,10 +54,10 @@ class HeadsetProgram : public GardenPackage {
     };
     void SetUp() override {
         GardenPackage::SetUp();
-        make_package({{Effect::surroundings, EffectChoice::on}});
+        make_package({{Effect::background, EffectChoice::on}});
         ::setenv("MESA_SHADER_CACHE_DIR", fs::temp_directory_path().c_str(), 1);
     }
-    static void expect_sound(const Run& run) {
+    static void expect_valid(const Run& run) {
         EXPECT_EQ(run.code, 0) << run.message;
         EXPECT_EQ(run.violations, "");
         EXPECT_EQ(run.message, "");
@@ -74,12 +74,12 @@ class HeadsetProgram : public GardenPackage {
         const fs::path message = dir / "message", out = dir / "out";
         fs::remove_all(out);
         std::ofstream(dir / "scenario.json") << scenario;
-        const int status =
-            std::system(("cd " + dir.string() + " && XR_RUNTIME_JSON=" OPENXR_MANIFEST " VANTAGE_TEST_XR=" +
-                         (dir / "scenario.json").string() + " VANTAGE_TEST_XR_OUT=" + out.string() + " " +
-                         before + " timeout 300 " VANTAGE_PLAYER " " + file.string() +
-                         " --xr --fresh --quiet --photo 0002 " + options + " >" + message.string() + " 2>&1")
-                            .c_str());
+        const int status = std::system(
+            ("cd " + dir.string() + " && XR_RUNTIME_JSON=" OPENXR_MANIFEST " VANTAGE_TEST_XR=" +
+             (dir / "scenario.json").string() + " VANTAGE_TEST_XR_OUT=" + out.string() + " " + before +
+             " timeout 300 " VANTAGE_PLAYER " " + file.string() +
+             " --xr --no-saved-settings --quiet --photo 0002 " + options + " >" + message.string() + " 2>&1")
+                .c_str());
         Run run{WIFEXITED(status) ? WEXITSTATUS(status) : -1,
                 slurp(message),
                 slurp(out / "violations.txt"),
@@ -306,7 +306,7 @@ double meets(const Vector3d& from, const Vector3d& along, const Corners& c) {
     return inside ? x[2] : std::numeric_limits<double>::infinity();
 }
 
-/// The mesh, without surroundings.
+/// The mesh, without a background.
 std::vector<Corners> triangles_of(const PlanScene& scene) {
     std::vector<Corners> mesh;
     for (const package::ClusterRecord& c :
@@ -361,8 +361,8 @@ TEST_F(HeadsetProgram, ShowsToEachEyeWhatOffscreenPicturesShowToTheBit) {
     s["save"] = {18, 38};
     for (const int frame : {14, 16, 34, 36})
         s["events"].push_back({{"frame", frame}, {"late", 180}});  // all fades in
-    const Run run = play(s, "--fps 0 --blended 0 --thumbnails --unit-meters 0.5");
-    expect_sound(run);
+    const Run run = play(s, "--fps 0 --max-photos 0 --thumbnails --meters-per-unit 0.5");
+    expect_valid(run);
     const PackageReader package(file);
     const Room room(package.photos()[2], Vector3d::UnitZ(), {0.1, 1.5, -0.2}, 2);
     const gl::HeadlessContext context;
@@ -393,8 +393,8 @@ TEST_F(HeadsetProgramAtLength, FinePicturesAreThoseOfOffscreenRenderingToTheEye)
     s["save"] = {38};
     for (const int frame : {20, 34})
         s["events"].push_back({{"frame", frame}, {"late", 180}});  // all fades in
-    const Run run = play(s, "--fps 0 --blended 0 --unit-meters 0.5");
-    expect_sound(run);
+    const Run run = play(s, "--fps 0 --max-photos 0 --meters-per-unit 0.5");
+    expect_valid(run);
     const PackageReader package(file);
     const gl::HeadlessContext context;
     const json& views = run.frames.at(37)["layers"][0]["views"];
@@ -423,7 +423,7 @@ TEST_F(HeadsetProgramAtLength, KeepsToTheSpecificationWhateverTheRuntimeSays) {
         event(68, "profile_changed", "/interaction_profiles/khr/simple_controller");
     s["events"].push_back({{"frame", 80}, {"state", "stopping"}, {"then", "ready"}});
     const Run run = play(s);
-    expect_sound(run);
+    expect_valid(run);
     EXPECT_EQ(run.frames.size(), 120u);
     const std::size_t hidden = 4 + 4 + 4;  // synchronized, not to be rendered, untracked
     EXPECT_GE(shown_frames(run.frames), 120 - hidden - 8);
@@ -437,7 +437,7 @@ TEST_F(HeadsetProgramAtLength, GoesOnWhenSessionOrRuntimeWereLost) {
     s["events"] = {{{"frame", 20}, {"lose", "session"}},
                    {{"frame", 50}, {"lose", "instance"}, {"unavailable", 2}}};
     const Run run = play(s);
-    expect_sound(run);
+    expect_valid(run);
     EXPECT_NE(run.events.find("20 session destroyed"), std::string::npos) << run.events;
     const auto shown_between = [&](int first, int last) {
         return std::ranges::count_if(run.frames, [&](const json& f) {
@@ -456,7 +456,7 @@ TEST_F(HeadsetProgramAtLength, ShowsOddFieldsOfViewAndDoesNotMindErrorsThatTheRu
     s["eyes"] = {eye(80, 120, -10, 70, 20, -80, -0.03), eye(80, 120, -70, -10, 80, 20, 0.03)};
     s["save"] = {12};
     const Run run = play(s, "--fps 0");
-    expect_sound(run);
+    expect_valid(run);
     EXPECT_GE(shown_frames(run.frames), 17u);
 }
 
@@ -497,7 +497,7 @@ TEST_F(HeadsetProgramAtLength, MirrorsTheLeftEyeInAWindow) {
     json s = scenario(30);
     s["extensions"] = {"XR_KHR_opengl_enable"};  // a context of GLX, and no depth
     const Run run = play(s, "--size 300x200", "xvfb-run -a -s '-screen 0 640x480x24'");
-    expect_sound(run);
+    expect_valid(run);
     EXPECT_GE(shown_frames(run.frames), 27u);
     EXPECT_TRUE(run.frames[20]["layers"][0]["views"][0]["depth"].is_null());
 }
@@ -542,8 +542,8 @@ TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
                   stick(60, 0, 0), stick(64, 1, 0), stick(70, 0, 0), away(74)};
     s["save"] = {38, 58, 88};
     for (const int frame : {34, 36, 84, 86}) s["events"].push_back({{"frame", frame}, {"late", 180}});
-    const Run run = play(s, "--fps 0 --blended 0 --thumbnails --unit-meters 1");
-    expect_sound(run);
+    const Run run = play(s, "--fps 0 --max-photos 0 --thumbnails --meters-per-unit 1");
+    expect_valid(run);
     const auto distance = [&](int frame) {
         char name[40];
         std::snprintf(name, sizeof name, "%04d-left-depth.pfm", frame);
@@ -580,8 +580,8 @@ TEST_F(HeadsetProgramAtLength, TwoHandsMakeTheModelTwiceAsLarge) {
                   at(20, "right", 0.2, true),  at(30, "left", -0.4, true),  at(30, "right", 0.4, true),
                   at(40, "left", -0.4, false), at(40, "right", 0.4, false)};
     s["save"] = {18, 58};
-    const Run run = play(s, "--fps 0 --unit-meters 1");
-    expect_sound(run);
+    const Run run = play(s, "--fps 0 --meters-per-unit 1");
+    expect_valid(run);
     const double before =
         middle_distance(dir / "out" / "0018-left-depth.pfm", run.frames[17]["layers"][0]["views"][0]);
     const double after =
@@ -602,8 +602,8 @@ TEST_F(HeadsetProgramAtLength, HandsOverTheDepthOfTheNearestObject) {
     write_scene_file(file, {{"first", dir / package.path().filename(), {}}, other});
     json s = scenario(20);
     s["save"] = {18};
-    const Run run = play(s, "--fps 0 --unit-meters 1");
-    expect_sound(run);
+    const Run run = play(s, "--fps 0 --meters-per-unit 1");
+    expect_valid(run);
     const json& submitted = run.frames[17]["layers"][0]["views"][0];
     const View view = Room(photo, Vector3d::UnitZ(), {0, 1.6, 0}, 1).view(submitted);
     int of_first = 0, of_second = 0;
@@ -650,9 +650,9 @@ TEST_F(HeadsetProgramAtLength, TakesAVisitorFromStopToStopOfATour) {
         json s = scenario(with.frame + 4);
         s["hands"] = with.hands;
         s["save"] = at;
-        const Run run = play(
-            s, "--fps 0 --unit-meters 1 --blended 1 --thumbnails --controls " + (dir / "controls").string());
-        expect_sound(run);
+        const Run run = play(s, "--fps 0 --meters-per-unit 1 --max-photos 1 --thumbnails --controls " +
+                                    (dir / "controls").string());
+        expect_valid(run);
         return run;
     };
     const auto has = [&](const std::string& name) {
@@ -709,7 +709,7 @@ TEST_F(HeadsetProgramAtLength, MeasuresBetweenTwoPointsToAMillimeter) {
     for (const Vector3d& p : points) script.select(room.in_room(p));
     json s = scenario(script.frame + 4);
     s["hands"] = script.hands;
-    expect_sound(play(s, "--unit-meters 1"));
+    expect_valid(play(s, "--meters-per-unit 1"));
     const json survey = json::parse(slurp(fs::path(file).replace_extension(".measurements.json")));
     ASSERT_EQ(survey["measurements"].size(), 1u) << survey;
     const Vector3d origin = Eigen::Map<const Vector3d>(package.scene().origin);
@@ -736,7 +736,7 @@ TEST_F(HeadsetProgramAtLength, EveryEntryOfTheMenuCanBePressed) {
         }
         json s = scenario(script.frame + 4);
         s["hands"] = script.hands;
-        expect_sound(play(s));
+        expect_valid(play(s));
     }
     EXPECT_GT(pressed, 60u);
 }
@@ -784,6 +784,6 @@ TEST_F(HeadsetProgram, LeavesByTheMenu) {
     json s = scenario(10000);
     s["hands"] = script.hands;
     const Run run = play(s);
-    expect_sound(run);
+    expect_valid(run);
     EXPECT_LT(run.frames.size(), 200u);
 }

@@ -110,7 +110,7 @@ TEST_F(PlayerProgram, TheFirstPictureOfTheWindowShowsPhotos) {
     const auto after = [&](int frames) {
         const fs::path picture = dir / "window.png";
         const std::string command = "xvfb-run -a " VANTAGE_PLAYER " " + file.string() +
-                                    " -q --fresh --photo 0002 --size 900x700 --frames " +
+                                    " -q --no-saved-settings --photo 0002 --size 900x700 --frames " +
                                     std::to_string(frames) + " --screenshot " + picture.string();
         EXPECT_EQ(std::system(command.c_str()), 0);
         return read_png(picture);

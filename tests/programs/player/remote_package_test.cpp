@@ -96,7 +96,7 @@ TEST_F(RemotePackages, InfoAndCheckSayWhatTheySayOfTheFile) {
     EXPECT_EQ(info.out, local.out);
     const Outcome check = run("check --deep " + server.url());
     EXPECT_EQ(check.code, 0) << check.out << check.err;
-    EXPECT_EQ(check.out, server.url() + ": sound, every tile read\n");
+    EXPECT_EQ(check.out, server.url() + ": valid, every tile read\n");
 }
 
 TEST_F(RemotePackages, DamageOnTheServerIsFoundByCheckAndNotShown) {

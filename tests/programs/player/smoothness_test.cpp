@@ -36,10 +36,10 @@ class SmoothnessOfFlights : public TemporaryFolder {
     }
     void make_package(EffectChoice gains = EffectChoice::off) {
         PrepareSettings settings;
-        settings.effects[Effect::registration] = EffectChoice::off;
+        settings.effects[Effect::pose_refinement] = EffectChoice::off;
         settings.effects[Effect::exposure] = gains;
-        settings.effects[Effect::falloff] = EffectChoice::off;
-        settings.effects[Effect::consensus] = EffectChoice::off;
+        settings.effects[Effect::vignetting] = EffectChoice::off;
+        settings.effects[Effect::transients] = EffectChoice::off;
         copy_package(dir / "scene", settings, file);
     }
     /// Multiplies the light of photo 2, in the middle of the five.

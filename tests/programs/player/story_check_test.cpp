@@ -37,8 +37,8 @@ TEST_F(StoryCheck, FindsWhatTheStoryNamesAndDoesNotHave) {
     const double* high = reader.scene().bounds_max;
     const std::string on = note("on", high[0], high[1], high[2]),
                       off = note("off", 3 * high[0] - 2 * low[0], high[1], high[2]);
-    const Outcome sound = check(R"({"format": "vantage-story-1", "notes": [)" + on + "]}");
-    EXPECT_EQ(sound.code, 0) << sound.out;
+    const Outcome valid = check(R"({"format": "vantage-story-1", "notes": [)" + on + "]}");
+    EXPECT_EQ(valid.code, 0) << valid.out;
     const Outcome found =
         check(R"({"format": "vantage-story-1", "mood": "calm", "notes": [)" + on + ", " + off +
               R"(, {"id": "c", "picture": "c.png"}], "tours": [{"id": "t", "stops": [{"note": "door"}]}]})");

@@ -75,7 +75,7 @@ TEST_F(Streaming, FetchedBytesMatchThePackage) {
                 glGetNamedBufferSubData(stream.buffer(), GLintptr(f->piece->offset), GLsizeiptr(bytes.size()),
                                         bytes.data());
                 const StreamRequest& r = f->request;
-                EXPECT_EQ(f->state, Fetched::State::sound);
+                EXPECT_EQ(f->state, Fetched::State::valid);
                 std::vector<std::byte> expected(bytes.size());
                 if (r.resource == Resource::thumbnail) {
                     EXPECT_TRUE(read_thumbnail(package, r.key, expected));

@@ -13,9 +13,9 @@ cat >one.story.json <<'END'
            {"id": "b", "title": "Door", "anchor": [2, 0, 2], "view": {"eye": [4, -7, 2], "target": [2, 0, 2], "fov": 40}}],
  "tours": [{"id": "all", "title": "All notes", "stops": [{"note": "a"}, {"note": "b"}]}]}
 END
-"$vantage" check one.vantage >checked || fail "the story is not sound: $(cat checked)"
+"$vantage" check one.vantage >checked || fail "the story is not valid: $(cat checked)"
 cp one.story.json kept
-start one.vantage --kiosk --fresh
+start one.vantage --kiosk --no-saved-settings
 there "Note 2" || fail "a kiosk shows no notes"
 press "Note 2"
 there "Next note" || fail "a kiosk opens no card"

@@ -42,7 +42,7 @@ touch_control() {
   finger tap $at
 }
 
-"$player" sceaux.vantage --kiosk --home-after 3600 --photo 00003 --fresh --controls places >says 2>&1 &
+"$player" sceaux.vantage --kiosk --idle-timeout 3600 --photo 00003 --no-saved-settings --controls places >says 2>&1 &
 pid=$!
 within 20 is_at "Bar Home"
 covers() { local at; at=$(place "Bar Home") && [ "${at#* }" -gt $((high * 9 / 10)) ]; }
@@ -76,13 +76,13 @@ is "($x - ${before[0]} - $wide / 10)^2 + ($y - ${before[1]} - $high / 20)^2 < (0
 # Compared with the photo: the line between both follows the finger.
 touch_control "Bar Compare"
 shot compared
-place Wiper >/dev/null || fail "Compare shows no line to drag"
-at=$(place Wiper)
+place Swipe >/dev/null || fail "Compare shows no line to drag"
+at=$(place Swipe)
 # shellcheck disable=SC2086
 finger drag $at $((wide / 4)) "${at#* }"
 shot wiped
 cmp -s compared.ppm wiped.ppm && fail "the line does not follow the finger"
-[ "$(place Wiper)" != "$at" ] || fail "the line is still at $at"
+[ "$(place Swipe)" != "$at" ] || fail "the line is still at $at"
 touch_control "Bar Compare"
 
 # Home again, as it was.

@@ -16,7 +16,7 @@ start one.vantage --size 900x700
 xdotool mousemove 500 400 click 4
 xdotool key --delay 0 Tab c F5
 there "Section Picture" || fail "a tap of Tab is lost if two other keys follow within a frame"
-there "Wiper" || fail "a tap of C is lost between two other keys within a frame"
+there "Swipe" || fail "a tap of C is lost between two other keys within a frame"
 xdotool key --delay 0 o Escape
 gone "Cancel" || fail "O and Esc leave the dialog open"
 press "File"
@@ -41,7 +41,7 @@ opens two.vantage
 quit
 
 # An orthophoto is written while the window is used: that of the command.
-start one.vantage --fresh --size 1200x800
+start one.vantage --no-saved-settings --size 1200x800
 key Tab
 press "Section Picture"; press "Section Blending"; press "Section Orthophoto"
 press "Seen from"; press "front"
@@ -65,7 +65,7 @@ quit
 
 # At rest nothing is drawn, also where tiles do not all fit into the memory, and a key wakes the window.
 comes_to_rest() {
-  "$player" "$@" --fresh >says 2>&1 &
+  "$player" "$@" --no-saved-settings >says 2>&1 &
   pid=$!
   rests || fail "$* never rests"
   focus

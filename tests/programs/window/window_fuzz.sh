@@ -34,7 +34,7 @@ random_events() {
   }'
 }
 
-"$player" one.vantage --fresh --size 900x700 >says 2>&1 &
+"$player" one.vantage --no-saved-settings --size 900x700 >says 2>&1 &
 pid=$!
 soon grep -q "first picture" says
 focus

@@ -31,7 +31,7 @@ a, b = (open(name, "rb").read() for name in sys.argv[1:])
 sys.exit(len(a) != len(b) or sum(abs(x - y) for x, y in zip(a, b)) > 2 * len(a))' "$1" "$2"
 }
 
-# Without a package: a damaged one that is dropped is refused, a sound one is shown.
+# Without a package: a damaged one that is dropped is refused, a valid one is shown.
 start_page
 /usr/bin/python3 "$source_of_tests/drop_files.py" "$window" cut.vantage || fail "the start page takes no files"
 frames 3
@@ -134,7 +134,7 @@ for at in starts[-10:]:  # tiles of colors, behind the thumbnails of five photos
     data[at + 2000 : at + 2002] = bytes(2)
 open("two.vantage", "wb").write(data)
 END
-start two.vantage --fresh --size 900x700
+start two.vantage --no-saved-settings --size 900x700
 place "Message" >/dev/null || fail "damage is not said: $(cat says)"  # it goes after some seconds
 xdotool key ctrl+q
 await_exit "Ctrl+Q" 4

@@ -26,13 +26,13 @@ struct SyntheticPhotos {
 
 struct PhotoOptions {
     std::size_t photos = 12, discs = 3000;
-    double share = 0.4;  ///< of the discs that each photo shows
-    double stops = 1;    ///< largest exposure error, to either side
-    double falloff = 0;  ///< share of the light lost in the corner
+    double share = 0.4;     ///< of the discs that each photo shows
+    double stops = 1;       ///< largest exposure error, to either side
+    double vignetting = 0;  ///< share of the light lost in the corner
     double noise = 0.02, outliers = 0;
 };
 
-/// A falloff of a different form than the fitted one.
+/// vignetting of a different form than the fitted one.
 double light_at(double r, double lost) { return 1 / std::pow(1 + (1 / std::sqrt(1 - lost) - 1) * r * r, 2); }
 
 SyntheticPhotos make(const PhotoOptions& w, unsigned seed = 1) {
@@ -53,10 +53,10 @@ SyntheticPhotos make(const PhotoOptions& w, unsigned seed = 1) {
             const double wrong = unit(random) < w.outliers ? std::exp(2 * normal(random)) : 1;
             photo[d].radius = std::uint16_t(std::lround(65535 * r));
             for (std::size_t c = 0; c < 3; ++c)
-                photo[d].linear[c] =
-                    std::uint16_t(std::clamp(65535 * 0.4 * albedo[d][c] * gain[c] * light_at(r, w.falloff) *
-                                                 wrong * std::exp(w.noise * normal(random)),
-                                             1.0, 65535.0));
+                photo[d].linear[c] = std::uint16_t(
+                    std::clamp(65535 * 0.4 * albedo[d][c] * gain[c] * light_at(r, w.vignetting) * wrong *
+                                   std::exp(w.noise * normal(random)),
+                               1.0, 65535.0));
         }
     }
     return made;
@@ -78,7 +78,7 @@ double worst_gain(const SyntheticPhotos& made, const ColorFit& fit) {
 void expect_untouched(const ColorFit& fit) {
     for (const auto& g : fit.ln_gain)
         for (const double v : g) EXPECT_EQ(v, 0);
-    for (const Falloff& f : fit.falloff)
+    for (const Vignetting& f : fit.vignetting)
         for (const double v : f) EXPECT_EQ(v, 0);
     EXPECT_EQ(fit.before, 0);
     EXPECT_EQ(fit.after, 0);
@@ -86,12 +86,12 @@ void expect_untouched(const ColorFit& fit) {
 
 }  // namespace
 
-TEST(ColorFit, RecoversGainsAndFalloffDespiteOutliers) {
-    const SyntheticPhotos made = make({.falloff = 0.3, .outliers = 0.1});
+TEST(ColorFit, RecoversGainsAndVignettingDespiteOutliers) {
+    const SyntheticPhotos made = make({.vignetting = 0.3, .outliers = 0.1});
     const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
     EXPECT_LT(worst_gain(made, fit), 0.005);
     for (double r = 0; r <= 1; r += 0.05)
-        EXPECT_NEAR(std::exp(-log_falloff(fit.falloff[0], r)), light_at(r, 0.3), 0.01) << r;
+        EXPECT_NEAR(std::exp(-log_vignetting(fit.vignetting[0], r)), light_at(r, 0.3), 0.01) << r;
     EXPECT_GT(fit.before, 0.3);
     EXPECT_LT(fit.after, 0.05);
 }
@@ -101,39 +101,39 @@ TEST(ColorFit, AgreeingPhotosStayUnchanged) {
     const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
     for (const auto& g : fit.ln_gain)
         for (const double v : g) EXPECT_NEAR(v, 0, 0.005);
-    for (const double f : fit.falloff[0]) EXPECT_EQ(f, 0);
+    for (const double f : fit.vignetting[0]) EXPECT_EQ(f, 0);
 }
 
-TEST(ColorFit, EachLensHasItsOwnFalloff) {
-    SyntheticPhotos made = make({.photos = 6, .share = 0.8, .stops = 0.5, .falloff = 0.4});
+TEST(ColorFit, EachLensHasItsOwnVignetting) {
+    SyntheticPhotos made = make({.photos = 6, .share = 0.8, .stops = 0.5, .vignetting = 0.4});
     const SyntheticPhotos others = make({.photos = 6, .share = 0.8, .stops = 0.5});
     made.photos.insert(made.photos.end(), others.photos.begin(), others.photos.end());
     const std::vector<std::uint32_t> lens{0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};
     const ColorFit fit = fit_colors(made.spans(), lens, true);
-    EXPECT_NEAR(std::exp(-log_falloff(fit.falloff[0], 1)), 0.6, 0.02);
-    EXPECT_EQ(log_falloff(fit.falloff[1], 1), 0);
+    EXPECT_NEAR(std::exp(-log_vignetting(fit.vignetting[0], 1)), 0.6, 0.02);
+    EXPECT_EQ(log_vignetting(fit.vignetting[1], 1), 0);
 }
 
-TEST(ColorFit, TwoPhotosDoNotDetermineTheFalloff) {
+TEST(ColorFit, TwoPhotosDoNotDetermineTheVignetting) {
     // A bright center in two photos may be the object; in three it is taken for the lens.
     SyntheticPhotos made = make({.photos = 6, .stops = 0});
-    const SyntheticPhotos shining = make({.photos = 3, .stops = 0, .falloff = 0.4});
+    const SyntheticPhotos shining = make({.photos = 3, .stops = 0, .vignetting = 0.4});
     std::vector<std::uint32_t> lens(6, 0);
     for (const std::size_t photos : {1u, 2u, 3u}) {
         made.photos.push_back(shining.photos[photos - 1]);
         lens.push_back(1);
         const ColorFit fit = fit_colors(made.spans(), lens, true);
-        EXPECT_EQ(log_falloff(fit.falloff[0], 1), 0) << photos;
-        EXPECT_EQ(log_falloff(fit.falloff[1], 1) > 0, photos == 3) << photos;
+        EXPECT_EQ(log_vignetting(fit.vignetting[0], 1), 0) << photos;
+        EXPECT_EQ(log_vignetting(fit.vignetting[1], 1) > 0, photos == 3) << photos;
     }
 }
 
-TEST(ColorFit, NegligibleFalloffIsDropped) {
+TEST(ColorFit, NegligibleVignettingIsDropped) {
     // A corner that loses a tenth of the light, with little and with much noise.
     for (const double noise : {0.02, 1.0}) {
-        const SyntheticPhotos made = make({.share = 0.8, .stops = 0, .falloff = 0.1, .noise = noise});
+        const SyntheticPhotos made = make({.share = 0.8, .stops = 0, .vignetting = 0.1, .noise = noise});
         const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
-        EXPECT_EQ(log_falloff(fit.falloff[0], 1) > 0, noise < 0.1) << noise;
+        EXPECT_EQ(log_vignetting(fit.vignetting[0], 1) > 0, noise < 0.1) << noise;
     }
 }
 
@@ -179,7 +179,7 @@ TEST(ColorFit, OutliersOnlyGiveFiniteGainsWithinBounds) {
     const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
     for (const auto& g : fit.ln_gain)
         for (const double v : g) EXPECT_LE(std::abs(v), std::log(4) + 1e-12);
-    for (const double f : fit.falloff[0]) EXPECT_TRUE(std::isfinite(f));
+    for (const double f : fit.vignetting[0]) EXPECT_TRUE(std::isfinite(f));
 }
 
 TEST(ColorAgreement, IsEnabledOnlyIfPhotosDisagree) {
@@ -191,21 +191,21 @@ TEST(ColorAgreement, IsEnabledOnlyIfPhotosDisagree) {
     };
     const auto agreeing = refine(make({.stops = 0, .noise = 0.005}), {});
     EXPECT_FALSE(agreeing.exposure.on) << agreeing.exposure.evidence;
-    EXPECT_FALSE(agreeing.falloff.on);
+    EXPECT_FALSE(agreeing.vignetting.on);
     // Disagreement that gains do not explain.
     const auto noisy = refine(make({.stops = 0, .noise = 0.1}), {});
     EXPECT_FALSE(noisy.exposure.on) << noisy.exposure.evidence;
-    const SyntheticPhotos exposed = make({.falloff = 0.3});
+    const SyntheticPhotos exposed = make({.vignetting = 0.3});
     const auto called = refine(exposed, {});
     EXPECT_TRUE(called.exposure.on) << called.exposure.evidence;
-    EXPECT_TRUE(called.falloff.on) << called.falloff.evidence;
+    EXPECT_TRUE(called.vignetting.on) << called.vignetting.evidence;
     const auto forbidden =
-        refine(exposed, {{Effect::exposure, EffectChoice::off}, {Effect::falloff, EffectChoice::off}});
+        refine(exposed, {{Effect::exposure, EffectChoice::off}, {Effect::vignetting, EffectChoice::off}});
     apply_colors(forbidden, photos);
     for (const package::PhotoRecord& p : photos)
         for (int i = 0; i < 3; ++i) {
             EXPECT_EQ(p.gain[i], 1);
-            EXPECT_EQ(p.falloff[i], 0);
+            EXPECT_EQ(p.vignetting[i], 0);
         }
 }
 

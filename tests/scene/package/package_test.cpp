@@ -49,7 +49,7 @@ TEST_F(Package, ReadsBackWhatWasWritten) {
     ASSERT_NE(e, nullptr);
     ASSERT_EQ(reader.blocks(*e), 3u);
     for (std::size_t b = 0; b < 3; ++b) {
-        EXPECT_TRUE(reader.block_sound(*e, b));
+        EXPECT_TRUE(reader.block_valid(*e, b));
         EXPECT_EQ(std::memcmp(reader.block(*e, b).data(), blocks.data() + 4096 * b, 4096), 0);
         EXPECT_EQ(reinterpret_cast<std::uintptr_t>(reader.block(*e, b).data()) % package::alignment, 0u);
     }
@@ -110,10 +110,10 @@ TEST_F(Package, FlippedByteIsDetectedInItsBlock) {
     dump(bad);
     const PackageReader reader(file);
     const auto* e = reader.find(Type::tiles, 0, 2);
-    EXPECT_TRUE(reader.head_sound(*e));
-    EXPECT_TRUE(reader.block_sound(*e, 0));
-    EXPECT_FALSE(reader.block_sound(*e, 1));
-    EXPECT_TRUE(reader.block_sound(*e, 2));
+    EXPECT_TRUE(reader.head_valid(*e));
+    EXPECT_TRUE(reader.block_valid(*e, 0));
+    EXPECT_FALSE(reader.block_valid(*e, 1));
+    EXPECT_TRUE(reader.block_valid(*e, 2));
 }
 
 TEST_F(Package, OfAnotherVersionIsRefused) {

@@ -20,7 +20,7 @@ class RemoteFaults : public RemoteTest {
         EXPECT_TRUE(error.starts_with(server.url() + ": ")) << error;
         return error.substr(std::min(error.size(), server.url().size() + 2));
     }
-    /// The error when bytes are fetched after a sound opening.
+    /// The error when bytes are fetched after a valid opening.
     std::string fetching_error(const Handler& handler, ByteRange range = {5 * block, 7 * block}) {
         FaultServer server([&](const Asked& asked) {
             return asked.number == 0 ? answer_well(asked, content) : handler(asked);

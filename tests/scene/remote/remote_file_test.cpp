@@ -234,7 +234,7 @@ TEST_F(RemoteFileFetches, NoMoreRequestsThanAllowedAreInFlight) {
         --in_flight;
         return answer_well(asked, content);
     });
-    options.most_requests = 3;
+    options.max_requests = 3;
     RemoteFile file(server.url(), options);
     std::vector<ByteRange> ranges;
     for (std::uint64_t i = 1; i < 20; ++i) ranges.push_back({2 * i * block, (2 * i + 1) * block});
@@ -247,7 +247,7 @@ TEST_F(RemoteFileFetches, SmallFetchDoesNotWaitForALargeOne) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         return answer_well(asked, content);
     });
-    options.most_requests = 1;
+    options.max_requests = 1;
     RemoteFile file(server.url(), options);
     std::vector<ByteRange> many;
     for (std::uint64_t i = 1; i < 90; ++i) many.push_back({2 * i * block, (2 * i + 1) * block});

@@ -153,7 +153,7 @@ TEST_F(StoryFile, ErrorsNameThePlaceWhatWasFoundAndWhatWasExpected) {
               "title: found 7, expected a text, or an object with a text for each language");
 }
 
-TEST_F(StoryFile, AStrangersFileDoesNoHarm) {
+TEST_F(StoryFile, APasserBysFileDoesNoHarm) {
     EXPECT_NE(error_of(std::string(100000, '[')).find("nested"), std::string::npos);
     EXPECT_NE(error_of(std::string(9 << 20, ' ')).find("8 MiB"), std::string::npos);
     EXPECT_NE(error_of("").find("is not JSON"), std::string::npos);
@@ -192,7 +192,7 @@ TEST_F(StoryFile, UnknownKeysAreReportedAndIgnored) {
 }
 
 TEST(StoryFileName, IsBesideThePackage) {
-    EXPECT_EQ(story_file_of("shelf/chapel.vantage"), "shelf/chapel.story.json");
+    EXPECT_EQ(story_file_of("collection/chapel.vantage"), "collection/chapel.story.json");
     EXPECT_EQ(story_file_of("church.v2.toml"), "church.v2.story.json");
     EXPECT_EQ(story_file_of("https://museum.org/chapel.vantage"), "");
 }

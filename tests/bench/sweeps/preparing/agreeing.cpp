@@ -20,7 +20,7 @@ const std::array<Candidate, 4>& candidates() {
         Candidate{"off", {"--refine", "off"}},
         Candidate{"colour", {"--refine", "color"}},
         Candidate{"full", {}},
-        Candidate{"full, cameras always registered", {"--effect", "registration=on"}},
+        Candidate{"full, cameras always registered", {"--effect", "pose-refinement=on"}},
     };
     return all;
 }
@@ -46,7 +46,7 @@ extern const Sweep agreeing_sweep;
 const Sweep agreeing_sweep{
     "agreeing",
     "Making photos agree",
-    "What do color agreement, camera registration and consensus masks gain, and what do they cost?",
+    "What do color agreement, camera pose refinement and transient masks gain, and what do they cost?",
     "the held-out photo, or the ray-cast picture",
     "not applicable; the exact setting registers cameras regardless of the evidence",
     {{"prepare_s", "psnr"}, {"prepare_s", "ssim"}},

@@ -43,7 +43,7 @@ std::vector<Measurement> measure_resolutions(const BenchScene& scene, const Effo
     for (const int divisor : {1, 2, 4, 8}) {
         const std::string size = std::to_string(std::max(16u, longest / std::uint32_t(divisor)));
         const PictureSetting one{"pixels per photo", size + " px", divisor == 1, divisor == 1, {}};
-        out.push_back(measure_prepared(scene, effort, {"--photo-size", size}, one, folder,
+        out.push_back(measure_prepared(scene, effort, {"--max-photo-size", size}, one, folder,
                                        fmt::format("pixels-{}", divisor)));
         out.back().values["pixels"] = pixels / (divisor * divisor);
     }

@@ -19,15 +19,15 @@ struct Candidate {
 std::vector<Candidate> candidates(bool full) {
     std::vector<Candidate> out;
     for (const char* preset : {"preview", "default", "ci"})
-        out.push_back({"presets", preset, {"--config", preset}});
+        out.push_back({"presets", preset, {"--preset", preset}});
     for (const int size : full ? std::vector{0, 2048, 1024, 640} : std::vector{0, 1024})
         for (const char* distance : {"exact", "jfa^2"})
             for (const char* fragment : {"on", "off"}) {
                 if (!full && (distance[0] != 'e' || (fragment[1] == 'f' && size))) continue;
                 out.push_back({std::string("coordinates per ") + (fragment[1] == 'n' ? "fragment" : "vertex"),
                                fmt::format("{} {}", size ? fmt::format("{} px", size) : "full", distance),
-                               {"--photo-size", std::to_string(size), "--distance", distance, "--effect",
-                                std::string("per-fragment=") + fragment}});
+                               {"--max-photo-size", std::to_string(size), "--border-distance", distance,
+                                "--effect", std::string("per-fragment=") + fragment}});
             }
     return out;
 }

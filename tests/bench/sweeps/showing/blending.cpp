@@ -48,9 +48,9 @@ std::vector<PictureSetting> exponents(int) {
         s.timed = radians == usual.weights.sharpness;
         out.push_back(s);
     }
-    PictureSetting consensus{"lumigraph, sharpness", "consensus", false, false, {}};
-    consensus.settings.consensus = true;
-    out.push_back(consensus);
+    PictureSetting transients{"lumigraph, sharpness", "transients", false, false, {}};
+    transients.settings.transients = true;
+    out.push_back(transients);
     return out;
 }
 

@@ -38,14 +38,14 @@ std::vector<Measurement> tiles(const BenchScene& scene, const Effort& effort) {
     const std::size_t count = package.blocks(*chunk);
     std::vector<std::byte> to(tile_bytes);
     return compare("checksum of a tile", "fetch_ms", effort.repeats, [&](bool guarded) {
-        bool sound = true;
+        bool valid = true;
         const double ms = milliseconds([&] {
             for (std::size_t i = 0; i < count; ++i) {
-                if (guarded) sound &= package.block_sound(*chunk, i);
+                if (guarded) valid &= package.block_valid(*chunk, i);
                 std::memcpy(to.data(), package.block(*chunk, i).data(), to.size());
             }
         });
-        return sound ? ms / double(count) : 0;
+        return valid ? ms / double(count) : 0;
     });
 }
 

@@ -47,7 +47,7 @@ TEST_F(NotePictures, AreReadFromPngAndJpeg) {
         if (cut < 100) expect_refused(bytes.substr(0, cut), "a JPEG without a whole header");
 }
 
-TEST_F(NotePictures, AStrangersFileDoesNoHarm) {
+TEST_F(NotePictures, APasserBysFileDoesNoHarm) {
     const std::string png = "\x89PNG\r\n\x1a\n", head("\0\0\0\x0dIHDR", 8);
     expect_refused(png + head + std::string("\0\0\xff\xff\0\0\xff\xff\x08\x06\0\0\0", 13), "4 gigapixels");
     expect_refused(png + head + std::string("\x7f\0\0\0\x7f\0\0\0\x08\x06\0\0\0", 13), "2^62 pixels");

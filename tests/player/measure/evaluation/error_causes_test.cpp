@@ -38,7 +38,7 @@ Constructed constructed(int width = 192, int height = 128) {
     return {p, p, {p, p, p}, all, all, all};
 }
 
-constexpr Place stranger{64, 48, 64, 48};
+constexpr Place passer_by{64, 48, 64, 48};
 
 void paint(Picture& p, const Place& place, int share = 100) {
     each(place, p, [&](std::size_t i, int, int) {
@@ -62,29 +62,29 @@ TEST(ErrorCauses, NoErrorNoCause) {
     EXPECT_TRUE(worst_regions(constructed().causes(), 4).empty());
 }
 
-TEST(ErrorCauses, StrangerInThePhotoIsOdd) {
+TEST(ErrorCauses, PasserByInThePhotoIsOdd) {
     Constructed c = constructed();
-    paint(c.photo, stranger);
+    paint(c.photo, passer_by);
     EXPECT_GT(c.squares().share(Cause::odd_photo), 0.9);
 }
 
-TEST(ErrorCauses, StrangerInOneOfTheOthersIsADisagreement) {
+TEST(ErrorCauses, PasserByInOneOfTheOthersIsADisagreement) {
     Constructed c = constructed();
-    paint(c.alone[1], stranger);
-    paint(c.shown, stranger, 50);
+    paint(c.alone[1], passer_by);
+    paint(c.shown, passer_by, 50);
     EXPECT_GT(c.squares().share(Cause::disagreement), 0.9);
 }
 
-TEST(ErrorCauses, StrangerInAPhotoThatIsNotAmongThoseComparedIsADisagreement) {
+TEST(ErrorCauses, PasserByInAPhotoThatIsNotAmongThoseComparedIsADisagreement) {
     Constructed c = constructed();
-    paint(c.shown, stranger, 50);
+    paint(c.shown, passer_by, 50);
     EXPECT_GT(c.squares().share(Cause::disagreement), 0.9);
 }
 
 TEST(ErrorCauses, OthersThatAreAllWrongInDifferentWaysDisagree) {
     Constructed c = constructed();
     const auto brighten = [](Picture& p, int by) {
-        each(stranger, p, [&](std::size_t i, int, int) {
+        each(passer_by, p, [&](std::size_t i, int, int) {
             for (std::size_t k = 0; k < 3; ++k)
                 p.rgba[4 * i + k] = std::uint8_t(std::clamp(p.rgba[4 * i + k] + by, 0, 255));
         });
@@ -96,9 +96,9 @@ TEST(ErrorCauses, OthersThatAreAllWrongInDifferentWaysDisagree) {
     EXPECT_GT(c.squares().share(Cause::disagreement), 0.9);
 }
 
-TEST(ErrorCauses, StrangerThatOnlyOnePhotoContradictsIsNotJudged) {
+TEST(ErrorCauses, PasserByThatOnlyOnePhotoContradictsIsNotJudged) {
     Constructed c = constructed();
-    paint(c.photo, stranger);
+    paint(c.photo, passer_by);
     for (std::size_t k = 1; k < 3; ++k)
         for (std::size_t i = 3; i < c.alone[k].rgba.size(); i += 4) c.alone[k].rgba[i] = 0;
     EXPECT_GT(c.squares().share(Cause::unjudged), 0.9);

@@ -37,13 +37,13 @@ TEST(Effects, AreFoundByNameAndUnknownNamesAreRejected) {
 }
 
 TEST(Effects, KeepTheSpellingThatPackagesStore) {
-    EXPECT_STREQ(effect_row("fov-normalization").name, "fov-normalisation");
+    EXPECT_STREQ(effect_row("fov-normalization").name, "fov-normalization");
 }
 
 TEST(Effects, DefineSymbolsOnlyInTheirShaderProgram) {
     const EffectSet on = effect_bit(Effect::vertex_colors) | effect_bit(Effect::per_fragment) |
-                         effect_bit(Effect::falloff) | effect_bit(Effect::registration);
+                         effect_bit(Effect::vignetting) | effect_bit(Effect::pose_refinement);
     EXPECT_EQ(shader_defines("surface", on), std::vector<std::string>{"VERTEX_COLORS"});
-    EXPECT_EQ(shader_defines("blend", on), (std::vector<std::string>{"PER_FRAGMENT", "PHOTO_FALLOFF"}));
+    EXPECT_EQ(shader_defines("blend", on), (std::vector<std::string>{"PER_FRAGMENT", "PHOTO_VIGNETTING"}));
     EXPECT_TRUE(shader_defines("blend", on & effects_from(Basis::pixels)).empty());
 }

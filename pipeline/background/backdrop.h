@@ -1,0 +1,41 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pipeline/background/coarse_view.h"
+#include "pipeline/background/direction_sphere.h"
+#include "pipeline/background/planes.h"
+
+namespace vantage {
+
+/// How finely background is estimated.
+struct BackdropDetail {
+    int sphere = 5;       ///< level of the direction sphere
+    int labels = 96;      ///< depths per direction
+    int refinements = 2;  ///< times that the sphere is divided again, for edges
+};
+/// Enough to judge whether there is anything to estimate.
+inline constexpr BackdropDetail validated_detail{.sphere = 4, .labels = 32, .refinements = 0};
+
+/// A closed surface around the cameras, as seen from their center: one vertex per direction.
+struct Backdrop {
+    DirectionSphere sphere;
+    Eigen::Vector3d center;                  ///< relative to the origin
+    std::vector<Eigen::Vector3f> positions;  ///< relative to the origin, all finite
+};
+
+/// Finds the background' depth by direction from what the photos show beside the mesh, see docs/method.md.
+/// Needs at least two views, not all from one place.
+Backdrop estimate_backdrop(std::span<const CoarseView> views, const MeshPlanes& mesh,
+                           const BackdropDetail& detail, unsigned threads);
+
+/// Whether the views allow estimate_backdrop.
+bool have_parallax(std::span<const CoarseView> views);
+
+/// The backdrop's quiet color, in which photos agree and which is shown where none does: per vertex the
+/// median of what the views show, fading to the mean of all where none shows it. Linear light.
+std::vector<Eigen::Array3f> quiet_colors(const Backdrop& backdrop, std::span<const CoarseView> views);
+
+}  // namespace vantage

@@ -1,0 +1,62 @@
+#pragma once
+#include <Eigen/Core>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "scene/agreement/color_fit.h"
+#include "scene/camera/camera.h"
+#include "scene/package/package_reader.h"
+
+namespace vantage {
+
+/// ln of linear light for comparison; the offset keeps noise in dark pixels from becoming large differences.
+inline constexpr float ln_offset = 0.02f;
+inline Eigen::Array3f ln_of(const Eigen::Array3f& linear) { return (linear + ln_offset).log(); }
+inline Eigen::Array3f linear_of(const Eigen::Array3f& ln) { return ln.exp() - ln_offset; }
+
+inline constexpr int gap_reach = 2;  ///< texels
+
+/// A photo at a coarse level, and where the mesh leaves it open: where it shows something else.
+struct CoarseView {
+    std::uint32_t photo = 0;
+    Intrinsics k;  ///< of the level
+    Pose pose;     ///< relative to the origin
+    /// ln_of linear light in the exposure of the mean photo; NaN where the photo has no pixel or shows the
+    /// mesh.
+    std::vector<Eigen::Array3f> ln;
+    std::vector<float> z;              ///< of the mesh, +inf where it is open
+    std::size_t pixels = 0, open = 0;  ///< texels with a pixel, and those of them without mesh
+
+    bool is_open(std::size_t texel) const { return !std::isnan(ln[texel][0]); }
+};
+
+/// A position relative to the origin in the view's camera space.
+inline Eigen::Vector3f in_camera(const CoarseView& view, const Eigen::Vector3f& position) {
+    return (view.pose.R * position.cast<double>() + view.pose.t).cast<float>();
+}
+
+/// Reads the photos `of` at the finest level with at most 192 texels on the longer side. `colors`: gains and
+/// vignetting per photo of the scene. Throws Error(damaged).
+std::vector<CoarseView> read_coarse_views(const PackageReader& package,
+                                          std::span<const package::PhotoRecord> photos,
+                                          std::span<const std::uint32_t> of, const PhotoColors& colors,
+                                          unsigned threads);
+
+/// Per texel of the view, 1 where something within `gap_reach` texels is open at `mask_level`. Throws
+/// Error(damaged).
+std::vector<std::uint8_t> gaps_in(const CoarseView& view, const PackageReader& package,
+                                  const package::PhotoRecord& record);
+
+/// Views, and the colors in which they are.
+struct CoarseViews {
+    std::vector<CoarseView> views;
+    PhotoColors colors;
+};
+
+/// At most `most` photos with pixels, spread over the cameras: each is the farthest from those before it.
+std::vector<std::uint32_t> spread_photos(std::span<const package::PhotoRecord> photos, std::size_t most);
+
+}  // namespace vantage

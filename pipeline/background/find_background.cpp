@@ -1,0 +1,137 @@
+#include "pipeline/background/find_background.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <future>
+#include <numeric>
+
+#include "base/values/bytes_of.h"
+#include "base/values/quantile.h"
+#include "base/values/srgb.h"
+#include "pipeline/background/backdrop_coverage.h"
+#include "pipeline/background/validate_background.h"
+#include "pipeline/refine/verdict.h"
+#include "pipeline/run/for_each_photo.h"
+#include "scene/package/contents/background.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::size_t max_folds = 6;
+
+std::array<std::uint8_t, 4> srgb(const Eigen::Array3f& linear) {
+    std::array<std::uint8_t, 4> out{0, 0, 0, 255};
+    for (int c = 0; c < 3; ++c)
+        out[std::size_t(c)] =
+            std::uint8_t(std::lround(255 * std::clamp(srgb_from_linear(double(linear[c])), 0.0, 1.0)));
+    return out;
+}
+
+/// Share of the photos' pixels that the mesh does not cover.
+double open_share(std::span<const CoarseView> views) {
+    std::size_t pixels = 0, open = 0;
+    for (const CoarseView& v : views) pixels += v.pixels, open += v.open;
+    return pixels ? double(open) / double(pixels) : 0;
+}
+
+/// The median per channel of what the mesh leaves open.
+std::array<double, 3> shade_beside(std::span<const CoarseView> views) {
+    std::array<std::vector<float>, 3> channels;
+    for (const CoarseView& v : views)
+        for (std::size_t at = 0; at < v.ln.size(); at += 3) {
+            const Eigen::Array3f light = linear_of(v.ln[at]);
+            for (int c = 0; c < 3 && v.is_open(at); ++c) channels[std::size_t(c)].push_back(light[c]);
+        }
+    std::array<double, 3> out{};
+    for (std::size_t c = 0; c < 3; ++c) out[c] = std::clamp(quantile(channels[c], 0.5), 0.0, 1.0);
+    return out;
+}
+
+/// The decision before any photo is left out.
+EffectDecision first_decision(const BackgroundInput& in, std::span<const CoarseView> views) {
+    const double share = open_share(views);
+    EffectDecision d = decide(Effect::background, in.choice, share,
+                              fmt::format("the mesh leaves {:.1f} % of the photos open", 100 * share));
+    if (have_parallax(views)) return d;
+    d.on = false;
+    d.evidence += "; one viewpoint does not show how far away it is";
+    return d;
+}
+
+/// Lets left-out photos confirm it.
+EffectDecision validated(const BackgroundInput& in, const CoarseViews& some, const MeshPlanes& mesh,
+                         EffectDecision d) {
+    const BackgroundVerdict j =
+        validate_background(some, in.samples, in.photos, in.lens, mesh, max_folds, in.threads);
+    d.judgment = j.gain;
+    d.evidence += "; " + sentence(j.gain);
+    if (j.gain.photos >= min_validated_photos) d.evidence += " over a plain color";
+    if (j.agreed)
+        d.evidence += fmt::format("; of what one color does not explain, other photos explain {:.0f} %",
+                                  100 * std::max(*j.agreed, 0.0));
+    if (const std::string objection = j.objection(in.kind); !objection.empty()) {
+        d.evidence += "; " + objection;
+        if (!d.forced) d.on = false;
+    }
+    return d;
+}
+
+std::vector<std::byte> chunk_of(const BackgroundInput& in, const Backdrop& backdrop,
+                                const CoarseViews& some) {
+    BackgroundContent content;
+    content.positions = backdrop.positions;
+    content.triangles = backdrop.sphere.triangles;
+    content.clusters = backdrop_clusters(backdrop);
+    content.coverage.resize(in.photos.size());
+    content.visible.resize(in.photos.size());
+    std::future<std::vector<Eigen::Array3f>> quiet =
+        std::async(std::launch::async, [&] { return quiet_colors(backdrop, some.views); });
+    // Some at a time: there may be many photos.
+    std::vector<std::uint32_t> with_pixels;
+    for (std::uint32_t i = 0; i < in.photos.size(); ++i)
+        if (in.photos[i].levels) with_pixels.push_back(i);
+    // Few photos are all among those that were compared, in the same order.
+    const bool all_known = with_pixels.size() == some.views.size();
+    for (std::span<const std::uint32_t> rest = with_pixels; !rest.empty();) {
+        const auto now = rest.first(std::min(rest.size(), max_surrounding_views));
+        rest = rest.subspan(now.size());
+        std::vector<CoarseView> read;
+        if (!all_known) read = read_coarse_views(in.package, in.photos, now, some.colors, in.threads);
+        const std::span<const CoarseView> views = all_known ? some.views : read;
+        for_each_photo(views.size(), in.threads, [&](std::size_t i) {
+            const std::vector<std::uint8_t> gaps = gaps_in(views[i], in.package, in.photos[now[i]]);
+            BackdropCoverage c = backdrop_coverage(backdrop, content.clusters, views[i], gaps);
+            content.coverage[now[i]] = std::move(c.clusters);
+            content.visible[now[i]] = std::move(c.visible);
+        });
+    }
+    for (const Eigen::Array3f& c : quiet.get()) content.colors.push_back(srgb(c));
+    return background_chunk(content);
+}
+
+}  // namespace
+
+Background find_background(const BackgroundInput& in) {
+    if (in.choice == EffectChoice::off)
+        return {decide(Effect::background, in.choice, 0, "not measured"), {}, {}};
+    const PhotoColors colors = colors_of(in.colors, in.lens);
+    const CoarseViews some{
+        read_coarse_views(in.package, in.photos, spread_photos(in.photos, max_surrounding_views), colors,
+                          in.threads),
+        colors};
+    const MeshPlanes mesh = mesh_planes(in.discs, some.views);
+    Background out{first_decision(in, some.views), {}, shade_beside(some.views)};
+    if (!out.decision.on) return out;
+    // In the meantime where most scenes with something to show keep it: not around objects.
+    std::future<Backdrop> estimate =
+        std::async(in.kind == KindOfScan::object ? std::launch::deferred : std::launch::async,
+                   [&] { return estimate_backdrop(some.views, mesh, {}, in.threads); });
+    if (in.validate) out.decision = validated(in, some, mesh, std::move(out.decision));
+    if (!out.decision.on) return out;
+    const Backdrop backdrop = estimate.get();
+    out.chunk = chunk_of(in, backdrop, some);
+    return out;
+}
+
+}  // namespace vantage

@@ -1,0 +1,43 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "pipeline/presentation/kind_of_scan.h"
+#include "scene/agreement/color_fit.h"
+#include "scene/agreement/surface_discs.h"
+#include "scene/package/contents/effects.h"
+#include "scene/package/package_reader.h"
+
+namespace vantage {
+
+/// Photos from which background is estimated, at most.
+inline constexpr std::size_t max_surrounding_views = 32;
+
+/// What background is estimated from. The spans must outlive the call.
+struct BackgroundInput {
+    const PackageReader& package;  ///< with tiles and depth
+    std::span<const package::PhotoRecord> photos;
+    Samples samples;
+    std::span<const SurfaceDisc> discs;
+    std::span<const std::uint32_t> lens;  ///< per photo
+    const ColorFit& colors;
+    KindOfScan kind = KindOfScan::front;
+    EffectChoice choice = EffectChoice::automatic;
+    bool validate = true;
+    unsigned threads = 0;
+};
+
+/// The decision, and the content of SURR (scene/package/contents/background.h): empty if the effect is off.
+struct Background {
+    EffectDecision decision;
+    std::vector<std::byte> chunk;
+    std::array<double, 3> shade{};  ///< linear light beside the model, median; 0 if it is not known
+};
+
+/// Decides whether the photos show background that the mesh lacks, and estimates them. Throws
+/// Error(damaged).
+Background find_background(const BackgroundInput& input);
+
+}  // namespace vantage

@@ -1,0 +1,46 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vantage {
+
+/// How photos are grouped into image sets: `auto`, `folders`, `off`, or the path of a file.
+inline constexpr const char *image_sets_auto = "auto", *image_sets_by_folder = "folders",
+                            *image_sets_off = "off";
+
+/// Whether `how` is the path of a file.
+bool is_image_sets_file(const std::string& how);
+
+/// Whether folders of this name are known to hold the photos of an image set: visible, infrared, uvf, raking,
+/// before and others, in upper or lower case.
+bool is_known_image_set(const std::string& folder);
+
+/// The image sets of some photos.
+struct ImageSetGroups {
+    std::vector<std::string> names;  ///< the default one first; a single one may have no name
+    std::vector<std::uint32_t> of_photo;
+    std::string note{};  ///< why folders that look like image sets are none; may be empty
+};
+
+/// Groups photos, given by their paths in the photos' folder. `auto`: by the first folder in a photo's path
+/// that is_known_image_set(), if all photos in folders have one; `folders`: by the first folder; photos in no
+/// folder are the image set `photos`. A file: TOML, a name and a pattern, or a list of them, per image set:
+///
+///     visible = "*_vis.jpg"
+///     infrared = ["ir/*", "nir_??.tif"]
+///
+/// A pattern has * and ? and is matched with the whole path, or without a / with the file's name. Image sets
+/// of visible light come first, then those with more photos. Throws Error(input) if the file cannot be read,
+/// an image set has no photo, or a photo no image set or two; Error(usage) for more than 64 image sets or for
+/// a name that no folder may have.
+ImageSetGroups group_image_sets(std::span<const std::filesystem::path> photos, const std::string& how);
+
+/// The folder in `path`, a path in `root`, whose photos are an image set of their own; empty if there is
+/// none.
+std::filesystem::path image_set_folder(const std::filesystem::path& root, const std::filesystem::path& path,
+                                       const std::string& how);
+
+}  // namespace vantage

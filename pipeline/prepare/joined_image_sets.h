@@ -1,0 +1,32 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pipeline/prepare/finish.h"
+#include "scene/package/package_writer.h"
+
+namespace vantage {
+
+// One result of all photos from those of each image set; of a single image set, its own.
+
+/// On if it is on for any image set. `names`: of the image sets, in the order of `decisions`.
+EffectDecision joined(std::span<const EffectDecision> decisions, std::span<const std::string> names);
+
+/// Each photo's result is that of its own image set.
+PoseRefinement joined(std::vector<PoseRefinement> image_sets, std::span<const package::PhotoRecord> photos,
+                      std::span<const std::string> names);
+ColorRefinement joined(std::vector<ColorRefinement> image_sets, std::span<const package::PhotoRecord> photos,
+                       std::span<const std::string> names);
+TransientMasks joined(std::vector<TransientMasks> image_sets, std::span<const package::PhotoRecord> photos,
+                      std::span<const std::string> names);
+
+/// The effects that are on for each image set, of what the image sets decided and of the background, which
+/// are the first image set's.
+std::vector<EffectSet> effects_of_image_sets(const Agreement& agreement, std::size_t image_sets);
+
+/// Writes BAND if there are several image sets. `effects`: per image set; empty: none yet.
+void write_image_sets(PackageWriter& writer, std::span<const std::string> names,
+                      std::span<const EffectSet> effects);
+
+}  // namespace vantage

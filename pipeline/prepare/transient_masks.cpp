@@ -1,0 +1,123 @@
+#include "pipeline/prepare/transient_masks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "base/files/checksum.h"
+#include "base/text/error.h"
+#include "base/values/bytes_of.h"
+#include "base/values/tiling.h"
+#include "pipeline/output/earlier_package.h"
+#include "pipeline/refine/transient.h"
+#include "pipeline/refine/verdict.h"
+#include "pipeline/run/for_each_photo.h"
+#include "pipeline/stages/tile_levels.h"
+#include "scene/agreement/transient_weights.h"
+
+namespace vantage {
+namespace {
+
+using package::PhotoRecord;
+using package::Type;
+
+/// Writes the masks' fourth channel at all levels: 255 without a map; never 0 where the photo sees the model.
+void write_weights(const PackageReader& part, PackageWriter& writer, std::uint32_t photo,
+                   const PhotoRecord& r, const TransientMap* map) {
+    for (int l = mask_level; l < mask_levels_end(int(r.levels)); ++l) {
+        const Level size = level_size(int(r.width), int(r.height), l);
+        std::vector<std::byte> masks = read_level(part, r, photo, Type::masks, l);
+        set_weights(map, size, {masks.data(), 4 * size.width, size.height}, 0, 0);
+        write_tiles(writer, Type::masks, photo, std::uint32_t(l), masks, size);
+    }
+}
+
+/// 0 if no part of the photo is contradicted.
+std::uint64_t key_of(const TransientMap& map) {
+    if (std::ranges::all_of(map.weight, [](std::uint8_t w) { return w == 255; })) return 0;
+    return checksum(bytes_of(map.weight));
+}
+
+void update_masks(const FinishInput& in, const PackageReader& part, std::uint32_t i, const TransientMap& map,
+                  const PhotoRecord& r, package::PhotoState& state) {
+    const std::uint64_t key = key_of(map);
+    if (r.levels == 0 || state.transients == key) return;
+    const Traced traced(in.geometry.trace, "transient masks", r.name);
+    PackageWriter& writer = in.geometry.writer;
+    write_weights(part, writer, i, r, key ? &map : nullptr);
+    state.transients = key;
+    state.stages[std::size_t(package::Stage::masks)].content =
+        content_of(package::Stage::masks, i, int(r.levels), writer);
+    seal(state, r);
+    writer.note(Type::states, i, bytes_of_one(state));
+}
+
+EffectDecision decide_transients(std::span<const PhotoRecord> photos, const std::vector<TransientMap>& maps,
+                                 EffectChoice choice) {
+    const auto worst = std::ranges::max_element(maps, {}, &TransientMap::disagreeing);
+    if (worst == maps.end() || std::ranges::all_of(maps, [](const auto& m) { return m.weight.empty(); }))
+        return decide(Effect::transients, choice, 0, "no photo shares surface with two others");
+    return decide(Effect::transients, choice, worst->disagreeing,
+                  fmt::format("other photos contradict {:.2f} % of the surface in {}, the most of any photo",
+                              100 * worst->disagreeing, photos[std::size_t(worst - maps.begin())].name));
+}
+
+/// Lets left-out photos confirm the effect. Their colors are fitted without them, even if no color effect is
+/// on.
+void confirm(const FinishInput& in, const Folds& folds, const TransientViews& views,
+             const TransientPartners& partners, const ColorRefinement& colors, EffectDecision& decision) {
+    const Traced traced(in.geometry.trace, "judge transient masking");
+    const auto fits =
+        colors.without.empty() ? colors_without(folds, colors.lens, false).gains : colors.without;
+    const Judgment validated =
+        validate_transients(folds, views, partners, fits, colors.exposure.on, colors.vignetting.on);
+    confirm(decision, validated);
+}
+
+/// Masks are twice as fine as the evidence.
+TransientViews finer_views(const PackageReader& part, std::span<const PhotoRecord> photos) {
+    return {cached_views, [&part, photos](std::uint32_t i) {
+                TransientView view = read_transient_view(part, photos[i], i, transient_level(photos[i]));
+                part.forget_all();
+                return view;
+            }};
+}
+
+/// The decision, the evidence per photo in `out`, and the maps to apply: empty if the effect is off.
+std::vector<TransientMap> decide_masks(const FinishInput& in, const PackageReader& part, const Folds& folds,
+                                       const ColorRefinement& colors, std::span<const PhotoRecord> photos,
+                                       TransientMasks& out) {
+    const TransientPartners partners(folds.shared());
+    const PhotoColors all = colors_of(colors.fit, colors.lens);
+    const TransientViews views(cached_views,
+                               [&](std::uint32_t i) { return transient_view(*folds.photo(i)); });
+    const std::vector<TransientMap> evidence = transient_maps(views, all, partners, in.threads);
+    out.decision = decide_transients(photos, evidence, choice_of(in.choices, Effect::transients));
+    for (std::size_t i = 0; i < photos.size(); ++i) out.disagreeing[i] = evidence[i].disagreeing;
+    if (out.decision.on && in.validate) confirm(in, folds, views, partners, colors, out.decision);
+    if (!out.decision.on) return std::vector<TransientMap>(photos.size());
+    return transient_maps(finer_views(part, photos), all, partners, in.threads);
+}
+
+}  // namespace
+
+TransientMasks find_transients(const FinishInput& in, const PackageReader& part, const Folds& folds,
+                               const ColorRefinement& colors, PhotoTables& photos) {
+    const Traced traced(in.geometry.trace, "transients");
+    const std::size_t n = photos.records.size();
+    TransientMasks out;
+    out.disagreeing.resize(n);
+    std::vector<TransientMap> maps(n);
+    if (choice_of(in.choices, Effect::transients) == EffectChoice::off)
+        out.decision = decide(Effect::transients, EffectChoice::off, 0, "not measured");
+    else
+        maps = decide_masks(in, part, folds, colors, photos.records, out);
+    for_each_photo(n, in.threads, [&](std::size_t i) {
+        update_masks(in, part, std::uint32_t(i), maps[i], photos.records[i], photos.states[i]);
+    });
+    return out;
+}
+
+}  // namespace vantage

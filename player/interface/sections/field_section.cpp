@@ -1,0 +1,141 @@
+#include "player/interface/sections/field_section.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/text/formatted.h"
+#include "base/text/translation.h"
+#include "player/interface/overlays/seen_triangle.h"
+#include "player/interface/overlays/value_at_pixel.h"
+#include "player/interface/sections/choice.h"
+
+namespace vantage {
+namespace {
+
+float legend_height() { return ImGui::GetFontSize(); }
+float histogram_height() { return 3 * ImGui::GetFontSize(); }
+
+/// The value under the pointer, from the triangles that the last frames showed.
+std::optional<double> value_under_pointer(const Renderer& renderer, const ScalarField& layer,
+                                          const View& view) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const SeenTriangles seen = renderer.seen();
+    if (io.WantCaptureMouse || seen.view.intrinsics.width != view.intrinsics.width) return {};
+    const Eigen::Vector2d at(io.MousePos.x, io.MousePos.y);
+    const std::uint32_t triangle = seen_triangle(seen, at);
+    if (triangle == 0) return {};
+    return value_at_pixel(renderer.scene(), layer.values, triangle - 1, seen.view, at);
+}
+
+/// Null for a stored layer, whose unit is that of its file.
+const char* unit_of(const ScalarField& layer) {
+    if (!layer.measure) return nullptr;
+    return *layer.measure == PhotoMeasure::count ? tr("photos that see the surface")
+                                                 : tr("pixels per input unit, of the finest photo");
+}
+
+double place(double value, const FieldSettings& s, const ValueRange& range) {
+    const auto scaled = [&](double v) { return s.logarithmic ? std::log(std::max(v, 1e-300)) : v; };
+    return (scaled(value) - scaled(range.low)) / (scaled(range.high) - scaled(range.low));
+}
+
+/// The color map with the layer's histogram above it, and a mark at the value under the pointer.
+void legend(const ScalarField& layer, const FieldSettings& s, std::optional<double> value) {
+    const auto [map, range] = field_legend(layer, s);
+    const ColorTable table = color_table(map);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float top = low.y + histogram_height(), bottom = top + legend_height();
+    const float most = std::max(1.0f, *std::ranges::max_element(layer.counts));
+    const double bin = (layer.high - layer.low) / double(layer.counts.size());
+    list.PushClipRect(low, ImVec2(low.x + width, bottom), true);
+    for (std::size_t i = 0; i < layer.counts.size(); ++i) {
+        const double from = place(layer.low + double(i) * bin, s, range),
+                     to = place(layer.low + double(i + 1) * bin, s, range);
+        // The square root lets few values show beside many.
+        const float height = histogram_height() * std::sqrt(layer.counts[i] / most);
+        const auto at = [&](double share) { return low.x + width * float(std::clamp(share, -1.0, 2.0)); };
+        list.AddRectFilled(ImVec2(at(from), top - height), ImVec2(std::max(at(to), at(from) + 1), top),
+                           IM_COL32(150, 160, 175, 255));
+    }
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const auto x = [&](std::size_t at) { return low.x + width * float(at) / float(table.size()); };
+        list.AddRectFilled(ImVec2(x(i), top), ImVec2(x(i + 1), bottom),
+                           IM_COL32(table[i][0], table[i][1], table[i][2], 255));
+    }
+    for (int i = 0; i <= s.isolines && s.isolines > 0; ++i) {
+        const float x = low.x + width * float(i) / float(s.isolines);
+        list.AddLine(ImVec2(x, top), ImVec2(x, bottom), IM_COL32(0, 0, 0, 255));
+    }
+    if (value) {
+        const float x = low.x + width * float(std::clamp(place(*value, s, range), 0.0, 1.0));
+        list.AddLine(ImVec2(x, low.y), ImVec2(x, bottom), IM_COL32(255, 255, 255, 255), 2);
+    }
+    list.PopClipRect();
+    ImGui::Dummy(ImVec2(width, histogram_height() + legend_height()));
+    ImGui::TextUnformatted(formatted("%.5g", range.low).c_str());
+    const std::string text = formatted("%.5g", range.high);
+    ImGui::SameLine(width + ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::TextUnformatted(text.c_str());
+}
+
+void range_sliders(Controls& c, const ScalarField& layer, FieldSettings& s) {
+    FieldSettings unbounded = s;
+    unbounded.range.reset();
+    const ValueRange whole = field_legend(layer, unbounded).range;
+    ValueRange range = field_legend(layer, s).range;
+    const ImGuiSliderFlags flags = s.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
+    bool changed = c.slider("Lowest", &range.low, whole.low, whole.high, "%.5g", flags);
+    changed |= c.slider("Highest", &range.high, whole.low, whole.high, "%.5g", flags);
+    if (changed && range.low < range.high) s.range = range;
+    ImGui::BeginDisabled(!s.range);
+    if (c.button("Whole range")) s.range.reset();
+    ImGui::EndDisabled();
+}
+
+void layer_choice(Controls& c, std::span<const ScalarField> layers, FieldSettings& s) {
+    std::vector<const char*> names{tr("none: photos only")};
+    for (const ScalarField& layer : layers) names.push_back(layer.name.c_str());
+    int chosen = std::clamp(s.layer + 1, 0, int(layers.size()));
+    if (!c.combo("Field", &chosen, names.data(), int(names.size()))) return;
+    s.layer = chosen - 1;
+    s.range.reset();
+}
+
+}  // namespace
+
+void field_section(Controls& c, Session& session, const Renderer& renderer, const View& view) {
+    const std::span<const ScalarField> layers = renderer.layers();
+    FieldSettings& s = session.settings.layer;
+    layer_choice(c, layers, s);
+    if (s.layer < 0 || std::size_t(s.layer) >= layers.size()) return;
+    const ScalarField& layer = layers[std::size_t(s.layer)];
+    const std::optional<double> value = value_under_pointer(renderer, layer, view);
+    legend(layer, s, value);
+    if (const char* unit = unit_of(layer)) ImGui::TextDisabled("%s", unit);
+    if (value)
+        ImGui::Text(tr("under the pointer: %.5g"), *value);
+    else
+        ImGui::TextDisabled("%s", tr("under the pointer: no value"));
+    static const char* const maps[] = {marked("automatic"), marked("viridis"), marked("magma"),
+                                       marked("cividis"), marked("coolwarm")};
+    choice(c, "Colors", s.map, maps);
+    c.slider("Over photos", &s.share, 0.0, 1.0);
+    c.explain("How much of the field's colors is shown, and how much of the photos.");
+    c.slider("Isolines", &s.isolines, 0, 20);
+    c.explain("Lines of equal value: the number of steps between them.");
+    if (c.checkbox("Logarithmic", &s.logarithmic)) s.range.reset();
+    c.explain("Colors by the logarithm. Values of zero and less have none.");
+    range_sliders(c, layer, s);
+    if (layer.without > 0)
+        ImGui::TextDisabled(tr("%.1f %% of the vertices have no value"),
+                            100 * double(layer.without) / double(layer.values.size()));
+}
+
+}  // namespace vantage

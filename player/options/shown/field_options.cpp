@@ -1,0 +1,39 @@
+#include "player/options/shown/field_options.h"
+
+#include "base/cli/command.h"
+#include "base/text/error.h"
+#include "scene/package/contents/photo_fields.h"
+
+namespace vantage {
+
+void add_field_options(const Command& c, FieldOptions& o) {
+    const std::string group = "Scalar fields";
+    const Option name =
+        c.text("--field", o.name,
+               "show this layer of values instead of the photos: one of the package ('vantage info' lists "
+               "them under scalar-fields), photo-count (how many photos see the surface) or photo-density "
+               "(pixels per input unit of the finest of them)")
+            .group(group);
+    c.pair("--field-range", o.range,
+           "values at the ends of the color map, LOW,HIGH; beyond, the end's color (default: lowest and "
+           "highest value)")
+        .group(group)
+        .needs(name);
+    c.integer("--isolines", o.shown.isolines, 0, 100, "lines that divide the color map into this many parts")
+        .group(group)
+        .needs(name);
+}
+
+FieldSettings layer_settings(const PackageReader& package, const FieldOptions& o) {
+    FieldSettings out = o.shown;
+    if (o.name.empty()) return out;
+    const std::vector<ScalarField> layers = all_layers(package);
+    out.layer = layer_named(layers, o.name);
+    if (o.range.empty()) return out;
+    const double low = o.range[0], high = o.range[1];
+    if (!(low < high)) throw Error(Exit::usage, "--field-range: expected two numbers, the lower one first");
+    out.range = ValueRange{low, high};
+    return out;
+}
+
+}  // namespace vantage

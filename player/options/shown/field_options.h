@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "player/render/render_settings.h"
+#include "scene/package/package_reader.h"
+
+namespace vantage {
+
+class Command;
+
+/// A scalar field to show.
+struct FieldOptions {
+    std::string name;           ///< empty: none
+    std::vector<double> range;  ///< empty, or two
+    FieldSettings shown;
+};
+void add_field_options(const Command& command, FieldOptions& options);
+
+/// Throws Error(usage) for an unknown layer, or for a range that is none.
+FieldSettings layer_settings(const PackageReader& package, const FieldOptions& options);
+
+}  // namespace vantage

@@ -1,0 +1,52 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "player/plan/view_plan.h"
+#include "player/render/shown_image_sets.h"
+
+namespace vantage {
+
+/// An image set of a frame and what it is drawn from.
+struct ImageSetFrame {
+    RenderSettings settings;
+    std::vector<std::uint32_t> photos;
+    ViewPlan* plan;
+    bool second;  ///< of two image sets
+};
+
+/// The plans of the image sets that are shown, one or two; each image set keeps its own as long as it is
+/// shown.
+class ImageSetPlans {
+  public:
+    /// `scene` must outlive it.
+    explicit ImageSetPlans(const PlanScene& scene) : scene_(&scene), first_(scene) {}
+
+    /// Chooses the image sets of the frame at `now` seconds.
+    void choose(const RenderSettings& settings, double now);
+    /// Instead of choose(): shows the image sets that another eye's plans have chosen.
+    void follow(const ImageSetPlans& other) { show(other.shown_); }
+    /// The chosen image sets, drawn from those of `photos` that are theirs. Valid until the next choice.
+    std::vector<ImageSetFrame> frames(const RenderSettings& settings, std::span<const std::uint32_t> photos);
+
+    const ShownImageSets& shown() const { return shown_; }
+    const Plan& plan_of_first() const { return first_.plan(); }
+    /// Whether one of the plans has this photo.
+    bool uses(std::uint32_t photo) const;
+    /// No photos and no image sets are fading.
+    bool settled() const;
+
+  private:
+    void show(const ShownImageSets& wanted);
+    std::vector<const ViewPlan*> plans() const;
+
+    const PlanScene* scene_;
+    ViewPlan first_;
+    std::optional<ViewPlan> second_;
+    ImageSetChange change_;
+    ShownImageSets shown_;
+};
+
+}  // namespace vantage

@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "scene/agreement/photo_pairs.h"
+
+namespace vantage {
+
+/// The photos that each photo is compared with: the six that share the most surface with it from similar
+/// directions, and those that chose it.
+class TransientPartners {
+  public:
+    explicit TransientPartners(const SharedSurface& shared);
+    /// Ascending. `without`: exactly as if that photo were not in the scene.
+    std::vector<std::uint32_t> of(std::uint32_t photo, std::optional<std::uint32_t> without = {}) const;
+
+  private:
+    struct Candidate {
+        std::uint32_t photo;
+        bool spare;  ///< considered only if another candidate is missing
+    };
+    bool chooses(std::uint32_t photo, std::uint32_t other, std::optional<std::uint32_t> without) const;
+    std::vector<std::vector<Candidate>> candidates_;     ///< per photo, the best first
+    std::vector<std::vector<std::uint32_t>> chosen_by_;  ///< per photo: those whose candidate it is
+};
+
+}  // namespace vantage

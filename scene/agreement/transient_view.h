@@ -1,0 +1,43 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/values/grid.h"
+#include "scene/agreement/color_fit.h"
+#include "scene/camera/camera.h"
+#include "scene/package/package_reader.h"
+
+namespace vantage {
+
+/// Color and depth of a photo at a coarse level.
+struct TransientView {
+    int width = 0, height = 0;
+    Intrinsics k;  ///< of this level
+    Pose pose;     ///< relative to the origin
+    struct Texel {
+        float ln[3];            ///< of linear light; NaN if the photo has no pixel
+        float low[3], high[3];  ///< range of `ln` over the 3x3 texels around this one
+        float z;                ///< +inf if the photo does not see the model
+    };
+    std::vector<Texel> texels;  ///< row by row
+
+    Grid<const Texel> grid() const { return {texels.data(), width, height}; }
+};
+/// A texel's color as exposed, from linear light (NaN: the photo has no pixel), and its depth; see
+/// find_ranges.
+void set_color(TransientView::Texel& texel, const float* linear, float z);
+/// Fills in `low` and `high` of all texels from their colors.
+void find_ranges(TransientView& view);
+
+/// The level of the evidence for transient masks: with at most 512 texels on the longer side.
+int transient_level(const package::PhotoRecord& record);
+/// A photo's pixels at a level that has masks, colors as exposed. Throws Error(damaged).
+TransientView read_transient_view(const PackageReader& package, const package::PhotoRecord& record,
+                                  std::uint32_t photo, int level);
+
+/// The view in the exposure of the mean photo, without the lens's vignetting.
+TransientView corrected(TransientView view, const std::array<double, 3>& ln_gain,
+                        const Vignetting& vignetting);
+
+}  // namespace vantage

@@ -1,0 +1,48 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/package/package_reader.h"
+
+namespace vantage {
+
+/// What a layer that is not stored is measured from, see photo_fields.h.
+enum class PhotoMeasure { count, density };
+
+/// A scalar field: a value per vertex of the mesh. Stored `values` are valid as long as the package.
+struct ScalarField {
+    std::string name;
+    std::span<const float> values;          ///< empty until measured
+    std::optional<PhotoMeasure> measure{};  ///< if it is not stored
+    double low = 0, high = 0;               ///< of the finite values; 0 if there are none
+    double least_positive = 0;              ///< 0 if there is none
+    std::size_t without = 0;                ///< vertices without a finite value
+    std::array<float, 64> counts{};         ///< of finite values between low and high
+};
+
+/// Sets all that follows from the values.
+void summarize_values(ScalarField& layer);
+
+/// Those that the package stores. Empty if the effect is off. Throws Error(damaged) if VSCL does not fit its
+/// counts.
+std::vector<ScalarField> read_fields(const PackageReader& package);
+
+/// Throws Error(usage) listing the layers if there is none of that name.
+int layer_named(std::span<const ScalarField> layers, std::string_view name);
+
+/// The values that the ends of a color map stand for.
+struct ValueRange {
+    double low = 0, high = 1;
+    bool operator==(const ValueRange&) const = default;
+};
+
+/// The whole range of the layer; with `centered`, symmetric about 0; with `logarithmic`, of its positive
+/// values. low < high, and low > 0 if logarithmic.
+ValueRange whole_range(const ScalarField& layer, bool centered, bool logarithmic);
+
+}  // namespace vantage
