@@ -55,7 +55,7 @@ class Transparent : public TemporaryFolder {
         SynthSpec spec = tiny_spec();
         copy_scene(spec, dir / "scene");
         input = read_scene(discover(dir / "scene"));
-        settings.judge = false;
+        settings.validate = false;
         settings.effects[Effect::background] = EffectChoice::off;
     }
     /// A triangle of its own, with one normal.
@@ -506,7 +506,7 @@ TEST_F(TransparentAtLength, PhotosLookThroughAGlassCase) {
 
 TEST_F(Transparent, SurvivesSharesAndRefining) {
     add_quad({-2, -6, 0}, {4, 0, 0}, {0, 0, 4}, {200, 100, 50, 128});
-    settings.judge = true;
+    settings.validate = true;
     const PackageReader whole = prepared();
     for (const std::uint32_t share : {1u, 2u}) {
         PrepareRun run;
