@@ -16,6 +16,7 @@
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/input/stencils.h"
 #include "pipeline/output/meta.h"
+#include "scene/package/mismatches.h"
 
 namespace vantage {
 namespace {

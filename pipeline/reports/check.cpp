@@ -21,6 +21,7 @@
 #include "pipeline/stages/surface_samples.h"
 #include "scene/package/contents/point_cloud.h"
 #include "scene/package/contents/stored_tile.h"
+#include "scene/package/mismatches.h"
 #include "scene/package/package_reader.h"
 #include "scene/package/package_shape.h"
 #include "scene/remote/remote_package.h"

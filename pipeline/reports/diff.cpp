@@ -15,6 +15,7 @@
 #include "scene/package/chunk_table.h"
 #include "scene/package/contents/image_sets.h"
 #include "scene/package/contents/stored_tile.h"
+#include "scene/package/mismatches.h"
 
 namespace vantage {
 namespace {

@@ -1,8 +1,6 @@
 #pragma once
-#include <Eigen/Geometry>
 #include <cstddef>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -11,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/camera/camera.h"
-#include "scene/package/contents/effects.h"
+#include "scene/package/contents/record_values.h"
 #include "scene/package/damaged_package.h"
 #include "scene/package/package_format.h"
 #include "scene/package/package_source.h"
@@ -135,36 +132,6 @@ class PackageReader {
     package::SceneRecord checked_scene() const;
     std::unique_ptr<Mapping> map_;
 };
-
-/// A chunk or tile that does not match its checksum.
-struct Mismatch {
-    Defect defect;  ///< chunk_checksum or tile_checksum
-    std::string text;
-};
-/// The chunks that do not match their checksums, or whose heads do not, and with `tiles` all tiles; at most
-/// `most`. A package without any is valid. Pages that were read are released.
-std::vector<Mismatch> mismatches(const PackageReader& package, bool tiles,
-                                 std::size_t most = std::numeric_limits<std::size_t>::max());
-/// Reads the whole package. Throws Error(damaged) with the first mismatch.
-void expect_valid(const PackageReader& package);
-
-/// A photo's pinhole camera, for positions relative to the origin.
-Intrinsics intrinsics(const package::PhotoRecord& photo);
-/// The lens that displaces the photo's pixels relative to that camera. Throws Error(damaged) for an unknown
-/// model or coefficients that are not finite.
-Lens lens_of(const PackageReader& package, std::uint32_t photo);
-Pose cam_from_origin(const package::PhotoRecord& photo);
-Pose cam_from_origin(const package::PoseRefinementRecord& given);
-Pose cam_from_origin(const package::PoseWithoutRecord& without);
-/// The bounds of the model without strays, relative to the origin.
-Eigen::AlignedBox3d bounds_from_origin(const package::SceneRecord& scene);
-/// No part of the model within its bounds is farther from the camera.
-double model_reach(const package::SceneRecord& scene, const Pose& cam_from_origin);
-/// The distance of the surface that a photo sees, or of the origin if it sees none; above 0.
-double seen_distance(const package::PhotoRecord& photo);
-/// The direction that is up, of length 1.
-inline Eigen::Vector3d up_of(const package::SceneRecord& scene) { return Eigen::Vector3d(scene.up); }
-bool effect_on(const package::SceneRecord& scene, Effect effect);
 
 /// A type's name in messages: "TILE".
 std::string fourcc_of(package::Type type);

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <tuple>
 
@@ -16,7 +15,8 @@
 #include "base/files/flush_to_disk.h"
 #include "base/files/replace_file.h"
 #include "base/text/error.h"
-#include "scene/codec/zstd_bytes.h"
+#include "scene/package/contents/zstd_chunk.h"
+#include "scene/package/package_directory.h"
 #include "scene/package/package_reader.h"
 
 namespace vantage {
@@ -39,43 +39,6 @@ bool is_planned(const DirectoryEntry& e, const DirectoryEntry& plan, bool compac
     if (e.form != Form::raw) return compact && e.length < plan.length && e.head_length <= e.length;
     return e.length == plan.length && e.head_length == plan.head_length &&
            e.block_length == plan.block_length;
-}
-
-constexpr int zstd_level = 6;
-
-/// Length, frame, and zeros if it is very short; empty if that is not shorter.
-std::vector<std::byte> compressed(std::span<const std::byte> bytes) {
-    const std::uint64_t length = bytes.size();
-    const std::vector<std::byte> frame = codec::compress(bytes, zstd_level);
-    std::vector<std::byte> out(
-        std::max<std::size_t>(sizeof length + frame.size(), length / package::max_expansion + 1));
-    std::memcpy(out.data(), &length, sizeof length);
-    std::ranges::copy(frame, out.begin() + sizeof length);
-    if (out.size() >= bytes.size()) out.clear();
-    return out;
-}
-
-Header make_header(const char (&magic)[8], const PackageLayout& layout, Share share) {
-    Header h{};
-    std::memcpy(h.magic, magic, sizeof h.magic);
-    h.version = package::version;
-    h.directory_count = std::uint32_t(layout.directory.size());
-    h.directory_offset = sizeof h;
-    h.file_size = layout.bytes;
-    h.layout = layout.checksum;
-    h.share = share.share;
-    h.shares = share.shares;
-    return h;
-}
-
-void seal_header(Header& h) {
-    h.header_checksum = checksum(bytes_of_one(h).first(offsetof(Header, header_checksum)));
-}
-
-bool is_valid(const Header& h) {
-    Header expected = h;
-    seal_header(expected);
-    return h.header_checksum == expected.header_checksum;
 }
 
 /// Whether the file is a package, finished or not, with the same photo chunks in the same places.
@@ -154,7 +117,7 @@ struct PackageWriter::State {
         e.photo = package::scene_wide;
         e.offset = layout.bytes;
         const std::vector<std::byte> shorter =
-            layout.compact() ? compressed(chunk.bytes) : std::vector<std::byte>{};
+            layout.compact() ? zstd_chunk(chunk.bytes) : std::vector<std::byte>{};
         if (!shorter.empty()) e.form = Form::zstd;
         const std::span<const std::byte> bytes = shorter.empty() ? chunk.bytes : shorter;
         e.length = e.head_length = bytes.size();
@@ -274,7 +237,7 @@ void PackageWriter::write(package::Type type, std::uint32_t photo, std::span<con
     DirectoryEntry e = s.planned[i];
     if (bytes.size() != e.length) throw std::logic_error("a chunk is not as long as planned");
     std::vector<std::byte> shorter;
-    if (s.compact[i]) shorter = compressed(bytes);
+    if (s.compact[i]) shorter = zstd_chunk(bytes);
     if (!shorter.empty()) {
         e.form = Form::zstd;
         e.length = e.head_length = shorter.size();
@@ -386,8 +349,8 @@ std::vector<std::byte> PackageWriter::read(package::Type type, std::uint32_t pho
     std::vector<std::byte> bytes(e.length);
     s.file.read(e.offset, bytes);
     if (e.form == Form::raw) return bytes;
-    std::vector<std::byte> content(s.planned[s.find(type, photo, 0)].length);
-    if (!codec::decompress(std::span(bytes).subspan(sizeof(std::uint64_t)), content))
+    std::vector<std::byte> content = content_of_zstd(bytes);
+    if (content.size() != s.planned[s.find(type, photo, 0)].length)
         throw Error(Exit::storage, s.file.file().string() + ": a chunk that was written cannot be read");
     return content;
 }

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Whether the repository keeps its form. usage: check_structure.py SOURCE BUILD/modules.txt
 
-Folders at the top, files per folder, lines per source, parameters per function, names that occur twice, modules and their drawing.
+Folders at the top, files per folder, lines per source, parameters per function, names that occur twice, modules and their drawing,
+mutations that apply.
 The limits are those of docs/CONTRIBUTING.md."""
 import collections
 import pathlib
@@ -68,6 +69,9 @@ def faults(source, modules):
     for name, folders in sorted(names.items()):
         if len(folders) > 1:
             yield f"{name}: the name of a file in {' and '.join(sorted(folders))}"
+    for patch in [f for f in files if f.suffix == ".patch"]:
+        if subprocess.run(["git", "-C", source, "apply", "--check", patch], capture_output=True).returncode:
+            yield f"{patch}: does not apply"
     ends = collections.Counter(m.split("/")[-1] for m in modules)
     for name, count in ends.items():
         if count > 1:

@@ -1,0 +1,36 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <cstdint>
+
+#include "scene/camera/camera.h"
+#include "scene/camera/lens.h"
+#include "scene/package/contents/effects.h"
+#include "scene/package/package_format.h"
+
+namespace vantage {
+
+class PackageReader;
+
+/// A photo's pinhole camera, for positions relative to the origin.
+Intrinsics intrinsics(const package::PhotoRecord& photo);
+/// The lens that displaces the photo's pixels relative to that camera. Throws Error(damaged) for an unknown
+/// model or coefficients that are not finite.
+Lens lens_of(const PackageReader& package, std::uint32_t photo);
+Pose cam_from_origin(const package::PhotoRecord& photo);
+Pose cam_from_origin(const package::PoseRefinementRecord& given);
+Pose cam_from_origin(const package::PoseWithoutRecord& without);
+/// The bounds of the model without strays, relative to the origin.
+Eigen::AlignedBox3d bounds_from_origin(const package::SceneRecord& scene);
+/// No part of the model within its bounds is farther from the camera.
+double model_reach(const package::SceneRecord& scene, const Pose& cam_from_origin);
+/// The distance of the surface that a photo sees, or of the origin if it sees none; above 0.
+double seen_distance(const package::PhotoRecord& photo);
+/// The direction that is up, of length 1.
+inline Eigen::Vector3d up_of(const package::SceneRecord& scene) { return Eigen::Vector3d(scene.up); }
+bool effect_on(const package::SceneRecord& scene, Effect effect);
+
+/// Why a record is unusable; null if it is valid.
+const char* flaw_of(const package::PhotoRecord& photo);
+const char* flaw_of(const package::SceneRecord& scene);
+
+}  // namespace vantage

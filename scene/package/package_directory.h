@@ -1,0 +1,24 @@
+#pragma once
+#include <vector>
+
+#include "scene/package/package_format.h"
+#include "scene/package/package_layout.h"
+#include "scene/package/package_source.h"
+
+namespace vantage {
+
+/// The header of a file with this layout, without checksums. `magic` is package::magic or
+/// package::part_magic.
+package::Header make_header(const char (&magic)[8], const PackageLayout& layout, Share share);
+/// Sets the checksum of a header that is complete otherwise.
+void seal_header(package::Header& header);
+/// Whether a header matches its checksum.
+bool is_valid(const package::Header& header);
+
+/// Reads and checks the header and the directory, from the server once more if the local copy is damaged.
+/// They stay readable as long as `held`. Of a part, which is refused unless `part_too`, torn entries are left
+/// out: they are written one by one. Throws Error(damaged), Error(input) if bytes cannot be fetched.
+std::vector<package::DirectoryEntry> read_directory(PackageSource& source, bool part_too,
+                                                    std::vector<Held>& held);
+
+}  // namespace vantage
