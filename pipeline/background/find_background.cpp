@@ -63,7 +63,7 @@ EffectDecision first_decision(const BackgroundInput& in, std::span<const CoarseV
 EffectDecision validated(const BackgroundInput& in, const CoarseViews& some, const MeshPlanes& mesh,
                          EffectDecision d) {
     const BackgroundVerdict j =
-        validate_background(some, in.samples, in.photos, in.lens, mesh, max_folds, in.threads);
+        validate_background(some, {in.photos, in.samples, in.lens}, mesh, max_folds, in.threads);
     d.judgment = j.gain;
     d.evidence += "; " + sentence(j.gain);
     if (j.gain.photos >= min_validated_photos) d.evidence += " over a plain color";

@@ -197,11 +197,9 @@ Predicted predicted(const CoarseView& view, std::span<const CoarseView> others, 
 
 }  // namespace
 
-BackgroundVerdict validate_background(const CoarseViews& all, Samples samples,
-                                      std::span<const package::PhotoRecord> photos,
-                                      std::span<const std::uint32_t> lens, const MeshPlanes& mesh,
+BackgroundVerdict validate_background(const CoarseViews& all, const SampledPhotos& of, const MeshPlanes& mesh,
                                       std::size_t most, unsigned threads) {
-    const PhotoSamples some = samples_to_fit(samples);
+    const PhotoSamples some = samples_to_fit(of.samples);
     std::vector<std::size_t> candidates;
     for (std::size_t i = 0; i < all.views.size(); ++i)
         if (double(all.views[i].open) > worth_having * double(all.views[i].pixels)) candidates.push_back(i);
@@ -210,8 +208,8 @@ BackgroundVerdict validate_background(const CoarseViews& all, Samples samples,
     for_each_photo(count, threads, [&](std::size_t f) {
         const CoarseView& view = all.views[candidates[f * candidates.size() / count]];
         const std::vector<CoarseView> others = exposed_without(
-            all.views, view.photo, all.colors, fit_without(some.spans(), lens, view.photo, false));
-        if (have_parallax(others)) folds[f] = predicted(view, others, mesh, photos[view.photo].name);
+            all.views, view.photo, all.colors, fit_without(some.spans(), of.lens, view.photo, false));
+        if (have_parallax(others)) folds[f] = predicted(view, others, mesh, of.photos[view.photo].name);
     });
     std::vector<ValidatedPhoto> gain;
     BackgroundVerdict out;

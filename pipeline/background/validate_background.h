@@ -29,10 +29,15 @@ struct BackgroundVerdict {
     std::string objection(KindOfScan kind) const;
 };
 
+/// Photos to find gains from.
+struct SampledPhotos {
+    std::span<const package::PhotoRecord> photos;
+    Samples samples;
+    std::span<const std::uint32_t> lens;  ///< per photo, see lenses_of
+};
+
 /// Leaves out at most `most` of the views in turn; backdrop and gains are found without them.
-BackgroundVerdict validate_background(const CoarseViews& all, Samples samples,
-                                      std::span<const package::PhotoRecord> photos,
-                                      std::span<const std::uint32_t> lens, const MeshPlanes& mesh,
+BackgroundVerdict validate_background(const CoarseViews& all, const SampledPhotos& of, const MeshPlanes& mesh,
                                       std::size_t most, unsigned threads);
 
 }  // namespace vantage

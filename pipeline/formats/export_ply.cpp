@@ -23,14 +23,11 @@ std::string properties(std::span<const PlyLayer> layers) {
 
 }  // namespace
 
-void write_ply(const std::filesystem::path& file, const Eigen::Vector3d& origin,
-               std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
-               std::span<const std::array<std::uint32_t, 3>> triangles, std::span<const PlyLayer> layers,
-               std::span<const std::array<std::uint8_t, 4>> colors) {
+void write_ply(const std::filesystem::path& file, const PlyMesh& mesh) {
     const char* const color_properties =
-        colors.empty() ? ""
-                       : "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-                         "property uchar alpha\n";
+        mesh.colors.empty() ? ""
+                            : "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                              "property uchar alpha\n";
     replace_file(file, [&](std::ostream& out) {
         out << fmt::format(
             "ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty double x\nproperty double "
@@ -38,15 +35,16 @@ void write_ply(const std::filesystem::path& file, const Eigen::Vector3d& origin,
             "property double z\nproperty float nx\nproperty float ny\nproperty float nz\n{}{}element face "
             "{}\n"
             "property list uchar int vertex_indices\nend_header\n",
-            ply_mark, positions.size(), color_properties, properties(layers), triangles.size());
+            ply_mark, mesh.positions.size(), color_properties, properties(mesh.layers),
+            mesh.triangles.size());
         const auto put = [&](const auto& v) { out.write(reinterpret_cast<const char*>(&v), sizeof v); };
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            put(Eigen::Vector3d(origin + positions[i].cast<double>()));
-            put(normals[i]);
-            if (!colors.empty()) put(colors[i]);
-            for (const PlyLayer& layer : layers) put(layer.values[i]);
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            put(Eigen::Vector3d(mesh.origin + mesh.positions[i].cast<double>()));
+            put(mesh.normals[i]);
+            if (!mesh.colors.empty()) put(mesh.colors[i]);
+            for (const PlyLayer& layer : mesh.layers) put(layer.values[i]);
         }
-        for (const auto& t : triangles) {
+        for (const auto& t : mesh.triangles) {
             put(std::uint8_t(3));
             put(t);
         }

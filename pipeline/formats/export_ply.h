@@ -15,14 +15,19 @@ struct PlyLayer {
     std::span<const float> values;  ///< one per vertex
 };
 
+/// `normals`, and `colors` unless empty, are as long as `positions`.
+struct PlyMesh {
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of the positions
+    std::span<const Eigen::Vector3f> positions, normals;
+    std::span<const std::array<std::uint32_t, 3>> triangles;
+    std::span<const PlyLayer> layers{};
+    std::span<const std::array<std::uint8_t, 4>> colors{};
+};
+
 /// Writes a binary little-endian PLY file: `origin` + position in double precision, a float normal, red,
 /// green, blue and alpha if there are `colors`, and a float per layer for each vertex, and the triangles.
-/// `normals`, and `colors` unless empty, are as long as `positions`. In names, what is not printable ASCII
-/// becomes '_'. Throws Error(storage).
-void write_ply(const std::filesystem::path& file, const Eigen::Vector3d& origin,
-               std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
-               std::span<const std::array<std::uint32_t, 3>> triangles, std::span<const PlyLayer> layers = {},
-               std::span<const std::array<std::uint8_t, 4>> colors = {});
+/// In names, what is not printable ASCII becomes '_'. Throws Error(storage).
+void write_ply(const std::filesystem::path& file, const PlyMesh& mesh);
 
 /// A colored point, in the coordinates of the input.
 struct PlyPoint {

@@ -127,9 +127,9 @@ Background add_background(const FinishInput& in, Samples samples, const ColorRef
 
 /// The colors of each image set's photos.
 std::vector<ImageSetColors> fit_image_sets(const FinishInput& in, const PhotoSamples& samples,
-                                           std::span<const package::PhotoRecord> photos,
-                                           std::span<const std::uint32_t> lens) {
+                                           std::span<const package::PhotoRecord> photos) {
     const Traced traced(in.geometry.trace, "colors");
+    const std::vector<std::uint32_t> lens = lenses_of(photos);
     const bool vignetting = choice_of(in.choices, Effect::vignetting) != EffectChoice::off;
     const auto spans = samples.spans();
     std::vector<ImageSetColors> out;
@@ -145,10 +145,9 @@ std::vector<ImageSetColors> fit_image_sets(const FinishInput& in, const PhotoSam
 struct ImageSetAgreement {
     ColorRefinement colors;
     TransientMasks transients;
-    Background background;  ///< of the first image set
 };
-ImageSetAgreement agree(const FinishInput& in, const PackageReader& part, ImageSetColors of,
-                        std::span<const SurfaceDisc> discs, std::vector<std::uint32_t> lens, KindOfScan kind,
+ImageSetAgreement agree(const FinishInput& in, const PackageReader& part, ImageSetColors& of,
+                        std::span<const SurfaceDisc> discs, std::vector<std::uint32_t> lens,
                         PhotoTables& photos) {
     ImageSetAgreement out;
     const Folds folds({part, photos.records, of.samples, discs, in.geometry.border_width, in.threads});
@@ -159,30 +158,29 @@ ImageSetAgreement agree(const FinishInput& in, const PackageReader& part, ImageS
         apply_colors(out.colors, photos.records);
     }
     out.transients = find_transients(in, part, folds, out.colors, photos);
-    if (of.image_set == 0) out.background = add_background(in, of.samples, out.colors, photos.records, kind);
     return out;
 }
 
 /// What each image set's photos decide, one image set after the other.
 void agree_by_image_set(const FinishInput& in, const PackageReader& part, std::vector<ImageSetColors> colors,
-                        std::span<const SurfaceDisc> discs, std::span<const std::uint32_t> lens,
-                        PhotoTables& photos, Agreement& out) {
+                        std::span<const SurfaceDisc> discs, PhotoTables& photos, Agreement& out) {
+    const std::vector<std::uint32_t> lens = lenses_of(photos.records);
     std::vector<ColorRefinement> refined;
     std::vector<TransientMasks> transients;
     for (ImageSetColors& of : colors) {
-        const std::uint32_t image_set = of.image_set;
-        PhotoTables own{records_of_image_set(photos.records, image_set), photos.states};
-        ImageSetAgreement found =
-            agree(in, part, std::move(of), discs, {lens.begin(), lens.end()}, out.presentation.kind, own);
+        PhotoTables own{records_of_image_set(photos.records, of.image_set), photos.states};
+        ImageSetAgreement found = agree(in, part, of, discs, lens, own);
+        if (of.image_set == 0) {
+            Background around =
+                add_background(in, of.samples, found.colors, own.records, out.presentation.kind);
+            out.background = std::move(around.decision);
+            out.shade = around.shade;
+        }
         for (std::size_t i = 0; i < photos.records.size(); ++i)
-            if (photos.records[i].image_set == image_set) {
+            if (photos.records[i].image_set == of.image_set) {
                 photos.records[i] = own.records[i];
                 photos.states[i] = own.states[i];
             }
-        if (image_set == 0) {
-            out.background = std::move(found.background.decision);
-            out.shade = found.background.shade;
-        }
         refined.push_back(std::move(found.colors));
         transients.push_back(std::move(found.transients));
     }
@@ -215,23 +213,22 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     }
     const auto read = [&](std::uint32_t photo) { return in.geometry.writer.read(Type::samples, photo); };
     PhotoSamples samples = read_samples(photos.records, read);
-    const std::vector<std::uint32_t> lens = lenses_of(photos.records);
     // Not the records themselves, whose poses change in the meantime.
     const std::vector<package::PhotoRecord> given = photos.records;
     Agreement out;
     // In the meantime, because cameras seldom move.
     std::future<std::vector<ImageSetColors>> fitting =
-        std::async(std::launch::async, [&] { return fit_image_sets(in, samples, given, lens); });
+        std::async(std::launch::async, [&] { return fit_image_sets(in, samples, given); });
     out.pose_refinement = register_cameras(in, open_part(in), samples, photos);
     const PackageReader part = open_part(in);
     std::vector<ImageSetColors> colors = fitting.get();
     if (out.pose_refinement.decision.on && !in.known) {
         samples = read_samples(photos.records, read);
-        colors = fit_image_sets(in, samples, given, lens);
+        colors = fit_image_sets(in, samples, given);
     }
     const std::vector<SurfaceDisc> discs = thinned(in.geometry.discs, samples.step);
     out.presentation = presentation_of(photos.records, samples.spans(), discs);
-    agree_by_image_set(in, part, std::move(colors), discs, lens, photos, out);
+    agree_by_image_set(in, part, std::move(colors), discs, photos, out);
     write_results(in, out, photos);
     return out;
 }

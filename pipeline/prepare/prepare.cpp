@@ -124,8 +124,10 @@ SceneKey scene_key(const PreparePlan& plan, const SceneInput& scene, const Prepa
             .reference_density = plan.scene.reference_density};
 }
 
-void run_photos(const PhotoContext& context, PhotoTables& photos, unsigned in_flight, unsigned threads,
-                const PrepareRun& run, StageCounts& counts, const OnProgress& progress) {
+void run_photos(const PhotoContext& context, PhotoTables& photos, unsigned in_flight, const PrepareRun& run,
+                StageCounts& counts, const OnProgress& progress) {
+    const PrepareSettings& settings = context.key.settings;
+    const unsigned threads = uses_spare_cores(settings, in_flight) ? threads_of(settings) : 1;
     std::mutex mutex;
     std::atomic<std::size_t> begun = 0;
     std::size_t done = 0, total = 0;
@@ -175,13 +177,12 @@ struct Cameras {
     std::optional<PoseRefinement> pose_refinement;
 };
 
-/// Also writes registered poses to the photos' records. A share has no pose refinement.
+/// Also writes registered poses to the photos' records.
 Cameras scene_cameras(const SceneKey& key, const SceneInput& scene, const Eigen::Vector3d& origin,
-                      IdentityCache& identities, const EarlierPackages& earlier, bool share,
+                      IdentityCache& identities, const EarlierPackages& earlier,
                       std::vector<package::PhotoRecord>& records) {
     Cameras cameras{.given = given_poses(scene, origin), .current = {}, .pose_refinement = {}};
     cameras.current = cameras.given;
-    if (share) return cameras;
     cameras.pose_refinement =
         earlier_pose_refinement(key, scene, records, cameras.given, identities, earlier);
     for (std::size_t i = 0; cameras.pose_refinement && i < records.size(); ++i)
@@ -196,11 +197,9 @@ Cameras scene_cameras(const SceneKey& key, const SceneInput& scene, const Eigen:
 PrepareResult prepare_photos(const PhotoContext& context, PhotoTables& photos,
                              const ResourceEstimate& estimate, const PrepareRun& run,
                              const OnProgress& progress) {
-    const PrepareSettings& settings = context.key.settings;
-    StageCounts counts(context.scene, settings_json(settings), context.earlier);
+    StageCounts counts(context.scene, settings_json(context.key.settings), context.earlier);
     const auto start = std::chrono::steady_clock::now();
-    const unsigned cores = uses_spare_cores(settings, estimate.in_flight) ? threads_of(settings) : 1;
-    run_photos(context, photos, estimate.in_flight, cores, run, counts, progress);
+    run_photos(context, photos, estimate.in_flight, run, counts, progress);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     if (context.earlier.empty()) remember_speed(estimate.photo_seconds, took.count());
     record_left_out(context.scene, photos, counts.result);
@@ -239,8 +238,9 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     scene.points = {};
     const bool share = run.share.shares > 0;
     const SceneKey key = scene_key(plan, scene, settings, model, renderer);
+    const EarlierPackages none;  // a share has no pose refinement
     const Cameras cameras =
-        scene_cameras(key, scene, model.origin, identities, earlier, share, plan.photos.records);
+        scene_cameras(key, scene, model.origin, identities, share ? none : earlier, plan.photos.records);
     const auto discs = surface_disc_set(model.positions, model.opaque_indices(), plan.scene.reference_density,
                                         bounds_from_origin(plan.scene));
     const GeometryContext geometry{.model = model,

@@ -57,7 +57,7 @@ void copy_thumbnail(const PackageReader& from, PackageWriter& to, std::uint32_t 
     std::vector<std::byte> rgba(std::size_t(r.thumbnail_width) * r.thumbnail_height * 4);
     if (!read_thumbnail(from, photo, rgba))
         throw Error(Exit::damaged, from.path().string() + ": the thumbnail of " + r.name + " is damaged");
-    write_thumbnail(to, photo, rgba, {int(r.thumbnail_width), int(r.thumbnail_height)});
+    write_thumbnail(to, photo, {rgba, {int(r.thumbnail_width), int(r.thumbnail_height)}});
 }
 
 /// A chunk that already has a compact form keeps it.
@@ -70,7 +70,7 @@ void copy_tiles(const PackageReader& from, PackageWriter& to, std::uint32_t phot
         return to.copy(from, *e, photo);
     }
     const Level size = level_size(int(r.width), int(r.height), int(level));
-    write_tiles(to, type, photo, level, read_level(from, r, photo, type, int(level)), size);
+    write_tiles(to, type, photo, level, {read_level(from, r, photo, type, int(level)), size});
 }
 
 void copy_photo(const PackageReader& from, PackageWriter& to, std::uint32_t i, const PhotoRecord& r) {

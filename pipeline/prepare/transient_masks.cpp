@@ -30,7 +30,7 @@ void write_weights(const PackageReader& part, PackageWriter& writer, std::uint32
         const Level size = level_size(int(r.width), int(r.height), l);
         std::vector<std::byte> masks = read_level(part, r, photo, Type::masks, l);
         set_weights(map, size, {masks.data(), 4 * size.width, size.height}, 0, 0);
-        write_tiles(writer, Type::masks, photo, std::uint32_t(l), masks, size);
+        write_tiles(writer, Type::masks, photo, std::uint32_t(l), {masks, size});
     }
 }
 

@@ -210,7 +210,8 @@ std::string compare_thumbnails(const PackageReader& a, const PackageReader& b, s
 
 /// Called for the finest level that differs; coarser levels follow from it. Empty if the content is the same.
 std::string compare_chunk(const PackageReader& a, const PackageReader& b, Type type, std::uint32_t level,
-                          std::uint32_t i, std::uint32_t j, const PhotoRecord& photo) {
+                          std::uint32_t i, std::uint32_t j) {
+    const PhotoRecord& photo = a.photos()[i];
     const DirectoryEntry *x = a.find(type, i, level), *y = b.find(type, j, level);
     if (!x || !y) return "present in only one";
     if (type == Type::thumbnail) return compare_thumbnails(a, b, i, j);
@@ -246,7 +247,7 @@ void diff_photo(const PackageReader& a, const PackageReader& b, std::uint32_t i,
         if (reported.contains(row->type) ||
             same_chunk(a.find(row->type, i, level), b.find(row->type, j, level)))
             continue;
-        const std::string text = compare_chunk(a, b, row->type, level, i, j, p);
+        const std::string text = compare_chunk(a, b, row->type, level, i, j);
         if (text.empty()) continue;
         out.push_back({p.name, row->name, text});
         reported.insert(row->type);

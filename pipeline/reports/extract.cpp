@@ -85,10 +85,12 @@ void write_mesh(const PackageReader& reader, const fs::path& file) {
     std::span<const std::array<std::uint8_t, 4>> colors;
     if (effect_on(s, Effect::transparency))
         colors = reader.records<std::array<std::uint8_t, 4>>(Type::colors);
-    write_ply(file, Eigen::Map<const Eigen::Vector3d>(s.origin),
-              reader.records<Eigen::Vector3f>(Type::positions),
-              reader.records<Eigen::Vector3f>(Type::normals),
-              reader.records<std::array<std::uint32_t, 3>>(Type::indices), layers, colors);
+    write_ply(file, {.origin = Eigen::Map<const Eigen::Vector3d>(s.origin),
+                     .positions = reader.records<Eigen::Vector3f>(Type::positions),
+                     .normals = reader.records<Eigen::Vector3f>(Type::normals),
+                     .triangles = reader.records<std::array<std::uint32_t, 3>>(Type::indices),
+                     .layers = layers,
+                     .colors = colors});
 }
 
 /// Node by node, coarse before fine.

@@ -33,21 +33,26 @@ class Bits {
     std::uint64_t first_;
 };
 
+struct Found {
+    std::vector<std::uint8_t> on_map;  ///< per triangle of the map
+    std::vector<Extent> extents;       ///< per cluster
+    Bits whole, part;                  ///< triangles seen
+};
+
 /// Marks the triangles in the photo's triangle map and extends their clusters' rectangles.
-void add_map(const PhotoGeometry& g, const std::vector<FrameTriangles::Source>& sources,
-             std::vector<std::uint8_t>& seen, std::vector<Extent>& extents) {
+void add_map(const PhotoGeometry& g, const std::vector<FrameTriangles::Source>& sources, Found& found) {
     const Grid<const std::uint32_t> map{g.triangles.data(), g.width, g.height};
     for (int y = 0; y < g.height; ++y) {
         const std::span<const std::uint32_t> row = map.row(y);
         std::uint32_t cluster = 0;
         int first = 0, last = -1;  // ends of the current run of pixels of `cluster`
         const auto add = [&] {
-            if (last >= 0) extents[cluster].add(first, y), extents[cluster].add(last, y);
+            if (last >= 0) found.extents[cluster].add(first, y), found.extents[cluster].add(last, y);
         };
         for (int x = 0; x < g.width; ++x) {
             const std::uint32_t triangle = row[std::size_t(x)];
             if (triangle >= sources.size()) continue;
-            seen[triangle] = 1;
+            found.on_map[triangle] = 1;
             if (const std::uint32_t c = sources[triangle].cluster; c != cluster || last < 0)
                 add(), cluster = c, first = x;
             last = x;
@@ -60,12 +65,11 @@ void add_map(const PhotoGeometry& g, const std::vector<FrameTriangles::Source>& 
 /// consecutive in `sources`.
 void add_vertices(const std::vector<std::uint32_t>& indices, const PhotoGeometry& g,
                   const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& k,
-                  const std::vector<FrameTriangles::Source>& sources, const std::vector<std::uint8_t>& on_map,
-                  std::vector<Extent>& extents, Bits whole, Bits part) {
+                  const std::vector<FrameTriangles::Source>& sources, Found& found) {
     const Eigen::Vector2f size(float(k.width), float(k.height));
     const auto add = [&](std::uint32_t cluster, const Eigen::Vector2f& uv) {
         const Eigen::Vector2i p = uv.cwiseProduct(size).cast<int>() / (1 << mask_level);
-        extents[cluster].add(std::clamp(p.x(), 0, g.width - 1), std::clamp(p.y(), 0, g.height - 1));
+        found.extents[cluster].add(std::clamp(p.x(), 0, g.width - 1), std::clamp(p.y(), 0, g.height - 1));
     };
     for (std::size_t i = 0; i < sources.size();) {
         const std::uint32_t cluster = sources[i].cluster;
@@ -81,8 +85,8 @@ void add_vertices(const std::vector<std::uint32_t>& indices, const PhotoGeometry
                 low = low.cwiseMin(visible ? uv : outside);
                 high = high.cwiseMax(uv);
             }
-            if (seen || on_map[i]) part.set(sources[i].triangle);
-            if (seen == 3) whole.set(sources[i].triangle);
+            if (seen || found.on_map[i]) found.part.set(sources[i].triangle);
+            if (seen == 3) found.whole.set(sources[i].triangle);
         }
         if (high.x() >= 0) add(cluster, low), add(cluster, high);
     }
@@ -120,15 +124,14 @@ void make_coverage(StageInput& in) {
     const std::vector<FrameTriangles::Source>& sources = in.view.triangles.sources;
     const std::uint64_t words = package::visible_words(model.indices.size() / 3);
     std::vector<std::uint64_t> visible(2 * words, 0);
-    Bits whole(visible, 0), part(visible, words);
-    std::vector<Extent> extents(model.clusters.size());
-    std::vector<std::uint8_t> on_map(sources.size(), 0);
-    add_map(in.geometry, sources, on_map, extents);
-    add_vertices(model.indices, in.geometry, coordinates, k, sources, on_map, extents, whole, part);
+    Found found{std::vector<std::uint8_t>(sources.size(), 0), std::vector<Extent>(model.clusters.size()),
+                Bits(visible, 0), Bits(visible, words)};
+    add_map(in.geometry, sources, found);
+    add_vertices(model.indices, in.geometry, coordinates, k, sources, found);
     std::vector<package::CoverageRecord> clusters;
-    clusters.reserve(extents.size());
-    for (std::size_t c = 0; c < extents.size(); ++c)
-        clusters.push_back(record(model.clusters[c], extents[c], part, k, in.photo.pose));
+    clusters.reserve(found.extents.size());
+    for (std::size_t c = 0; c < found.extents.size(); ++c)
+        clusters.push_back(record(model.clusters[c], found.extents[c], found.part, k, in.photo.pose));
     in.context.writer.write(package::Type::coverage, in.photo.index, bytes_of(clusters));
     in.context.writer.write(package::Type::visible, in.photo.index, bytes_of(visible));
 }

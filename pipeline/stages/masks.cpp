@@ -123,10 +123,10 @@ void make_masks(StageInput& in) {
     MaskLevel masks{depth.width, depth.height, std::move(combined), std::move(depth.z)};
     for (int l = mask_level;; ++l) {
         const Level size{masks.width, masks.height};
-        write_tiles(c.writer, package::Type::masks, in.photo.index, std::uint32_t(l), bytes_of(masks.masks),
-                    size);
-        write_tiles(c.writer, package::Type::depth, in.photo.index, std::uint32_t(l), bytes_of(masks.z),
-                    size);
+        write_tiles(c.writer, package::Type::masks, in.photo.index, std::uint32_t(l),
+                    {bytes_of(masks.masks), size});
+        write_tiles(c.writer, package::Type::depth, in.photo.index, std::uint32_t(l),
+                    {bytes_of(masks.z), size});
         if (l + 1 == mask_levels_end(int(in.record.levels))) return;
         masks = halve(masks);
     }

@@ -21,15 +21,14 @@ using package::Type;
 constexpr int thumbnail_quality = 95;  ///< of JPEG
 
 /// The texels of a level that a tile shows, packed.
-std::vector<std::byte> cut_inner_part(std::span<const std::byte> texels, const Level& level,
-                                      std::size_t tile) {
-    const TilePart part = inner_part(level, tile);
-    const auto left = std::size_t(tile_left(level, tile) + part.left),
-               top = std::size_t(tile_top(level, tile) + part.top), width = std::size_t(part.width());
+std::vector<std::byte> cut_inner_part(const LevelTexels& level, std::size_t tile) {
+    const TilePart part = inner_part(level.size, tile);
+    const auto left = std::size_t(tile_left(level.size, tile) + part.left),
+               top = std::size_t(tile_top(level.size, tile) + part.top), width = std::size_t(part.width());
     std::vector<std::byte> out;
     out.reserve(4 * width * std::size_t(part.height()));
     for (std::size_t y = top; y < top + std::size_t(part.height()); ++y) {
-        const auto row = texels.subspan(4 * (y * std::size_t(level.width) + left), 4 * width);
+        const auto row = level.texels.subspan(4 * (y * std::size_t(level.size.width) + left), 4 * width);
         out.insert(out.end(), row.begin(), row.end());
     }
     return out;
@@ -63,12 +62,11 @@ bool add_tile(std::span<const std::byte> texels, int width, int height, int qual
 }
 
 bool write_coded_tiles(PackageWriter& writer, Type type, std::uint32_t photo, std::uint32_t level,
-                       std::span<const std::byte> texels, const Level& size, int quality) {
-    CodedBlocks blocks{.form = form_for(type, texels)};
-    for (std::size_t tile = 0; tile < std::size_t(size.tiles()); ++tile) {
-        const TilePart part = inner_part(size, tile);
-        if (!add_tile(cut_inner_part(texels, size, tile), part.width(), part.height(), quality, blocks))
-            return false;
+                       const LevelTexels& of, int quality) {
+    CodedBlocks blocks{.form = form_for(type, of.texels)};
+    for (std::size_t tile = 0; tile < std::size_t(of.size.tiles()); ++tile) {
+        const TilePart part = inner_part(of.size, tile);
+        if (!add_tile(cut_inner_part(of, tile), part.width(), part.height(), quality, blocks)) return false;
     }
     return writer.write_coded(type, photo, level, blocks);
 }
@@ -92,23 +90,21 @@ bool write_own_jpeg(PackageWriter& writer, std::uint32_t photo, std::span<const 
         {Form::cells, std::move(cells->header), std::move(cells->bytes), std::move(cells->ends)});
 }
 
-void write_thumbnail(PackageWriter& writer, std::uint32_t photo, std::span<const std::byte> texels,
-                     const Level& size) {
-    if (writer.compact(Type::thumbnail, photo) && is_opaque(texels)) {
+void write_thumbnail(PackageWriter& writer, std::uint32_t photo, const LevelTexels& of) {
+    if (writer.compact(Type::thumbnail, photo) && is_opaque(of.texels)) {
         CodedBlocks block{.form = Form::jpeg};
-        add_jpeg(texels, size.width, size.height, thumbnail_quality, block);
+        add_jpeg(of.texels, of.size.width, of.size.height, thumbnail_quality, block);
         if (writer.write_coded(Type::thumbnail, photo, 0, block)) return;
     }
-    writer.write(Type::thumbnail, photo, texels);
+    writer.write(Type::thumbnail, photo, of.texels);
 }
 
 void write_tiles(PackageWriter& writer, package::Type type, std::uint32_t photo, std::uint32_t level,
-                 std::span<const std::byte> texels, const Level& size, int quality) {
-    if (writer.compact(type, photo, level) &&
-        write_coded_tiles(writer, type, photo, level, texels, size, quality))
+                 const LevelTexels& of, int quality) {
+    if (writer.compact(type, photo, level) && write_coded_tiles(writer, type, photo, level, of, quality))
         return;
     writer.write_blocks(type, photo, level, [&](std::size_t number, std::span<std::byte> tile) {
-        cut_tile(texels, size, number, tile);
+        cut_tile(of.texels, of.size, number, tile);
     });
 }
 
@@ -122,7 +118,7 @@ RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint3
     for (std::size_t tile = 0; tile < std::size_t(size.tiles()); ++tile) {
         const TilePart part = inner_part(size, tile);
         const auto jpeg =
-            codec::encode_jpeg(cut_inner_part(texels, size, tile), part.width(), part.height(), quality);
+            codec::encode_jpeg(cut_inner_part({texels, size}, tile), part.width(), part.height(), quality);
         decoded.resize(4 * std::size_t(part.width()) * std::size_t(part.height()));
         if (!codec::decode_jpeg(jpeg, part.width(), part.height(), decoded))
             throw std::logic_error("libjpeg-turbo cannot read what it wrote");

@@ -18,10 +18,16 @@ inline constexpr int color_quality = 97;
 /// means of four pixels have half the error of each.
 int level_quality(std::span<const std::byte> jpeg, std::uint32_t level);
 
-/// Cuts a level of 4-byte texels into tiles and writes them to the package; in a shorter form, if the chunk
+/// Of 4 bytes each, row by row.
+struct LevelTexels {
+    std::span<const std::byte> texels;
+    Level size;
+};
+
+/// Cuts a level into tiles and writes them to the package; in a shorter form, if the chunk
 /// is compact: opaque color as JPEG, depth rounded, masks and other color without loss.
 void write_tiles(PackageWriter& writer, package::Type type, std::uint32_t photo, std::uint32_t level,
-                 std::span<const std::byte> texels, const Level& size, int quality = color_quality);
+                 const LevelTexels& of, int quality = color_quality);
 
 /// A level of color as it is read after write_tiles(): rounded, if it is stored as JPEG. What is made of it
 /// is then the same as what is made later from the package.
@@ -33,7 +39,6 @@ RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint3
 bool write_own_jpeg(PackageWriter& writer, std::uint32_t photo, std::span<const std::byte> jpeg);
 
 /// Writes a photo's thumbnail: RGBA texels, which may be stored as JPEG.
-void write_thumbnail(PackageWriter& writer, std::uint32_t photo, std::span<const std::byte> texels,
-                     const Level& size);
+void write_thumbnail(PackageWriter& writer, std::uint32_t photo, const LevelTexels& of);
 
 }  // namespace vantage

@@ -91,8 +91,11 @@ void write_model(const SynthModel& model, bool height, const std::filesystem::pa
     for (const Vector3f& p : positions) heights.push_back(p.z());
     std::vector<PlyLayer> layers;
     if (height) layers.push_back({"height", heights});
-    write_ply(file, Vector3d::Zero(), positions, model.mesh.normals, model.mesh.triangles, layers,
-              model.mesh.colors);
+    write_ply(file, {.positions = positions,
+                     .normals = model.mesh.normals,
+                     .triangles = model.mesh.triangles,
+                     .layers = layers,
+                     .colors = model.mesh.colors});
 }
 
 }  // namespace

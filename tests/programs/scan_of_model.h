@@ -43,8 +43,8 @@ inline void write_scan(const std::filesystem::path& folder, const SynthModel& mo
     write_colmap_text(folder / "sparse", photos);
     std::vector<Eigen::Vector3f> positions;
     for (const Eigen::Vector3d& p : model.mesh.positions) positions.push_back(p.cast<float>());
-    write_ply(folder / "mesh.ply", Eigen::Vector3d::Zero(), positions, model.mesh.normals,
-              model.mesh.triangles);
+    write_ply(folder / "mesh.ply",
+              {.positions = positions, .normals = model.mesh.normals, .triangles = model.mesh.triangles});
 }
 
 }  // namespace vantage

@@ -18,7 +18,7 @@ PROGRAMS = {"base", "pipeline", "player", "scene"}
 
 
 def parameters(text):
-    """(name, count) of each function that is declared or defined: the commas of its outermost level."""
+    """(name, count) of each function that is declared or defined, by the commas of its outermost level; 0 for callbacks of OpenGL."""
     text = re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S)
     text = re.sub(r'R"\(.*?\)"|"(\\.|[^"\\\n])*"', '""', text, flags=re.S)
     # A type and a name at the beginning of a line, then parameters up to what follows a declaration.
@@ -40,7 +40,7 @@ def parameters(text):
         typed = empty or re.match(r"\s*(?:const |std::|[A-Za-z_][\w:<>, ]*[ &*]+\w)", inside)
         head = text[m.start():m.start(1)].strip()
         if declared and typed and head and not head.endswith(("=", "return")) and head.split()[0] not in ("return", "throw", "else"):
-            yield m.group(1), 0 if empty else commas + 1
+            yield m.group(1), 0 if empty or "APIENTRY" in head else commas + 1
 
 
 def faults(source, modules):
@@ -59,7 +59,7 @@ def faults(source, modules):
         text = (source / f).read_text()
         if (lines := text.count("\n")) > MAX_LINES:
             yield f"{f}: {lines} lines, {MAX_LINES} are the limit"
-        if f.parts[0] in PROGRAMS and f.suffix == ".h":
+        if f.parts[0] in PROGRAMS:
             for name, count in parameters(text):
                 if count > MAX_PARAMETERS:
                     yield f"{f}: {name} takes {count} parameters, {MAX_PARAMETERS} are the limit"

@@ -86,14 +86,14 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
         if (l > sampled && l <= std::uint32_t(sample_level)) coarse.samples = halve(coarse.samples);
         if (l == std::uint32_t(sample_level)) found.set_value(std::move(coarse));
         if (l < r.levels && missing[Stage::tiles] && !(own && write_own_jpeg(writer, i, jpeg)))
-            write_tiles(writer, Type::tiles, i, l, bytes_of(level.rgba), {level.width, level.height},
+            write_tiles(writer, Type::tiles, i, l, {bytes_of(level.rgba), {level.width, level.height}},
                         level_quality(jpeg, l));
         RgbaImage next = halve(level);
         // The coarsest level that still has the thumbnail's detail is the cheapest to reduce.
         const int wanted = int(std::max(r.thumbnail_width, r.thumbnail_height));
         if (thumbnail_missing && (std::max(next.width, next.height) < wanted || l + 1 == last)) {
             const RgbaImage small = reduced(level, {int(r.thumbnail_width), int(r.thumbnail_height)});
-            write_thumbnail(writer, i, bytes_of(small.rgba), {small.width, small.height});
+            write_thumbnail(writer, i, {bytes_of(small.rgba), {small.width, small.height}});
             thumbnail_missing = false;
         }
         level = std::move(next);

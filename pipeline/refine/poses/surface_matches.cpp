@@ -31,10 +31,15 @@ struct Reprojection {
     float fx, fy, cx, cy;
 };
 
-/// Pixels of a row at depths `z`, on rays (x, y, 1), in the other camera: their position and depth there.
-/// Undefined where z is infinite.
+/// A row of pixels in another camera: their positions and depths there.
+struct ReprojectedRow {
+    float *u, *v, *depth;
+};
+
+/// For pixels at depths `z`, on rays (x, y, 1). Undefined where z is infinite.
 VANTAGE_SIMD void reproject_row(const Reprojection& to, const float* z, const float* ray_x, float ray_y,
-                                int width, float* u, float* v, float* depth) {
+                                int width, const ReprojectedRow& row) {
+    float *u = row.u, *v = row.v, *depth = row.depth;
     const Eigen::Matrix3f R = to.R;
     const Eigen::Vector3f t = to.t;
     const float fx = to.fx, fy = to.fy, cx = to.cx - 0.5f, cy = to.cy - 0.5f;
@@ -65,8 +70,8 @@ cv::Mat warp(const MatchView& chart, const MatchView& from, const Pose& from_pos
         const auto* z = chart.depth.ptr<float>(y);
         auto *u = map_x.ptr<float>(y), *v = map_y.ptr<float>(y);
         auto* ok = shown.ptr<std::uint8_t>(y);
-        reproject_row(reprojection, z, ray_x.data(), float((y + 0.5 - chart.k.cy) / chart.k.fy), width, u, v,
-                      depth.data());
+        reproject_row(reprojection, z, ray_x.data(), float((y + 0.5 - chart.k.cy) / chart.k.fy), width,
+                      {u, v, depth.data()});
         for (int x = 0; x < width; ++x) {
             const float there = depth[std::size_t(x)];
             const bool inside =

@@ -106,11 +106,17 @@ struct Columns {
     std::vector<double> squares;      ///< of the rays' horizontal parts
 };
 
-/// Writes a row of the pinhole camera's level. `moves`: the table's coefficients for it; `square`: of the
-/// rays' vertical part.
+/// A row of the pinhole camera's level.
+struct LevelRow {
+    int y;
+    float texel;                                ///< px of the photo
+    double square;                              ///< of the rays' vertical part
+    const std::vector<Eigen::Vector2f>& moves;  ///< the table's coefficients
+};
+
 VANTAGE_SIMD void sample_row(const Texels& texels, const LensTable& table, const Columns& columns,
-                             const std::vector<Eigen::Vector2f>& moves, float texel, int y, double square,
-                             RgbaImage& out) {
+                             const LevelRow& row, RgbaImage& out) {
+    const auto [y, texel, square, moves] = row;
     const float right = float(table.camera.width) / texel, bottom = float(table.camera.height) / texel;
     const float share = 1 / texel;  // exact: a power of two
     const double most = table.range * table.range - square;
@@ -161,7 +167,7 @@ RgbaImage pinhole_image(const RgbaImage& photo, const LensTable& table, int leve
         for (int y = first; y < end; ++y) {
             const double v = (y + 0.5) * texel, b = (v - k.cy) / k.fy;
             weigh_rows(table, spline_place(v / k.height), moves);
-            sample_row(texels, table, columns, moves, float(texel), y, b * b, out);
+            sample_row(texels, table, columns, {y, float(texel), b * b, moves}, out);
         }
     }
     return out;

@@ -15,7 +15,7 @@ BackgroundVerdict validate(std::vector<CoarseView> views) {
     const std::vector<package::PhotoRecord> photos(n);
     const std::vector<std::span<const package::SampleRecord>> samples(n);
     const std::vector<std::uint32_t> lens(n, 0);
-    return validate_background(all, samples, photos, lens, {}, 6, 0);
+    return validate_background(all, {photos, samples, lens}, {}, 6, 0);
 }
 
 }  // namespace

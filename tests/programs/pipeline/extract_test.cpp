@@ -65,7 +65,7 @@ class Extract : public TemporaryFolder {
         const Mesh mesh = read_mesh(scan / "mesh.ply", warnings);
         std::vector<Eigen::Vector3f> positions;
         for (const Eigen::Vector3d& p : mesh.positions) positions.push_back(p.cast<float>());
-        write_ply(scan / "mesh.ply", by, positions, mesh.normals, mesh.triangles);
+        write_ply(scan / "mesh.ply", {by, positions, mesh.normals, mesh.triangles});
     }
 };
 

@@ -72,7 +72,8 @@ class Report : public TemporaryFolder {
         for (const Vector3f& c : corners) positions.push_back(R.cast<float>() * c);
         normals.assign(corners.size(), R.cast<float>() * Vector3f(0, -1, 0));
         for (std::uint32_t i = 2; i < corners.size(); ++i) triangles.push_back({0, i - 1, i});
-        write_ply(dir / "scan" / "mesh.ply", Vector3d::Zero(), positions, normals, triangles);
+        write_ply(dir / "scan" / "mesh.ply",
+                  {.positions = positions, .normals = normals, .triangles = triangles});
         const std::string command = VANTAGE_PROGRAM " prepare " + (dir / "scan").string() + " -o " +
                                     (dir / "scan.vantage").string() + " --refine off " + options + " >" +
                                     (dir / "says").string() + " 2>&1";
