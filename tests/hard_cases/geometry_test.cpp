@@ -1,182 +1,25 @@
 // Meshes that are degenerate, duplicated, broken, inside out, tiny or huge.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <fstream>
-#include <functional>
 #include <limits>
-#include <numeric>
 #include <random>
 
-#include "base/gl/context.h"
-#include "base/text/error.h"
-#include "base/values/tiling.h"
 #include "pipeline/formats/meshes/read_mesh.h"
-#include "pipeline/input/discover.h"
-#include "pipeline/input/read_scene.h"
 #include "pipeline/mesh/clusters.h"
 #include "pipeline/mesh/subdivide.h"
-#include "pipeline/prepare/prepare.h"
-#include "pipeline/reports/check.h"
-#include "pipeline/run/until_stopped.h"
-#include "pipeline/stages/footprint_hull.h"
 #include "pipeline/stages/surface_samples.h"
-#include "player/measure/bench/finite_targets.h"
 #include "player/render/picture.h"
-#include "scene/agreement/read_level.h"
-#include "scene/package/package_reader.h"
+#include "tests/hard_cases/shown_mesh.h"
 #include "tests/hard_cases/special_numbers.h"
-#include "tests/made_scenes.h"
-#include "tests/temporary_folder.h"
 
 using namespace vantage;
 using package::Type;
 
 namespace {
 
-class Geometry : public TemporaryFolder {
-  protected:
-    const gl::HeadlessContext context{gl::Debug::on};
-    SceneInput scene;
-
-    void SetUp() override {
-        TemporaryFolder::SetUp();
-        SynthSpec spec = spec_named("tiny");
-        spec.photos.count = 2;
-        spec.photos.arc = 25;
-        spec.photos.samples = 1;
-        spec.photos.width = 200;
-        spec.photos.height = 150;
-        spec.object.triangles = 1500;
-        copy_scene(spec, dir / "scene");
-        scene = read_scene(discover(dir / "scene"));
-    }
-
-    /// Writes a mesh, valid or not, to a PLY file.
-    std::filesystem::path written(const Mesh& mesh) const {
-        const std::filesystem::path file = dir / "mesh.ply";
-        std::ofstream out(file, std::ios::binary);
-        out << fmt::format("ply\nformat ascii 1.0\nelement vertex {}\n", mesh.positions.size());
-        for (const char* name : {"double x", "double y", "double z"}) out << "property " << name << '\n';
-        if (!mesh.normals.empty())
-            for (const char* name : {"float nx", "float ny", "float nz"}) out << "property " << name << '\n';
-        out << fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-                           mesh.triangles.size());
-        for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-            const Eigen::Vector3d& p = mesh.positions[v];
-            out << fmt::format("{} {} {}", p.x(), p.y(), p.z());
-            if (!mesh.normals.empty())
-                out << fmt::format(" {} {} {}", mesh.normals[v].x(), mesh.normals[v].y(),
-                                   mesh.normals[v].z());
-            out << '\n';
-        }
-        for (const auto& t : mesh.triangles) out << fmt::format("3 {} {} {}\n", t[0], t[1], t[2]);
-        return file;
-    }
-
-    struct Result {
-        std::vector<std::string> warnings;
-        std::vector<Picture> pictures;  ///< from each photo's camera, in each blend mode
-        std::vector<double> seen;       ///< share of the vertices that each photo sees
-        std::size_t triangles = 0;
-    };
-    /// Reads, prepares, checks and renders a mesh. The package must be valid and all values finite.
-    Result shown(const Mesh& mesh, const std::function<void(SceneInput&)>& change = {}) {
-        Result out;
-        SceneInput with = scene;
-        with.mesh = read_mesh(written(mesh), out.warnings);
-        if (change) change(with);
-        const std::filesystem::path file = dir / "a.vantage";
-        PrepareSettings settings;
-        settings.vertex_coordinates = true;
-        prepare(with, settings, file, [](const Progress&) {});
-        for (const Issue& i : check_package(file, {.deep = true})) ADD_FAILURE() << i.text;
-        const PackageReader reader(file);
-        expect_finite(reader);
-        Renderer renderer(reader, {});
-        std::vector<std::uint32_t> photos(reader.photos().size());
-        std::iota(photos.begin(), photos.end(), 0u);
-        for (const std::uint32_t photo : photos) {
-            out.seen.push_back(reader.photos()[photo].visible_vertices);
-            for (const Blend blend : {Blend::lumigraph, Blend::average, Blend::best}) {
-                RenderSettings s;
-                s.blend = blend;
-                s.fill_holes = true;
-                out.pictures.push_back(
-                    take_picture(renderer, view_of_photo(reader.photos()[photo], 1), s, photos, 1));
-                EXPECT_EQ(count_non_finite(renderer.targets()).all(), 0u) << "blend " << int(blend);
-            }
-        }
-        out.triangles = std::size_t(reader.scene().triangles);
-        return out;
-    }
-
-    static void expect_all_finite(std::span<const float> values, const char* what) {
-        EXPECT_TRUE(std::ranges::all_of(values, [](float v) { return std::isfinite(v); })) << what;
-    }
-    static void expect_finite(const PackageReader& reader) {
-        const package::SceneRecord& s = reader.scene();
-        EXPECT_TRUE(std::isfinite(s.reference_density) && s.reference_density > 0);
-        expect_all_finite(reader.records<float>(Type::positions), "positions");
-        expect_all_finite(reader.records<float>(Type::normals), "normals");
-        for (const auto& c : reader.records<package::ClusterRecord>(Type::clusters))
-            expect_all_finite({c.center, 8}, "clusters");
-        for (std::uint32_t i = 0; i < reader.photos().size(); ++i) {
-            const package::PhotoRecord& p = reader.photos()[i];
-            for (const double v :
-                 {p.corrected_direction[0], p.corrected_direction[1], p.corrected_direction[2], p.hull_area,
-                  p.seen_distance, p.z_min, p.z_max, p.visible_vertices})
-                EXPECT_TRUE(std::isfinite(v)) << p.name;
-            EXPECT_NEAR(Eigen::Map<const Eigen::Vector3d>(p.corrected_direction).norm(), 1, 1e-6);
-            expect_all_finite(reader.records<float>(Type::coordinates, i), "coordinates");
-            const auto depth = read_level(reader, p, i, Type::depth, mask_level);
-            for (std::size_t t = 0; t < depth.size(); t += 4) {
-                float z;
-                std::memcpy(&z, &depth[t], 4);
-                ASSERT_TRUE(z > 0) << "depth of " << p.name;  // infinite if nothing is seen
-            }
-        }
-    }
-
-    /// Expects all but a few pixels to be equal.
-    static void expect_same(const std::vector<Picture>& a, const std::vector<Picture>& b) {
-        ASSERT_EQ(a.size(), b.size());
-        for (std::size_t i = 0; i < a.size(); ++i) {
-            std::size_t differ = 0;
-            for (std::size_t c = 0; c < a[i].rgba.size(); ++c)
-                differ += std::abs(int(a[i].rgba[c]) - int(b[i].rgba[c])) > 6;
-            EXPECT_LT(double(differ), 1e-3 * double(a[i].rgba.size())) << "picture " << i;
-        }
-    }
-
-    static std::uint32_t add(Mesh& mesh, const Eigen::Vector3d& p) {
-        mesh.positions.push_back(p);
-        mesh.normals.emplace_back(0, 0, 1);
-        return std::uint32_t(mesh.positions.size() - 1);
-    }
-    /// By value: the arguments may be elements of the mesh.
-    static void add(Mesh& mesh, Eigen::Vector3d a, Eigen::Vector3d b, Eigen::Vector3d c) {
-        const std::uint32_t i = add(mesh, a), j = add(mesh, b), k = add(mesh, c);
-        mesh.triangles.push_back({i, j, k});
-    }
-    void expect_rejected(const Mesh& mesh, const std::string& words) {
-        try {
-            shown(mesh);
-            ADD_FAILURE() << "was accepted, expected: " << words;
-        } catch (const Error& e) {
-            EXPECT_EQ(e.code(), Exit::input);
-            const std::string text = e.what();
-            EXPECT_NE(text.find(words), std::string::npos) << text;
-            EXPECT_EQ(text.find('\n'), std::string::npos) << text;
-            EXPECT_NE(text.find(".ply"), std::string::npos) << text;
-        }
-    }
-};
 class GeometryAtLength : public Geometry {};
 
 }  // namespace
@@ -455,125 +298,4 @@ TEST_F(GeometryAtLength, TenMillionTrianglesAreAllClustered) {
         ASSERT_LT(c.radius, 160) << "a tenth of the scene";
     }
     EXPECT_EQ(next, triangles);
-}
-
-namespace {
-
-/// Corners of the convex hull, in order (Andrew's monotone chain), in double precision.
-std::vector<Eigen::Vector2d> hull_of(std::vector<Eigen::Vector2d> p) {
-    std::ranges::sort(
-        p, [](const auto& a, const auto& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); });
-    p.erase(std::unique(p.begin(), p.end()), p.end());
-    if (p.size() < 3) return p;
-    std::vector<Eigen::Vector2d> hull;
-    for (int pass = 0; pass < 2; ++pass) {
-        const std::size_t start = hull.size();
-        for (const Eigen::Vector2d& q : p) {
-            const auto turns_left = [&] {
-                const Eigen::Vector2d u = hull.back() - hull[hull.size() - 2], v = q - hull.back();
-                return u.x() * v.y() - u.y() * v.x() > 0;
-            };
-            while (hull.size() >= start + 2 && !turns_left()) hull.pop_back();
-            hull.push_back(q);
-        }
-        hull.pop_back();
-        std::ranges::reverse(p);
-    }
-    return hull;
-}
-
-struct Polygon {
-    double area = 0;
-    Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
-};
-Polygon measured(const std::vector<Eigen::Vector2d>& corners) {
-    Polygon out;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Eigen::Vector2d a = corners[i] - corners[0], b = corners[(i + 1) % corners.size()] - corners[0];
-        const double part = (a.x() * b.y() - a.y() * b.x()) / 2;
-        out.area += part;
-        out.centroid += part * (a + b) / 3;
-    }
-    if (out.area > 0) out.centroid = corners[0] + out.centroid / out.area;
-    return out;
-}
-
-const Intrinsics frame{400, 300, 350, 360, 190, 160};
-
-Eigen::Vector3d through(const Eigen::Vector2d& uv) {
-    return Eigen::Vector3d((uv.x() * frame.width - frame.cx) / frame.fx,
-                           (uv.y() * frame.height - frame.cy) / frame.fy, 1)
-        .normalized();
-}
-
-}  // namespace
-
-TEST(FootprintHull, MatchesTheMonotoneChain) {
-    std::mt19937 random(19);
-    std::uniform_real_distribution<double> unit(0, 1);
-    for (int trial = 0; trial < 300; ++trial) {
-        std::vector<Eigen::Vector2f> uv;
-        std::vector<Eigen::Vector2d> visible;
-        const int points = 3 + trial % 40, grid = trial % 3 ? 0 : 5;
-        for (int i = 0; i < points; ++i) {
-            Eigen::Vector2d p(unit(random), unit(random) * (trial % 7 ? 1 : 0.01));
-            if (grid) p = (p * grid).array().floor() / grid;  // many collinear, many equal
-            const Eigen::Vector2f q = p.cast<float>();
-            uv.push_back(q);
-            visible.push_back(q.cast<double>());
-            if (i % 4 == 0) uv.emplace_back(-1, -1);
-        }
-        const Polygon truth = measured(hull_of(visible));
-        const FootprintHull found = footprint_hull(uv, frame, Pose{});
-        ASSERT_NEAR(found.area, truth.area, 1e-6) << "trial " << trial;
-        ASSERT_TRUE(truth.area < 1e-5 || (found.direction - through(truth.centroid)).norm() < 1e-3)
-            << "trial " << trial;
-        ASSERT_NEAR(found.direction.norm(), 1, 1e-9);
-    }
-}
-
-RC_GTEST_PROP(FootprintHull, AnyPointsMatchTheMonotoneChain, ()) {
-    // On a coarse grid, so that many are collinear or equal.
-    const auto grid = *rc::gen::container<std::vector<std::array<int, 2>>>(
-        rc::gen::container<std::array<int, 2>>(rc::gen::inRange(0, 17)));
-    std::vector<Eigen::Vector2f> uv;
-    std::vector<Eigen::Vector2d> visible;
-    for (const auto& [x, y] : grid) {
-        uv.emplace_back(float(x) / 16, float(y) / 16);
-        visible.push_back(uv.back().cast<double>());
-    }
-    const Polygon truth = visible.empty() ? Polygon{} : measured(hull_of(visible));
-    const FootprintHull found = footprint_hull(uv, frame, Pose{});
-    RC_ASSERT(std::abs(found.area - truth.area) < 1e-6);
-    RC_ASSERT(std::abs(found.direction.norm() - 1) < 1e-9);
-    if (truth.area > 1e-5) RC_ASSERT((found.direction - through(truth.centroid)).norm() < 1e-3);
-}
-
-TEST(FootprintHull, NoPointsOnePointOrALineHaveNoAreaButADirection) {
-    const Pose pose{Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix(),
-                    {1, 2, 3}};
-    for (const auto& uv : {std::vector<Eigen::Vector2f>{}, std::vector<Eigen::Vector2f>(50, {-1, -1})}) {
-        const FootprintHull none = footprint_hull(uv, frame, pose);
-        EXPECT_EQ(none.area, 0);
-        EXPECT_LT((none.direction - pose.direction()).norm(), 1e-12) << "the optical axis";
-    }
-    const Eigen::Vector2f a(0.2f, 0.3f);
-    for (const std::size_t copies : {1u, 2u, 3u, 1000u}) {
-        const FootprintHull point = footprint_hull(std::vector<Eigen::Vector2f>(copies, a), frame, Pose{});
-        EXPECT_EQ(point.area, 0) << copies;
-        EXPECT_LT((point.direction - through(a.cast<double>())).norm(), 1e-6) << copies;
-    }
-    for (const Eigen::Vector2f& along :
-         {Eigen::Vector2f(0.5f, 0), {0, 0.5f}, {0.5f, 0.25f}, {0.375f, 0.5f}}) {
-        std::vector<Eigen::Vector2f> line;
-        for (int i = 0; i <= 16; ++i)
-            line.push_back(Eigen::Vector2f(0.25f, 0.25f) + float(i * i % 17) / 16 * along);
-        line.push_back(Eigen::Vector2f(0.25f, 0.25f) + along);
-        const FootprintHull found = footprint_hull(line, frame, Pose{});
-        EXPECT_NEAR(found.area, 0, 1e-9) << along.transpose();
-        const Eigen::Vector3d from = through({0.25, 0.25}),
-                              to = through((Eigen::Vector2f(0.25f, 0.25f) + along).cast<double>());
-        EXPECT_LT(std::abs(found.direction.dot(from.cross(to).normalized())), 1e-6) << "on the line";
-        EXPECT_GE(found.direction.dot(from), to.dot(from) - 1e-6) << "between its ends";
-    }
 }

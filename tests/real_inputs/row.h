@@ -55,6 +55,11 @@ struct Row {
     void set(Never n) { never = std::move(n); }
 };
 
+// Rows by family: a new case is a new row.
+std::vector<Row> scan_rows();
+std::vector<Row> photo_rows();
+std::vector<Row> command_rows();
+
 /// All rows, family by family.
 std::span<const Row> table();
 

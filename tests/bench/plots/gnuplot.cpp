@@ -4,15 +4,13 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "base/text/error.h"
 #include "base/text/markup.h"
-#include "tests/bench/measure/run_program.h"
 #include "tests/bench/plots/axis.h"
 #include "tests/bench/plots/plot_labels.h"
+#include "tests/bench/plots/run_gnuplot.h"
 #include "tests/bench/plots/svg.h"
 #include "tests/bench/results/front.h"
 #include "tests/bench/results/quantity.h"
@@ -349,34 +347,6 @@ std::string tips(const Layout& l) {
                "</title></circle>\n";
     });
     return out + "</g>\n";
-}
-
-/// The line of gnuplot's output that gives the reason; it follows the command that failed.
-std::string complaint(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    std::string first, line;
-    while (std::getline(in, line)) {
-        if (line.find_first_not_of(" \t^") == std::string::npos) continue;
-        if (first.empty()) first = line;
-        if (line.find(", line ") != std::string::npos) return line;
-    }
-    return first;
-}
-
-std::string drawn_by_gnuplot(const std::string& script) {
-    const ScratchFolder folder;
-    const auto file = folder.path() / "plot.gp", svg = folder.path() / "plot.svg",
-               errors = folder.path() / "errors";
-    std::ofstream out(file, std::ios::binary);
-    out << script;
-    out.close();
-    if (!out) throw Error(Exit::storage, file.string() + ": cannot be written");
-    const int status = run_program({"gnuplot", "-d", file.string()}, svg, errors);
-    if (status == 127)
-        throw Error(Exit::input, "gnuplot is missing; on Debian, install the package gnuplot-nox");
-    if (status != 0) throw Error(Exit::input, "gnuplot failed: " + complaint(errors));
-    std::ifstream in(svg, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// A prefix that is unique to the plot (FNV-1a).

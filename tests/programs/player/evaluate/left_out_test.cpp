@@ -1,5 +1,4 @@
-#include "player/measure/evaluation/evaluate.h"
-
+// Pictures without the photo that they are compared with, their scores, and what evaluate writes.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -7,98 +6,25 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <optional>
 #include <random>
 
 #include "base/gl/context.h"
 #include "base/text/error.h"
-#include "base/values/srgb.h"
-#include "pipeline/input/discover.h"
-#include "pipeline/input/read_scene.h"
 #include "pipeline/output/meta.h"
-#include "pipeline/photos/image_files.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/settings.h"
-#include "pipeline/run/until_stopped.h"
 #include "player/measure/evaluation/colors_without.h"
+#include "player/measure/evaluation/evaluate.h"
 #include "player/measure/evaluation/held_out.h"
 #include "player/measure/evaluation/photo_pixels.h"
 #include "scene/agreement/registered_without.h"
 #include "tests/made_scenes.h"
-#include "tests/temporary_folder.h"
+#include "tests/programs/player/evaluate/evaluated_scene.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
 
 namespace {
-
-class Evaluate : public TemporaryFolder {
-  protected:
-    fs::path file = dir / "scene.vantage";
-    SceneInput scene;
-    /// Five photos close together.
-    static SynthSpec close_photos() {
-        SynthSpec spec = spec_named("tiny");
-        spec.photos.width = 800;
-        spec.photos.height = 600;
-        spec.photos.arc = 40;
-        return spec;
-    }
-    void SetUp() override {
-        TemporaryFolder::SetUp();
-        SynthSpec spec = close_photos();
-        spec.photos.samples = 2;
-        copy_scene(spec, dir / "scene");
-        scene = read_scene(discover(dir / "scene"));
-        for (PhotoInput& photo : scene.photos) photo.read.clear();  // tests repaint photos on purpose
-    }
-    /// Of every photo, or of one.
-    std::vector<LeftOut> evaluate(bool corrects_exposure = true, std::optional<std::uint32_t> only = {}) {
-        PrepareSettings as_given;
-        as_given.effects[Effect::pose_refinement] = EffectChoice::off;
-        if (!corrects_exposure) as_given.effects[Effect::exposure] = EffectChoice::off;
-        prepare(scene, as_given, file, [](const Progress&) {});
-        const PackageReader package(file);
-        const gl::HeadlessContext context(gl::Debug::on);
-        Renderer renderer(package, {});
-        std::vector<std::uint32_t> photos(package.photos().size());
-        std::iota(photos.begin(), photos.end(), 0u);
-        std::vector<LeftOut> out;
-        std::vector<RegionError> regions;
-        LeftOutPictures pictures;
-        RenderSettings settings;
-        settings.weights.transient_mask = false;  // as in run_evaluate
-        for (const std::uint32_t p : photos)
-            if (!only || p == *only)
-                out.push_back(
-                    leave_out(renderer, settings, photos, package.photos(), p, 1, regions, pictures));
-        remark(out);
-        return out;
-    }
-    LeftOut evaluate_photo(std::uint32_t photo, bool corrects_exposure = true) {
-        return evaluate(corrects_exposure, photo).front();
-    }
-};
-class EvaluateAtLength : public Evaluate {};
-
-/// Repaints a photo's file: `paint` gets each pixel's channels and place.
-void repaint(const fs::path& file, const auto& paint) {
-    const RgbaImage image = image_files().read(file);
-    std::vector<std::byte> rgb;
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const std::size_t i = 4 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x));
-            std::array<std::uint8_t, 3> color{image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]};
-            paint(color, x, y);
-            for (const std::uint8_t v : color) rgb.push_back(std::byte(v));
-        }
-    image_files().write(file, image.width, image.height, 3, Sample::u8, rgb);
-}
-
-/// A tall red passer-by, half as high as the photo.
-void paint_passer_by(std::array<std::uint8_t, 3>& color, int x, int y) {
-    if (x >= 360 && x < 460 && y >= 150 && y < 450) color = {200, 30, 30};
-}
 
 void replace_by_noise(const fs::path& file) {
     std::mt19937 random(1);
@@ -116,21 +42,6 @@ PrepareSettings all_but_pose_refinement() {
     return settings;
 }
 
-Cause largest_at_colored(const CauseSquares& s) {
-    Cause most = Cause::displaced;
-    for (const CauseRow& row : cause_table())
-        if (s.colored_share(row.cause) > s.colored_share(most)) most = row.cause;
-    return most;
-}
-
-bool remarks_on(const LeftOut& r, const std::string& what) {
-    return std::ranges::any_of(r.remarks, [&](const std::string& s) { return s.find(what) != s.npos; });
-}
-
-bool reports_offset(const LeftOut& r) {
-    return std::ranges::any_of(r.remarks, [](const std::string& s) { return s.starts_with("offset by"); });
-}
-
 }  // namespace
 
 TEST_F(EvaluateAtLength, ComparesWithThePhotoItselfWhateverTheFormOfTiles) {
@@ -141,91 +52,6 @@ TEST_F(EvaluateAtLength, ComparesWithThePhotoItselfWhateverTheFormOfTiles) {
     };
     for (const int level : {0, 2})
         EXPECT_TRUE(truth(EffectChoice::on, level) == truth(EffectChoice::off, level)) << level;
-}
-
-TEST_F(EvaluateAtLength, GoodSceneGetsNoRemarks) {
-    for (const LeftOut& r : evaluate()) {
-        EXPECT_GT(r.score.psnr_gain, 22) << r.name;
-        EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), 0.5) << r.name;
-        EXPECT_LT(std::abs(r.brightness.stops), 0.1) << r.name << ": equal exposures";
-        EXPECT_FALSE(reports_offset(r)) << r.name;
-    }
-}
-
-TEST_F(EvaluateAtLength, WrongCameraIsDetectedWithItsOffset) {
-    constexpr double off = 2.5;  // pixels at full size
-    Camera& camera = scene.photos[2].camera;
-    Pose& pose = camera.cam_from_world;
-    const Eigen::Matrix3d turn =
-        Eigen::AngleAxisd(off / camera.intrinsics.fx, Eigen::Vector3d::UnitY()).toRotationMatrix();
-    pose.R = turn * pose.R;
-    pose.t = turn * pose.t;
-    const std::vector<LeftOut> results = evaluate();
-    // Points project farther to the right in the rotated camera, so its photo's content is to the left of
-    // them.
-    EXPECT_NEAR(std::abs(results[2].shift[0]), off, 0.8);
-    EXPECT_LT(std::abs(results[2].shift[1]), 0.5);
-    EXPECT_TRUE(reports_offset(results[2]));
-    for (const LeftOut& r : results)  // the others are blended with it, too, so they are slightly off
-        EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), r.photo == 2 ? 2 * off : 0.7 * off) << r.name;
-}
-
-TEST_F(EvaluateAtLength, PasserByInTheLeftOutPhotoMakesItOdd) {
-    repaint(scene.photos[2].file, paint_passer_by);
-    const LeftOut r = evaluate_photo(2);
-    EXPECT_EQ(largest_at_colored(r.causes), Cause::odd_photo);
-    const auto region = std::ranges::find(r.worst, Cause::odd_photo, &WorstRegion::cause);
-    ASSERT_NE(region, r.worst.end());
-    EXPECT_LT(std::abs(region->place.x + region->place.width / 2 - 205), 60) << "at half size";
-    EXPECT_LT(std::abs(region->place.y + region->place.height / 2 - 150), 80);
-}
-
-TEST_F(EvaluateAtLength, DarkThingInFrontIsNotCalledExposure) {
-    repaint(scene.photos[2].file, [](std::array<std::uint8_t, 3>& color, int x, int) {
-        if (x < 360) color = {20, 40, 15};
-    });
-    const LeftOut r = evaluate_photo(2);
-    EXPECT_LT(std::abs(r.brightness.stops), 0.15);
-    EXPECT_FALSE(remarks_on(r, "darker"));
-    EXPECT_TRUE(remarks_on(r, "something in front of it"));
-}
-
-TEST_F(Evaluate, DarkerPhotoIsReportedWithItsStops) {
-    repaint(scene.photos[2].file, [](std::array<std::uint8_t, 3>& color, int, int) {
-        for (std::uint8_t& v : color)
-            v = std::uint8_t(
-                std::lround(255 * srgb_from_linear(linear_from_srgb(v / 255.0) * std::exp2(-0.5))));
-    });
-    const LeftOut r = evaluate_photo(2, false);
-    EXPECT_NEAR(r.brightness.stops, -0.5, 0.1);
-    EXPECT_TRUE(remarks_on(r, "stops darker than the others"));
-    EXPECT_FALSE(remarks_on(r, "something in front of it"));
-}
-
-TEST_F(EvaluateAtLength, PasserByInAnotherPhotoIsADisagreement) {
-    repaint(scene.photos[1].file, paint_passer_by);
-    const std::vector<LeftOut> results = evaluate();
-    EXPECT_EQ(largest_at_colored(results[1].causes), Cause::odd_photo);
-    EXPECT_EQ(largest_at_colored(results[2].causes), Cause::disagreement);
-}
-
-TEST_F(EvaluateAtLength, WrongCameraDisplacesContent) {
-    Pose& pose = scene.photos[2].camera.cam_from_world;
-    const double angle = 7 / scene.photos[2].camera.intrinsics.fx;
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).toRotationMatrix();
-    pose.R = turn * pose.R;
-    pose.t = turn * pose.t;
-    const LeftOut r = evaluate_photo(2);
-    EXPECT_EQ(largest_at_colored(r.causes), Cause::displaced);
-    EXPECT_GT(r.causes.colored_share(Cause::displaced), 0.5);
-}
-
-TEST_F(EvaluateAtLength, NoisyPhotoDiffersInFineDetail) {
-    std::mt19937 random(4);
-    repaint(scene.photos[2].file, [&](std::array<std::uint8_t, 3>& color, int, int) {
-        for (std::uint8_t& v : color) v = std::uint8_t(std::clamp(int(v) + int(random() % 161) - 80, 0, 255));
-    });
-    EXPECT_EQ(largest_at_colored(evaluate_photo(2).causes), Cause::detail);
 }
 
 TEST_F(Evaluate, HolesAreWhereTheMeshEndsOrNoOtherPhotoLooks) {

@@ -1,0 +1,29 @@
+#pragma once
+#include "package_bytes.h"
+
+// JPEG files that are put together from the parts of chunks.
+namespace independent {
+
+struct Size {
+    uint64_t w, h;
+};
+
+struct Area {
+    uint64_t x, y, w, h;
+};
+
+struct JpegHeader {
+    size_t size_at = 0;  // of the height in SOF0, which the width follows
+    Size size = {0, 0}, mcu = {8, 8};
+    uint64_t interval = 0;
+};
+
+JpegHeader read_jpeg_header(Bytes bytes);
+
+// A JPEG's beginning, with another size.
+Buffer with_size(Bytes shared, const JpegHeader& header, Size size);
+
+// An area of a JPEG, as RGBA.
+Buffer decode_jpeg(Bytes file, Size size, Area area);
+
+}  // namespace independent
