@@ -4,7 +4,7 @@
 
 #include "player/headset/locomotion/walk.h"
 #include "player/interface/sections/measure_panel.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/panels/marks.h"
 #include "player/render/renderer.h"
 

@@ -95,7 +95,7 @@ void size_controls(Controls& c, Session& s, const MenuContent& m) {
 void move_page(Controls& c, Session& s, const MenuContent& m, double now) {
     if (c.button("Home")) fly_home(s, now);
     ImGui::SameLine();
-    if (c.button("Leave")) s.quit = true;
+    if (c.button("Leave")) s.commands.push_back(Quit{});
     size_controls(c, s, m);
     Walk& w = m.walk;
     int degrees = int(w.snap_degrees);

@@ -2,7 +2,7 @@
 #include "player/composition/object_set.h"
 #include "player/headset/locomotion/walk.h"
 #include "player/interface/sections/measure_panel.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/interface/tour/note_picture.h"
 #include "player/interface/tour/told_story.h"
 

@@ -12,7 +12,7 @@
 #include "player/headset/runtime/depth_picture.h"
 #include "player/headset/runtime/headset_session.h"
 #include "player/headset/scene_interface.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/options/show_options.h"
 #include "player/panels/mark_pass.h"
 #include "player/render/frame_clock.h"

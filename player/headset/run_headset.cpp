@@ -45,12 +45,12 @@ bool go_on(HeadsetSession& session, HeadsetScene& scene, Mirror& mirror, bool& a
     return true;
 }
 
-void show_in(Headset& headset, HeadsetScene& scene, const Session& state, Mirror& mirror,
-             const ShowOptions& o) {
-    bool asked_to_end = false;
+void show_in(Headset& headset, HeadsetScene& scene, Session& state, Mirror& mirror, const ShowOptions& o) {
+    bool asked_to_end = false, quits = false;
     for (int frames = 0;;) {
         mirror.attend();
-        const bool ends = state.quit || mirror.closed() || (o.window.frames > 0 && frames >= o.window.frames);
+        quits |= take_all<Quit>(state.commands);
+        const bool ends = quits || mirror.closed() || (o.window.frames > 0 && frames >= o.window.frames);
         HeadsetSession* const session = headset.session();
         if (!session) {
             if (ends) return;

@@ -55,12 +55,12 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
 void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
     if (!ImGui::BeginMainMenuBar()) return;
     if (c.menu("File")) {
-        if (c.menu_item("Open...", "O")) s.open_asked = true;
-        if (c.menu_item("Screenshot", "P")) s.screenshot = true;
-        if (c.menu_item("Copy view", "Ctrl+C")) s.copies_view = true;
+        if (c.menu_item("Open...", "O")) s.commands.push_back(ChooseFile{});
+        if (c.menu_item("Screenshot", "P")) s.commands.push_back(SaveScreenshot{});
+        if (c.menu_item("Copy view", "Ctrl+C")) s.commands.push_back(CopyView{});
         if (c.menu_item("Paste view", "Ctrl+V"))
-            if (const char* text = ImGui::GetClipboardText()) s.pasted = text;
-        if (c.menu_item("Quit", "Ctrl+Q")) s.quit = true;
+            if (const char* text = ImGui::GetClipboardText()) s.commands.push_back(PasteView{text});
+        if (c.menu_item("Quit", "Ctrl+Q")) s.commands.push_back(Quit{});
         ImGui::EndMenu();
     }
     if (c.menu("View")) {

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "player/interface/sections/controls.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/render/renderer.h"
 
 namespace vantage {

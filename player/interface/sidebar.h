@@ -1,7 +1,7 @@
 #pragma once
 #include "player/composition/object_set.h"
 #include "player/interface/sections/controls.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 
 namespace vantage {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/tour/attract_loop.h"
 
 namespace vantage {

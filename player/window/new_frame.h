@@ -1,5 +1,5 @@
 #pragma once
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 
 struct GLFWwindow;
 

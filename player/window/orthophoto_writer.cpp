@@ -1,7 +1,5 @@
 #include "player/window/orthophoto_writer.h"
 
-#include <utility>
-
 #include "base/text/error.h"
 #include "base/text/formatted.h"
 #include "base/text/translation.h"
@@ -13,7 +11,7 @@ namespace vantage {
 
 void OrthophotoWriter::attend(Session& s, const PackageReader& package, double now) {
     if (!program_) {
-        if (std::exchange(s.orthophoto.asked, false)) start(s, package, now);
+        if (take<SaveOrthophoto>(s.commands)) start(s, package, now);
         return;
     }
     const auto ended = program_->ended();

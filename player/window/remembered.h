@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/view/shots.h"
 
 namespace vantage {

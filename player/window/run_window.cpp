@@ -78,11 +78,9 @@ Requested open_requested(GlfwWindow& window, const std::string& file, const Memo
     return Requested{file, std::move(objects), std::move(package), now};
 }
 
-/// Opens the package that the session asks for; empty, with a message, if it cannot be shown.
-std::optional<Requested> take_request(GlfwWindow& window, Session& session, const MemoryOptions& memory,
-                                      double now) {
-    const std::string file = std::exchange(session.open, "");
-    if (file.empty()) return {};
+/// Opens a package; empty, with a message, if it cannot be shown.
+std::optional<Requested> requested(GlfwWindow& window, Session& session, const std::string& file,
+                                   const MemoryOptions& memory, double now) {
     try {
         return open_requested(window, file, memory, now);
     } catch (const Error& e) {
@@ -128,7 +126,9 @@ bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, 
     WindowEvents events = window.events(rests ? until : idle ? std::min(until, between_counted) : 0);
     session.input = std::move(events.input);
     for (const std::string& file : events.dropped)
-        if (!session.kiosk) (is_scene_file(file) ? session.open : session.dropped) = file;
+        if (!session.kiosk)
+            session.commands.push_back(is_scene_file(file) ? UserCommand(OpenFile{file})
+                                                           : PlaceDropped{file});
     session.touched = events.any;
     // Newer ImGui takes one key per frame.
     lively = events.any ? frames_after_event * int(1 + session.input.keys.size()) : std::max(0, lively - 1);
@@ -170,8 +170,12 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
             controls.write_places(o.window.controls, is_idle(session, scene, lively));
         if (frame == 1 && !o.output.quiet)
             std::fprintf(stderr, "first picture after %.0f ms\n", 1000 * (glfwGetTime() - requested_at));
-        if (auto other = take_request(shown_in, session, o.memory, now)) return other;
-        if (ends || session.quit) break;
+        while (const auto command = take_one_of<OpenFile, Quit>(session.commands)) {
+            const OpenFile* const open = std::get_if<OpenFile>(&*command);
+            if (!open) return {};
+            if (auto other = requested(shown_in, session, open->file, o.memory, now)) return other;
+        }
+        if (ends) break;
     }
     return {};
 }

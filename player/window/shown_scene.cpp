@@ -115,7 +115,7 @@ void ShownScene::frame(int width, int height, double now) {
     draw_view(view, shown, now);
     if (s.settings.points.pick) pick(view);
     show(shown, now);
-    if (std::exchange(s.screenshot, false))  // without the interface
+    while (take<SaveScreenshot>(s.commands))
         write_numbered(s, renderer_.package().path().stem().string(), ".png", tr("screenshot"), now,
                        [&](const std::string& file) { save_frame(file, width, height); });
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -145,7 +145,7 @@ View ShownScene::update(int width, int height, double now) {
     choose_projection(now);
     View view = shown_view(s.camera, s, renderer_.scene(), width, height);
     shown_at_ = now;
-    if (std::exchange(s.closes_menu, false)) controls_.close_menus();
+    if (take_all<CloseMenus>(s.commands)) controls_.close_menus();
     note_picture_.attend();
     interface(view, now);
     record(now);
@@ -214,7 +214,7 @@ void ShownScene::interface(const View& view, double now) {
     if (s.panels.help) help_panel(controls_, s);
     chooser_.attend(s, package_folder(renderer_.package()), now);
     open_dialog_.show(controls_, s);
-    drop_dialog(controls_, s);
+    drop_dialog(controls_, s, dropped_);
     message_line(controls_, s, now);
     s.menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
@@ -296,18 +296,16 @@ void ShownScene::save_recorded(double now) {
         [&](const std::string& file) { write_path(file, s.recorded, package, {}, positions_per_second); });
 }
 
-/// Adds the package that the session asks for.
+/// Adds the packages that the session asks for.
 void ShownScene::add_objects(double now) {
     Session& s = session_;
-    try {
-        if (const std::string file = std::exchange(s.add, ""); !file.empty()) {
-            objects_.add({std::filesystem::path(file).stem().string(), file, {}, true});
+    while (const auto added = take<AddObject>(s.commands)) try {
+            objects_.add({std::filesystem::path(added->file).stem().string(), added->file, {}, true});
             s.panels.objects = true;
             samples_ = 0;
+        } catch (const Error& e) {
+            say(s, e.what(), now);
         }
-    } catch (const Error& e) {
-        say(s, e.what(), now);
-    }
 }
 
 /// A damaged package may be restored while it is shown, and a server may be reached again.
@@ -341,7 +339,7 @@ void ShownScene::draw(const View& view, const RenderSettings& shown, bool still,
     if (!still) changed_at_ = now;
     if (in_motion(view)) moved_at_ = now;
     // A coarse frame is refined when the motion has ended, not between two movements of the mouse.
-    const bool moves = now < moved_at_ + still_seconds && !s.screenshot;
+    const bool moves = now < moved_at_ + still_seconds && !holds<SaveScreenshot>(s.commands);
     const bool complete = drawn_ && s.pace == Pace{} && s.report.settled;
     if (still && !moves && !resting_ && complete && lacks_time(now)) {
         samples_ = rest_side * rest_side;

@@ -9,7 +9,7 @@
 #include "player/interface/sections/cut_section.h"
 #include "player/interface/sections/measure_panel.h"
 #include "player/interface/sections/open_dialog.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/interface/tour/story_editor.h"
 #include "player/interface/tour/story_panel.h"
 #include "player/interface/tour/told_story.h"
@@ -88,6 +88,7 @@ class ShownScene {
     std::uint64_t memory_limit_;  ///< asked for, bytes; 0: none, or it has been told that frames need more
     PhotoStrip strip_;
     OpenDialog open_dialog_;
+    std::string dropped_;  ///< see drop_dialog()
     Layout layout_;
     MeasurePanel measure_;
     CutLines cut_lines_;

@@ -19,13 +19,13 @@
 namespace vantage {
 namespace {
 
-/// The packages by name, with their folders; sets `s.open` to the one that is clicked.
+/// The packages by name, with their folders; a click opens one.
 void recent_packages(Controls& c, Session& s, std::span<const std::string> recent) {
     if (recent.empty()) return;
     ImGui::TextDisabled("%s", tr("Recent"));
     for (const std::string& file : recent) {
         const std::filesystem::path path = file;
-        if (c.button((path.filename().string() + "##" + file).c_str())) s.open = file;
+        if (c.button((path.filename().string() + "##" + file).c_str())) s.commands.push_back(OpenFile{file});
         ImGui::SameLine();
         ImGui::TextDisabled("%s", path.parent_path().c_str());
     }
@@ -44,7 +44,7 @@ void page(Controls& c, Session& s, std::span<const std::string> recent, const st
     ImGui::TextUnformatted(tr("Shows a scanned object through its own photographs."));
     ImGui::Spacing();
     recent_packages(c, s, recent);
-    if (c.button("Open a package...")) s.open_asked = true;
+    if (c.button("Open a package...")) s.commands.push_back(ChooseFile{});
     ImGui::SameLine();
     ImGui::TextUnformatted(tr("or drop one here"));
     ImGui::TextDisabled("%s", tr("Packages are made by: vantage prepare SCAN -o NAME.vantage"));
@@ -58,8 +58,9 @@ void page(Controls& c, Session& s, std::span<const std::string> recent, const st
 
 /// O opens, Ctrl+Q quits; not while a dialog has the keyboard.
 void take_keys(Session& s) {
-    for (const KeyPress& p : s.input.keys) s.quit |= p.key == GLFW_KEY_Q && p.with == KeyPress::With::control;
-    if (!ImGui::GetIO().WantTextInput && take_key(s, GLFW_KEY_O)) s.open_asked = true;
+    for (const KeyPress& p : s.input.keys)
+        if (p.key == GLFW_KEY_Q && p.with == KeyPress::With::control) s.commands.push_back(Quit{});
+    if (!ImGui::GetIO().WantTextInput && take_key(s, GLFW_KEY_O)) s.commands.push_back(ChooseFile{});
 }
 
 void draw(GLFWwindow* window) {
@@ -82,11 +83,11 @@ std::string start_page(GlfwWindow& window, Controls& c, std::span<const std::str
     Session s;
     OpenDialog dialog(".");
     SystemChooser chooser;
-    for (int lively = 3; s.open.empty() && !s.quit && !glfwWindowShouldClose(window.get());) {
+    for (int lively = 3; !glfwWindowShouldClose(window.get());) {
         WindowEvents events = window.events(lively > 0 ? 0 : blink_seconds);
         lively = events.any || !places.empty() ? 3 : std::max(0, lively - 1);
         s.input = std::move(events.input);
-        if (!events.dropped.empty()) s.open = events.dropped.back();
+        for (const std::string& file : events.dropped) s.commands.push_back(OpenFile{file});
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         new_frame(mouse_of(window.get()), s);
@@ -97,8 +98,12 @@ std::string start_page(GlfwWindow& window, Controls& c, std::span<const std::str
         dialog.show(c, s);
         draw(window.get());
         if (!places.empty()) c.write_places(places);
+        if (const auto command = take_one_of<OpenFile, Quit>(s.commands)) {
+            const OpenFile* const open = std::get_if<OpenFile>(&*command);
+            return open ? open->file : "";
+        }
     }
-    return s.open;
+    return "";
 }
 
 }  // namespace vantage

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "player/interface/sections/controls.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/window/glfw_window.h"
 
 namespace vantage {

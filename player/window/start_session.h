@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
 
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/interface/tour/told_story.h"
 #include "player/options/show_options.h"
 #include "player/window/remembered.h"

@@ -194,7 +194,7 @@ TEST_F(WindowControls, OfMenus) {
     w.choose("Help", "Mouse and keys");
     EXPECT_TRUE(w.there("Mouse, fingers and keys"));
     w.choose("File", "Screenshot");
-    EXPECT_TRUE(w.session.screenshot);
+    EXPECT_TRUE(take<SaveScreenshot>(w.session.commands));
     w.choose("File", "Open...");
     EXPECT_TRUE(w.there("File name"));
     w.press("Cancel");
@@ -207,7 +207,7 @@ TEST_F(WindowControls, OfMenus) {
     w.wait(1);
     EXPECT_LT((w.session.camera.eye - eye).norm(), 1e-3);
     w.choose("File", "Quit");
-    EXPECT_TRUE(w.session.quit);
+    EXPECT_TRUE(take<Quit>(w.session.commands));
 }
 
 TEST_F(WindowControls, OfTheBarAndTheRadar) {
@@ -353,27 +353,6 @@ TEST_F(WindowControls, OfObjects) {
     EXPECT_FALSE(w.there("Remove right"));
     w.key(GLFW_KEY_F10);
     EXPECT_FALSE(w.there("Save scene"));
-}
-
-TEST_F(WindowControls, AskWhatToDoWithADroppedPackage) {
-    const std::filesystem::path package = copy_of(WindowScene::tiny);
-    HeadlessWindow w(package);
-    const auto dropped = [&](const char* answer) {
-        w.session.dropped = package.string();
-        w.frames(3);
-        w.press(answer);
-        EXPECT_EQ(w.session.dropped, "") << answer;
-        EXPECT_FALSE(w.there("Add to the scene")) << answer;
-    };
-    dropped("Cancel");
-    EXPECT_EQ(w.session.open, "");
-    dropped("Add to the scene");
-    EXPECT_TRUE(w.session.panels.objects);
-    w.key(GLFW_KEY_TAB);
-    w.resize(900, 3000);
-    EXPECT_TRUE(w.there("Remove one 2")) << "a taken name gets a number";
-    dropped("Open in place of the scene");
-    EXPECT_EQ(w.session.open, package.string());
 }
 
 TEST_F(WindowControls, OfACut) {

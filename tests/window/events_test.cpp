@@ -10,7 +10,6 @@
 
 using namespace vantage;
 using What = TouchEvent::What;
-constexpr auto control = KeyPress::With::control;
 
 namespace {
 
@@ -93,7 +92,7 @@ TEST_F(WindowEventsTest, EscEndsWhatIsOpenAndNothingElse) {
     w.key(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(w.session.panels.help);
     w.key(GLFW_KEY_ESCAPE);
-    EXPECT_FALSE(w.session.quit);
+    EXPECT_FALSE(holds<Quit>(w.session.commands));
     EXPECT_TRUE(w.there("Message")) << "Esc tells how to quit";
     w.tap(GLFW_KEY_O), w.tap(GLFW_KEY_ESCAPE);
     w.frames(4);
@@ -103,18 +102,7 @@ TEST_F(WindowEventsTest, EscEndsWhatIsOpenAndNothingElse) {
     EXPECT_FALSE(w.there("Cancel"));
     EXPECT_FALSE(w.there("Swipe")) << "C acts behind the dialog";
     w.key(GLFW_KEY_Q, control);
-    EXPECT_TRUE(w.session.quit);
-}
-
-TEST_F(WindowEventsTest, EscClosesAMenuFirst) {
-    HeadlessWindow w(package_of(WindowScene::tiny));
-    w.key(GLFW_KEY_TAB);
-    w.key(GLFW_KEY_M);
-    w.press("View");
-    EXPECT_TRUE(w.there("Radar"));
-    w.key(GLFW_KEY_ESCAPE);
-    EXPECT_FALSE(w.there("Radar"));
-    EXPECT_TRUE(w.there("Snap to vertices")) << "Esc leaves measuring while a menu is open";
+    EXPECT_TRUE(take<Quit>(w.session.commands));
 }
 
 TEST_F(WindowEventsTest, EveryKeyOfTheHelpActs) {
@@ -139,7 +127,7 @@ TEST_F(WindowEventsTest, EveryKeyOfTheHelpActs) {
         EXPECT_EQ(w.there("Legend"), shown != Show::colors);
     }
     w.key(GLFW_KEY_P);
-    EXPECT_TRUE(s.screenshot);
+    EXPECT_TRUE(take<SaveScreenshot>(s.commands));
     w.key(GLFW_KEY_E, control);
     EXPECT_TRUE(p.story_editor);
     w.key(GLFW_KEY_E, control);
@@ -148,7 +136,7 @@ TEST_F(WindowEventsTest, EveryKeyOfTheHelpActs) {
     EXPECT_GT(s.text_scale, 1);
     w.key(GLFW_KEY_KP_SUBTRACT, control);
     EXPECT_FLOAT_EQ(s.text_scale, 1);
-    EXPECT_FALSE(s.quit);
+    EXPECT_TRUE(s.commands.empty());
     // Those that move the camera.
     const auto moves = [&](int key, const Eigen::Vector3d& along, double seconds = 0.5) {
         const Navigation before = s.camera;
@@ -368,68 +356,6 @@ TEST_F(WindowEventsTest, TheStripScrollsAndFliesNowhere) {
     EXPECT_TRUE(w.session.flight);
 }
 
-TEST_F(WindowEventsTest, TheDialogListsFoldersFirstAndIsUsedByKeysAlone) {
-    const auto folder = dir / "folder";
-    std::filesystem::create_directory(folder);
-    std::filesystem::copy_file(package_of(WindowScene::tiny), folder / "two.vantage");
-    HeadlessWindow w(copy_of(WindowScene::tiny));
-    w.key(GLFW_KEY_O);
-    const auto& places = w.controls.places();
-    std::vector<std::string> entries;
-    for (const auto& p : places)
-        if (p.name.ends_with("/") || p.name.ends_with(".vantage")) entries.push_back(p.name);
-    EXPECT_EQ(entries, (std::vector<std::string>{"../", "folder/", "one.vantage"}));
-    w.point_at(w.place("folder/")), w.frames();
-    w.double_click();
-    EXPECT_TRUE(w.there("two.vantage")) << "a double click enters a folder";
-    w.key(GLFW_KEY_DOWN), w.key(GLFW_KEY_DOWN);
-    w.key(GLFW_KEY_ENTER);
-    EXPECT_EQ(std::filesystem::path(w.session.open).filename(), "two.vantage");
-    EXPECT_FALSE(w.there("File name"));
-    w.session.open.clear();
-    w.key(GLFW_KEY_O);
-    w.type("nbv");
-    w.key(GLFW_KEY_ENTER);
-    EXPECT_EQ(std::filesystem::path(w.session.open).filename(), "nbv")
-        << "letters are typed, and do nothing else";
-    EXPECT_FALSE(w.session.flight);
-    w.session.open.clear();
-    w.key(GLFW_KEY_O);
-    w.press("one.vantage");
-    w.press("Open");
-    EXPECT_EQ(std::filesystem::path(w.session.open).filename(), "one.vantage");
-}
-
-TEST_F(WindowEventsTest, AViewIsCopiedAsACommandLineAndPasted) {
-    ShowOptions options;
-    options.pictures.view = "1,-9,3,1,0,3,40";
-    HeadlessWindow w(package_of(WindowScene::tiny), options);
-    const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(w.package().scene().origin),
-                          eye = w.session.camera.eye;
-    EXPECT_LT((eye + origin - Eigen::Vector3d(1, -9, 3)).norm(), 1e-6);
-    w.key(GLFW_KEY_C, control);
-    const std::string copied = ImGui::GetClipboardText();
-    EXPECT_NE(copied.find(" --view "), copied.npos) << copied;
-    w.key(GLFW_KEY_N), w.wait(1);
-    EXPECT_GT((w.session.camera.eye - eye).norm(), 1);
-    w.key(GLFW_KEY_V, control), w.wait(1);
-    EXPECT_LT((w.session.camera.eye - eye).norm(), 1e-4);
-    EXPECT_NEAR(w.session.camera.fov, 40, 1e-4);
-    ImGui::SetClipboardText("no view");
-    w.key(GLFW_KEY_V, control), w.frames(3);
-    EXPECT_TRUE(w.there("Message"));
-    EXPECT_LT((w.session.camera.eye - eye).norm(), 1e-4);
-}
-
-TEST_F(WindowEventsTest, FilesThatCannotBeWrittenAreSaid) {
-    if (!std::filesystem::exists("/proc/self")) GTEST_SKIP() << "needs a folder that nobody may write to";
-    std::filesystem::current_path("/proc");
-    HeadlessWindow w(package_of(WindowScene::tiny));
-    w.key(GLFW_KEY_R), w.wait(0.5), w.key(GLFW_KEY_R);
-    EXPECT_TRUE(w.there("Message"));
-    EXPECT_NE(w.session.message.find("tiny-0001.path"), std::string::npos) << w.session.message;
-}
-
 TEST_F(WindowEventsTest, MessagesGoAfterSomeSeconds) {
     HeadlessWindow w(package_of(WindowScene::tiny));
     w.key(GLFW_KEY_BACKSPACE);
@@ -452,8 +378,8 @@ TEST_F(WindowEventsTest, AKioskLetsThePublicLookOnly) {
         w.key(key);
     w.key(GLFW_KEY_Q, control), w.key(GLFW_KEY_E, control), w.key(GLFW_KEY_C, control);
     const Session& s = w.session;
-    EXPECT_FALSE(s.quit || s.screenshot || s.recording || s.open_asked || s.panels.expert ||
-                 s.panels.measure || s.panels.story_editor || s.copies_view);
+    EXPECT_TRUE(s.commands.empty());
+    EXPECT_FALSE(s.recording || s.panels.expert || s.panels.measure || s.panels.story_editor);
     EXPECT_TRUE(s.full_screen && s.panels.story);
     EXPECT_EQ(s.settings.show, Show::colors);
     w.key(GLFW_KEY_F1);

@@ -104,7 +104,7 @@ void HeadlessWindow::frame() {
     WindowEvents events = input_.take(now_);
     session.input = std::move(events.input);
     session.touched = events.any;
-    if (!events.dropped.empty()) session.dropped = events.dropped.back();
+    for (const std::string& file : events.dropped) session.commands.push_back(PlaceDropped{file});
     set_text_scale(session.text_scale);
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(float(width_), float(height_));

@@ -12,6 +12,8 @@
 
 namespace vantage {
 
+inline constexpr auto control = KeyPress::With::control;
+
 /// Works in a folder of its own, where the window writes its files.
 class WindowTest : public TemporaryFolder {
   protected:

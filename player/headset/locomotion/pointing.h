@@ -6,7 +6,7 @@
 #include "player/headset/locomotion/hands.h"
 #include "player/headset/locomotion/stance.h"
 #include "player/headset/scene_interface.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/survey/scene_point.h"
 #include "scene/story/story.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "player/interface/photo_strip.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/render/renderer.h"
 
 namespace vantage {

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "player/interface/sections/controls.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/survey/section.h"
 
 namespace vantage {

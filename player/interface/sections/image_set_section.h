@@ -1,6 +1,6 @@
 #pragma once
 #include "player/interface/sections/controls.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/render/renderer.h"
 
 namespace vantage {

@@ -214,7 +214,7 @@ void MeasurePanel::content(Controls& c, Session& s, double now) {
     list(c);
     selected_section(c, s, now);
     ImGui::BeginDisabled(survey_.measurements.empty());
-    if (c.button("Export table")) s.table = survey_csv(survey_);
+    if (c.button("Export table")) s.commands.push_back(SaveTable{survey_csv(survey_)});
     ImGui::EndDisabled();
     c.explain("Writes all measurements as a table (CSV) into the current folder.");
     ImGui::TextDisabled(tr("saved in %s"), file_.path().filename().c_str());

@@ -7,7 +7,7 @@
 
 #include "player/interface/overlays/measure_overlay.h"
 #include "player/interface/sections/controls.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/render/renderer.h"
 #include "player/survey/scene_point.h"
 #include "player/survey/survey_saver.h"

@@ -75,21 +75,27 @@ bool object_section(Controls& c, Session& session, ObjectSet& objects, double si
         if (removed) remove = i;
     }
     if (objects.size() == 1) ImGui::TextDisabled("%s", tr("Drop a package on the window to add it."));
-    if (c.button("Save scene")) session.save_scene = true;
+    if (c.button("Save scene")) session.commands.push_back(SaveScene{});
     c.explain("Writes a scene file with these packages and where they stand.");
     if (remove > 0) objects.remove(remove), changed = true;
     return changed;
 }
 
-void drop_dialog(Controls& c, Session& session) {
-    if (session.dropped.empty()) return;
+void drop_dialog(Controls& c, Session& session, std::string& file) {
+    if (file.empty()) {
+        const auto dropped = take<PlaceDropped>(session.commands);
+        if (!dropped) return;
+        file = dropped->file;
+    }
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     if (ImGui::Begin(shown_name("Dropped package").c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
-        ImGui::TextUnformatted(std::filesystem::path(session.dropped).filename().c_str());
-        if (c.button("Open in place of the scene")) session.open = std::exchange(session.dropped, "");
-        if (c.button("Add to the scene")) session.add = std::exchange(session.dropped, "");
-        if (c.button("Cancel")) session.dropped.clear();
+        ImGui::TextUnformatted(std::filesystem::path(file).filename().c_str());
+        const bool opens = c.button("Open in place of the scene"), adds = c.button("Add to the scene"),
+                   cancels = c.button("Cancel");
+        if (opens) session.commands.push_back(OpenFile{file});
+        if (adds) session.commands.push_back(AddObject{file});
+        if (opens || adds || cancels) file.clear();
     }
     ImGui::End();
 }

@@ -1,7 +1,7 @@
 #pragma once
 #include "player/composition/object_set.h"
 #include "player/interface/sections/controls.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 
 namespace vantage {
 
@@ -9,7 +9,8 @@ namespace vantage {
 /// one, input units. Returns whether anything in the picture changed.
 bool object_section(Controls& controls, Session& session, ObjectSet& objects, double size);
 
-/// Asks whether a package that was dropped on the window is to be opened or added.
-void drop_dialog(Controls& controls, Session& session);
+/// Asks whether a package that was dropped on the window is to be opened or added. `file`: the one that is
+/// asked about, or empty.
+void drop_dialog(Controls& controls, Session& session, std::string& file);
 
 }  // namespace vantage

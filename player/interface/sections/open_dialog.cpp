@@ -65,7 +65,7 @@ void OpenDialog::accept(Session& s) {
     const std::filesystem::path path = is_url(typed) ? std::filesystem::path(typed) : folder_ / typed;
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) return list(path);
-    s.open = path.string();
+    s.commands.push_back(OpenFile{path.string()});
     closes_ = true;
 }
 
@@ -97,8 +97,9 @@ void OpenDialog::entries(Controls& c, Session& s) {
 
 void OpenDialog::show(Controls& c, Session& s) {
     const bool open = ImGui::IsPopupOpen(shown_name(title).c_str());  // maybe since another scene was shown
-    if (s.open_asked || (open && folder_.empty())) list(start_);
-    if (std::exchange(s.open_asked, false)) ImGui::OpenPopup(shown_name(title).c_str());
+    const bool asked = take_all<ChooseFile>(s.commands);
+    if (asked || (open && folder_.empty())) list(start_);
+    if (asked) ImGui::OpenPopup(shown_name(title).c_str());
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     if (!ImGui::BeginPopupModal(shown_name(title).c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize))

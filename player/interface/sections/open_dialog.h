@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "player/interface/sections/controls.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 
 namespace vantage {
 

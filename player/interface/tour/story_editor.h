@@ -4,7 +4,7 @@
 
 #include "player/interface/overlays/note_markers.h"
 #include "player/interface/sections/controls.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/interface/tour/told_story.h"
 
 namespace vantage {

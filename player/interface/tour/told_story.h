@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/tour/story_views.h"
 #include "scene/story/story.h"
 

@@ -21,26 +21,30 @@ AskedFiles::~AskedFiles() {
 }
 
 void AskedFiles::attend(Session& s, const PackageReader& package, const ObjectSet& objects, double now) {
-    const std::string stem = package.path().stem().string();
-    if (!s.table.empty())
-        add(stem + "-measurements", ".csv", tr("measurements"),
-            [table = std::exchange(s.table, "")](const std::string& file) { replace_file(file, table); });
-    if (std::exchange(s.save_scene, false))
-        add("scene", ".toml", tr("scene"),
-            [all = objects.objects()](const std::string& file) { write_scene_file(file, all); });
-    if (std::exchange(s.cut.saves, false)) {
-        const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
-        auto lines = section_lines(objects.meshes(), s.settings.sections);
-        const std::string what = formatted(tr("%zu lines"), lines.size());
-        add(stem + "-cut", ".dxf", what, [lines = std::move(lines), origin](const std::string& file) {
-            replace_file(file, section_dxf(lines, origin));
-        });
+    while (const auto command = take_one_of<SaveTable, SaveScene, SaveCut>(s.commands)) {
+        if (const auto* const table = std::get_if<SaveTable>(&*command))
+            add(package.path().stem().string() + "-measurements", ".csv", tr("measurements"),
+                [csv = table->csv](const std::string& file) { replace_file(file, csv); });
+        else if (std::holds_alternative<SaveScene>(*command))
+            add("scene", ".toml", tr("scene"),
+                [all = objects.objects()](const std::string& file) { write_scene_file(file, all); });
+        else
+            add_cut(section_lines(objects.meshes(), s.settings.sections), package);
     }
     if (said_.valid() && said_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
         say(s, said_.get(), now);
     if (said_.valid() || jobs_.empty()) return;
     said_ = std::async(std::launch::async, std::move(jobs_.front()));
     jobs_.pop_front();
+}
+
+void AskedFiles::add_cut(std::vector<SectionLine> lines, const PackageReader& package) {
+    const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
+    const std::string what = formatted(tr("%zu lines"), lines.size());
+    add(package.path().stem().string() + "-cut", ".dxf", what,
+        [lines = std::move(lines), origin](const std::string& file) {
+            replace_file(file, section_dxf(lines, origin));
+        });
 }
 
 void AskedFiles::add(const std::string& stem, const char* extension, const std::string& what,

@@ -3,9 +3,11 @@
 #include <functional>
 #include <future>
 #include <string>
+#include <vector>
 
 #include "player/composition/object_set.h"
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
+#include "player/survey/section.h"
 
 namespace vantage {
 
@@ -27,6 +29,7 @@ class AskedFiles {
     /// As write_numbered().
     void add(const std::string& stem, const char* extension, const std::string& what,
              std::function<void(const std::string& file)> write);
+    void add_cut(std::vector<SectionLine> lines, const PackageReader& package);
 
     std::deque<Job> jobs_;
     std::future<std::string> said_;  ///< by the job that is being done

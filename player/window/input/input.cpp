@@ -196,11 +196,12 @@ void change_text(Session& s, float factor) {
 
 /// Keys with Ctrl.
 void run_command(Session& s, int key) {
-    if (key == GLFW_KEY_Q) s.quit = !s.kiosk;
+    if (key == GLFW_KEY_Q && !s.kiosk) s.commands.push_back(Quit{});
     if (key == GLFW_KEY_E && !s.kiosk) s.panels.story_editor = !s.panels.story_editor;
     if (!ImGui::GetIO().WantTextInput && !s.kiosk) {  // else they are of a text field
-        s.copies_view |= key == GLFW_KEY_C;
-        if (const char* text = key == GLFW_KEY_V ? ImGui::GetClipboardText() : nullptr) s.pasted = text;
+        if (key == GLFW_KEY_C) s.commands.push_back(CopyView{});
+        if (const char* text = key == GLFW_KEY_V ? ImGui::GetClipboardText() : nullptr)
+            s.commands.push_back(PasteView{text});
     }
     if (key == GLFW_KEY_EQUAL || key == GLFW_KEY_KP_ADD) change_text(s, text_step);
     if (key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT) change_text(s, 1 / text_step);
@@ -238,14 +239,12 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
             s.panels.measure = !s.panels.measure;
             return;
         case GLFW_KEY_O:
-            s.open_asked = true;
-            return;
+            return s.commands.push_back(ChooseFile{});
         case GLFW_KEY_J:
             s.panels.story = !s.panels.story;
             return;
         case GLFW_KEY_P:
-            s.screenshot = true;
-            return;
+            return s.commands.push_back(SaveScreenshot{});
         case GLFW_KEY_H:
             return fly_home(s, now);
         case GLFW_KEY_BACKSPACE:
@@ -273,14 +272,14 @@ void apply_input(Session& session, const PlanScene& scene, double now) {
         if (p.with == With::control) run_command(session, p.key);
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput || io.WantCaptureKeyboard) return;  // a dialog is open, or a control in use
-    if (session.menu_open && take_key(session, GLFW_KEY_ESCAPE)) session.closes_menu = true;
+    if (session.menu_open && take_key(session, GLFW_KEY_ESCAPE)) session.commands.push_back(CloseMenus{});
     take_measuring_keys(session);
     move_by_keys(session);
     const std::vector<KeyPress> keys = std::exchange(session.input.keys, {});
     for (std::size_t i = 0; i < keys.size(); ++i) {
         if (keys[i].with == With::nothing && !keys[i].repeated)
             run_shortcut(session, scene, keys[i].key, now);
-        if (!session.open_asked) continue;
+        if (!holds<ChooseFile>(session.commands)) continue;
         session.input.keys.assign(keys.begin() + std::ptrdiff_t(i) + 1, keys.end());  // for the dialog
         return;
     }

@@ -2,7 +2,7 @@
 #include <functional>
 #include <string>
 
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 
 namespace vantage {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "player/interface/user_input.h"
+#include "player/interface/state/user_input.h"
 
 namespace vantage {
 

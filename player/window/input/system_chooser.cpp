@@ -32,9 +32,9 @@ std::string chooser() {
 }  // namespace
 
 void SystemChooser::attend(Session& s, const std::filesystem::path& folder, double now) {
-    const std::string program = s.open_asked ? chooser() : "";
+    const std::string program = holds<ChooseFile>(s.commands) ? chooser() : "";
     if (!program.empty()) {
-        s.open_asked = false;
+        take_all<ChooseFile>(s.commands);
         try {
             if (!program_) ask(program, folder);
         } catch (const Error& e) {
@@ -44,7 +44,7 @@ void SystemChooser::attend(Session& s, const std::filesystem::path& folder, doub
     const auto ended = program_ ? program_->ended() : std::nullopt;
     if (!ended) return;
     program_.reset();
-    if (ended->well) s.open = ended->prints;
+    if (ended->well && !ended->prints.empty()) s.commands.push_back(OpenFile{ended->prints});
 }
 
 void SystemChooser::ask(const std::string& program, const std::filesystem::path& folder) {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 #include "player/window/child_program.h"
 
 namespace vantage {

@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include <utility>
-
 #include "base/text/error.h"
 #include "base/text/translation.h"
 #include "player/view/camera_path.h"
@@ -19,6 +17,13 @@ std::string quoted(const std::string& text) {
     return out + "'";
 }
 
+void copy(Session& s, const PackageReader& package, double now) {
+    const std::string command =
+        "vantage-player " + quoted(package.path().string()) + " --view " + view_text(s.camera, package);
+    ImGui::SetClipboardText(command.c_str());
+    say(s, tr("The view is copied as a command line"), now);
+}
+
 /// The numbers of a command line's --view, or all of a text without.
 std::string view_in(const std::string& text) {
     const std::string option = "--view";
@@ -28,24 +33,26 @@ std::string view_in(const std::string& text) {
     return from == std::string::npos ? "" : text.substr(from, text.find_first_of(" \n", from) - from);
 }
 
-}  // namespace
-
-void use_clipboard(Session& s, const PackageReader& package, double now) {
-    if (std::exchange(s.copies_view, false)) {
-        const std::string command =
-            "vantage-player " + quoted(package.path().string()) + " --view " + view_text(s.camera, package);
-        ImGui::SetClipboardText(command.c_str());
-        say(s, tr("The view is copied as a command line"), now);
-    }
-    if (s.pasted.empty()) return;
+void paste(Session& s, const std::string& text, const PackageReader& package, double now) {
+    if (text.empty()) return;
     try {
-        const auto [view, distance] =
-            parse_view_and_distance(view_in(std::exchange(s.pasted, "")), package, {1280, 720});
+        const auto [view, distance] = parse_view_and_distance(view_in(text), package, {1280, 720});
         Navigation to = stand_at(view, s.camera.up, distance);
         to.aspect = s.camera.aspect;
         s.flight = Session::Flight{{s.camera, to}, now, 0.7};
     } catch (const Error& e) {
         say(s, e.what(), now);
+    }
+}
+
+}  // namespace
+
+void use_clipboard(Session& s, const PackageReader& package, double now) {
+    while (const auto command = take_one_of<CopyView, PasteView>(s.commands)) {
+        if (const auto* const pasted = std::get_if<PasteView>(&*command))
+            paste(s, pasted->text, package, now);
+        else
+            copy(s, package, now);
     }
 }
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "player/interface/user_input.h"
+#include "player/interface/state/user_input.h"
 
 namespace vantage {
 

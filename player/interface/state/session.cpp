@@ -1,4 +1,4 @@
-#include "player/interface/session.h"
+#include "player/interface/state/session.h"
 
 #include <algorithm>
 

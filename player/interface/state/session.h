@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "player/interface/overlays/glide.h"
-#include "player/interface/user_input.h"
+#include "player/interface/state/user_command.h"
+#include "player/interface/state/user_input.h"
 #include "player/render/frame_statistics.h"
 #include "player/render/pace.h"
 #include "player/render/render_settings.h"
@@ -41,7 +42,6 @@ struct Cut {
     Across across = Across::facing;
     Eigen::Vector3d facing = -Eigen::Vector3d::UnitZ();  ///< toward the viewer, of length 1
     double share = 0.5;                                  ///< of the model's extent across the plane, 0 to 1
-    bool saves = false;                                  ///< a drawing is to be written
     KnownExtents extents;
 };
 
@@ -50,7 +50,6 @@ struct OrthophotoRequest {
     enum class Plane { top, front, back, left, right, facing, count } plane = Plane::front;
     double pixel = 0;  ///< its size in the input's unit; 0: not chosen yet
     enum class File { png, tiff, count } file = File::png;
-    bool asked = false;  ///< it is to be written
     bool writing = false;
 };
 
@@ -113,19 +112,10 @@ struct Session {
 
     UserInput input;                  ///< not taken yet
     bool menu_open = false;           ///< or a list, in the last frame
-    bool closes_menu = false;         ///< it is to be closed
     bool touched = false;             ///< something happened in the window since the last frame
     std::vector<KeyPress> measuring;  ///< keys for the mode of measuring
-    std::string table;                ///< measurements to write to a file, or empty
+    UserCommands commands;
 
-    bool open_asked = false;  ///< show the dialog to open another package
-    std::string open;         ///< another package or scene file to show, or empty
-    std::string dropped;      ///< on the window: a package to open or to add
-    std::string add;          ///< a package to show with the others, or empty
-    bool save_scene = false;  ///< write a scene file
-    bool screenshot = false, quit = false;
-    bool copies_view = false;  ///< the view is to be copied as a command line
-    std::string pasted;        ///< text with a view to fly to, or empty
     bool full_screen = false;
     bool keyboard = true;  ///< and a pointer in the picture; else nothing can be typed or clicked there
     bool kiosk = false;    ///< for the public: nothing can be opened, written, set or quit

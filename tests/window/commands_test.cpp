@@ -1,0 +1,129 @@
+// What keys, menus, dialogs and dropped files ask the window to do.
+#include "tests/window/window_test.h"
+
+using namespace vantage;
+
+namespace {
+
+class WindowCommands : public WindowTest {
+  protected:
+    /// The name of the file that is to be opened.
+    static std::string opened(HeadlessWindow& w) {
+        const auto open = take<OpenFile>(w.session.commands);
+        return open ? std::filesystem::path(open->file).filename().string() : "";
+    }
+};
+
+}  // namespace
+
+TEST_F(WindowCommands, AreAllKeptInTheirOrder) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    w.tap(GLFW_KEY_P), w.tap(GLFW_KEY_Q, control), w.tap(GLFW_KEY_P);
+    w.frames(4);
+    ASSERT_EQ(w.session.commands.size(), 3u);
+    EXPECT_TRUE(take<Quit>(w.session.commands));
+    EXPECT_TRUE(take<SaveScreenshot>(w.session.commands) && take<SaveScreenshot>(w.session.commands));
+    EXPECT_FALSE(take<SaveScreenshot>(w.session.commands));
+}
+
+TEST_F(WindowCommands, EscClosesAMenuFirst) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    w.key(GLFW_KEY_TAB);
+    w.key(GLFW_KEY_M);
+    w.press("View");
+    EXPECT_TRUE(w.there("Radar"));
+    w.key(GLFW_KEY_ESCAPE);
+    EXPECT_FALSE(w.there("Radar"));
+    EXPECT_TRUE(w.there("Snap to vertices")) << "Esc leaves measuring while a menu is open";
+}
+
+TEST_F(WindowCommands, TheDialogListsFoldersFirstAndIsUsedByKeysAlone) {
+    const auto folder = dir / "folder";
+    std::filesystem::create_directory(folder);
+    std::filesystem::copy_file(package_of(WindowScene::tiny), folder / "two.vantage");
+    HeadlessWindow w(copy_of(WindowScene::tiny));
+    w.key(GLFW_KEY_O);
+    const auto& places = w.controls.places();
+    std::vector<std::string> entries;
+    for (const auto& p : places)
+        if (p.name.ends_with("/") || p.name.ends_with(".vantage")) entries.push_back(p.name);
+    EXPECT_EQ(entries, (std::vector<std::string>{"../", "folder/", "one.vantage"}));
+    w.point_at(w.place("folder/")), w.frames();
+    w.double_click();
+    EXPECT_TRUE(w.there("two.vantage")) << "a double click enters a folder";
+    w.key(GLFW_KEY_DOWN), w.key(GLFW_KEY_DOWN);
+    w.key(GLFW_KEY_ENTER);
+    EXPECT_EQ(opened(w), "two.vantage");
+    EXPECT_FALSE(w.there("File name"));
+    w.key(GLFW_KEY_O);
+    w.type("nbv");
+    w.key(GLFW_KEY_ENTER);
+    EXPECT_EQ(opened(w), "nbv") << "letters are typed, and do nothing else";
+    EXPECT_FALSE(w.session.flight);
+    w.key(GLFW_KEY_O);
+    w.press("one.vantage");
+    w.press("Open");
+    EXPECT_EQ(opened(w), "one.vantage");
+}
+
+TEST_F(WindowCommands, AViewIsCopiedAsACommandLineAndPasted) {
+    ShowOptions options;
+    options.pictures.view = "1,-9,3,1,0,3,40";
+    HeadlessWindow w(package_of(WindowScene::tiny), options);
+    const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(w.package().scene().origin),
+                          eye = w.session.camera.eye;
+    EXPECT_LT((eye + origin - Eigen::Vector3d(1, -9, 3)).norm(), 1e-6);
+    w.key(GLFW_KEY_C, control);
+    const std::string copied = ImGui::GetClipboardText();
+    EXPECT_NE(copied.find(" --view "), copied.npos) << copied;
+    w.key(GLFW_KEY_N), w.wait(1);
+    EXPECT_GT((w.session.camera.eye - eye).norm(), 1);
+    w.key(GLFW_KEY_V, control), w.wait(1);
+    EXPECT_LT((w.session.camera.eye - eye).norm(), 1e-4);
+    EXPECT_NEAR(w.session.camera.fov, 40, 1e-4);
+    ImGui::SetClipboardText("no view");
+    w.key(GLFW_KEY_V, control), w.frames(3);
+    EXPECT_TRUE(w.there("Message"));
+    EXPECT_LT((w.session.camera.eye - eye).norm(), 1e-4);
+}
+
+TEST_F(WindowCommands, FilesThatCannotBeWrittenAreSaid) {
+    if (!std::filesystem::exists("/proc/self")) GTEST_SKIP() << "needs a folder that nobody may write to";
+    std::filesystem::current_path("/proc");
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    w.key(GLFW_KEY_R), w.wait(0.5), w.key(GLFW_KEY_R);
+    EXPECT_TRUE(w.there("Message"));
+    EXPECT_NE(w.session.message.find("tiny-0001.path"), std::string::npos) << w.session.message;
+}
+
+TEST_F(WindowCommands, AskWhatToDoWithADroppedPackage) {
+    const std::filesystem::path package = copy_of(WindowScene::tiny);
+    HeadlessWindow w(package);
+    const auto dropped = [&](const char* answer) {
+        w.session.commands.push_back(PlaceDropped{package.string()});
+        w.frames(3);
+        w.press(answer);
+        EXPECT_FALSE(w.there("Add to the scene")) << answer;
+    };
+    dropped("Cancel");
+    EXPECT_TRUE(w.session.commands.empty());
+    dropped("Add to the scene");
+    EXPECT_TRUE(w.session.panels.objects);
+    w.key(GLFW_KEY_TAB);
+    w.resize(900, 3000);
+    EXPECT_TRUE(w.there("Remove one 2")) << "a taken name gets a number";
+    dropped("Open in place of the scene");
+    const auto opened = take<OpenFile>(w.session.commands);
+    ASSERT_TRUE(opened);
+    EXPECT_EQ(opened->file, package.string());
+}
+
+TEST_F(WindowCommands, AskAboutEachPackageThatIsDroppedAtOnce) {
+    const std::filesystem::path package = copy_of(WindowScene::tiny);
+    HeadlessWindow w(package);
+    for (int i = 0; i < 2; ++i) w.session.commands.push_back(PlaceDropped{package.string()});
+    w.frames(3);
+    for (const char* answer : {"Add to the scene", "Cancel"}) w.press(answer);
+    EXPECT_FALSE(w.there("Cancel"));
+    EXPECT_TRUE(w.session.commands.empty());
+}
