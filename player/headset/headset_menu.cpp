@@ -95,7 +95,7 @@ void size_controls(Controls& c, Session& s, const MenuContent& m) {
 void move_page(Controls& c, Session& s, const MenuContent& m, double now) {
     if (c.button("Home")) fly_home(s, now);
     ImGui::SameLine();
-    if (c.button("Leave")) s.commands.push_back(Quit{});
+    if (c.button("Leave")) s.window.commands.push_back(Quit{});
     size_controls(c, s, m);
     Walk& w = m.walk;
     int degrees = int(w.snap_degrees);
@@ -123,7 +123,7 @@ void only_this_photo(Controls& c, Session& s, const PlanScene& scene) {
 }
 
 void photos_page(Controls& c, Session& s, const MenuContent& m, double now) {
-    c.checkbox("Photos in the scene", &s.panels.frusta);
+    c.checkbox("Photos in the scene", &s.window.panels.frusta);
     c.explain("Shows each photo where it was taken. Select one to stand there.");
     only_this_photo(c, s, m.renderer.scene());
     photo_list_section(c, s, m.renderer, now);
@@ -162,7 +162,7 @@ void page_content(Controls& c, Session& s, MenuPage page, const MenuContent& m, 
         case MenuPage::image_sets:
             return image_set_section(c, s, m.renderer);
         case MenuPage::objects:
-            object_section(c, s, m.objects, m.renderer.scene().size);
+            object_section(c, s.window.commands, m.objects, m.renderer.scene().size);
             return;
         case MenuPage::cut:
             return cut_section(c, s, m.renderer.scene(),
@@ -202,7 +202,7 @@ void headset_menu(Controls& c, Session& s, MenuPage& page, const MenuContent& m,
     ImGui::PopItemWidth();
     ImGui::EndChild();
     ImGui::End();
-    s.panels.measure = page == MenuPage::measure;
+    s.window.panels.measure = page == MenuPage::measure;
 }
 
 }  // namespace vantage

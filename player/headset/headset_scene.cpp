@@ -47,12 +47,12 @@ HeadsetScene::HeadsetScene(const PackageReader& package, const std::vector<Scene
       fps_(o.window.fps),
       controls_(o.window.controls),
       measure_(package),
-      told_(told_story(o.package.file, input_axes(package), session.language)),
-      language_(session.language),
+      told_(told_story(o.package.file, input_axes(package), session.window.language)),
+      language_(session.window.language),
       clock_(gl::current_device().software) {
     begin_in_scene(session_, package, told_, o);
-    session_.keyboard = false;
-    session_.panels.measure = false;  // a page of the menu
+    session_.window.keyboard = false;
+    session_.window.panels.measure = false;  // a page of the menu
 }
 
 /// The head is where the session's camera is.
@@ -101,9 +101,9 @@ void HeadsetScene::act(const HeadsetFrame& frame) {
     const double now = frame.time;
     for (std::size_t i = 0; i < 2; ++i) {
         const Pointed& p = pointed_[i];
-        if (session_.panels.measure && frame.hands[i].aim && !p.menu) measure_.point_at(p.surface);
+        if (session_.window.panels.measure && frame.hands[i].aim && !p.menu) measure_.point_at(p.surface);
         if (!chosen(frame.hands, i)) continue;
-        if (session_.panels.measure)
+        if (session_.window.panels.measure)
             measure_.set_point(session_, now);
         else if (p.note)
             told_.playing.reset(), told_.open = *p.note, page_ = MenuPage::story;
@@ -118,7 +118,7 @@ FreeHands HeadsetScene::free_hands() const {
     for (std::size_t i = 0; i < 2; ++i) {
         const Pointed& p = pointed_[i];
         out[i].move = !p.menu && menu_pointer_.hand != i;
-        out[i].select = !p.photo && !p.note && !session_.panels.measure;
+        out[i].select = !p.photo && !p.note && !session_.window.panels.measure;
     }
     return out;
 }
@@ -176,11 +176,11 @@ void HeadsetScene::stand_where_sent(const HeadsetFrame& frame) {
 std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
     std::vector<SceneLabel> out;
     const std::array<float, 4> white{1, 1, 1, 1};
-    if (!session_.message.empty()) {
+    if (!session_.message.text.empty()) {
         const Eigen::Vector3d ahead = frame.head.ahead() + Eigen::Vector3d(0, -0.25, 0);
-        out.push_back({session_.message, in_scene(walk_.stance, frame.head.at + ahead), white, true});
+        out.push_back({session_.message.text, in_scene(walk_.stance, frame.head.at + ahead), white, true});
     }
-    if (session_.panels.measure)
+    if (session_.window.panels.measure)
         for (const MeasurePanel::Drawn& d : measured_) {
             const std::vector<Eigen::Vector3d> points = points_from(d.measurement, origin_);
             if (points.empty() || d.label.empty()) continue;
@@ -193,7 +193,7 @@ std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
         if (p.photo)
             out.push_back({renderer_.scene().photos[*p.photo].name,
                            photo_frustum(renderer_.scene(), *p.photo).corner[1], white});
-    const bool hidden_menu = session_.panels.measure && !menu_;
+    const bool hidden_menu = session_.window.panels.measure && !menu_;
     for (const Hand& hand : frame.hands)
         if (hidden_menu && hand.grip)
             out.push_back({tr("Measure"), in_scene(walk_.stance, hand.grip->at), white});
@@ -201,10 +201,10 @@ std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
 }
 
 void HeadsetScene::write_interface(const HeadsetFrame& frame, double seconds) {
-    if (frame.time > session_.message_until) session_.message.clear();
+    if (frame.time > session_.message.until) session_.message.text.clear();
     note_picture_.attend();
     interface_.begin(menu_pointer_.pointer, seconds);
-    follow_language(told_, language_, session_.language);
+    follow_language(told_, language_, session_.window.language);
     continue_tour(frame);
     measured_.clear();
     if (measure_.attend(session_, frame.time)) measured_ = measure_.drawn();
@@ -225,8 +225,8 @@ void HeadsetScene::mark(const HeadsetFrame& frame) {
     std::optional<std::uint32_t> photo;
     for (const Pointed& p : pointed_)
         if (p.photo) photo = p.photo;
-    if (session_.panels.frusta) add_photos(marks_, walk_.stance, renderer_, session_, eye, photo);
-    if (session_.panels.measure)
+    if (session_.window.panels.frusta) add_photos(marks_, walk_.stance, renderer_, session_, eye, photo);
+    if (session_.window.panels.measure)
         for (const MeasurePanel::Drawn& d : measured_)
             add_measurement(marks_, walk_.stance, d, origin_, measure_.up());
     for (std::size_t i = 0; i < told_.story.notes.size(); ++i)

@@ -45,11 +45,12 @@ bool go_on(HeadsetSession& session, HeadsetScene& scene, Mirror& mirror, bool& a
     return true;
 }
 
-void show_in(Headset& headset, HeadsetScene& scene, Session& state, Mirror& mirror, const ShowOptions& o) {
+void show_in(Headset& headset, HeadsetScene& scene, UserCommands& commands, Mirror& mirror,
+             const ShowOptions& o) {
     bool asked_to_end = false, quits = false;
     for (int frames = 0;;) {
         mirror.attend();
-        quits |= take_all<Quit>(state.commands);
+        quits |= take_all<Quit>(commands);
         const bool ends = quits || mirror.closed() || (o.window.frames > 0 && frames >= o.window.frames);
         HeadsetSession* const session = headset.session();
         if (!session) {
@@ -78,11 +79,13 @@ int run_headset(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     mirror.emplace(o);
     Remembered settings =
         start_settings(package, o, o.window.fresh ? std::filesystem::path() : settings_folder());
-    Session session = start_session(package, o, settings);
-    session.language = chosen_language(o, settings);
-    use_language(session.language);
+    WindowState state;
+    state.panels = settings.panels;
+    state.language = chosen_language(o, settings);
+    use_language(state.language);
+    Session session = start_session(package, o, settings, state);
     HeadsetScene scene(package, objects, o, session);
-    show_in(headset, scene, session, *mirror, o);
+    show_in(headset, scene, state.commands, *mirror, o);
     return session.report.tiles_damaged > 0 ? int(Exit::damaged) : int(Exit::ok);
 }
 

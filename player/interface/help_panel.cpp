@@ -40,7 +40,7 @@ void show_line(const Line& line) {
 
 }  // namespace
 
-void help_panel(Controls& c, Session& s) {
+void help_panel(Controls& c, WindowState& window) {
     const Shortcuts blends = blend_shortcuts();
     const Line lines[] = {
         {marked("drag, or one finger"), marked("orbit the model"), true},
@@ -72,10 +72,10 @@ void help_panel(Controls& c, Session& s) {
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
     ImGui::SetNextWindowBgAlpha(1);
     const char* const title = marked("Mouse, fingers and keys");
-    if (ImGui::Begin(shown_name(title).c_str(), &s.panels.help,
+    if (ImGui::Begin(shown_name(title).c_str(), &window.panels.help,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
         for (const Line& line : lines)
-            if (line.for_public || !s.kiosk) show_line(line);
+            if (line.for_public || !window.kiosk) show_line(line);
         const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
         c.note(title, low, ImVec2(low.x + size.x, low.y + size.y));
     }

@@ -20,10 +20,10 @@ std::string own_name(const std::string& code) {
 
 }  // namespace
 
-void language_items(Controls& c, Session& s) {
+void language_items(Controls& c, WindowState& window) {
     for (const std::string& code : languages_of_window()) {
-        const bool used = s.language.substr(0, s.language.find('-')) == code;
-        if (c.menu_item(own_name(code).c_str(), nullptr, used)) s.language = code;
+        const bool used = window.language.substr(0, window.language.find('-')) == code;
+        if (c.menu_item(own_name(code).c_str(), nullptr, used)) window.language = code;
     }
 }
 

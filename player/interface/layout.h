@@ -1,5 +1,6 @@
 #pragma once
-#include "player/interface/state/session.h"
+#include "player/interface/state/window_state.h"
+#include "player/render/render_settings.h"
 #include "player/view/view.h"
 
 namespace vantage {

@@ -21,33 +21,33 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
     toggle("Orthographic", "", s.orthographic);
     c.explain("Without perspective: what is farther away looks as large.");
     ImGui::Separator();
-    toggle("Photo strip", "F4", s.panels.photos);
-    toggle("Cameras in the scene", "F5", s.panels.frusta);
-    toggle("Radar", "F6", s.panels.radar);
-    toggle("Measure", "M", s.panels.measure);
-    toggle("Notes and tours", "J", s.panels.story);
-    toggle("Edit the story", "Ctrl+E", s.panels.story_editor);
+    toggle("Photo strip", "F4", s.window.panels.photos);
+    toggle("Cameras in the scene", "F5", s.window.panels.frusta);
+    toggle("Radar", "F6", s.window.panels.radar);
+    toggle("Measure", "M", s.window.panels.measure);
+    toggle("Notes and tours", "J", s.window.panels.story);
+    toggle("Edit the story", "Ctrl+E", s.window.panels.story_editor);
     ImGui::Separator();
-    toggle("Picture", "F12", s.panels.picture);
-    toggle("List of photos", "", s.panels.photo_list);
-    toggle("Cut", "", s.panels.cut);
-    toggle("Orthophoto", "", s.panels.orthophoto);
-    toggle("Blending", "F2", s.panels.blending);
-    toggle("Status", "F3", s.panels.status);
-    if (!renderer.layers().empty()) toggle("Scalar fields", "F7", s.panels.layers);
-    if (renderer.points()) toggle("Point cloud", "F8", s.panels.points);
-    if (renderer.scene().image_sets.size() > 1) toggle("Image sets", "F9", s.panels.image_sets);
-    toggle("Objects", "F10", s.panels.objects);
+    toggle("Picture", "F12", s.window.panels.picture);
+    toggle("List of photos", "", s.window.panels.photo_list);
+    toggle("Cut", "", s.window.panels.cut);
+    toggle("Orthophoto", "", s.window.panels.orthophoto);
+    toggle("Blending", "F2", s.window.panels.blending);
+    toggle("Status", "F3", s.window.panels.status);
+    if (!renderer.layers().empty()) toggle("Scalar fields", "F7", layers_open(s));
+    if (renderer.points()) toggle("Point cloud", "F8", s.window.panels.points);
+    if (renderer.scene().image_sets.size() > 1) toggle("Image sets", "F9", s.window.panels.image_sets);
+    toggle("Objects", "F10", s.window.panels.objects);
     ImGui::Separator();
-    toggle("Full screen", "F11", s.full_screen);
+    toggle("Full screen", "F11", s.window.full_screen);
     if (c.menu("Language")) {
-        language_items(c, s);
+        language_items(c, s.window);
         ImGui::EndMenu();
     }
     if (c.menu_item("Larger text", "Ctrl++"))
-        s.text_scale = std::min(s.text_scale * text_step, max_text_scale);
+        s.window.text_scale = std::min(s.window.text_scale * text_step, max_text_scale);
     if (c.menu_item("Smaller text", "Ctrl+-"))
-        s.text_scale = std::max(s.text_scale / text_step, least_text_scale);
+        s.window.text_scale = std::max(s.window.text_scale / text_step, least_text_scale);
 }
 
 }  // namespace
@@ -55,12 +55,12 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
 void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
     if (!ImGui::BeginMainMenuBar()) return;
     if (c.menu("File")) {
-        if (c.menu_item("Open...", "O")) s.commands.push_back(ChooseFile{});
-        if (c.menu_item("Screenshot", "P")) s.commands.push_back(SaveScreenshot{});
-        if (c.menu_item("Copy view", "Ctrl+C")) s.commands.push_back(CopyView{});
+        if (c.menu_item("Open...", "O")) s.window.commands.push_back(ChooseFile{});
+        if (c.menu_item("Screenshot", "P")) s.window.commands.push_back(SaveScreenshot{});
+        if (c.menu_item("Copy view", "Ctrl+C")) s.window.commands.push_back(CopyView{});
         if (c.menu_item("Paste view", "Ctrl+V"))
-            if (const char* text = ImGui::GetClipboardText()) s.commands.push_back(PasteView{text});
-        if (c.menu_item("Quit", "Ctrl+Q")) s.commands.push_back(Quit{});
+            if (const char* text = ImGui::GetClipboardText()) s.window.commands.push_back(PasteView{text});
+        if (c.menu_item("Quit", "Ctrl+Q")) s.window.commands.push_back(Quit{});
         ImGui::EndMenu();
     }
     if (c.menu("View")) {
@@ -76,7 +76,8 @@ void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
         ImGui::EndMenu();
     }
     if (c.menu("Help")) {
-        if (c.menu_item("Mouse and keys", "F1", s.panels.help)) s.panels.help = !s.panels.help;
+        if (c.menu_item("Mouse and keys", "F1", s.window.panels.help))
+            s.window.panels.help = !s.window.panels.help;
         ImGui::EndMenu();
     }
     ImGui::TextDisabled("   %s", renderer.package().path().filename().c_str());

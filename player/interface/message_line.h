@@ -1,10 +1,11 @@
 #pragma once
 #include "player/interface/sections/controls.h"
-#include "player/interface/state/session.h"
+#include "player/interface/state/message.h"
+#include "player/view/view.h"
 
 namespace vantage {
 
-/// The session's message, if there is one, at the top of the picture.
-void message_line(Controls& controls, Session& session, double now);
+/// The message, if there is one, at the top of the free part of the window.
+void message_line(Controls& controls, Message& message, const Area& free, double now);
 
 }  // namespace vantage

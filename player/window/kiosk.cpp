@@ -6,10 +6,10 @@
 namespace vantage {
 
 Kiosk make_kiosk(Session& s, std::optional<AttractLoop> tour, double home_after) {
-    s.kiosk = s.full_screen = true;
-    s.panels.expert = s.panels.frusta = s.panels.radar = s.panels.help = false;
-    s.panels.bar = true;
-    return {s.settings, s.panels, s.language, std::move(tour), home_after};
+    s.window.kiosk = s.window.full_screen = true;
+    s.window.panels.expert = s.window.panels.frusta = s.window.panels.radar = s.window.panels.help = false;
+    s.window.panels.bar = true;
+    return {s.settings, s.window.panels, s.window.language, std::move(tour), home_after};
 }
 
 namespace {
@@ -36,8 +36,8 @@ void attend(Kiosk& k, Session& s, bool touched, double now) {
     if (now - k.touched_at < k.home_after) return;
     if (!std::exchange(k.idle, true)) {
         s.settings = k.settings;
-        s.panels = k.panels;
-        s.language = k.language;
+        s.window.panels = k.panels;
+        s.window.language = k.language;
         s.earlier.views.clear();
         fly_home(s, now);
     }

@@ -36,9 +36,9 @@ void point_before_wheel(GLFWwindow* window) {
 }
 
 // Keys are in ImGui's queue, in which those that were released again have a frame of their own.
-void new_frame(const PointerState& mouse, const Session& session) {
+void new_frame(const PointerState& mouse, const UserInput& input) {
     ImGuiIO& io = ImGui::GetIO();
-    const PointerState p = session.input.pointer.value_or(mouse);
+    const PointerState p = input.pointer.value_or(mouse);
     const ImVec2 at = position(p);
     io.AddMousePosEvent(at.x, at.y);
     for (std::size_t b = 0; b < p.down.size(); ++b) io.AddMouseButtonEvent(int(b), p.down[b]);
@@ -49,14 +49,14 @@ void new_frame(const PointerState& mouse, const Session& session) {
 
 void point_before_wheel(GLFWwindow*) {}
 
-void new_frame(const PointerState& mouse, const Session& session) {
+void new_frame(const PointerState& mouse, const UserInput& input) {
     ImGuiIO& io = ImGui::GetIO();
-    const PointerState p = session.input.pointer.value_or(mouse);
+    const PointerState p = input.pointer.value_or(mouse);
     io.MousePos = position(p);
     std::ranges::copy(p.down, io.MouseDown);
     auto& down = io.KeysDown;
     std::vector<int> tapped;
-    for (const KeyPress& p : session.input.keys) {
+    for (const KeyPress& p : input.keys) {
         io.KeyCtrl |= p.with == KeyPress::With::control;
         if (p.key >= 0 && p.key < int(std::size(down)) && !std::exchange(down[p.key], true))
             tapped.push_back(p.key);

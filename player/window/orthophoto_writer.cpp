@@ -11,14 +11,14 @@ namespace vantage {
 
 void OrthophotoWriter::attend(Session& s, const PackageReader& package, double now) {
     if (!program_) {
-        if (take<SaveOrthophoto>(s.commands)) start(s, package, now);
+        if (take<SaveOrthophoto>(s.window.commands)) start(s, package, now);
         return;
     }
     const auto ended = program_->ended();
     if (!ended) return;
     program_.reset();
     s.orthophoto.writing = false;
-    say(s,
+    say(s.message,
         ended->well ? formatted(tr("%s written to %s"), tr("orthophoto"), file_.c_str())
                     : file_ + ": " + ended->says,
         now);
@@ -38,9 +38,9 @@ void OrthophotoWriter::start(Session& s, const PackageReader& package, double no
     try {
         program_.emplace(own_program, std::move(arguments));
         s.orthophoto.writing = true;
-        say(s, formatted(tr("the orthophoto is being written to %s"), file_.c_str()), now);
+        say(s.message, formatted(tr("the orthophoto is being written to %s"), file_.c_str()), now);
     } catch (const Error& e) {
-        say(s, e.what(), now);
+        say(s.message, e.what(), now);
     }
 }
 

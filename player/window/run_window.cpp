@@ -33,17 +33,26 @@
 namespace vantage {
 namespace {
 
-/// Keeps what a session leaves to the next one. A package without image sets leaves those of another.
+/// Keeps what a session leaves to the next one. A package without image sets leaves those of another; an
+/// exposure refers to a photo of this one.
 void remember(const Session& session, const PackageReader& package, Remembered& r) {
-    const bool layers = r.panels.layers;
     r.settings = session.settings;
-    r.panels = session.panels;
-    if (read_fields(package).empty()) r.panels.layers = layers;  // nobody opened or closed it for these
+    r.settings.exposure.reset();
     const std::vector<ImageSet> image_sets = read_image_sets(package);
     if (image_sets.size() < 2) return;
     const ImageSetSettings& shown = session.settings.image_sets;
     r.image_set = image_sets[shown.shown].name;
     r.other_image_set = shown.other ? image_sets[*shown.other].name : "";
+}
+
+/// For another package: without those that name what is in the first one.
+ShowOptions options_for(ShowOptions o, const std::string& file) {
+    o.package.file = file;
+    o.package.photos.clear();
+    o.pictures.view.clear();
+    o.layer.name.clear();
+    o.blending.image_sets = {};
+    return o;
 }
 
 /// What does not depend on a package: the window.
@@ -84,17 +93,17 @@ std::optional<Requested> requested(GlfwWindow& window, Session& session, const s
     try {
         return open_requested(window, file, memory, now);
     } catch (const Error& e) {
-        say(session, e.what(), glfwGetTime());  // a server may have taken its time
+        say(session.message, e.what(), glfwGetTime());  // a server may have taken its time
         return {};
     }
 }
 
 /// Lets the user choose a package; empty if the window was closed.
-std::optional<Requested> ask_for_package(GlfwWindow& window, Controls& controls, const ShowOptions& o,
-                                         std::span<const std::string> recent) {
+std::optional<Requested> ask_for_package(GlfwWindow& window, WindowState& state, Controls& controls,
+                                         const ShowOptions& o, std::span<const std::string> recent) {
     glfwSetWindowTitle(window.get(), "Vantage");
     for (std::string trouble;;) try {
-            const std::string file = start_page(window, controls, recent, trouble, o.window.controls);
+            const std::string file = start_page(window, state, controls, recent, trouble, o.window.controls);
             if (file.empty()) return {};
             return open_requested(window, file, o.memory, glfwGetTime());
         } catch (const Error& e) {
@@ -113,25 +122,25 @@ constexpr int frames_after_event = 3;
 
 /// Whether the next frame would be the same as the last. `lively`: frames that are still to be drawn after
 /// the last event.
-bool is_idle(const Session& session, const ShownScene& scene, int lively) {
-    return scene.rests() && !keys_in_use(session) && lively == 0;
+bool is_idle(const WindowState& state, const ShownScene& scene, int lively) {
+    return scene.rests() && !keys_in_use(state.input) && lively == 0;
 }
 
 /// Whether a frame is to be drawn: always, unless it `may_rest`. At rest, waits until something happens, or
 /// the scene is to be drawn anyway; frames that are counted then follow each other more slowly.
-bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, bool may_rest, int& lively) {
+bool take_events(GlfwWindow& window, WindowState& state, const ShownScene& scene, bool may_rest,
+                 int& lively) {
     constexpr double longest_rest = 1, between_counted = 0.03;  // seconds
-    const bool idle = is_idle(session, scene, lively), rests = idle && may_rest;
+    const bool idle = is_idle(state, scene, lively), rests = idle && may_rest;
     const double until = std::clamp(scene.wakes_at() - glfwGetTime(), 0.001, longest_rest);
     WindowEvents events = window.events(rests ? until : idle ? std::min(until, between_counted) : 0);
-    session.input = std::move(events.input);
+    state.input = std::move(events.input);
     for (const std::string& file : events.dropped)
-        if (!session.kiosk)
-            session.commands.push_back(is_scene_file(file) ? UserCommand(OpenFile{file})
-                                                           : PlaceDropped{file});
-    session.touched = events.any;
+        if (!state.kiosk)
+            state.commands.push_back(is_scene_file(file) ? UserCommand(OpenFile{file}) : PlaceDropped{file});
+    state.touched = events.any;
     // Newer ImGui takes one key per frame.
-    lively = events.any ? frames_after_event * int(1 + session.input.keys.size()) : std::max(0, lively - 1);
+    lively = events.any ? frames_after_event * int(1 + state.input.keys.size()) : std::max(0, lively - 1);
     return !rests || events.any || glfwGetTime() >= scene.wakes_at();
 }
 
@@ -140,13 +149,14 @@ bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, 
 std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, ShownScene& scene,
                                       Controls& controls, const ShowOptions& o, double requested_at) {
     GLFWwindow* window = shown_in.get();
+    WindowState& state = session.window;
     const bool may_rest = o.window.frames == 0 && o.window.controls.empty();  // else frames are counted
     int lively = frames_after_event;
-    for (int frame = 0; session.kiosk || !glfwWindowShouldClose(window);) {
+    for (int frame = 0; state.kiosk || !glfwWindowShouldClose(window);) {
         if (o.window.signs >= 0) give_sign(o.window.signs);
-        if (!take_events(shown_in, session, scene, may_rest, lively)) continue;
-        shown_in.fill_screen(session.full_screen);
-        shown_in.set_text_scale(session.text_scale);
+        if (!take_events(shown_in, state, scene, may_rest, lively)) continue;
+        shown_in.fill_screen(state.full_screen);
+        shown_in.set_text_scale(state.text_scale);
         int width = 0, height = 0;
         glfwGetFramebufferSize(window, &width, &height);
         if (width == 0 || height == 0) {  // minimized
@@ -158,7 +168,7 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         const bool control_held = ImGui::GetIO().KeyCtrl;
-        new_frame(mouse_of(window), session);
+        new_frame(mouse_of(window), state.input);
         controls.begin_frame();
         apply_input(session, scene.renderer().scene(), now);
         scene.frame(width, height, now);
@@ -167,10 +177,10 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
         if (ends && !o.window.screenshot.empty()) save_frame(o.window.screenshot, width, height);
         glfwSwapBuffers(window);
         if (!o.window.controls.empty())
-            controls.write_places(o.window.controls, is_idle(session, scene, lively));
+            controls.write_places(o.window.controls, is_idle(state, scene, lively));
         if (frame == 1 && !o.output.quiet)
             std::fprintf(stderr, "first picture after %.0f ms\n", 1000 * (glfwGetTime() - requested_at));
-        while (const auto command = take_one_of<OpenFile, Quit>(session.commands)) {
+        while (const auto command = take_one_of<OpenFile, Quit>(state.commands)) {
             const OpenFile* const open = std::get_if<OpenFile>(&*command);
             if (!open) return {};
             if (auto other = requested(shown_in, session, open->file, o.memory, now)) return other;
@@ -197,28 +207,30 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
         start(PackageReader(objects.front().package));
     GlfwWindow window(o.output.size.empty() ? remembered.window : parse_size(o.output.size), "Vantage",
                       gl::debug_from_environment() == gl::Debug::on);
+    WindowState state;
+    state.language = language;
+    state.text_scale = text_scale(o, remembered, window);
     Controls controls;
+    ShowOptions options = o;  // for the package that is shown
     std::optional<Requested> other, next;
     double requested_at = glfwGetTime() - seconds_since_start();
     if (objects.empty()) {
-        window.set_text_scale(text_scale(o, remembered, window));
-        other = ask_for_package(window, controls, o, remembered.recent);
+        window.set_text_scale(state.text_scale);
+        other = ask_for_package(window, state, controls, o, remembered.recent);
         if (!other) return int(Exit::ok);
         remembered = start_settings(other->package, o, folder);
         requested_at = other->at;
+        options.package.file = other->file;
     } else if (!first) {
         start(open_in_window(window, objects.front().package, o.memory));
     }
     const PackageReader* package = other ? &other->package : &*first;
-    Session session = start_session(*package, o, remembered);
-    session.text_scale = text_scale(o, remembered, window);
-    session.language = language;
+    state.panels = remembered.panels;
     bool damaged = false;
     for (;;) {
         glfwSetWindowTitle(window.get(), (package->path().filename().string() + " - Vantage").c_str());
+        Session session = start_session(*package, options, remembered, state);
         {
-            ShowOptions options = o;
-            if (other) options.package.file = other->file;
             ShownScene scene(*package, other ? other->objects : objects, options, session, controls);
             remember_opened(remembered, options.package.file);
             next = show_package(window, session, scene, controls, o, requested_at);
@@ -230,24 +242,13 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
         const Requested& opened = other.emplace(std::move(*next));
         package = &opened.package;
         requested_at = opened.at;
-        remembered.settings.exposure.reset();  // refers to a photo of the previous package
-        ShowOptions any_photo = o;
-        any_photo.package.photos.clear();
-        any_photo.pictures.view.clear();
-        any_photo.layer.name.clear();
-        any_photo.blending.image_sets = {};
-        const bool full_screen = session.full_screen;
-        const float scale = session.text_scale;
-        const std::string in_use = session.language;
-        session = start_session(*package, any_photo, remembered);
-        session.full_screen = full_screen;
-        session.text_scale = scale;
-        session.language = in_use;
+        options = options_for(o, opened.file);
     }
     window.fill_screen(false);
     glfwGetWindowSize(window.get(), &remembered.window.width, &remembered.window.height);
-    if (session.text_scale != window.fitting_text_scale()) remembered.text_scale = double(session.text_scale);
-    if (session.language != language && !o.window.kiosk) remembered.language = session.language;
+    remembered.panels = state.panels;
+    if (state.text_scale != window.fitting_text_scale()) remembered.text_scale = double(state.text_scale);
+    if (state.language != language && !o.window.kiosk) remembered.language = state.language;
     try {
         write_settings(folder, remembered);
     } catch (const Error& e) {  // the window works without them

@@ -78,8 +78,8 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
       memory_limit_(memory_budget(o.memory).graphics),
       open_dialog_(package_folder(package)),
       measure_(package),
-      language_(session.language),
-      told_(told_story(o.package.file, input_axes(package), session.language)),
+      language_(session.window.language),
+      told_(told_story(o.package.file, input_axes(package), session.window.language)),
       clock_(gl::current_device().software),
       goal_ms_(frame_goal(o.window.fps)),
       pacing_{pace_of_first_picture(goal_ms_)} {
@@ -96,7 +96,7 @@ std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
     if (path.empty()) try {
             return attract_loop(told_.story, session_.home, told_.axes, told_.file.string());
         } catch (const Error& e) {  // the rest of the story can be shown
-            say(session_, e.what(), 0);
+            say(session_.message, e.what(), 0);
             return {};
         }
     std::vector<Navigation> stops =
@@ -109,14 +109,14 @@ std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
 void ShownScene::frame(int width, int height, double now) {
     Session& s = session_;
     const View view = update(width, height, now);
-    s.settings.points.pick = s.panels.expert && s.panels.points;
+    s.settings.points.pick = s.window.panels.expert && s.window.panels.points;
     const RenderSettings shown = shown_settings();
     clock_.begin();
     draw_view(view, shown, now);
     if (s.settings.points.pick) pick(view);
     show(shown, now);
-    while (take<SaveScreenshot>(s.commands))
-        write_numbered(s, renderer_.package().path().stem().string(), ".png", tr("screenshot"), now,
+    while (take<SaveScreenshot>(s.window.commands))
+        write_numbered(s.message, renderer_.package().path().stem().string(), ".png", tr("screenshot"), now,
                        [&](const std::string& file) { save_frame(file, width, height); });
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     clock_.end(drawn_at_ == now ? std::optional(s.pace) : std::nullopt);
@@ -132,20 +132,20 @@ void ShownScene::draw_unseen(const View& view, double now) {
 
 View ShownScene::update(int width, int height, double now) {
     Session& s = session_;
-    if (kiosk_) attend(*kiosk_, s, s.touched, now);
-    follow_language(told_, language_, s.language);
+    if (kiosk_) attend(*kiosk_, s, s.window.touched, now);
+    follow_language(told_, language_, s.window.language);
     use_clipboard(s, renderer_.package(), now);
     continue_flight(s, now);
     continue_tour(told_, s, now);
     note_view(s, now);
-    layout_ =
-        layout_of(s.panels, width, height, double(ImGui::GetFontSize()), !renderer_.scene().photos.empty());
-    s.free = picture_area(layout_, s.settings.compare, width);
+    layout_ = layout_of(s.window.panels, width, height, double(ImGui::GetFontSize()),
+                        !renderer_.scene().photos.empty());
+    s.window.free = picture_area(layout_, s.settings.compare, width);
     s.settings.room = {width, height};
     choose_projection(now);
     View view = shown_view(s.camera, s, renderer_.scene(), width, height);
     shown_at_ = now;
-    if (take_all<CloseMenus>(s.commands)) controls_.close_menus();
+    if (take_all<CloseMenus>(s.window.commands)) controls_.close_menus();
     note_picture_.attend();
     interface(view, now);
     record(now);
@@ -178,7 +178,8 @@ void ShownScene::choose_projection(double now) {
     if (!s.orthographic || (!points && s.settings.compare == Compare::nothing && objects_.size() == 1))
         return;
     s.orthographic = false;
-    say(s, tr("In perspective again: points, several objects and comparisons are not shown orthographically"),
+    say(s.message,
+        tr("In perspective again: points, several objects and comparisons are not shown orthographically"),
         now);
 }
 
@@ -192,31 +193,32 @@ RenderSettings ShownScene::shown_settings() const {
 
 void ShownScene::interface(const View& view, double now) {
     Session& s = session_;
-    if (s.panels.bar) visitor_bar(controls_, s, renderer_, view, layout_.bar, now);
+    if (s.window.panels.bar) visitor_bar(controls_, s, renderer_, view, layout_.bar, now);
     if (!drawn_) return;  // the rest would delay the first picture
     const bool overlays = !in_parts();
-    if (s.panels.frusta && overlays) frusta(s, renderer_, strip_, view, now);
+    if (s.window.panels.frusta && overlays) frusta(s, renderer_, strip_, view, now);
     pick_listed_point(s, renderer_.scene(), view);
     const Intrinsics& frame = view.intrinsics;
     comparison(controls_, s, renderer_.scene(), {0, 0, double(frame.width), double(frame.height)});
     false_color_legend(controls_, s);
-    if (s.panels.expert) {
+    if (s.window.panels.expert) {
         menu_bar(controls_, s, renderer_, now);
         if (sidebar(controls_, s, renderer_, objects_, view, layout_.sidebar, now)) samples_ = 0;
     }
     show_cut(view);
-    measure_.show(controls_, s, s.panels.measure && overlays ? objects_.meshes() : std::vector<PlacedMesh>{},
-                  view, now);
-    if (s.panels.radar)
+    measure_.show(controls_, s,
+                  s.window.panels.measure && overlays ? objects_.meshes() : std::vector<PlacedMesh>{}, view,
+                  now);
+    if (s.window.panels.radar)
         radar_panel(controls_, s, renderer_, view_of(s.camera, frame.width, frame.height), now);
     if (layout_.strip.height > 0) strip_.show(controls_, s, renderer_, view, layout_.strip, now);
     tell(view, now);
-    if (s.panels.help) help_panel(controls_, s);
-    chooser_.attend(s, package_folder(renderer_.package()), now);
-    open_dialog_.show(controls_, s);
-    drop_dialog(controls_, s, dropped_);
-    message_line(controls_, s, now);
-    s.menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    if (s.window.panels.help) help_panel(controls_, s.window);
+    chooser_.attend(s.window.commands, s.message, package_folder(renderer_.package()), now);
+    open_dialog_.show(controls_, s.window);
+    drop_dialog(controls_, s.window.commands, dropped_);
+    message_line(controls_, s.message, s.window.free, now);
+    s.window.menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 
 /// Cuts the model as the session says, and draws where it is cut.
@@ -235,10 +237,10 @@ void ShownScene::tell(const View& view, double now) {
         return surface_at_pixel(renderer_.scene(), seen,
                                 pixel_in(seen.view.intrinsics, view.intrinsics, pixel));
     };
-    if (s.panels.story_editor)
-        story_editor_.show(controls_, told_, s, view, surface, &s.panels.story_editor, now);
-    if (!s.panels.story) return;
-    if (told_.any() || !told_.trouble.empty()) story_panel(controls_, told_, s, &s.panels.story, now);
+    if (s.window.panels.story_editor)
+        story_editor_.show(controls_, told_, s, view, surface, &s.window.panels.story_editor, now);
+    if (!s.window.panels.story) return;
+    if (told_.any() || !told_.trouble.empty()) story_panel(controls_, told_, s, &s.window.panels.story, now);
     if (in_parts()) return;
     const auto clicked = draw_note_markers(controls_, note_markers(told_.story, told_.axes, view, surface),
                                            told_.story, told_.language, told_.open);
@@ -248,7 +250,7 @@ void ShownScene::tell(const View& view, double now) {
 
 double ShownScene::wakes_at() const {
     double at = kiosk_ ? attends_at(*kiosk_) : HUGE_VAL;
-    if (!session_.message.empty()) at = session_.message_shown ? session_.message_until : shown_at_;
+    if (!session_.message.text.empty()) at = session_.message.shown ? session_.message.until : shown_at_;
     if (asked_files_.busy() || note_picture_.loading() || measure_.saves())
         at = std::min(at, shown_at_ + 0.05);
     if (orthophotos_.writes() || chooser_.asks()) at = std::min(at, shown_at_ + 0.5);
@@ -291,20 +293,21 @@ void ShownScene::save_recorded(double now) {
     Session& s = session_;
     if (s.recorded.empty()) return;
     const PackageReader& package = renderer_.package();
-    write_numbered(
-        s, package.path().stem().string(), ".path", formatted(tr("%zu positions"), s.recorded.size()), now,
-        [&](const std::string& file) { write_path(file, s.recorded, package, {}, positions_per_second); });
+    write_numbered(s.message, package.path().stem().string(), ".path",
+                   formatted(tr("%zu positions"), s.recorded.size()), now, [&](const std::string& file) {
+                       write_path(file, s.recorded, package, {}, positions_per_second);
+                   });
 }
 
 /// Adds the packages that the session asks for.
 void ShownScene::add_objects(double now) {
     Session& s = session_;
-    while (const auto added = take<AddObject>(s.commands)) try {
+    while (const auto added = take<AddObject>(s.window.commands)) try {
             objects_.add({std::filesystem::path(added->file).stem().string(), added->file, {}, true});
-            s.panels.objects = true;
+            s.window.panels.objects = true;
             samples_ = 0;
         } catch (const Error& e) {
-            say(s, e.what(), now);
+            say(s.message, e.what(), now);
         }
 }
 
@@ -339,7 +342,7 @@ void ShownScene::draw(const View& view, const RenderSettings& shown, bool still,
     if (!still) changed_at_ = now;
     if (in_motion(view)) moved_at_ = now;
     // A coarse frame is refined when the motion has ended, not between two movements of the mouse.
-    const bool moves = now < moved_at_ + still_seconds && !holds<SaveScreenshot>(s.commands);
+    const bool moves = now < moved_at_ + still_seconds && !holds<SaveScreenshot>(s.window.commands);
     const bool complete = drawn_ && s.pace == Pace{} && s.report.settled;
     if (still && !moves && !resting_ && complete && lacks_time(now)) {
         samples_ = rest_side * rest_side;
@@ -371,7 +374,8 @@ void ShownScene::draw(const View& view, const RenderSettings& shown, bool still,
         s.report = objects_.draw(*drawn_view_, settings, s.photos, sample, now, ahead_of);
     samples_ = resting_ && s.report.settled ? samples_ + 1 : 0;
     if (s.report.tiles_damaged > 0 && valid_so_far)
-        say(s, tr("The package is damaged: parts of the picture are missing or blurred (vantage check FILE)"),
+        say(s.message,
+            tr("The package is damaged: parts of the picture are missing or blurred (vantage check FILE)"),
             now);
     tell_memory(now);
     drawn_ = true;
@@ -392,7 +396,7 @@ void ShownScene::draw_eyes(const RenderSettings& shown, const RenderSettings& se
     Session& s = session_;
     const FrameSize size = eye_size(s.stereo.mode, shown.room);
     const double distance = (s.camera.target - s.camera.eye).norm();
-    const Area free = free_for_eye(s.stereo.mode, s.free, size);
+    const Area free = free_for_eye(s.stereo.mode, s.window.free, size);
     const View middle = scaled(view_of(s.camera, size.width, size.height, free), s.pace.scale);
     const std::vector<View> eyes = eye_views(middle, s.stereo.eyes, distance);
     pair_.fit(size);
@@ -443,7 +447,7 @@ void ShownScene::keep_pace() {
 void ShownScene::tell_memory(double now) {
     const std::uint64_t used = objects_.graphics_budget();
     if (memory_limit_ == 0 || used <= memory_limit_) return;
-    say(session_,
+    say(session_.message,
         formatted(
             tr("Frames of this size need %.0f MiB of graphics memory, more than --graphics-memory allows"),
             double((used >> 20) + 1)),

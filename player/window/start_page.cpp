@@ -20,19 +20,20 @@ namespace vantage {
 namespace {
 
 /// The packages by name, with their folders; a click opens one.
-void recent_packages(Controls& c, Session& s, std::span<const std::string> recent) {
+void recent_packages(Controls& c, UserCommands& commands, std::span<const std::string> recent) {
     if (recent.empty()) return;
     ImGui::TextDisabled("%s", tr("Recent"));
     for (const std::string& file : recent) {
         const std::filesystem::path path = file;
-        if (c.button((path.filename().string() + "##" + file).c_str())) s.commands.push_back(OpenFile{file});
+        if (c.button((path.filename().string() + "##" + file).c_str())) commands.push_back(OpenFile{file});
         ImGui::SameLine();
         ImGui::TextDisabled("%s", path.parent_path().c_str());
     }
     ImGui::Spacing();
 }
 
-void page(Controls& c, Session& s, std::span<const std::string> recent, const std::string& trouble) {
+void page(Controls& c, UserCommands& commands, std::span<const std::string> recent,
+          const std::string& trouble) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     ImGui::Begin("##start", nullptr,
@@ -43,8 +44,8 @@ void page(Controls& c, Session& s, std::span<const std::string> recent, const st
     ImGui::SetWindowFontScale(1);
     ImGui::TextUnformatted(tr("Shows a scanned object through its own photographs."));
     ImGui::Spacing();
-    recent_packages(c, s, recent);
-    if (c.button("Open a package...")) s.commands.push_back(ChooseFile{});
+    recent_packages(c, commands, recent);
+    if (c.button("Open a package...")) commands.push_back(ChooseFile{});
     ImGui::SameLine();
     ImGui::TextUnformatted(tr("or drop one here"));
     ImGui::TextDisabled("%s", tr("Packages are made by: vantage prepare SCAN -o NAME.vantage"));
@@ -57,10 +58,11 @@ void page(Controls& c, Session& s, std::span<const std::string> recent, const st
 }
 
 /// O opens, Ctrl+Q quits; not while a dialog has the keyboard.
-void take_keys(Session& s) {
-    for (const KeyPress& p : s.input.keys)
-        if (p.key == GLFW_KEY_Q && p.with == KeyPress::With::control) s.commands.push_back(Quit{});
-    if (!ImGui::GetIO().WantTextInput && take_key(s, GLFW_KEY_O)) s.commands.push_back(ChooseFile{});
+void take_keys(WindowState& state) {
+    for (const KeyPress& p : state.input.keys)
+        if (p.key == GLFW_KEY_Q && p.with == KeyPress::With::control) state.commands.push_back(Quit{});
+    if (!ImGui::GetIO().WantTextInput && take_key(state.input, GLFW_KEY_O))
+        state.commands.push_back(ChooseFile{});
 }
 
 void draw(GLFWwindow* window) {
@@ -77,28 +79,29 @@ void draw(GLFWwindow* window) {
 
 }  // namespace
 
-std::string start_page(GlfwWindow& window, Controls& c, std::span<const std::string> recent,
-                       const std::string& trouble, const std::string& places) {
+std::string start_page(GlfwWindow& window, WindowState& state, Controls& c,
+                       std::span<const std::string> recent, const std::string& trouble,
+                       const std::string& places) {
     constexpr double blink_seconds = 0.3;  // of a text field's cursor
-    Session s;
+    Message message;
     OpenDialog dialog(".");
     SystemChooser chooser;
     for (int lively = 3; !glfwWindowShouldClose(window.get());) {
         WindowEvents events = window.events(lively > 0 ? 0 : blink_seconds);
         lively = events.any || !places.empty() ? 3 : std::max(0, lively - 1);
-        s.input = std::move(events.input);
-        for (const std::string& file : events.dropped) s.commands.push_back(OpenFile{file});
+        state.input = std::move(events.input);
+        for (const std::string& file : events.dropped) state.commands.push_back(OpenFile{file});
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
-        new_frame(mouse_of(window.get()), s);
+        new_frame(mouse_of(window.get()), state.input);
         c.begin_frame();
-        take_keys(s);
-        page(c, s, recent, s.message.empty() ? trouble : s.message);
-        chooser.attend(s, std::filesystem::current_path(), glfwGetTime());
-        dialog.show(c, s);
+        take_keys(state);
+        page(c, state.commands, recent, message.text.empty() ? trouble : message.text);
+        chooser.attend(state.commands, message, std::filesystem::current_path(), glfwGetTime());
+        dialog.show(c, state);
         draw(window.get());
         if (!places.empty()) c.write_places(places);
-        if (const auto command = take_one_of<OpenFile, Quit>(s.commands)) {
+        if (const auto command = take_one_of<OpenFile, Quit>(state.commands)) {
             const OpenFile* const open = std::get_if<OpenFile>(&*command);
             return open ? open->file : "";
         }

@@ -55,14 +55,14 @@ std::string chosen_language(const ShowOptions& o, const Remembered& remembered) 
     return remembered.language.empty() ? system_language() : remembered.language;
 }
 
-Session start_session(const PackageReader& package, const ShowOptions& o, const Remembered& remembered) {
-    Session s;
+Session start_session(const PackageReader& package, const ShowOptions& o, const Remembered& remembered,
+                      WindowState& window) {
+    Session s(window);
     s.settings = remembered.settings;
-    s.panels = remembered.panels;
     s.settings.upload_bytes = o.memory.upload_bytes();
     s.settings.complete = false;
     s.settings.layer = layer_settings(package, o.layer);
-    if (read_fields(package).empty()) s.panels.layers = s.settings.layer.layer >= 0;
+    if (read_fields(package).empty()) s.measured_layers = s.settings.layer.layer >= 0;
     if (o.light.shown != LightSettings{}) s.settings.light = light_settings(o.light);
     s.settings.points = point_settings(o.points);
     s.lamp_follows = o.light.lamp.empty();
@@ -78,7 +78,7 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
         s.camera = stand_at(view, s.camera.up, distance);
     }
     s.home = s.earlier.last = s.camera;
-    s.panels.expert |= !o.layer.name.empty();
+    window.panels.expert |= !o.layer.name.empty();
     s.stereo = o.stereo;
     return s;
 }

@@ -20,7 +20,8 @@ Remembered start_settings(const PackageReader& package, const ShowOptions& optio
 std::string chosen_language(const ShowOptions& options, const Remembered& remembered);
 
 /// A session at the first photo of --photo, or the middle one; without photos, before the model.
-Session start_session(const PackageReader& package, const ShowOptions& options, const Remembered& remembered);
+Session start_session(const PackageReader& package, const ShowOptions& options, const Remembered& remembered,
+                      WindowState& window);
 
 /// Fits a session to the scene that is shown: the photos in use and their errors, and what the story says:
 /// the first view, unless the command line gives one, and the background.

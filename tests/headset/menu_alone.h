@@ -21,7 +21,7 @@ class MenuAlone {
     explicit MenuAlone(const std::filesystem::path& file, double unit_meters = 0)
         : package_(file),
           options_(options_of(file)),
-          session(start_session(package_, options_, start_settings(package_, options_, {}))),
+          session(start_session(package_, options_, start_settings(package_, options_, {}), state_)),
           renderer_(package_, MemoryBudget{}),
           objects_(renderer_, {{"scene", file, {}, true}}, MemoryBudget{}),
           measure_(package_),
@@ -29,7 +29,7 @@ class MenuAlone {
           unit_meters_(unit_meters) {
         walk.usual_scale = walk.stance.scale = unit_meters > 0 ? 1 / unit_meters : 1;
         begin_in_scene(session, package_, told, options_);
-        session.keyboard = session.panels.measure = false;
+        session.window.keyboard = session.window.panels.measure = false;
         renderer_.draw(view_of(session.camera, 32, 24), session.settings, {}, {}, 0);  // menus follow a frame
         frames(3);
     }
@@ -84,6 +84,7 @@ class MenuAlone {
     const gl::HeadlessContext context_;
     PackageReader package_;
     ShowOptions options_;
+    WindowState state_;
 
   public:
     Session session;

@@ -33,7 +33,8 @@ class PointingAtTheMenu : public testing::Test {
     Vector3d origin = Vector3d::Zero();
     Story story;
     PlanScene scene;
-    Session session;
+    WindowState window;
+    Session session{window};
     Hands hands;
     std::array<Pointed, 2> pointed;
     std::array<bool, 2> selected{};
@@ -108,10 +109,10 @@ TEST_F(PointingAtTheMenu, NearestNoteIsMetUnlessTheMenuHidesIt) {
     step();
     EXPECT_EQ(pointed[right_hand].note, 1u);
     EXPECT_NEAR(pointed[right_hand].length, 2, 1e-9);
-    session.panels.measure = true;
+    session.window.panels.measure = true;
     step();
     EXPECT_FALSE(pointed[right_hand].note) << "points of the surface are wanted";
-    session.panels.measure = false;
+    session.window.panels.measure = false;
     at_pixel(right_hand, 400, 300);
     story.notes[0].anchor = from + hands[right_hand].aim->ahead() * 3;
     step();

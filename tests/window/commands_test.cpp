@@ -9,7 +9,7 @@ class WindowCommands : public WindowTest {
   protected:
     /// The name of the file that is to be opened.
     static std::string opened(HeadlessWindow& w) {
-        const auto open = take<OpenFile>(w.session.commands);
+        const auto open = take<OpenFile>(w.session.window.commands);
         return open ? std::filesystem::path(open->file).filename().string() : "";
     }
 };
@@ -20,10 +20,11 @@ TEST_F(WindowCommands, AreAllKeptInTheirOrder) {
     HeadlessWindow w(package_of(WindowScene::tiny));
     w.tap(GLFW_KEY_P), w.tap(GLFW_KEY_Q, control), w.tap(GLFW_KEY_P);
     w.frames(4);
-    ASSERT_EQ(w.session.commands.size(), 3u);
-    EXPECT_TRUE(take<Quit>(w.session.commands));
-    EXPECT_TRUE(take<SaveScreenshot>(w.session.commands) && take<SaveScreenshot>(w.session.commands));
-    EXPECT_FALSE(take<SaveScreenshot>(w.session.commands));
+    ASSERT_EQ(w.session.window.commands.size(), 3u);
+    EXPECT_TRUE(take<Quit>(w.session.window.commands));
+    EXPECT_TRUE(take<SaveScreenshot>(w.session.window.commands) &&
+                take<SaveScreenshot>(w.session.window.commands));
+    EXPECT_FALSE(take<SaveScreenshot>(w.session.window.commands));
 }
 
 TEST_F(WindowCommands, EscClosesAMenuFirst) {
@@ -93,27 +94,27 @@ TEST_F(WindowCommands, FilesThatCannotBeWrittenAreSaid) {
     HeadlessWindow w(package_of(WindowScene::tiny));
     w.key(GLFW_KEY_R), w.wait(0.5), w.key(GLFW_KEY_R);
     EXPECT_TRUE(w.there("Message"));
-    EXPECT_NE(w.session.message.find("tiny-0001.path"), std::string::npos) << w.session.message;
+    EXPECT_NE(w.session.message.text.find("tiny-0001.path"), std::string::npos) << w.session.message.text;
 }
 
 TEST_F(WindowCommands, AskWhatToDoWithADroppedPackage) {
     const std::filesystem::path package = copy_of(WindowScene::tiny);
     HeadlessWindow w(package);
     const auto dropped = [&](const char* answer) {
-        w.session.commands.push_back(PlaceDropped{package.string()});
+        w.session.window.commands.push_back(PlaceDropped{package.string()});
         w.frames(3);
         w.press(answer);
         EXPECT_FALSE(w.there("Add to the scene")) << answer;
     };
     dropped("Cancel");
-    EXPECT_TRUE(w.session.commands.empty());
+    EXPECT_TRUE(w.session.window.commands.empty());
     dropped("Add to the scene");
-    EXPECT_TRUE(w.session.panels.objects);
+    EXPECT_TRUE(w.session.window.panels.objects);
     w.key(GLFW_KEY_TAB);
     w.resize(900, 3000);
     EXPECT_TRUE(w.there("Remove one 2")) << "a taken name gets a number";
     dropped("Open in place of the scene");
-    const auto opened = take<OpenFile>(w.session.commands);
+    const auto opened = take<OpenFile>(w.session.window.commands);
     ASSERT_TRUE(opened);
     EXPECT_EQ(opened->file, package.string());
 }
@@ -121,9 +122,9 @@ TEST_F(WindowCommands, AskWhatToDoWithADroppedPackage) {
 TEST_F(WindowCommands, AskAboutEachPackageThatIsDroppedAtOnce) {
     const std::filesystem::path package = copy_of(WindowScene::tiny);
     HeadlessWindow w(package);
-    for (int i = 0; i < 2; ++i) w.session.commands.push_back(PlaceDropped{package.string()});
+    for (int i = 0; i < 2; ++i) w.session.window.commands.push_back(PlaceDropped{package.string()});
     w.frames(3);
     for (const char* answer : {"Add to the scene", "Cancel"}) w.press(answer);
     EXPECT_FALSE(w.there("Cancel"));
-    EXPECT_TRUE(w.session.commands.empty());
+    EXPECT_TRUE(w.session.window.commands.empty());
 }

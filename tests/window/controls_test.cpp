@@ -19,7 +19,7 @@ class WindowControls : public WindowTest {
     static void open_all(HeadlessWindow& w) {
         w.resize(1200, 3000);
         w.press("Bar Expert");
-        EXPECT_TRUE(w.session.panels.expert);
+        EXPECT_TRUE(w.session.window.panels.expert);
     }
     template <class Value>
     static void changes(HeadlessWindow& w, const std::string& name, const Value& value, double share = 0.5) {
@@ -147,7 +147,7 @@ TEST_F(WindowControls, OfThePicture) {
 TEST_F(WindowControls, OfMenus) {
     HeadlessWindow w(copy_of(WindowScene::tiny));
     w.press("Bar Expert");
-    Panels& p = w.session.panels;
+    Panels& p = w.session.window.panels;
     const auto toggled = [&](const char* entry, const bool& value) {
         for (const bool wanted : {!value, bool(value)}) {
             w.choose("View", entry);
@@ -160,7 +160,7 @@ TEST_F(WindowControls, OfMenus) {
     toggled("Measure", p.measure);
     toggled("Notes and tours", p.story);
     toggled("Edit the story", p.story_editor);
-    toggled("Full screen", w.session.full_screen);
+    toggled("Full screen", w.session.window.full_screen);
     toggled("Picture", p.picture);
     toggled("List of photos", p.photo_list);
     toggled("Cut", p.cut);
@@ -169,9 +169,9 @@ TEST_F(WindowControls, OfMenus) {
     toggled("Status", p.status);
     toggled("Objects", p.objects);
     w.choose("View", "Larger text");
-    EXPECT_GT(w.session.text_scale, 1);
+    EXPECT_GT(w.session.window.text_scale, 1);
     w.choose("View", "Smaller text");
-    EXPECT_FLOAT_EQ(w.session.text_scale, 1);
+    EXPECT_FLOAT_EQ(w.session.window.text_scale, 1);
     for (const char* side :
          {"From the front", "From the back", "From the left", "From the right", "From the top"}) {
         const Eigen::Vector3d eye = w.session.camera.eye;
@@ -194,7 +194,7 @@ TEST_F(WindowControls, OfMenus) {
     w.choose("Help", "Mouse and keys");
     EXPECT_TRUE(w.there("Mouse, fingers and keys"));
     w.choose("File", "Screenshot");
-    EXPECT_TRUE(take<SaveScreenshot>(w.session.commands));
+    EXPECT_TRUE(take<SaveScreenshot>(w.session.window.commands));
     w.choose("File", "Open...");
     EXPECT_TRUE(w.there("File name"));
     w.press("Cancel");
@@ -207,15 +207,15 @@ TEST_F(WindowControls, OfMenus) {
     w.wait(1);
     EXPECT_LT((w.session.camera.eye - eye).norm(), 1e-3);
     w.choose("File", "Quit");
-    EXPECT_TRUE(take<Quit>(w.session.commands));
+    EXPECT_TRUE(take<Quit>(w.session.window.commands));
 }
 
 TEST_F(WindowControls, OfTheBarAndTheRadar) {
     HeadlessWindow w(package_of(WindowScene::tiny));
-    toggles(w, "Bar Photos", w.session.panels.photos);
-    toggles(w, "Bar Help", w.session.panels.help);
-    toggles(w, "Bar Full screen", w.session.full_screen);
-    toggles(w, "Bar Expert", w.session.panels.expert);
+    toggles(w, "Bar Photos", w.session.window.panels.photos);
+    toggles(w, "Bar Help", w.session.window.panels.help);
+    toggles(w, "Bar Full screen", w.session.window.full_screen);
+    toggles(w, "Bar Expert", w.session.window.panels.expert);
     w.press("Bar Compare");
     w.wait(1);
     EXPECT_EQ(w.session.settings.compare, Compare::swipe);

@@ -47,7 +47,8 @@ TEST_F(WindowEventsTest, TapsQuickerThanAFrameAllActInOrder) {
     EXPECT_FALSE(w.there("Section Picture")) << "the sidebar is open at the start";
     for (const int key : {GLFW_KEY_F3, GLFW_KEY_F5, GLFW_KEY_F6, GLFW_KEY_F6}) w.tap(key);
     w.frames(4);
-    EXPECT_TRUE(w.session.panels.status && w.session.panels.frusta && !w.session.panels.radar);
+    EXPECT_TRUE(w.session.window.panels.status && w.session.window.panels.frusta &&
+                !w.session.window.panels.radar);
     EXPECT_TRUE(w.there("Section Picture")) << "F3 shows its section with the sidebar";
     w.key(GLFW_KEY_C, control);
     EXPECT_FALSE(w.there("Swipe")) << "Ctrl+C compares";
@@ -86,13 +87,13 @@ TEST_F(WindowEventsTest, EscEndsWhatIsOpenAndNothingElse) {
     w.key(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(w.there("Cancel"));
     w.key(GLFW_KEY_F6);
-    EXPECT_TRUE(w.session.panels.radar) << "keys act again at once";
+    EXPECT_TRUE(w.session.window.panels.radar) << "keys act again at once";
     w.key(GLFW_KEY_F1);
-    EXPECT_TRUE(w.session.panels.help);
+    EXPECT_TRUE(w.session.window.panels.help);
     w.key(GLFW_KEY_ESCAPE);
-    EXPECT_FALSE(w.session.panels.help);
+    EXPECT_FALSE(w.session.window.panels.help);
     w.key(GLFW_KEY_ESCAPE);
-    EXPECT_FALSE(holds<Quit>(w.session.commands));
+    EXPECT_FALSE(holds<Quit>(w.session.window.commands));
     EXPECT_TRUE(w.there("Message")) << "Esc tells how to quit";
     w.tap(GLFW_KEY_O), w.tap(GLFW_KEY_ESCAPE);
     w.frames(4);
@@ -102,13 +103,13 @@ TEST_F(WindowEventsTest, EscEndsWhatIsOpenAndNothingElse) {
     EXPECT_FALSE(w.there("Cancel"));
     EXPECT_FALSE(w.there("Swipe")) << "C acts behind the dialog";
     w.key(GLFW_KEY_Q, control);
-    EXPECT_TRUE(take<Quit>(w.session.commands));
+    EXPECT_TRUE(take<Quit>(w.session.window.commands));
 }
 
 TEST_F(WindowEventsTest, EveryKeyOfTheHelpActs) {
     HeadlessWindow w(package_of(WindowScene::tiny));
     Session& s = w.session;
-    const Panels& p = s.panels;
+    const Panels& p = s.window.panels;
     const auto toggles = [&](int key, const bool& value) {
         for (const bool wanted : {!value, bool(value)}) {
             w.key(key);
@@ -118,8 +119,9 @@ TEST_F(WindowEventsTest, EveryKeyOfTheHelpActs) {
     w.key(GLFW_KEY_TAB);  // F2 and others show the sidebar if it is closed
     toggles(GLFW_KEY_F1, p.help), toggles(GLFW_KEY_F2, p.blending), toggles(GLFW_KEY_F3, p.status);
     toggles(GLFW_KEY_F4, p.photos), toggles(GLFW_KEY_F5, p.frusta), toggles(GLFW_KEY_F6, p.radar);
-    toggles(GLFW_KEY_F7, p.layers), toggles(GLFW_KEY_F8, p.points), toggles(GLFW_KEY_F9, p.image_sets);
-    toggles(GLFW_KEY_F10, p.objects), toggles(GLFW_KEY_F11, s.full_screen), toggles(GLFW_KEY_F12, p.picture);
+    toggles(GLFW_KEY_F7, layers_open(s)), toggles(GLFW_KEY_F8, p.points), toggles(GLFW_KEY_F9, p.image_sets);
+    toggles(GLFW_KEY_F10, p.objects), toggles(GLFW_KEY_F11, s.window.full_screen),
+        toggles(GLFW_KEY_F12, p.picture);
     toggles(GLFW_KEY_TAB, p.expert), toggles(GLFW_KEY_M, p.measure), toggles(GLFW_KEY_J, p.story);
     for (const Show shown : {Show::sources, Show::coverage, Show::colors}) {
         w.key(GLFW_KEY_V);
@@ -127,16 +129,16 @@ TEST_F(WindowEventsTest, EveryKeyOfTheHelpActs) {
         EXPECT_EQ(w.there("Legend"), shown != Show::colors);
     }
     w.key(GLFW_KEY_P);
-    EXPECT_TRUE(take<SaveScreenshot>(s.commands));
+    EXPECT_TRUE(take<SaveScreenshot>(s.window.commands));
     w.key(GLFW_KEY_E, control);
     EXPECT_TRUE(p.story_editor);
     w.key(GLFW_KEY_E, control);
     EXPECT_FALSE(p.story_editor);
     w.key(GLFW_KEY_EQUAL, control);
-    EXPECT_GT(s.text_scale, 1);
+    EXPECT_GT(s.window.text_scale, 1);
     w.key(GLFW_KEY_KP_SUBTRACT, control);
-    EXPECT_FLOAT_EQ(s.text_scale, 1);
-    EXPECT_TRUE(s.commands.empty());
+    EXPECT_FLOAT_EQ(s.window.text_scale, 1);
+    EXPECT_TRUE(s.window.commands.empty());
     // Those that move the camera.
     const auto moves = [&](int key, const Eigen::Vector3d& along, double seconds = 0.5) {
         const Navigation before = s.camera;
@@ -268,7 +270,7 @@ TEST_F(WindowEventsTest, FingersOrbitPinchAndTap) {
     const Eigen::Vector2d button = w.place("Bar Expert");
     w.touch(What::begin, 1, button.x(), button.y()), w.touch(What::end, 1, button.x(), button.y());
     w.frames(4);
-    EXPECT_TRUE(w.session.panels.expert) << "a tap is a click";
+    EXPECT_TRUE(w.session.window.panels.expert) << "a tap is a click";
 }
 
 TEST_F(WindowEventsTest, FlightsEndAtPhotosAndBackspaceLeadsBack) {
@@ -378,18 +380,19 @@ TEST_F(WindowEventsTest, AKioskLetsThePublicLookOnly) {
         w.key(key);
     w.key(GLFW_KEY_Q, control), w.key(GLFW_KEY_E, control), w.key(GLFW_KEY_C, control);
     const Session& s = w.session;
-    EXPECT_TRUE(s.commands.empty());
-    EXPECT_FALSE(s.recording || s.panels.expert || s.panels.measure || s.panels.story_editor);
-    EXPECT_TRUE(s.full_screen && s.panels.story);
+    EXPECT_TRUE(s.window.commands.empty());
+    EXPECT_FALSE(s.recording || s.window.panels.expert || s.window.panels.measure ||
+                 s.window.panels.story_editor);
+    EXPECT_TRUE(s.window.full_screen && s.window.panels.story);
     EXPECT_EQ(s.settings.show, Show::colors);
     w.key(GLFW_KEY_F1);
-    EXPECT_TRUE(s.panels.help);
+    EXPECT_TRUE(s.window.panels.help);
     w.key(GLFW_KEY_N), w.wait(1);
     EXPECT_NE(s.camera.eye, s.home.eye);
     w.choose("Bar Language", "Deutsch");
-    EXPECT_EQ(s.language, "de");
+    EXPECT_EQ(s.window.language, "de");
     w.wait(7);
     EXPECT_EQ(s.camera.eye, s.home.eye) << "home after some seconds without anybody";
-    EXPECT_FALSE(s.panels.help);
-    EXPECT_EQ(s.language, "");
+    EXPECT_FALSE(s.window.panels.help);
+    EXPECT_EQ(s.window.language, "");
 }

@@ -62,22 +62,29 @@ std::vector<SceneObject> all_objects(const std::filesystem::path& package, std::
     return objects;
 }
 
+/// With default settings.
+const ShowOptions& fresh(ShowOptions& options, const std::filesystem::path& package) {
+    options.package.file = package.string();
+    options.window.fresh = true;
+    return options;
+}
+
 }  // namespace
 
 HeadlessWindow::HeadlessWindow(const std::filesystem::path& package, ShowOptions options,
                                std::vector<SceneObject> objects)
-    : package_(package), imgui_(ImGui::CreateContext()) {
+    : package_(package),
+      imgui_(ImGui::CreateContext()),
+      session(
+          start_session(package_, fresh(options, package), start_settings(package_, options, {}), state)) {
     static const gl::HeadlessContext context;
     ImGui::SetCurrentContext(imgui_);
     ImGui::GetIO().IniFilename = nullptr;
     map_keys();
-    options.package.file = package.string();
-    options.window.fresh = true;
     use_language(options.window.language);
-    session = start_session(package_, options, start_settings(package_, options, {}));
-    session.language = options.window.language;
-    session.text_scale = options.window.text_scale > 0 ? float(options.window.text_scale) : 1;
-    set_text_scale(session.text_scale);
+    state.language = options.window.language;
+    state.text_scale = options.window.text_scale > 0 ? float(options.window.text_scale) : 1;
+    set_text_scale(state.text_scale);
     shown_.emplace(package_, all_objects(package, std::move(objects)), options, session, controls);
     frame();
     draw();  // the interface waits for the first picture
@@ -102,15 +109,15 @@ void HeadlessWindow::set_text_scale(float scale) {
 void HeadlessWindow::frame() {
     now_ += frame_seconds;
     WindowEvents events = input_.take(now_);
-    session.input = std::move(events.input);
-    session.touched = events.any;
-    for (const std::string& file : events.dropped) session.commands.push_back(PlaceDropped{file});
-    set_text_scale(session.text_scale);
+    state.input = std::move(events.input);
+    state.touched = events.any;
+    for (const std::string& file : events.dropped) state.commands.push_back(PlaceDropped{file});
+    set_text_scale(state.text_scale);
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(float(width_), float(height_));
     io.DeltaTime = float(frame_seconds);
     const bool control_held = io.KeyCtrl;
-    new_frame(mouse_, session);
+    new_frame(mouse_, state.input);
     controls.begin_frame();
     apply_input(session, scene(), now_);
     view_ = shown_->update(width_, height_, now_);

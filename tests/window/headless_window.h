@@ -60,7 +60,13 @@ class HeadlessWindow {
     /// Replaces the text of a field.
     void fill_in(const std::string& field, const std::string& text);
 
+  private:
+    PackageReader package_;
+    ImGuiContext* imgui_;
+
+  public:
     Controls controls;
+    WindowState state;
     Session session;
     const PlanScene& scene() { return shown_->renderer().scene(); }
     const PackageReader& package() const { return package_; }
@@ -71,8 +77,6 @@ class HeadlessWindow {
     void frame();
     void set_text_scale(float scale);
 
-    PackageReader package_;
-    ImGuiContext* imgui_;
     std::optional<ShownScene> shown_;
     WindowInput input_;
     PointerState mouse_{};

@@ -153,7 +153,8 @@ TEST_F(WindowMeasures, AreThereAgainAndADamagedFileIsLeftAlone) {
     std::ofstream(survey_file()) << cut;
     HeadlessWindow w(package, from_photo());
     w.key(GLFW_KEY_M);
-    EXPECT_NE(w.session.message.find("one.measurements.json"), std::string::npos) << w.session.message;
+    EXPECT_NE(w.session.message.text.find("one.measurements.json"), std::string::npos)
+        << w.session.message.text;
     click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
     w.wait(0.5);
     EXPECT_EQ(slurp(survey_file()), cut);

@@ -24,7 +24,7 @@ class WindowShows : public WindowTest {
     }
     static void open_section(HeadlessWindow& w, const char* name) {
         w.resize(1200, 3000);
-        if (!w.session.panels.expert) w.key(GLFW_KEY_TAB);
+        if (!w.session.window.panels.expert) w.key(GLFW_KEY_TAB);
         w.press(std::string("Section ") + name);
     }
 };
@@ -56,7 +56,7 @@ TEST_F(WindowShows, EveryLanguageIsThatOfItsCatalog) {
         HeadlessWindow w(copy_of(WindowScene::tiny, std::string(language) + ".vantage"));
         w.key(GLFW_KEY_TAB);
         w.press("View"), w.press("Language"), w.press(name);
-        EXPECT_EQ(w.session.language, language);
+        EXPECT_EQ(w.session.window.language, language);
         EXPECT_EQ(shown_name("Blending"), std::string(tr("Blending")) + "###Blending");
         EXPECT_STRNE(tr("Blending"), "Blending") << "no catalog for " << language;
         w.key(GLFW_KEY_TAB), w.key(GLFW_KEY_M);
@@ -176,7 +176,7 @@ TEST_F(WindowShows, TheHelpHasEveryKey) {
     const auto help = [&] {
         ImGui::NewFrame();
         ImGui::LogToClipboard();  // until the window ends
-        help_panel(w.controls, w.session);
+        help_panel(w.controls, w.state);
         ImGui::Render();
         return std::string(ImGui::GetClipboardText());
     };
@@ -205,7 +205,7 @@ TEST_F(WindowShows, TheHelpHasEveryKey) {
                             "wheel"})
         EXPECT_NE(all.find(key), all.npos) << key << " is not in\n" << all;
     for (const BlendRow& row : blend_table()) EXPECT_NE(all.find(row.label), all.npos) << row.label;
-    w.session.kiosk = true;
+    w.session.window.kiosk = true;
     const std::string for_public = help();
     EXPECT_EQ(for_public.find("Ctrl+Q"), for_public.npos);
     EXPECT_NE(for_public.find("H, Backspace"), for_public.npos);

@@ -53,7 +53,7 @@ TEST_F(WindowSizes, FitInEveryLanguageAndTextScale) {
                 w.resize(width, height);
                 for (const bool expert : {true, false}) {
                     w.key(GLFW_KEY_TAB);
-                    EXPECT_EQ(w.session.panels.expert, expert);
+                    EXPECT_EQ(w.session.window.panels.expert, expert);
                     EXPECT_EQ(misplaced(w, float(width), float(height)), "") << fmt::format(
                         "{} x {}, text {}, {}, expert {}", width, height, scale, language, expert);
                     EXPECT_TRUE(w.there("Bar Home") && w.there("Photo 1"));
@@ -71,7 +71,7 @@ TEST_F(WindowSizes, EverySectionFitsTheSidebar) {
             w.session.settings.layer.layer = scene == WindowScene::garden ? 0 : -1;
             w.session.settings.light.light = Light::raking;
             w.session.cut.on = true;
-            Panels& p = w.session.panels;
+            Panels& p = w.session.window.panels;
             p.expert = p.photo_list = p.cut = p.orthophoto = p.status = p.objects = p.layers = true;
             w.resize(1200, 4000);
             w.frames(3);

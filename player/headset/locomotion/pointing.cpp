@@ -41,13 +41,13 @@ Pointed pointed_by(const Hand& hand, const Stance& stance, const PointingTargets
     if (t.menu) out.menu = pixel_on(*t.menu, ray.from, ray.along);
     if (out.menu) {
         reaches(out.menu->distance);
-    } else if (t.session.panels.measure) {
+    } else if (t.session.window.panels.measure) {
         out.surface = scene_point(t.meshes, t.origin, ray, t.session.settings.sections);
         if (out.surface) reaches((out.surface->position - t.origin - ray.from).norm());
     } else if (const auto note = note_on(t.story, t.origin, ray)) {
         out.note = note->note;
         reaches(note->distance);
-    } else if (t.session.panels.frusta) {
+    } else if (t.session.window.panels.frusta) {
         const auto photo = photo_on(t.scene, t.session, ray, stance);
         if (photo) out.photo = photo->photo, reaches(photo->distance);
     }

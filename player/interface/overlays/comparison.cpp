@@ -27,8 +27,8 @@ void plate(Controls& c, float x, float y, float share, const std::string& text) 
 
 /// A handle as high as the free area, around the line.
 void drag_swipe(Controls& c, Session& s, const Area& frame) {
-    const float em = ImGui::GetFontSize(), x = float(frame.width * s.settings.swipe), top = float(s.free.top),
-                high = float(s.free.height);
+    const float em = ImGui::GetFontSize(), x = float(frame.width * s.settings.swipe),
+                top = float(s.window.free.top), high = float(s.window.free.height);
     ImGui::SetNextWindowPos(ImVec2(x - em, top));
     ImGui::SetNextWindowSize(ImVec2(2 * em, high));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
@@ -78,7 +78,7 @@ void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& fra
     const RenderSettings& r = s.settings;
     if (r.compare == Compare::nothing || r.compare_photo >= scene.photos.size()) return;
     const std::string photo = formatted(tr("photo %s"), scene.photos[r.compare_photo].name);
-    const float em = ImGui::GetFontSize(), y = float(s.free.top) + em;
+    const float em = ImGui::GetFontSize(), y = float(s.window.free.top) + em;
     const auto both = [&](double line) {
         const float x = float(line * frame.width);
         plate(c, x - 1.5f * em, y, 1, tr("model"));
@@ -91,7 +91,7 @@ void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& fra
             both(r.swipe);
             return drag_swipe(c, s, frame);
         case Compare::difference:
-            return plate(c, float(s.free.left + s.free.width / 2), y, 0.5f,
+            return plate(c, float(s.window.free.left + s.window.free.width / 2), y, 0.5f,
                          formatted(tr("difference from photo %s, doubled; black: none"),
                                    scene.photos[r.compare_photo].name));
         default:
@@ -112,8 +112,8 @@ void toggle_comparison(Session& s, const PlanScene& scene, const View& view, dou
 }
 
 void false_color_legend(Controls& c, const Session& s) {
-    const float em = ImGui::GetFontSize(), x = float(s.free.left) + em,
-                y = float(s.free.top + s.free.height) - 2 * em;
+    const float em = ImGui::GetFontSize(), x = float(s.window.free.left) + em,
+                y = float(s.window.free.top + s.window.free.height) - 2 * em;
     if (s.settings.show == Show::sources)
         plate(c, x, y, 0, tr("each color is a photo: the one outlined in that color in the strip"));
     if (s.settings.show != Show::coverage) return;

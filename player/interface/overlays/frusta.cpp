@@ -60,7 +60,8 @@ void frusta(Session& s, Renderer& renderer, PhotoStrip& strip, const View& view,
     if (!under) return;
     draw(photo_frustum(scene, *under), view, IM_COL32_WHITE, 3);
     strip.tooltip(renderer, *under);
-    if (!s.input.clicks.empty() && !s.panels.measure) fly_to(s, *under, scene.photos[*under], now);
+    if (!s.window.input.clicks.empty() && !s.window.panels.measure)
+        fly_to(s, *under, scene.photos[*under], now);
 }
 
 }  // namespace vantage

@@ -15,10 +15,11 @@ namespace vantage {
 
 void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const View& view, double now) {
     const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos(ImVec2(float(s.free.left + s.free.width) - 18 * em, float(s.free.top) + em),
-                            ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos(
+        ImVec2(float(s.window.free.left + s.window.free.width) - 18 * em, float(s.window.free.top) + em),
+        ImGuiCond_Appearing);
     ImGui::SetNextWindowSize(ImVec2(17 * em, 18.6f * em));
-    if (!ImGui::Begin(shown_name("Radar").c_str(), &s.panels.radar, ImGuiWindowFlags_NoResize))
+    if (!ImGui::Begin(shown_name("Radar").c_str(), &s.window.panels.radar, ImGuiWindowFlags_NoResize))
         return ImGui::End();
     const PlanScene& scene = renderer.scene();
     const Eigen::Vector3d up = s.camera.up, east = up.unitOrthogonal(), north = up.cross(east);

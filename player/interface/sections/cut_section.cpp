@@ -122,7 +122,7 @@ void cut_section(Controls& c, Session& s, const PlanScene& scene, const Eigen::V
         plane_controls(c, s, scene, origin, begins);
     else
         box_controls(c, cut, scene, origin);
-    if (c.button("Export section")) s.commands.push_back(SaveCut{});
+    if (c.button("Export section")) s.window.commands.push_back(SaveCut{});
     c.explain(
         "Writes the lines of the cut as a drawing (DXF) into the current folder, in the input's "
         "coordinates.");

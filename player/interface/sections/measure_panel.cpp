@@ -47,14 +47,14 @@ Unit unit_at(int index) { return Unit(index); }
 }  // namespace
 
 void take_measuring_keys(Session& s) {
-    if (!s.panels.measure || s.panels.help) return;
-    s.input.double_clicked = false;
+    if (!s.window.panels.measure || s.window.panels.help) return;
+    s.window.input.double_clicked = false;
     const auto is_ours = [](const KeyPress& p) {
         return p.with == KeyPress::With::nothing &&
                (is_enter(p) || p.key == key::backspace || p.key == key::escape);
     };
-    std::ranges::copy_if(s.input.keys, std::back_inserter(s.measuring), is_ours);
-    std::erase_if(s.input.keys, is_ours);
+    std::ranges::copy_if(s.window.input.keys, std::back_inserter(s.window.measuring), is_ours);
+    std::erase_if(s.window.input.keys, is_ours);
 }
 
 MeasurePanel::MeasurePanel(const PackageReader& package)
@@ -69,7 +69,7 @@ void MeasurePanel::begin(Session& s, double now) {
     try {
         survey_ = file_.read(Survey{.up = survey_.up});
     } catch (const Error& e) {
-        say(s, e.what(), now);
+        say(s.message, e.what(), now);
     }
     selected_.reset();
     evaluate_all();
@@ -82,8 +82,8 @@ void MeasurePanel::evaluate_all() {
 }
 
 bool MeasurePanel::attend(Session& s, double now) {
-    if (const std::string trouble = file_.take_trouble(); !trouble.empty()) say(s, trouble, now);
-    if (!s.panels.measure) {
+    if (const std::string trouble = file_.take_trouble(); !trouble.empty()) say(s.message, trouble, now);
+    if (!s.window.panels.measure) {
         active_ = false;
         next_.points.clear();
         return false;
@@ -101,11 +101,13 @@ void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> mes
     for (const Drawn& d : drawn())
         draw_measurement(d.measurement, d.label, view, origin_, survey_.up, d.look);
     const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos(ImVec2(float(s.free.left) + em, float(s.free.top) + em), ImGuiCond_Appearing);
-    ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0),
-                                        ImVec2(FLT_MAX, std::max(11 * em, float(s.free.height) - 2 * em)));
-    if (ImGui::Begin(shown_name("Measure").c_str(), &s.panels.measure, ImGuiWindowFlags_AlwaysAutoResize)) {
-        keep_within(s.free);
+    ImGui::SetNextWindowPos(ImVec2(float(s.window.free.left) + em, float(s.window.free.top) + em),
+                            ImGuiCond_Appearing);
+    ImGui::SetNextWindowSizeConstraints(
+        ImVec2(0, 0), ImVec2(FLT_MAX, std::max(11 * em, float(s.window.free.height) - 2 * em)));
+    if (ImGui::Begin(shown_name("Measure").c_str(), &s.window.panels.measure,
+                     ImGuiWindowFlags_AlwaysAutoResize)) {
+        keep_within(s.window.free);
         ImGui::PushItemWidth(11 * em);
         content(c, s, now);
         ImGui::PopItemWidth();
@@ -128,13 +130,13 @@ void MeasurePanel::look_under_pointer(const Session& s, std::span<const PlacedMe
 
 /// Backspace removes the last point. Esc gives up what is being measured, then leaves.
 void MeasurePanel::take_keys(Session& s) {
-    for (const KeyPress& press : std::exchange(s.measuring, {})) {
+    for (const KeyPress& press : std::exchange(s.window.measuring, {})) {
         if (is_enter(press)) {
             end();
         } else if (press.key == key::backspace) {
             remove_last_point();
         } else if (!press.repeated) {
-            if (next_.points.empty()) s.panels.measure = false;
+            if (next_.points.empty()) s.window.panels.measure = false;
             next_.points.clear();
         }
     }
@@ -142,7 +144,7 @@ void MeasurePanel::take_keys(Session& s) {
 
 void MeasurePanel::take_clicks(Session& s, std::span<const PlacedMesh> meshes, const View& view, double now) {
     if (ImGui::GetIO().WantCaptureMouse) return;
-    for (const Click& click : s.input.clicks) {
+    for (const Click& click : s.window.input.clicks) {
         if (click.second) {
             end();
             continue;
@@ -151,7 +153,8 @@ void MeasurePanel::take_clicks(Session& s, std::span<const PlacedMesh> meshes, c
         if (point)
             add(*point);
         else
-            say(s, meshes.empty() ? tr("Measuring needs a mesh") : tr("There is no surface to measure"), now);
+            say(s.message,
+                meshes.empty() ? tr("Measuring needs a mesh") : tr("There is no surface to measure"), now);
     }
 }
 
@@ -163,7 +166,7 @@ void MeasurePanel::set_point(Session& s, double now) {
     if (under_)
         add(*under_);
     else
-        say(s, tr("There is no surface to measure"), now);
+        say(s.message, tr("There is no surface to measure"), now);
 }
 
 void MeasurePanel::add(const SurveyPoint& point) {
@@ -208,13 +211,13 @@ std::vector<MeasurePanel::Drawn> MeasurePanel::drawn() const {
 }
 
 void MeasurePanel::content(Controls& c, Session& s, double now) {
-    choice_of_measure(c, s.keyboard);
+    choice_of_measure(c, s.window.keyboard);
     under_pointer(c);
     scale_section(c);
     list(c);
     selected_section(c, s, now);
     ImGui::BeginDisabled(survey_.measurements.empty());
-    if (c.button("Export table")) s.commands.push_back(SaveTable{survey_csv(survey_)});
+    if (c.button("Export table")) s.window.commands.push_back(SaveTable{survey_csv(survey_)});
     ImGui::EndDisabled();
     c.explain("Writes all measurements as a table (CSV) into the current folder.");
     ImGui::TextDisabled(tr("saved in %s"), file_.path().filename().c_str());
@@ -309,7 +312,7 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
         ImGui::TextDisabled("%s", values_[at].note.c_str());
         ImGui::PopTextWrapPos();
     }
-    if (s.keyboard) {
+    if (s.window.keyboard) {
         ImGui::InputText(shown_name("Name").c_str(), name_.data(), name_.size());
         c.note("Name");
         if (ImGui::IsItemDeactivatedAfterEdit()) {
@@ -321,7 +324,7 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
         ImGui::SameLine();
     }
     const bool deleted = c.button("Delete");
-    if (s.keyboard && survey_.measurements[at].measure == Measure::distance) {
+    if (s.window.keyboard && survey_.measurements[at].measure == Measure::distance) {
         ImGui::InputDouble(shown_name("Known length").c_str(), &known_length_);
         c.note("Known length");
         c.explain(
@@ -337,7 +340,7 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
                 survey_.scale = *scale;
                 changed();
             } else {
-                say(s, tr("A scale needs two different points and a length above 0"), now);
+                say(s.message, tr("A scale needs two different points and a length above 0"), now);
             }
         }
     }

@@ -25,8 +25,8 @@ class MeasurePanel {
     /// `package` must outlive it.
     explicit MeasurePanel(const PackageReader& package);
 
-    /// Acts on the session's input, and draws measurements and the panel, while session.panels.measure.
-    /// `meshes`: those that are shown.
+    /// Acts on the session's input, and draws measurements and the panel, while
+    /// session.window.panels.measure. `meshes`: those that are shown.
     void show(Controls& controls, Session& session, std::span<const PlacedMesh> meshes, const View& view,
               double now);
 

@@ -66,7 +66,7 @@ bool object_row(Controls& c, ObjectSet& objects, std::size_t object, double size
 
 }  // namespace
 
-bool object_section(Controls& c, Session& session, ObjectSet& objects, double size) {
+bool object_section(Controls& c, UserCommands& commands, ObjectSet& objects, double size) {
     bool changed = false;
     std::size_t remove = 0;
     for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -75,15 +75,15 @@ bool object_section(Controls& c, Session& session, ObjectSet& objects, double si
         if (removed) remove = i;
     }
     if (objects.size() == 1) ImGui::TextDisabled("%s", tr("Drop a package on the window to add it."));
-    if (c.button("Save scene")) session.commands.push_back(SaveScene{});
+    if (c.button("Save scene")) commands.push_back(SaveScene{});
     c.explain("Writes a scene file with these packages and where they stand.");
     if (remove > 0) objects.remove(remove), changed = true;
     return changed;
 }
 
-void drop_dialog(Controls& c, Session& session, std::string& file) {
+void drop_dialog(Controls& c, UserCommands& commands, std::string& file) {
     if (file.empty()) {
-        const auto dropped = take<PlaceDropped>(session.commands);
+        const auto dropped = take<PlaceDropped>(commands);
         if (!dropped) return;
         file = dropped->file;
     }
@@ -93,8 +93,8 @@ void drop_dialog(Controls& c, Session& session, std::string& file) {
         ImGui::TextUnformatted(std::filesystem::path(file).filename().c_str());
         const bool opens = c.button("Open in place of the scene"), adds = c.button("Add to the scene"),
                    cancels = c.button("Cancel");
-        if (opens) session.commands.push_back(OpenFile{file});
-        if (adds) session.commands.push_back(AddObject{file});
+        if (opens) commands.push_back(OpenFile{file});
+        if (adds) commands.push_back(AddObject{file});
         if (opens || adds || cancels) file.clear();
     }
     ImGui::End();

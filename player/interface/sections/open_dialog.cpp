@@ -19,9 +19,9 @@ namespace {
 
 constexpr const char* title = marked("Open a package");
 
-int taps(Session& s, int key) {
+int taps(UserInput& input, int key) {
     int n = 0;
-    while (take_key(s, key)) ++n;
+    while (take_key(input, key)) ++n;
     return n;
 }
 
@@ -59,32 +59,32 @@ void OpenDialog::select(std::size_t entry) {
 }
 
 /// Enters the folder, or opens the file, that is typed or selected.
-void OpenDialog::accept(Session& s) {
+void OpenDialog::accept(WindowState& window) {
     const std::string typed = typed_.data();
     if (typed.empty()) return;
     const std::filesystem::path path = is_url(typed) ? std::filesystem::path(typed) : folder_ / typed;
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) return list(path);
-    s.commands.push_back(OpenFile{path.string()});
+    window.commands.push_back(OpenFile{path.string()});
     closes_ = true;
 }
 
-void OpenDialog::move_by_keys(Session& s) {
-    const int by = taps(s, key::down) - taps(s, key::up), count = int(entries_.size());
+void OpenDialog::move_by_keys(WindowState& window) {
+    const int by = taps(window.input, key::down) - taps(window.input, key::up), count = int(entries_.size());
     if (by == 0 || count == 0) return;
     const int from = selected_ < entries_.size() ? int(selected_) : by > 0 ? -1 : count;
     select(std::size_t(std::clamp(from + by, 0, count - 1)));
 }
 
-void OpenDialog::entries(Controls& c, Session& s) {
+void OpenDialog::entries(Controls& c, WindowState& window) {
     ImGui::BeginChild("##entries", ImVec2(520, 260), true);
     for (std::size_t i = 0; i < entries_.size(); ++i) {
         const char* label = entries_[i].label.c_str();
         const bool chosen = ImGui::Selectable(label, i == selected_, ImGuiSelectableFlags_DontClosePopups);
-        const bool doubled = s.input.double_clicked && ImGui::IsItemHovered();
+        const bool doubled = window.input.double_clicked && ImGui::IsItemHovered();
         if (chosen || doubled) select(i);
         if (doubled) {
-            accept(s);
+            accept(window);
             break;  // of another folder from now on
         }
         c.note(label);
@@ -95,26 +95,26 @@ void OpenDialog::entries(Controls& c, Session& s) {
     ImGui::EndChild();
 }
 
-void OpenDialog::show(Controls& c, Session& s) {
+void OpenDialog::show(Controls& c, WindowState& window) {
     const bool open = ImGui::IsPopupOpen(shown_name(title).c_str());  // maybe since another scene was shown
-    const bool asked = take_all<ChooseFile>(s.commands);
+    const bool asked = take_all<ChooseFile>(window.commands);
     if (asked || (open && folder_.empty())) list(start_);
     if (asked) ImGui::OpenPopup(shown_name(title).c_str());
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     if (!ImGui::BeginPopupModal(shown_name(title).c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize))
         return;
-    closes_ = take_key(s, key::escape);
-    if (!closes_) content(c, s);
+    closes_ = take_key(window.input, key::escape);
+    if (!closes_) content(c, window);
     if (closes_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     if (closes_) ImGui::SetWindowFocus(nullptr);  // the text field gives the keyboard back at once
 }
 
-void OpenDialog::content(Controls& c, Session& s) {
-    move_by_keys(s);
+void OpenDialog::content(Controls& c, WindowState& window) {
+    move_by_keys(window);
     ImGui::TextDisabled("%s", folder_.c_str());
-    entries(c, s);
+    entries(c, window);
     if (focus_) ImGui::SetKeyboardFocusHere();
     focus_ = false;
     ImGui::SetNextItemWidth(520);
@@ -122,8 +122,8 @@ void OpenDialog::content(Controls& c, Session& s) {
     ImGui::InputText("##file", typed_.data(), typed_.size());
     ImGui::PopID();
     c.note("File name");
-    const bool entered = take_key(s, key::enter) || take_key(s, key::keypad_enter);
-    if (c.button("Open") || entered) accept(s);
+    const bool entered = take_key(window.input, key::enter) || take_key(window.input, key::keypad_enter);
+    if (c.button("Open") || entered) accept(window);
     ImGui::SameLine();
     closes_ |= c.button("Cancel");
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "player/interface/sections/controls.h"
-#include "player/interface/state/session.h"
+#include "player/interface/state/window_state.h"
 
 namespace vantage {
 
@@ -15,7 +15,7 @@ class OpenDialog {
   public:
     /// `start`: the folder that is listed first.
     explicit OpenDialog(std::filesystem::path start) : start_(std::move(start)) {}
-    void show(Controls& controls, Session& session);
+    void show(Controls& controls, WindowState& window);
 
   private:
     struct Entry {
@@ -25,10 +25,10 @@ class OpenDialog {
     };
     void list(const std::filesystem::path& folder);
     void select(std::size_t entry);
-    void content(Controls& controls, Session& session);
-    void entries(Controls& controls, Session& session);
-    void move_by_keys(Session& session);
-    void accept(Session& session);
+    void content(Controls& controls, WindowState& window);
+    void entries(Controls& controls, WindowState& window);
+    void move_by_keys(WindowState& window);
+    void accept(WindowState& window);
 
     std::filesystem::path start_, folder_;
     std::vector<Entry> entries_;

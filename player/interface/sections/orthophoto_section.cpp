@@ -55,7 +55,7 @@ void orthophoto_section(Controls& c, Session& s, const PackageReader& package) {
     choice(c, "Written as", o.file, files);
     c.explain("Both tell where the picture is on the plane.");
     ImGui::BeginDisabled(o.writing);
-    if (c.button("Write the orthophoto")) s.commands.push_back(SaveOrthophoto{});
+    if (c.button("Write the orthophoto")) s.window.commands.push_back(SaveOrthophoto{});
     ImGui::EndDisabled();
     c.explain("Writes the picture into the current folder, while the window can be used.");
     if (o.writing) ImGui::TextUnformatted(tr("being written..."));

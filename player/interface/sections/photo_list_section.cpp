@@ -96,11 +96,11 @@ void use_all(Session& s, const PlanScene& scene) {
 void photo_list_section(Controls& c, Session& s, const Renderer& renderer, double now) {
     const PlanScene& scene = renderer.scene();
     Session::PhotoList& list = s.photo_list;
-    if (s.keyboard) {
+    if (s.window.keyboard) {
         ImGui::InputText(shown_name("Name contains").c_str(), list.filter.data(), list.filter.size());
         c.note("Name contains");
     }
-    if (s.keyboard) {
+    if (s.window.keyboard) {
         c.checkbox("Photos at point", &list.by_point);
         c.explain(
             "Lists the photos that show the point you click on the model, those with the finest pixels "
@@ -127,9 +127,9 @@ void photo_list_section(Controls& c, Session& s, const Renderer& renderer, doubl
 
 void pick_listed_point(Session& s, const PlanScene& scene, const View& view) {
     Session::PhotoList& list = s.photo_list;
-    if (!list.by_point || !s.panels.expert || !s.panels.photo_list) return;
-    if (!s.panels.measure && !ImGui::GetIO().WantCaptureMouse)
-        for (const Click& click : s.input.clicks)
+    if (!list.by_point || !s.window.panels.expert || !s.window.panels.photo_list) return;
+    if (!s.window.panels.measure && !ImGui::GetIO().WantCaptureMouse)
+        for (const Click& click : s.window.input.clicks)
             if (const auto hit = first_hit(scene, ray_through(view, {click.x, click.y}))) {
                 list.point = hit->position;
                 list.showing = footprints(scene, hit->triangle, hit->position);

@@ -35,7 +35,7 @@ void light_controls(Controls& c, Session& s) {
         c.explain("Darkens the photos by the light, instead of showing the bare surface.");
     }
     if (l.light != Light::raking) return;
-    if (s.keyboard) {
+    if (s.window.keyboard) {
         in_second_column("Follows pointer");
         c.checkbox("Follows pointer", &s.lamp_follows);
         c.explain("The lamp is where the pointer is over the picture: low near its edges.");

@@ -9,25 +9,13 @@
 namespace vantage {
 
 View shown_view(const Navigation& camera, const Session& s, const PlanScene& scene, int width, int height) {
-    const View view = view_of(camera, width, height, s.free);
+    const View view = view_of(camera, width, height, s.window.free);
     const double distance = (camera.target - camera.eye).norm();
     if (!s.orthographic || !(distance > 0)) return view;
     return orthographic(view, distance, std::max(scene.size, distance));
 }
 
-void say(Session& s, const std::string& message, double now) {
-    s.message = message;
-    s.message_until = now + message_seconds;
-    s.message_shown = false;
-}
-
-bool take_key(Session& s, int key) {
-    const auto is = [&](const KeyPress& p) { return p.key == key && p.with == KeyPress::With::nothing; };
-    const auto at = std::ranges::find_if(s.input.keys, is);
-    if (at == s.input.keys.end()) return false;
-    s.input.keys.erase(at);
-    return true;
-}
+bool& layers_open(Session& s) { return s.measured_layers ? *s.measured_layers : s.window.panels.layers; }
 
 void fly_to(Session& s, std::uint32_t photo, const package::PhotoRecord& record, double now) {
     s.standing_at = photo;
@@ -70,7 +58,7 @@ void note_view(Session& s, double now) {
 
 void fly_back(Session& s, double now) {
     Session::EarlierViews& e = s.earlier;
-    if (e.views.empty()) return say(s, tr("This is the first view"), now);
+    if (e.views.empty()) return say(s.message, tr("This is the first view"), now);
     s.flight = Session::Flight{{s.camera, e.views.back()}, now, 0.4};
     e.views.pop_back();
     e.returning = true;

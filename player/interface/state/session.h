@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "player/interface/overlays/glide.h"
-#include "player/interface/state/user_command.h"
-#include "player/interface/state/user_input.h"
+#include "player/interface/state/message.h"
+#include "player/interface/state/window_state.h"
 #include "player/render/frame_statistics.h"
 #include "player/render/pace.h"
 #include "player/render/render_settings.h"
@@ -18,18 +18,6 @@
 #include "player/view/stereo.h"
 
 namespace vantage {
-
-/// The parts of the interface that are shown.
-struct Panels {
-    bool bar = true, photos = true, frusta = false, radar = false, help = false;
-    bool expert = false;  ///< the menu, and the sidebar with the sections that follow
-    bool picture = true, photo_list = false, cut = false, orthophoto = false, blending = true, status = false,
-         objects = false;
-    bool layers = true;  ///< if the package has layers of its own; else closed until asked for
-    bool points = true, image_sets = true;    ///< only if the package has any
-    bool measure = false;                     ///< and clicks measure
-    bool story = true, story_editor = false;  ///< notes and tours, if there are any; editing them
-};
 
 /// How the model is cut.
 struct Cut {
@@ -56,12 +44,15 @@ struct OrthophotoRequest {
 /// How often positions are recorded.
 inline constexpr double positions_per_second = 30;
 
-/// The state that the user of the window sees and changes.
+/// What the user sees and changes of a scene, in a window that may show others before and after it.
 struct Session {
+    /// `window` must outlive it.
+    explicit Session(WindowState& of) : window(of) {}
+
+    WindowState& window;
     RenderSettings settings;
     Navigation camera;
     Navigation home;            ///< where the session began
-    Area free;                  ///< the part of the window that the picture is fitted to
     bool orthographic = false;  ///< instead of perspective
     StereoSettings stereo;      ///< for the pictures of two eyes
     double flying_speed = 1;    ///< of the keys, in usual speeds
@@ -74,7 +65,8 @@ struct Session {
     };
     std::optional<Grip> grip;
     std::vector<std::uint32_t> photos;  ///< allowed for blending
-    Panels panels;
+    /// Whether the section of layers is open, of a package that has none of its own.
+    std::optional<bool> measured_layers;
 
     std::uint32_t standing_at = 0;  ///< the photo last flown to
     bool freeze = false;            ///< weights are frozen
@@ -110,21 +102,7 @@ struct Session {
     bool recording = false;
     std::vector<Navigation> recorded;  ///< one per 1 / positions_per_second seconds
 
-    UserInput input;                  ///< not taken yet
-    bool menu_open = false;           ///< or a list, in the last frame
-    bool touched = false;             ///< something happened in the window since the last frame
-    std::vector<KeyPress> measuring;  ///< keys for the mode of measuring
-    UserCommands commands;
-
-    bool full_screen = false;
-    bool keyboard = true;  ///< and a pointer in the picture; else nothing can be typed or clicked there
-    bool kiosk = false;    ///< for the public: nothing can be opened, written, set or quit
-    float text_scale = 1;
-    /// Of the window and of stories, such as "de-AT"; empty: English, and the story's own.
-    std::string language;
-    std::string message;         ///< one line
-    double message_until = 0;    ///< at least
-    bool message_shown = false;  ///< else its time begins when it is
+    Message message;
 
     FrameReport report;
     Pace pace;  ///< of the frame drawn last
@@ -138,12 +116,8 @@ struct Session {
 View shown_view(const Navigation& camera, const Session& session, const PlanScene& scene, int width,
                 int height);
 
-inline constexpr double message_seconds = 6;
-/// Shows a message for that time.
-void say(Session& session, const std::string& message, double now);
-
-/// Whether a key was pressed, or repeated, alone since the last frame; takes the press.
-bool take_key(Session& session, int key);
+/// Whether the section of layers is open.
+bool& layers_open(Session& session);
 
 /// Starts a flight to a photo's camera, 0.7 seconds long.
 void fly_to(Session& session, std::uint32_t photo, const package::PhotoRecord& record, double now);

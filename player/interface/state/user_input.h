@@ -47,4 +47,7 @@ struct UserInput {
     bool pinch_begins = false;
 };
 
+/// Whether a key was pressed, or repeated, alone since the last frame; takes the press.
+bool take_key(UserInput& input, int key);
+
 }  // namespace vantage

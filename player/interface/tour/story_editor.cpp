@@ -113,9 +113,9 @@ void StoryEditor::buttons(Controls& c, ToldStory& told, const Session& s) {
 
 void StoryEditor::show(Controls& c, ToldStory& told, Session& s, const View& view, const SurfaceAt& surface,
                        bool* shown, double now) {
-    ImGui::SetNextWindowPos(
-        ImVec2(float(s.free.left + s.free.width) - 12, float(s.free.top + s.free.height) - 12),
-        ImGuiCond_Always, ImVec2(1, 1));
+    ImGui::SetNextWindowPos(ImVec2(float(s.window.free.left + s.window.free.width) - 12,
+                                   float(s.window.free.top + s.window.free.height) - 12),
+                            ImGuiCond_Always, ImVec2(1, 1));
     if (!ImGui::Begin(shown_name("Edit the story").c_str(), shown, ImGuiWindowFlags_AlwaysAutoResize))
         return ImGui::End();
     const bool fixed = told.file.empty() || !told.trouble.empty();
@@ -146,9 +146,9 @@ void StoryEditor::show(Controls& c, ToldStory& told, Session& s, const View& vie
     ImGui::BeginDisabled(!told.changed);
     if (c.button("Save the story")) try {
             save(told);
-            say(s, formatted(tr("written to %s"), told.file.c_str()), now);
+            say(s.message, formatted(tr("written to %s"), told.file.c_str()), now);
         } catch (const Error& e) {
-            say(s, e.what(), now);
+            say(s.message, e.what(), now);
         }
     ImGui::EndDisabled();
     ImGui::EndDisabled();

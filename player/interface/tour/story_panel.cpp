@@ -25,7 +25,7 @@ void language_choice(Controls& c, const ToldStory& told, Session& s) {
         names.push_back(l.c_str());
     }
     if (c.combo("Language", &chosen, names.data(), int(names.size())))
-        s.language = languages[std::size_t(chosen)];
+        s.window.language = languages[std::size_t(chosen)];
 }
 
 void tour_buttons(Controls& c, ToldStory& told, Session& s, double now) {
@@ -91,29 +91,31 @@ void note_content(Controls& c, ToldStory& told, NotePicture& picture, Session& s
 
 void story_panel(Controls& c, ToldStory& told, Session& s, bool* shown, double now) {
     const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos(ImVec2(float(s.free.left + s.free.width) - 12, float(s.free.top) + 12),
-                            ImGuiCond_Appearing, ImVec2(1, 0));
-    ImGui::SetNextWindowSizeConstraints(ImVec2(16 * em, 4 * em),
-                                        ImVec2(23 * em, std::max(8 * em, 0.6f * float(s.free.height))));
+    ImGui::SetNextWindowPos(
+        ImVec2(float(s.window.free.left + s.window.free.width) - 12, float(s.window.free.top) + 12),
+        ImGuiCond_Appearing, ImVec2(1, 0));
+    ImGui::SetNextWindowSizeConstraints(
+        ImVec2(16 * em, 4 * em), ImVec2(23 * em, std::max(8 * em, 0.6f * float(s.window.free.height))));
     const std::string& title = text_in(told.story, told.story.title, told.language);
     if (!ImGui::Begin(((title.empty() ? tr("Story") : title) + "###story").c_str(), shown,
                       ImGuiWindowFlags_AlwaysAutoResize))
         return ImGui::End();
-    keep_within(s.free);
+    keep_within(s.window.free);
     story_content(c, told, s, now);
     ImGui::End();
 }
 
 void note_card(Controls& c, ToldStory& told, NotePicture& picture, Session& s, double now) {
     if (!told.open || *told.open >= told.story.notes.size()) return;
-    const float em = ImGui::GetFontSize(), high = float(s.free.height),
-                width = std::min(27 * em, float(s.free.width) - 24);
-    ImGui::SetNextWindowPos(ImVec2(float(s.free.left) + 12, float(s.free.top) + 12), ImGuiCond_Appearing);
+    const float em = ImGui::GetFontSize(), high = float(s.window.free.height),
+                width = std::min(27 * em, float(s.window.free.width) - 24);
+    ImGui::SetNextWindowPos(ImVec2(float(s.window.free.left) + 12, float(s.window.free.top) + 12),
+                            ImGuiCond_Appearing);
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 6 * em), ImVec2(width, std::max(8 * em, 0.9f * high)));
     bool shown = true;
     if (ImGui::Begin((note_label(told, *told.open) + "###card").c_str(), &shown,
                      ImGuiWindowFlags_AlwaysAutoResize)) {
-        keep_within(s.free);
+        keep_within(s.window.free);
         note_content(c, told, picture, s, width - 2 * ImGui::GetStyle().WindowPadding.x, 0.4f * high, now);
     }
     ImGui::End();

@@ -57,7 +57,7 @@ void play_tour(ToldStory& told, Session& s, std::size_t tour, double now) {
         told.playing = ToldStory::Playing{tour, now};
         told.open.reset();
     } catch (const Error& e) {
-        say(s, e.what(), now);
+        say(s.message, e.what(), now);
     }
 }
 

@@ -76,9 +76,9 @@ void lights(Controls& c, Session& s, const Area& bar, float button) {
     end_list();
 }
 
-void languages(Controls& c, Session& s, const Area& bar, float button) {
+void languages(Controls& c, WindowState& window, const Area& bar, float button) {
     if (!list_above(c, "##languages", bar, button)) return;
-    language_items(c, s);
+    language_items(c, window);
     end_list();
 }
 
@@ -87,7 +87,7 @@ void use(const Tool& tool, Session& s, const Renderer& renderer, const View& vie
         case Icon::home:
             return fly_home(s, now);
         case Icon::photos:
-            s.panels.photos = !s.panels.photos;
+            s.window.panels.photos = !s.window.panels.photos;
             return;
         case Icon::compare:
             return toggle_comparison(s, renderer.scene(), view, now);
@@ -96,23 +96,23 @@ void use(const Tool& tool, Session& s, const Renderer& renderer, const View& vie
         case Icon::language:
             return ImGui::OpenPopup("##languages");
         case Icon::full_screen:
-            s.full_screen = !s.full_screen;
+            s.window.full_screen = !s.window.full_screen;
             return;
         case Icon::help:
-            s.panels.help = !s.panels.help;
+            s.window.panels.help = !s.window.panels.help;
             return;
         case Icon::expert:
-            s.panels.expert = !s.panels.expert;
+            s.window.panels.expert = !s.window.panels.expert;
             return;
     }
 }
 
 bool is_lit(Icon icon, const Session& s) {
-    return (icon == Icon::photos && s.panels.photos) ||
+    return (icon == Icon::photos && s.window.panels.photos) ||
            (icon == Icon::compare && s.settings.compare != Compare::nothing) ||
            (icon == Icon::light && s.settings.light.light != Light::photos) ||
-           (icon == Icon::full_screen && s.full_screen) || (icon == Icon::help && s.panels.help) ||
-           (icon == Icon::expert && s.panels.expert);
+           (icon == Icon::full_screen && s.window.full_screen) ||
+           (icon == Icon::help && s.window.panels.help) || (icon == Icon::expert && s.window.panels.expert);
 }
 
 bool is_usable(Icon icon, const Renderer& renderer) {
@@ -127,7 +127,7 @@ void visitor_bar(Controls& c, Session& s, const Renderer& renderer, const View& 
     const float em = ImGui::GetFontSize();
     begin_docked("##bar", area, ImVec2(0.5f * em, 0.35f * em),
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoNav);
-    const std::span<const Tool> shown = s.kiosk ? std::span<const Tool>(kiosk_tools) : tools;
+    const std::span<const Tool> shown = s.window.kiosk ? std::span<const Tool>(kiosk_tools) : tools;
     const float gap = 0.5f * em;
     const bool labels = width_of(shown, true, gap) + 2 * gap < float(area.width);
     const std::size_t on_the_left = std::min(shown.size(), tools_on_the_left);
@@ -147,7 +147,7 @@ void visitor_bar(Controls& c, Session& s, const Renderer& renderer, const View& 
         c.explain(tool.help);
     }
     lights(c, s, area, light_button);
-    languages(c, s, area, language_button);
+    languages(c, s.window, area, language_button);
     ImGui::End();
 }
 

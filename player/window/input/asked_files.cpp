@@ -21,7 +21,7 @@ AskedFiles::~AskedFiles() {
 }
 
 void AskedFiles::attend(Session& s, const PackageReader& package, const ObjectSet& objects, double now) {
-    while (const auto command = take_one_of<SaveTable, SaveScene, SaveCut>(s.commands)) {
+    while (const auto command = take_one_of<SaveTable, SaveScene, SaveCut>(s.window.commands)) {
         if (const auto* const table = std::get_if<SaveTable>(&*command))
             add(package.path().stem().string() + "-measurements", ".csv", tr("measurements"),
                 [csv = table->csv](const std::string& file) { replace_file(file, csv); });
@@ -32,7 +32,7 @@ void AskedFiles::attend(Session& s, const PackageReader& package, const ObjectSe
             add_cut(section_lines(objects.meshes(), s.settings.sections), package);
     }
     if (said_.valid() && said_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
-        say(s, said_.get(), now);
+        say(s.message, said_.get(), now);
     if (said_.valid() || jobs_.empty()) return;
     said_ = std::async(std::launch::async, std::move(jobs_.front()));
     jobs_.pop_front();

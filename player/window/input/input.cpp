@@ -70,13 +70,14 @@ void move_to_pointer(Session& s, const View& view, const PlanScene& scene, const
     const UnderPointer at = under_pointer(view, s, scene, pointer);
     if (wheel != 0)
         approach_point(s.camera, at.point, std::pow(0.9, wheel), nearest * scene.size, farthest * scene.size);
-    if (s.input.double_clicked && !s.panels.measure && at.on_mesh) fly_to_point(s, at.point, now);
+    if (s.window.input.double_clicked && !s.window.panels.measure && at.on_mesh)
+        fly_to_point(s, at.point, now);
 }
 
 /// What is under two fingers follows them.
 void pinch(Session& s, const View& view, const PlanScene& scene) {
-    const Pinch& p = *s.input.pinch;
-    if (s.input.pinch_begins || !s.grip)
+    const Pinch& p = *s.window.input.pinch;
+    if (s.window.input.pinch_begins || !s.grip)
         s.grip = Session::Grip{under_pointer(view, s, scene, p.center - p.moved).point};
     follow_pinch(s.camera, p, s.grip->pivot, view, nearest * scene.size, farthest * scene.size);
 }
@@ -85,14 +86,14 @@ void pinch(Session& s, const View& view, const PlanScene& scene) {
 Drags dragged_by(Session& s, bool free, bool held, bool moves_otherwise, double now) {
     if (moves_otherwise || s.flight || (!s.inertia && !held)) s.glide = {};
     if (held && !s.glide.held) s.grip.reset();
-    return move_on(s.glide, free ? s.input.drags : Drags{}, free && held, now);
+    return move_on(s.glide, free ? s.window.input.drags : Drags{}, free && held, now);
 }
 
 void move_by_pointer(Session& s, const PlanScene& scene, double now) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool free = !io.WantCaptureMouse, held = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2],
-               pinched = free && s.input.pinch,
-               points = free && (io.MouseWheel != 0 || s.input.double_clicked);
+               pinched = free && s.window.input.pinch,
+               points = free && (io.MouseWheel != 0 || s.window.input.double_clicked);
     const Drags drags = dragged_by(s, free, held, pinched || points, now);
     const bool dragged =
         std::ranges::any_of(drags, [](const Drag& d) { return d.right != 0 || d.down != 0; });
@@ -104,7 +105,7 @@ void move_by_pointer(Session& s, const PlanScene& scene, double now) {
         if (pinched) pinch(s, view, scene);
         if (points) move_to_pointer(s, view, scene, pointer, now);
     }
-    if (!s.input.pinch && !held && !dragged) s.grip.reset();
+    if (!s.window.input.pinch && !held && !dragged) s.grip.reset();
 }
 
 /// The pointer as the top of a hemisphere over the frame: low at its edge, at the viewer in its middle.
@@ -130,7 +131,8 @@ void move_by_keys(Session& s) {
         const auto is = [&](const KeyPress& p) {
             return p.place == key && p.with == KeyPress::With::nothing;
         };
-        return double(std::ranges::count(s.input.held, key) > 0 || std::ranges::any_of(s.input.keys, is));
+        return double(std::ranges::count(s.window.input.held, key) > 0 ||
+                      std::ranges::any_of(s.window.input.keys, is));
     };
     Eigen::Vector3d step(down(GLFW_KEY_D) - down(GLFW_KEY_A), down(GLFW_KEY_Q) - down(GLFW_KEY_E),
                          down(GLFW_KEY_W) - down(GLFW_KEY_S));
@@ -163,48 +165,56 @@ void fly_on(Session& s, const PlanScene& scene, int by, double now) {
 
 /// Ends what can be ended: help, a flight, a comparison. Never closes the window.
 void leave(Session& s, double now) {
-    if (s.panels.help)
-        s.panels.help = false;
+    if (s.window.panels.help)
+        s.window.panels.help = false;
     else if (s.flight)
         s.flight.reset();
     else if (s.settings.compare != Compare::nothing)
         s.settings.compare = Compare::nothing;
-    else if (!s.kiosk)
-        say(s, tr("Ctrl+Q quits"), now);
+    else if (!s.window.kiosk)
+        say(s.message, tr("Ctrl+Q quits"), now);
 }
 
 /// F1 and so on. A section of the sidebar is shown with the sidebar.
 void toggle_panel(Session& s, int number) {
-    Panels& p = s.panels;
+    Panels& p = s.window.panels;
     struct Part {
         bool* shown;
         bool section = false;
     };
-    const Part parts[] = {{&p.help},          {&p.blending, true}, {&p.status, true},
-                          {&p.photos},        {&p.frusta},         {&p.radar},
-                          {&p.layers, true},  {&p.points, true},   {&p.image_sets, true},
-                          {&p.objects, true}, {&s.full_screen},    {&p.picture, true}};
+    const Part parts[] = {{&p.help},
+                          {&p.blending, true},
+                          {&p.status, true},
+                          {&p.photos},
+                          {&p.frusta},
+                          {&p.radar},
+                          {&layers_open(s), true},
+                          {&p.points, true},
+                          {&p.image_sets, true},
+                          {&p.objects, true},
+                          {&s.window.full_screen},
+                          {&p.picture, true}};
     if (number >= int(std::size(parts))) return;
     const auto [shown, section] = parts[number];
     *shown = (section && !p.expert) || !*shown;
     p.expert |= section;
 }
 
-void change_text(Session& s, float factor) {
-    s.text_scale = std::clamp(s.text_scale * factor, least_text_scale, max_text_scale);
+void change_text(WindowState& window, float factor) {
+    window.text_scale = std::clamp(window.text_scale * factor, least_text_scale, max_text_scale);
 }
 
 /// Keys with Ctrl.
-void run_command(Session& s, int key) {
-    if (key == GLFW_KEY_Q && !s.kiosk) s.commands.push_back(Quit{});
-    if (key == GLFW_KEY_E && !s.kiosk) s.panels.story_editor = !s.panels.story_editor;
-    if (!ImGui::GetIO().WantTextInput && !s.kiosk) {  // else they are of a text field
-        if (key == GLFW_KEY_C) s.commands.push_back(CopyView{});
+void run_command(WindowState& window, int key) {
+    if (key == GLFW_KEY_Q && !window.kiosk) window.commands.push_back(Quit{});
+    if (key == GLFW_KEY_E && !window.kiosk) window.panels.story_editor = !window.panels.story_editor;
+    if (!ImGui::GetIO().WantTextInput && !window.kiosk) {  // else they are of a text field
+        if (key == GLFW_KEY_C) window.commands.push_back(CopyView{});
         if (const char* text = key == GLFW_KEY_V ? ImGui::GetClipboardText() : nullptr)
-            s.commands.push_back(PasteView{text});
+            window.commands.push_back(PasteView{text});
     }
-    if (key == GLFW_KEY_EQUAL || key == GLFW_KEY_KP_ADD) change_text(s, text_step);
-    if (key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT) change_text(s, 1 / text_step);
+    if (key == GLFW_KEY_EQUAL || key == GLFW_KEY_KP_ADD) change_text(window, text_step);
+    if (key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT) change_text(window, 1 / text_step);
 }
 
 /// Whether a kiosk lets the public use the key.
@@ -215,7 +225,7 @@ bool is_public(int key) {
 }
 
 void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
-    if (s.kiosk && !is_public(key)) return;
+    if (s.window.kiosk && !is_public(key)) return;
     switch (key) {
         case GLFW_KEY_N:
             return fly_on(s, scene, 1, now);
@@ -223,7 +233,8 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
             return fly_on(s, scene, -1, now);
         case GLFW_KEY_C: {
             const ImVec2 frame = ImGui::GetIO().DisplaySize;
-            return toggle_comparison(s, scene, view_of(s.camera, int(frame.x), int(frame.y), s.free), now);
+            return toggle_comparison(s, scene, view_of(s.camera, int(frame.x), int(frame.y), s.window.free),
+                                     now);
         }
         case GLFW_KEY_X:
             return show_next_image_set(s, scene.image_sets.size());
@@ -236,21 +247,21 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
         case GLFW_KEY_T:
             return replay(s, now);
         case GLFW_KEY_M:
-            s.panels.measure = !s.panels.measure;
+            s.window.panels.measure = !s.window.panels.measure;
             return;
         case GLFW_KEY_O:
-            return s.commands.push_back(ChooseFile{});
+            return s.window.commands.push_back(ChooseFile{});
         case GLFW_KEY_J:
-            s.panels.story = !s.panels.story;
+            s.window.panels.story = !s.window.panels.story;
             return;
         case GLFW_KEY_P:
-            return s.commands.push_back(SaveScreenshot{});
+            return s.window.commands.push_back(SaveScreenshot{});
         case GLFW_KEY_H:
             return fly_home(s, now);
         case GLFW_KEY_BACKSPACE:
             return fly_back(s, now);
         case GLFW_KEY_TAB:
-            s.panels.expert = !s.panels.expert;
+            s.window.panels.expert = !s.window.panels.expert;
             return;
         case GLFW_KEY_ESCAPE:
             return leave(s, now);
@@ -268,25 +279,24 @@ void apply_input(Session& session, const PlanScene& scene, double now) {
     using With = KeyPress::With;
     move_by_pointer(session, scene, now);
     move_lamp(session);
-    for (const KeyPress& p : session.input.keys)
-        if (p.with == With::control) run_command(session, p.key);
+    for (const KeyPress& p : session.window.input.keys)
+        if (p.with == With::control) run_command(session.window, p.key);
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput || io.WantCaptureKeyboard) return;  // a dialog is open, or a control in use
-    if (session.menu_open && take_key(session, GLFW_KEY_ESCAPE)) session.commands.push_back(CloseMenus{});
+    if (session.window.menu_open && take_key(session.window.input, GLFW_KEY_ESCAPE))
+        session.window.commands.push_back(CloseMenus{});
     take_measuring_keys(session);
     move_by_keys(session);
-    const std::vector<KeyPress> keys = std::exchange(session.input.keys, {});
+    const std::vector<KeyPress> keys = std::exchange(session.window.input.keys, {});
     for (std::size_t i = 0; i < keys.size(); ++i) {
         if (keys[i].with == With::nothing && !keys[i].repeated)
             run_shortcut(session, scene, keys[i].key, now);
-        if (!holds<ChooseFile>(session.commands)) continue;
-        session.input.keys.assign(keys.begin() + std::ptrdiff_t(i) + 1, keys.end());  // for the dialog
+        if (!holds<ChooseFile>(session.window.commands)) continue;
+        session.window.input.keys.assign(keys.begin() + std::ptrdiff_t(i) + 1, keys.end());  // for the dialog
         return;
     }
 }
 
-bool keys_in_use(const Session& session) {
-    return !session.input.keys.empty() || !session.input.held.empty();
-}
+bool keys_in_use(const UserInput& input) { return !input.keys.empty() || !input.held.empty(); }
 
 }  // namespace vantage

@@ -9,6 +9,6 @@ namespace vantage {
 void apply_input(Session& session, const PlanScene& scene, double now);
 
 /// Whether a key is down, or was since the last frame.
-bool keys_in_use(const Session& session);
+bool keys_in_use(const UserInput& input);
 
 }  // namespace vantage

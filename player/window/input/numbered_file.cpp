@@ -28,9 +28,9 @@ std::string written_numbered(const std::string& stem, const char* extension, con
     }
 }
 
-void write_numbered(Session& session, const std::string& stem, const char* extension, const std::string& what,
+void write_numbered(Message& message, const std::string& stem, const char* extension, const std::string& what,
                     double now, const std::function<void(const std::string& file)>& write) {
-    say(session, written_numbered(stem, extension, what, tr("%s written to %s"), write), now);
+    say(message, written_numbered(stem, extension, what, tr("%s written to %s"), write), now);
 }
 
 }  // namespace vantage

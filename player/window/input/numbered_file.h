@@ -2,7 +2,7 @@
 #include <functional>
 #include <string>
 
-#include "player/interface/state/session.h"
+#include "player/interface/state/message.h"
 
 namespace vantage {
 
@@ -12,7 +12,7 @@ std::string written_numbered(const std::string& stem, const char* extension, con
                              const std::string& done,
                              const std::function<void(const std::string& file)>& write);
 /// Says that, with "WHAT written to FILE".
-void write_numbered(Session& session, const std::string& stem, const char* extension, const std::string& what,
+void write_numbered(Message& message, const std::string& stem, const char* extension, const std::string& what,
                     double now, const std::function<void(const std::string& file)>& write);
 
 /// The first of STEM-0001.EXT, STEM-0002.EXT, ... that does not exist in the current folder.

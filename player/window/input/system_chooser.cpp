@@ -31,20 +31,21 @@ std::string chooser() {
 
 }  // namespace
 
-void SystemChooser::attend(Session& s, const std::filesystem::path& folder, double now) {
-    const std::string program = holds<ChooseFile>(s.commands) ? chooser() : "";
+void SystemChooser::attend(UserCommands& commands, Message& message, const std::filesystem::path& folder,
+                           double now) {
+    const std::string program = holds<ChooseFile>(commands) ? chooser() : "";
     if (!program.empty()) {
-        take_all<ChooseFile>(s.commands);
+        take_all<ChooseFile>(commands);
         try {
             if (!program_) ask(program, folder);
         } catch (const Error& e) {
-            say(s, e.what(), now);
+            say(message, e.what(), now);
         }
     }
     const auto ended = program_ ? program_->ended() : std::nullopt;
     if (!ended) return;
     program_.reset();
-    if (ended->well && !ended->prints.empty()) s.commands.push_back(OpenFile{ended->prints});
+    if (ended->well && !ended->prints.empty()) commands.push_back(OpenFile{ended->prints});
 }
 
 void SystemChooser::ask(const std::string& program, const std::filesystem::path& folder) {

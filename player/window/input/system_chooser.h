@@ -3,7 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "player/interface/state/session.h"
+#include "player/interface/state/message.h"
+#include "player/interface/state/user_command.h"
 #include "player/window/child_program.h"
 
 namespace vantage {
@@ -11,9 +12,9 @@ namespace vantage {
 /// The desktop's own dialog to choose a package, in a desktop session that has zenity or kdialog.
 class SystemChooser {
   public:
-    /// Asks in place of the window's own dialog, if the session asks for a file and there is such a dialog;
-    /// and has the session open what was chosen. `folder`: where it begins.
-    void attend(Session& session, const std::filesystem::path& folder, double now);
+    /// Asks in place of the window's own dialog, if a file is to be chosen and there is such a dialog;
+    /// and has what was chosen opened. `folder`: where it begins.
+    void attend(UserCommands& commands, Message& message, const std::filesystem::path& folder, double now);
     bool asks() const { return program_.has_value(); }
 
   private:

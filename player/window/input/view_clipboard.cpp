@@ -21,7 +21,7 @@ void copy(Session& s, const PackageReader& package, double now) {
     const std::string command =
         "vantage-player " + quoted(package.path().string()) + " --view " + view_text(s.camera, package);
     ImGui::SetClipboardText(command.c_str());
-    say(s, tr("The view is copied as a command line"), now);
+    say(s.message, tr("The view is copied as a command line"), now);
 }
 
 /// The numbers of a command line's --view, or all of a text without.
@@ -41,14 +41,14 @@ void paste(Session& s, const std::string& text, const PackageReader& package, do
         to.aspect = s.camera.aspect;
         s.flight = Session::Flight{{s.camera, to}, now, 0.7};
     } catch (const Error& e) {
-        say(s, e.what(), now);
+        say(s.message, e.what(), now);
     }
 }
 
 }  // namespace
 
 void use_clipboard(Session& s, const PackageReader& package, double now) {
-    while (const auto command = take_one_of<CopyView, PasteView>(s.commands)) {
+    while (const auto command = take_one_of<CopyView, PasteView>(s.window.commands)) {
         if (const auto* const pasted = std::get_if<PasteView>(&*command))
             paste(s, pasted->text, package, now);
         else

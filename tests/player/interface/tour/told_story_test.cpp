@@ -19,8 +19,9 @@ class ToldStories : public TemporaryFolder {
     ToldStory told() const {
         return told_story(dir / "a.vantage", {Vector3d::Zero(), Vector3d::UnitZ()}, "de-AT");
     }
-    Session session() const {
-        Session s;
+    WindowState window;
+    Session session() {
+        Session s(window);
         const Vector3d eye(0, -10, 0), target(0, 0, 0), up(0, 0, 1);
         s.camera = {eye, target, up, view_towards(eye, target, up, 45, 1, 1).cam_from_origin.R, 45};
         return s;
