@@ -127,7 +127,7 @@ std::optional<PhotoHit> photo_on(const PlanScene& scene, const Session& s, const
                                  const Stance& stance) {
     std::optional<PhotoHit> out;
     for (std::uint32_t i = 0; i < scene.photos.size(); ++i) {
-        if (!is_in_scene(scene, i, s, s.camera.eye, stance)) continue;
+        if (!is_in_scene(scene, i, s, s.viewpoint.camera.eye, stance)) continue;
         const PhotoFrustum f = photo_frustum(scene, i);
         const auto distance = meets(ray, f.corner[0], f.corner[1], f.corner[3]);
         if (distance && (!out || *distance < out->distance)) out = PhotoHit{i, *distance};

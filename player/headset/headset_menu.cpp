@@ -79,16 +79,16 @@ void size_controls(Controls& c, Session& s, const MenuContent& m) {
     if (c.choice("Model's unit", &unit, unit_texts, int(std::size(unit_texts))) && unit > 0) {
         m.unit_meters = meters_in(Unit(unit));
         w.usual_scale = 1 / m.unit_meters;
-        w.stance = rescaled(w.stance, s.camera.eye, w.usual_scale);
+        w.stance = rescaled(w.stance, s.viewpoint.camera.eye, w.usual_scale);
     }
     c.explain("The unit of the input's coordinates, about which its files say nothing.");
     double size = w.usual_scale / w.stance.scale;
     if (c.slider("Size", &size, 0.01, 100.0, "%.2f", ImGuiSliderFlags_Logarithmic))
-        w.stance = rescaled(w.stance, s.camera.eye, w.usual_scale / size);
+        w.stance = rescaled(w.stance, s.viewpoint.camera.eye, w.usual_scale / size);
     c.explain(
         "1: as large as it is, or at arm's length if its unit is unknown. Two hands change it as well.");
     ImGui::BeginDisabled(w.stance.scale == w.usual_scale);
-    if (c.button("Own size")) w.stance = rescaled(w.stance, s.camera.eye, w.usual_scale);
+    if (c.button("Own size")) w.stance = rescaled(w.stance, s.viewpoint.camera.eye, w.usual_scale);
     ImGui::EndDisabled();
 }
 
@@ -114,10 +114,10 @@ void move_page(Controls& c, Session& s, const MenuContent& m, double now) {
 
 /// The closest comparison that two eyes can have with a photo.
 void only_this_photo(Controls& c, Session& s, const PlanScene& scene) {
-    bool only = s.photos.size() == 1 && s.photos.front() == s.standing_at;
+    bool only = s.photos.size() == 1 && s.photos.front() == s.viewpoint.standing_at;
     if (c.checkbox("Only this photo", &only)) {
-        use_all(s, scene);
-        if (only) std::erase_if(s.photos, [&](std::uint32_t p) { return p != s.standing_at; });
+        use_all(s.photos, scene);
+        if (only) std::erase_if(s.photos, [&](std::uint32_t p) { return p != s.viewpoint.standing_at; });
     }
     c.explain("The model with only the photo you stand at, to compare it with all of them.");
 }
@@ -156,11 +156,11 @@ void page_content(Controls& c, Session& s, MenuPage page, const MenuContent& m, 
         case MenuPage::blending:
             return blending_section(c, s, m.renderer);
         case MenuPage::layers:
-            return field_section(c, s, m.renderer, view_of(s.camera, 1000, 1000));
+            return field_section(c, s.settings.layer, m.renderer, view_of(s.viewpoint.camera, 1000, 1000));
         case MenuPage::points:
             return point_section(c, s, m.renderer);
         case MenuPage::image_sets:
-            return image_set_section(c, s, m.renderer);
+            return image_set_section(c, s.settings, m.renderer);
         case MenuPage::objects:
             object_section(c, s.window.commands, m.objects, m.renderer.scene().size);
             return;
@@ -172,7 +172,7 @@ void page_content(Controls& c, Session& s, MenuPage page, const MenuContent& m, 
         case MenuPage::story:
             return story_page(c, s, m, now);
         case MenuPage::status:
-            return status_section(c, s, m.renderer, m.objects.graphics_budget());
+            return status_section(c, s.drawn, m.renderer, m.objects.graphics_budget());
         default:
             return move_page(c, s, m, now);
     }

@@ -57,7 +57,7 @@ HeadsetScene::HeadsetScene(const PackageReader& package, const std::vector<Scene
 
 /// The head is where the session's camera is.
 void HeadsetScene::place(const RoomPose& head) {
-    const Navigation& at = session_.home;
+    const Navigation& at = session_.viewpoint.home;
     const double distance = (at.target - at.eye).norm();
     walk_.usual_scale = unit_meters_ > 0 ? 1 / unit_meters_ : std::max(distance, 1e-9) / arms_length;
     walk_.stance = standing(head, at.eye, at.target, up_, walk_.usual_scale);
@@ -66,7 +66,7 @@ void HeadsetScene::place(const RoomPose& head) {
 /// The session's camera is the head, for panels that ask where somebody stands.
 void HeadsetScene::follow_head(const HeadsetFrame& frame) {
     const View middle = view_of_eye(walk_.stance, {frame.head}, {1, 1});
-    session_.camera = stand_at(middle, up_, walk_.stance.scale);
+    session_.viewpoint.camera = stand_at(middle, up_, walk_.stance.scale);
 }
 
 /// Hands without a button for it open and close the menu by selecting with both.
@@ -141,11 +141,11 @@ void HeadsetScene::walk(const HeadsetFrame& frame, double seconds) {
 
 /// Of a tour, from the time at which the window begins to fly there. Somebody who moves leaves the tour.
 void HeadsetScene::stand_at_stop(const HeadsetFrame& frame) {
-    const Session::Flight& flight = *session_.flight;
+    const Viewpoint::Flight& flight = *session_.viewpoint.flight;
     const double seconds = frame.time - told_.playing->start;
     const TourStop to = tour_stop(told_.story.tours[told_.playing->tour], seconds);
     const bool there = stop_ && stop_->number == to.stop && stop_->started == told_.playing->start;
-    if (there && walk_.stance.at != stop_->stood.at) return session_.flight.reset();
+    if (there && walk_.stance.at != stop_->stood.at) return session_.viewpoint.flight.reset();
     if (there) return;
     const Navigation camera = flight.along->at(to.reached);
     walk_.stance = standing(frame.head, camera.eye, camera.target, up_, walk_.stance.scale);
@@ -155,10 +155,10 @@ void HeadsetScene::stand_at_stop(const HeadsetFrame& frame) {
 /// Shows the note that a tour has opened.
 void HeadsetScene::continue_tour(const HeadsetFrame& frame) {
     if (!told_.playing) return stop_.reset();
-    if (session_.flight && frame.time - told_.playing->start >= session_.flight->seconds)
-        session_.flight.reset();
+    if (session_.viewpoint.flight && frame.time - told_.playing->start >= session_.viewpoint.flight->seconds)
+        session_.viewpoint.flight.reset();
     const auto before = told_.open;
-    vantage::continue_tour(told_, session_, frame.time);
+    vantage::continue_tour(told_, session_.viewpoint, frame.time);
     if (!told_.open || told_.open == before) return;
     page_ = MenuPage::story;
     if (!menu_) menu_ = menu_in_front_of(frame.head);
@@ -166,10 +166,11 @@ void HeadsetScene::continue_tour(const HeadsetFrame& frame) {
 
 /// Flights of the window are jumps here: moving somebody's eyes makes them sick.
 void HeadsetScene::stand_where_sent(const HeadsetFrame& frame) {
-    if (!session_.flight) return;
-    if (session_.flight->along) return told_.playing ? stand_at_stop(frame) : session_.flight.reset();
-    const Navigation to = session_.flight->stops.back();
-    session_.flight.reset();
+    if (!session_.viewpoint.flight) return;
+    if (session_.viewpoint.flight->along)
+        return told_.playing ? stand_at_stop(frame) : session_.viewpoint.flight.reset();
+    const Navigation to = session_.viewpoint.flight->stops.back();
+    session_.viewpoint.flight.reset();
     walk_.stance = standing(frame.head, to.eye, to.target, up_, walk_.stance.scale);
 }
 
@@ -248,7 +249,7 @@ void HeadsetScene::mark(const HeadsetFrame& frame) {
 
 std::array<View, 2> HeadsetScene::views_of(const HeadsetFrame& frame, FrameSize size) const {
     const auto view = [&](std::size_t eye) {
-        return scaled(view_of_eye(walk_.stance, frame.eyes[eye], size), session_.pace.scale);
+        return scaled(view_of_eye(walk_.stance, frame.eyes[eye], size), session_.drawn.pace.scale);
     };
     return {view(0), view(1)};
 }
@@ -276,7 +277,7 @@ void HeadsetScene::frame(HeadsetSession& headset, const HeadsetFrame& frame,
         for (std::size_t i = 0; i < 2; ++i) selected_[i] = frame.hands[i].select;
         draw(headset, frame, seen);
     }
-    clock_.end(frame.shown ? std::optional(session_.pace) : std::nullopt);
+    clock_.end(frame.shown ? std::optional(session_.drawn.pace) : std::nullopt);
     headset.end_frame(drawn_);
     keep_pace();
 }
@@ -284,23 +285,24 @@ void HeadsetScene::frame(HeadsetSession& headset, const HeadsetFrame& frame,
 void HeadsetScene::draw(HeadsetSession& headset, const HeadsetFrame& frame,
                         const std::function<void(GLuint, FrameSize)>& seen) {
     Session& s = session_;
-    s.pace = pacing_.pace;
+    s.drawn.pace = pacing_.pace;
     s.settings.image_sets.how = ImageSetView::mix;  // what divides a picture is at two places for two eyes
     s.settings.sections = sections_of(s.cut, renderer_.scene());
     RenderSettings settings = s.settings;
     settings.room = headset.size(0);
-    settings.swift = s.pace.swift;
+    settings.swift = s.drawn.pace.swift;
     if (!settings.sections.empty()) settings.background = ShowBackground::off;
     const std::array<View, 2> views = views_of(frame, headset.size(0));
-    s.report = objects_.draw_eyes(views, settings, s.photos, {}, frame.time, nullptr, [&](std::size_t eye) {
-        const GLuint target = headset.color_target(eye);
-        objects_.show(views[eye], settings, target, true, eye);
-        const FrameSize size = frame_size(views[eye]);
-        const DrawnDepth depth = objects_.depth(settings, nearest * walk_.stance.scale);
-        draw_over(views[eye], depth, target);
-        if (eye == 0) seen(target, size);
-        drawn_.push_back({size, depth_of(headset, depth, size, eye)});
-    });
+    s.drawn.report =
+        objects_.draw_eyes(views, settings, s.photos, {}, frame.time, nullptr, [&](std::size_t eye) {
+            const GLuint target = headset.color_target(eye);
+            objects_.show(views[eye], settings, target, true, eye);
+            const FrameSize size = frame_size(views[eye]);
+            const DrawnDepth depth = objects_.depth(settings, nearest * walk_.stance.scale);
+            draw_over(views[eye], depth, target);
+            if (eye == 0) seen(target, size);
+            drawn_.push_back({size, depth_of(headset, depth, size, eye)});
+        });
 }
 
 /// What is beside the model. The menu and the hands are never hidden.
@@ -325,7 +327,7 @@ std::optional<DepthLimits> HeadsetScene::depth_of(HeadsetSession& headset, const
 void HeadsetScene::keep_pace() {
     const auto frame = clock_.take();
     if (!frame) return;
-    note_time(session_, frame->ms);
+    note_time(session_.drawn, frame->ms);
     if (goal_ms_ <= 0) return;
     pacing_ = next_pacing(pacing_, frame->pace, frame->ms, goal_ms_);
 }

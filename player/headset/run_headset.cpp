@@ -86,7 +86,7 @@ int run_headset(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     Session session = start_session(package, o, settings, state);
     HeadsetScene scene(package, objects, o, session);
     show_in(headset, scene, state.commands, *mirror, o);
-    return session.report.tiles_damaged > 0 ? int(Exit::damaged) : int(Exit::ok);
+    return session.drawn.report.tiles_damaged > 0 ? int(Exit::damaged) : int(Exit::ok);
 }
 
 }  // namespace vantage

@@ -17,8 +17,8 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
         if (c.menu_item(name, key, shown)) shown = !shown;
     };
     if (c.menu_item("Home", "H")) fly_home(s, now);
-    side_views_menu(c, s, renderer.package(), now);
-    toggle("Orthographic", "", s.orthographic);
+    side_views_menu(c, s.viewpoint, renderer.package(), now);
+    toggle("Orthographic", "", s.viewpoint.orthographic);
     c.explain("Without perspective: what is farther away looks as large.");
     ImGui::Separator();
     toggle("Photo strip", "F4", s.window.panels.photos);
@@ -68,11 +68,8 @@ void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
         ImGui::EndMenu();
     }
     if (c.menu("Path")) {
-        if (c.menu_item("Record", "R", s.recording)) {
-            s.recording = !s.recording;
-            if (s.recording) s.recorded.clear();
-        }
-        if (c.menu_item("Replay", "T")) replay(s, now);
+        if (c.menu_item("Record", "R", s.path.recording)) toggle_recording(s.path);
+        if (c.menu_item("Replay", "T")) replay(s.viewpoint, s.path, now);
         ImGui::EndMenu();
     }
     if (c.menu("Help")) {
@@ -81,7 +78,7 @@ void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
         ImGui::EndMenu();
     }
     ImGui::TextDisabled("   %s", renderer.package().path().filename().c_str());
-    if (s.recording) ImGui::TextColored(ImVec4(1, 0.4f, 0.35f, 1), "   %s", tr("recording"));
+    if (s.path.recording) ImGui::TextColored(ImVec4(1, 0.4f, 0.35f, 1), "   %s", tr("recording"));
     ImGui::EndMainMenuBar();
 }
 

@@ -63,12 +63,13 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_HorizontalScrollbar |
                      ImGuiWindowFlags_NoScrollWithMouse);
     // Not during a flight, nor under the pointer: a target must not move while it is being clicked.
-    if (ranked_at_ < 0 || (now - ranked_at_ > ranking_seconds && !s.flight && !ImGui::IsWindowHovered())) {
+    if (ranked_at_ < 0 ||
+        (now - ranked_at_ > ranking_seconds && !s.viewpoint.flight && !ImGui::IsWindowHovered())) {
         agreements_ = agreements(scene, view);
         ranked_at_ = now;
-        ranked_eye_ = s.camera.eye;
+        ranked_eye_ = s.viewpoint.camera.eye;
     }
-    outdated_ = s.camera.eye != ranked_eye_;
+    outdated_ = s.viewpoint.camera.eye != ranked_eye_;
     lacks_ = false;
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < scene.photos.size(); ++i)
@@ -108,7 +109,7 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
             const StreamRequest request = thumbnail_request(renderer.package(), order[n]);
             lacks_ |= residency.available(Resource::thumbnail) > 0 && !residency.failed(request);
         }
-        if (shows_listed_point(s, order[n]))
+        if (shows_listed_point(s.photo_list, order[n]))
             list.AddRect(ImVec2(at.x + 3, at.y + 3), ImVec2(end.x - 3, end.y - 3), IM_COL32_WHITE, 0, 0, 2);
         const bool used = renderer.uses(order[n]);
         const FalseColor c = false_color(order[n]);

@@ -45,15 +45,16 @@ bool sections(Controls& c, Session& s, const Renderer& renderer, ObjectSet& obje
         section(c, "Orthophoto", p.orthophoto, [&] { orthophoto_section(c, s, package); });
     }
     if (!renderer.layers().empty())
-        section(c, "Scalar fields", layers_open(s), [&] { field_section(c, s, renderer, view); });
+        section(c, "Scalar fields", layers_open(s),
+                [&] { field_section(c, s.settings.layer, renderer, view); });
     if (renderer.points()) section(c, "Point cloud", p.points, [&] { point_section(c, s, renderer); });
     if (renderer.scene().image_sets.size() > 1)
-        section(c, "Image sets", p.image_sets, [&] { image_set_section(c, s, renderer); });
+        section(c, "Image sets", p.image_sets, [&] { image_set_section(c, s.settings, renderer); });
     section(c, "Objects", p.objects,
             [&] { changed = object_section(c, s.window.commands, objects, renderer.scene().size); });
     if (!renderer.scene().photos.empty())
         section(c, "Blending", p.blending, [&] { blending_section(c, s, renderer); });
-    section(c, "Status", p.status, [&] { status_section(c, s, renderer, objects.graphics_budget()); });
+    section(c, "Status", p.status, [&] { status_section(c, s.drawn, renderer, objects.graphics_budget()); });
     return changed;
 }
 

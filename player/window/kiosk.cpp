@@ -17,10 +17,10 @@ namespace {
 /// Along the tour, or to where it begins.
 void start_tour(Kiosk& k, Session& s, double now) {
     const Navigation begin = k.tour->begin();
-    const bool at_start = s.camera.eye == begin.eye && s.camera.R == begin.R;
-    s.flight = at_start ? Session::Flight{k.tour->along ? std::vector{begin} : k.tour->positions, now,
-                                          k.tour->seconds, k.tour->along}
-                        : Session::Flight{{s.camera, begin}, now, 2};
+    const bool at_start = s.viewpoint.camera.eye == begin.eye && s.viewpoint.camera.R == begin.R;
+    s.viewpoint.flight = at_start ? Viewpoint::Flight{k.tour->along ? std::vector{begin} : k.tour->positions,
+                                                      now, k.tour->seconds, k.tour->along}
+                                  : Viewpoint::Flight{{s.viewpoint.camera, begin}, now, 2};
     k.tours = true;
 }
 
@@ -28,7 +28,7 @@ void start_tour(Kiosk& k, Session& s, double now) {
 
 void attend(Kiosk& k, Session& s, bool touched, double now) {
     if (touched) {
-        if (k.tours) s.flight.reset();
+        if (k.tours) s.viewpoint.flight.reset();
         k.touched_at = now;
         k.idle = k.tours = false;
         return;
@@ -38,10 +38,10 @@ void attend(Kiosk& k, Session& s, bool touched, double now) {
         s.settings = k.settings;
         s.window.panels = k.panels;
         s.window.language = k.language;
-        s.earlier.views.clear();
+        s.viewpoint.earlier.views.clear();
         fly_home(s, now);
     }
-    if (k.tour && !s.flight) start_tour(k, s, now);
+    if (k.tour && !s.viewpoint.flight) start_tour(k, s, now);
 }
 
 double attends_at(const Kiosk& k) { return k.idle && !k.tour ? HUGE_VAL : k.touched_at + k.home_after; }

@@ -28,11 +28,12 @@ void OrthophotoWriter::start(Session& s, const PackageReader& package, double no
     const std::string pixel = formatted("%.12g", s.orthophoto.pixel);
     file_ = free_name(package.path().stem().string() + "-orthophoto",
                       s.orthophoto.file == OrthophotoRequest::File::tiff ? ".tif" : ".png");
-    std::vector<std::string> arguments = {"orthophoto",   package.path().string(),
-                                          "--plane",      plane_option(s.orthophoto.plane, s.camera),
-                                          "--resolution", pixel,
-                                          "-o",           file_,
-                                          "--quiet"};
+    std::vector<std::string> arguments = {
+        "orthophoto",   package.path().string(),
+        "--plane",      plane_option(s.orthophoto.plane, s.viewpoint.camera),
+        "--resolution", pixel,
+        "-o",           file_,
+        "--quiet"};
     if (const std::vector<ImageSet> image_sets = read_image_sets(package); image_sets.size() > 1)
         arguments.insert(arguments.end(), {"--image-set", image_sets[s.settings.image_sets.shown].name});
     try {

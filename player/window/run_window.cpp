@@ -236,7 +236,7 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
             next = show_package(window, session, scene, controls, o, requested_at);
             scene.stop_recording(glfwGetTime());
         }
-        damaged |= session.report.tiles_damaged > 0;
+        damaged |= session.drawn.report.tiles_damaged > 0;
         remember(session, *package, remembered);
         if (!next) break;
         const Requested& opened = other.emplace(std::move(*next));

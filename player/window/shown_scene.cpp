@@ -94,13 +94,13 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
 std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
                                                   const std::string& path) const {
     if (path.empty()) try {
-            return attract_loop(told_.story, session_.home, told_.axes, told_.file.string());
+            return attract_loop(told_.story, session_.viewpoint.home, told_.axes, told_.file.string());
         } catch (const Error& e) {  // the rest of the story can be shown
             say(session_.message, e.what(), 0);
             return {};
         }
     std::vector<Navigation> stops =
-        recorded_stops(path, package, (session_.home.target - session_.home.eye).norm());
+        recorded_stops(path, package, (session_.viewpoint.home.target - session_.viewpoint.home.eye).norm());
     if (stops.size() < 2) return {};
     const double seconds = double(stops.size() - 1) / positions_per_second;
     return AttractLoop{std::move(stops), {}, seconds};
@@ -119,7 +119,7 @@ void ShownScene::frame(int width, int height, double now) {
         write_numbered(s.message, renderer_.package().path().stem().string(), ".png", tr("screenshot"), now,
                        [&](const std::string& file) { save_frame(file, width, height); });
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    clock_.end(drawn_at_ == now ? std::optional(s.pace) : std::nullopt);
+    clock_.end(drawn_at_ == now ? std::optional(s.drawn.pace) : std::nullopt);
     keep_pace();
     remember_drawn(view, shown);
 }
@@ -135,15 +135,15 @@ View ShownScene::update(int width, int height, double now) {
     if (kiosk_) attend(*kiosk_, s, s.window.touched, now);
     follow_language(told_, language_, s.window.language);
     use_clipboard(s, renderer_.package(), now);
-    continue_flight(s, now);
-    continue_tour(told_, s, now);
-    note_view(s, now);
+    continue_flight(s.viewpoint, now);
+    continue_tour(told_, s.viewpoint, now);
+    note_view(s.viewpoint, now);
     layout_ = layout_of(s.window.panels, width, height, double(ImGui::GetFontSize()),
                         !renderer_.scene().photos.empty());
     s.window.free = picture_area(layout_, s.settings.compare, width);
     s.settings.room = {width, height};
     choose_projection(now);
-    View view = shown_view(s.camera, s, renderer_.scene(), width, height);
+    View view = shown_view(s.viewpoint.camera, s, renderer_.scene(), width, height);
     shown_at_ = now;
     if (take_all<CloseMenus>(s.window.commands)) controls_.close_menus();
     note_picture_.attend();
@@ -175,9 +175,10 @@ void ShownScene::remember_drawn(const View& view, const RenderSettings& shown) {
 void ShownScene::choose_projection(double now) {
     Session& s = session_;
     const bool points = renderer_.points() && s.settings.points.show;
-    if (!s.orthographic || (!points && s.settings.compare == Compare::nothing && objects_.size() == 1))
+    if (!s.viewpoint.orthographic ||
+        (!points && s.settings.compare == Compare::nothing && objects_.size() == 1))
         return;
-    s.orthographic = false;
+    s.viewpoint.orthographic = false;
     say(s.message,
         tr("In perspective again: points, several objects and comparisons are not shown orthographically"),
         now);
@@ -187,7 +188,8 @@ void ShownScene::choose_projection(double now) {
 /// fill with what it takes away.
 RenderSettings ShownScene::shown_settings() const {
     RenderSettings settings = session_.settings;
-    if (session_.orthographic || !settings.sections.empty()) settings.background = ShowBackground::off;
+    if (session_.viewpoint.orthographic || !settings.sections.empty())
+        settings.background = ShowBackground::off;
     return settings;
 }
 
@@ -210,7 +212,7 @@ void ShownScene::interface(const View& view, double now) {
                   s.window.panels.measure && overlays ? objects_.meshes() : std::vector<PlacedMesh>{}, view,
                   now);
     if (s.window.panels.radar)
-        radar_panel(controls_, s, renderer_, view_of(s.camera, frame.width, frame.height), now);
+        radar_panel(controls_, s, renderer_, view_of(s.viewpoint.camera, frame.width, frame.height), now);
     if (layout_.strip.height > 0) strip_.show(controls_, s, renderer_, view, layout_.strip, now);
     tell(view, now);
     if (s.window.panels.help) help_panel(controls_, s.window);
@@ -244,7 +246,7 @@ void ShownScene::tell(const View& view, double now) {
     if (in_parts()) return;
     const auto clicked = draw_note_markers(controls_, note_markers(told_.story, told_.axes, view, surface),
                                            told_.story, told_.language, told_.open);
-    if (clicked) open_note(told_, s, *clicked, now);
+    if (clicked) open_note(told_, s.viewpoint, *clicked, now);
     note_card(controls_, told_, note_picture_, s, now);
 }
 
@@ -266,36 +268,39 @@ double ShownScene::wakes_at() const {
 /// the camera stood still.
 void ShownScene::record(double now) {
     Session& s = session_;
-    if (!recording_ || (s.recording && s.recorded.empty())) {
-        if (!s.recording) return;
-        recording_ = Recording{now, s.camera, now};
+    if (!recording_ || (s.path.recording && s.path.positions.empty())) {
+        if (!s.path.recording) return;
+        recording_ = Recording{now, s.viewpoint.camera, now};
     }
     if (is_final()) recording_->last_at = std::max(recording_->last_at, now - 1 / positions_per_second);
-    const auto next = [&] { return recording_->begin + double(s.recorded.size()) / positions_per_second; };
+    const auto next = [&] {
+        return recording_->begin + double(s.path.positions.size()) / positions_per_second;
+    };
     for (double at; (at = next()) <= now;) {
         const double passed = now - recording_->last_at;
         const double share = passed > 0 ? std::clamp((at - recording_->last_at) / passed, 0.0, 1.0) : 1;
-        s.recorded.push_back(between(recording_->last, s.camera, share));
+        s.path.positions.push_back(between(recording_->last, s.viewpoint.camera, share));
     }
-    recording_->last = s.camera;
+    recording_->last = s.viewpoint.camera;
     recording_->last_at = now;
-    if (s.recording) return;
+    if (s.path.recording) return;
     save_recorded(now);
     recording_.reset();
 }
 
 void ShownScene::stop_recording(double now) {
-    session_.recording = false;
+    session_.path.recording = false;
     record(now);
 }
 
 void ShownScene::save_recorded(double now) {
     Session& s = session_;
-    if (s.recorded.empty()) return;
+    if (s.path.positions.empty()) return;
     const PackageReader& package = renderer_.package();
     write_numbered(s.message, package.path().stem().string(), ".path",
-                   formatted(tr("%zu positions"), s.recorded.size()), now, [&](const std::string& file) {
-                       write_path(file, s.recorded, package, {}, positions_per_second);
+                   formatted(tr("%zu positions"), s.path.positions.size()), now,
+                   [&](const std::string& file) {
+                       write_path(file, s.path.positions, package, {}, positions_per_second);
                    });
 }
 
@@ -313,7 +318,7 @@ void ShownScene::add_objects(double now) {
 
 /// A damaged package may be restored while it is shown, and a server may be reached again.
 bool ShownScene::looks_again() const {
-    return session_.report.tiles_damaged + session_.report.tiles_absent > 0;
+    return session_.drawn.report.tiles_damaged + session_.drawn.report.tiles_absent > 0;
 }
 
 /// Whether the last frame drew the same.
@@ -343,37 +348,38 @@ void ShownScene::draw(const View& view, const RenderSettings& shown, bool still,
     if (in_motion(view)) moved_at_ = now;
     // A coarse frame is refined when the motion has ended, not between two movements of the mouse.
     const bool moves = now < moved_at_ + still_seconds && !holds<SaveScreenshot>(s.window.commands);
-    const bool complete = drawn_ && s.pace == Pace{} && s.report.settled;
+    const bool complete = drawn_ && s.drawn.pace == Pace{} && s.drawn.report.settled;
     if (still && !moves && !resting_ && complete && lacks_time(now)) {
         samples_ = rest_side * rest_side;
         return;
     }
-    s.pace = moves || !drawn_ ? pacing_.pace : Pace{};
+    s.drawn.pace = moves || !drawn_ ? pacing_.pace : Pace{};
     drawn_at_ = now;
     // Once at rest, it stays so while tiles come: where not all fit, those for motion and for rest would
     // evict each other.
     resting_ = still && !moves && (resting_ || complete);
     RenderSettings settings = shown;
-    settings.swift = s.pace.swift;
+    settings.swift = s.drawn.pace.swift;
     settings.lod_bias = resting_ ? 0 : -0.5;
     if (!moves) settings.upload_bytes = upload_of_frame(settings.upload_bytes, frame_ms_);
     settings.wait_for_uploads = !moves && frame_ms_ > slow_ms && !renderer_.package().remote();
     settings.wait_for_base = !drawn_ && !renderer_.package().remote();  // the first picture shows photos
-    const Navigation ahead = before_ ? between(*before_, s.camera, 4) : s.camera;
-    before_ = s.camera;
-    const View next = scaled(
-        shown_view(ahead, s, renderer_.scene(), view.intrinsics.width, view.intrinsics.height), s.pace.scale);
+    const Navigation ahead = before_ ? between(*before_, s.viewpoint.camera, 4) : s.viewpoint.camera;
+    before_ = s.viewpoint.camera;
+    const View next =
+        scaled(shown_view(ahead, s, renderer_.scene(), view.intrinsics.width, view.intrinsics.height),
+               s.drawn.pace.scale);
     const PixelSample sample = resting_ ? PixelSample{samples_, rest_side} : PixelSample{};
-    const bool valid_so_far = s.report.tiles_damaged == 0;
-    drawn_view_ = scaled(view, s.pace.scale);
+    const bool valid_so_far = s.drawn.report.tiles_damaged == 0;
+    drawn_view_ = scaled(view, s.drawn.pace.scale);
     // For a picture at rest, nothing is prefetched: it would begin the samples again, or let them wait.
     const View* const ahead_of = moves ? &next : nullptr;
     if (stereo())
         draw_eyes(shown, settings, sample, now, ahead_of);
     else
-        s.report = objects_.draw(*drawn_view_, settings, s.photos, sample, now, ahead_of);
-    samples_ = resting_ && s.report.settled ? samples_ + 1 : 0;
-    if (s.report.tiles_damaged > 0 && valid_so_far)
+        s.drawn.report = objects_.draw(*drawn_view_, settings, s.photos, sample, now, ahead_of);
+    samples_ = resting_ && s.drawn.report.settled ? samples_ + 1 : 0;
+    if (s.drawn.report.tiles_damaged > 0 && valid_so_far)
         say(s.message,
             tr("The package is damaged: parts of the picture are missing or blurred (vantage check FILE)"),
             now);
@@ -383,7 +389,7 @@ void ShownScene::draw(const View& view, const RenderSettings& shown, bool still,
 
 /// An orthographic view is the same for both eyes, and a comparison is with a photo for one.
 bool ShownScene::stereo() const {
-    return session_.stereo.mode != StereoMode::off && !session_.orthographic &&
+    return session_.stereo.mode != StereoMode::off && !session_.viewpoint.orthographic &&
            session_.settings.compare == Compare::nothing;
 }
 
@@ -395,12 +401,13 @@ void ShownScene::draw_eyes(const RenderSettings& shown, const RenderSettings& se
                            double now, const View* next) {
     Session& s = session_;
     const FrameSize size = eye_size(s.stereo.mode, shown.room);
-    const double distance = (s.camera.target - s.camera.eye).norm();
+    const double distance = (s.viewpoint.camera.target - s.viewpoint.camera.eye).norm();
     const Area free = free_for_eye(s.stereo.mode, s.window.free, size);
-    const View middle = scaled(view_of(s.camera, size.width, size.height, free), s.pace.scale);
+    const View middle =
+        scaled(view_of(s.viewpoint.camera, size.width, size.height, free), s.drawn.pace.scale);
     const std::vector<View> eyes = eye_views(middle, s.stereo.eyes, distance);
     pair_.fit(size);
-    s.report = objects_.draw_eyes(eyes, settings, s.photos, sample, now, next, [&](std::size_t eye) {
+    s.drawn.report = objects_.draw_eyes(eyes, settings, s.photos, sample, now, next, [&](std::size_t eye) {
         enlargement_.show(objects_, eyes[eye], shown, size, pair_.target(eye), false, eye);
     });
     drawn_view_ = eyes.front();
@@ -432,7 +439,7 @@ bool ShownScene::in_motion(const View& view) const {
 void ShownScene::keep_pace() {
     const auto frame = clock_.take();
     if (!frame) return;
-    note_time(session_, frame->ms);
+    note_time(session_.drawn, frame->ms);
     frame_ms_ = frame->ms;
     if (frame->pace != Pace{} || (pacing_.pace == Pace{} && pacing_.usual > 0)) {
         pacing_ = next_pacing(pacing_, frame->pace, frame->ms, goal_ms_);

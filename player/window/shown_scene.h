@@ -40,7 +40,7 @@ class ShownScene {
     /// Writes the path that is being recorded, if there is one.
     void stop_recording(double now);
     /// The picture is final: without input, nothing changes before wakes_at().
-    bool rests() const { return is_final() && !session_.flight; }
+    bool rests() const { return is_final() && !session_.viewpoint.flight; }
     /// When the next frame is due at rest, in seconds.
     double wakes_at() const;
     Renderer& renderer() { return renderer_; }

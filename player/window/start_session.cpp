@@ -71,13 +71,13 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     const bool any = o.package.photos.empty();
     const std::uint32_t photo =
         any ? first_photo(package, image_set) : named_photos(package, o.package.photos).front();
-    s.standing_at = s.settings.compare_photo = photo < package.photos().size() ? photo : 0;
-    s.camera = any ? first_view(package, image_set) : home_of(package, photo);
+    s.viewpoint.standing_at = s.settings.compare_photo = photo < package.photos().size() ? photo : 0;
+    Navigation home = any ? first_view(package, image_set) : home_of(package, photo);
     if (!o.pictures.view.empty()) {
         const auto [view, distance] = parse_view_and_distance(o.pictures.view, package, {1280, 720});
-        s.camera = stand_at(view, s.camera.up, distance);
+        home = stand_at(view, home.up, distance);
     }
-    s.home = s.earlier.last = s.camera;
+    begin_at(s.viewpoint, home);
     window.panels.expert |= !o.layer.name.empty();
     s.stereo = o.stereo;
     return s;
@@ -87,8 +87,7 @@ void begin_in_scene(Session& s, const PackageReader& package, const ToldStory& t
     s.photos = photos_in_use(package, o.package);
     s.photo_list.errors = photo_errors(package);
     const bool view_given = !o.package.photos.empty() || !o.pictures.view.empty();
-    if (const auto opening = opening_of(told); opening && !view_given)
-        s.camera = s.home = s.earlier.last = *opening;
+    if (const auto opening = opening_of(told); opening && !view_given) begin_at(s.viewpoint, *opening);
     s.settings.plain_background = told.story.background ? plain_background_of(*told.story.background)
                                                         : plain_background_of(package.scene());
 }

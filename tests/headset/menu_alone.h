@@ -30,7 +30,8 @@ class MenuAlone {
         walk.usual_scale = walk.stance.scale = unit_meters > 0 ? 1 / unit_meters : 1;
         begin_in_scene(session, package_, told, options_);
         session.window.keyboard = session.window.panels.measure = false;
-        renderer_.draw(view_of(session.camera, 32, 24), session.settings, {}, {}, 0);  // menus follow a frame
+        renderer_.draw(view_of(session.viewpoint.camera, 32, 24), session.settings, {}, {},
+                       0);  // menus follow a frame
         frames(3);
     }
     void frames(int count, const PanelPointer& pointer = {}) {

@@ -60,7 +60,7 @@ TEST_F(WindowCommands, TheDialogListsFoldersFirstAndIsUsedByKeysAlone) {
     w.type("nbv");
     w.key(GLFW_KEY_ENTER);
     EXPECT_EQ(opened(w), "nbv") << "letters are typed, and do nothing else";
-    EXPECT_FALSE(w.session.flight);
+    EXPECT_FALSE(w.session.viewpoint.flight);
     w.key(GLFW_KEY_O);
     w.press("one.vantage");
     w.press("Open");
@@ -72,20 +72,20 @@ TEST_F(WindowCommands, AViewIsCopiedAsACommandLineAndPasted) {
     options.pictures.view = "1,-9,3,1,0,3,40";
     HeadlessWindow w(package_of(WindowScene::tiny), options);
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(w.package().scene().origin),
-                          eye = w.session.camera.eye;
+                          eye = w.session.viewpoint.camera.eye;
     EXPECT_LT((eye + origin - Eigen::Vector3d(1, -9, 3)).norm(), 1e-6);
     w.key(GLFW_KEY_C, control);
     const std::string copied = ImGui::GetClipboardText();
     EXPECT_NE(copied.find(" --view "), copied.npos) << copied;
     w.key(GLFW_KEY_N), w.wait(1);
-    EXPECT_GT((w.session.camera.eye - eye).norm(), 1);
+    EXPECT_GT((w.session.viewpoint.camera.eye - eye).norm(), 1);
     w.key(GLFW_KEY_V, control), w.wait(1);
-    EXPECT_LT((w.session.camera.eye - eye).norm(), 1e-4);
-    EXPECT_NEAR(w.session.camera.fov, 40, 1e-4);
+    EXPECT_LT((w.session.viewpoint.camera.eye - eye).norm(), 1e-4);
+    EXPECT_NEAR(w.session.viewpoint.camera.fov, 40, 1e-4);
     ImGui::SetClipboardText("no view");
     w.key(GLFW_KEY_V, control), w.frames(3);
     EXPECT_TRUE(w.there("Message"));
-    EXPECT_LT((w.session.camera.eye - eye).norm(), 1e-4);
+    EXPECT_LT((w.session.viewpoint.camera.eye - eye).norm(), 1e-4);
 }
 
 TEST_F(WindowCommands, FilesThatCannotBeWrittenAreSaid) {

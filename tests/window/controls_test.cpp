@@ -125,7 +125,7 @@ TEST_F(WindowControls, OfThePicture) {
     w.choose("Light", "the photos' own");
     w.press("Photo 2");
     w.wait(1);
-    EXPECT_EQ(s.compare_photo, w.session.standing_at);
+    EXPECT_EQ(s.compare_photo, w.session.viewpoint.standing_at);
     chooses(w, "Compare", s.compare, {"nothing", "side by side", "swipe", "difference"});
     w.choose("Compare", "swipe");
     const Eigen::Vector2d before = w.place("Swipe");
@@ -139,9 +139,9 @@ TEST_F(WindowControls, OfThePicture) {
     w.choose("Two eyes", "side by side");
     changes(w, "Eye separation", w.session.stereo.eyes.share, 0.5);
     w.choose("Two eyes", "off");
-    toggles(w, "Orthographic", w.session.orthographic);
-    changes(w, "Flying speed", w.session.flying_speed, 0.1);
-    toggles(w, "Inertia", w.session.inertia);
+    toggles(w, "Orthographic", w.session.viewpoint.orthographic);
+    changes(w, "Flying speed", w.session.steering.flying_speed, 0.1);
+    toggles(w, "Inertia", w.session.steering.inertia);
 }
 
 TEST_F(WindowControls, OfMenus) {
@@ -174,23 +174,23 @@ TEST_F(WindowControls, OfMenus) {
     EXPECT_FLOAT_EQ(w.session.window.text_scale, 1);
     for (const char* side :
          {"From the front", "From the back", "From the left", "From the right", "From the top"}) {
-        const Eigen::Vector3d eye = w.session.camera.eye;
+        const Eigen::Vector3d eye = w.session.viewpoint.camera.eye;
         w.choose("View", side);
         w.wait(1);
-        EXPECT_GT((w.session.camera.eye - eye).norm(), 1) << side;
+        EXPECT_GT((w.session.viewpoint.camera.eye - eye).norm(), 1) << side;
     }
-    EXPECT_LT(w.session.camera.R(2, 2), -0.99) << "from the top, the view leads down";
+    EXPECT_LT(w.session.viewpoint.camera.R(2, 2), -0.99) << "from the top, the view leads down";
     w.choose("View", "Home");
     w.wait(1);
-    EXPECT_EQ(w.session.camera.eye, w.session.home.eye);
+    EXPECT_EQ(w.session.viewpoint.camera.eye, w.session.viewpoint.home.eye);
     w.choose("Path", "Record");
-    EXPECT_TRUE(w.session.recording);
+    EXPECT_TRUE(w.session.path.recording);
     w.wait(1);
     w.choose("Path", "Record");
-    EXPECT_FALSE(w.session.recording);
+    EXPECT_FALSE(w.session.path.recording);
     EXPECT_TRUE(std::filesystem::exists(dir / "one-0001.path"));
     w.choose("Path", "Replay");
-    EXPECT_TRUE(w.session.flight);
+    EXPECT_TRUE(w.session.viewpoint.flight);
     w.choose("Help", "Mouse and keys");
     EXPECT_TRUE(w.there("Mouse, fingers and keys"));
     w.choose("File", "Screenshot");
@@ -200,12 +200,12 @@ TEST_F(WindowControls, OfMenus) {
     w.press("Cancel");
     EXPECT_FALSE(w.there("File name"));
     w.choose("File", "Copy view");
-    const Eigen::Vector3d eye = w.session.camera.eye;
+    const Eigen::Vector3d eye = w.session.viewpoint.camera.eye;
     w.key(GLFW_KEY_N);
     w.wait(1);
     w.choose("File", "Paste view");
     w.wait(1);
-    EXPECT_LT((w.session.camera.eye - eye).norm(), 1e-3);
+    EXPECT_LT((w.session.viewpoint.camera.eye - eye).norm(), 1e-3);
     w.choose("File", "Quit");
     EXPECT_TRUE(take<Quit>(w.session.window.commands));
 }
@@ -237,14 +237,14 @@ TEST_F(WindowControls, OfTheBarAndTheRadar) {
             w.point_at({double(x), double(y)});
             w.frames();
             w.click();
-            if (w.session.flight) flown.insert(w.session.standing_at);
-            w.session.flight.reset();
+            if (w.session.viewpoint.flight) flown.insert(w.session.viewpoint.standing_at);
+            w.session.viewpoint.flight.reset();
         }
     EXPECT_EQ(flown.size(), 5u);
     w.wait(1);
     w.press("Bar Home");
     w.wait(1);
-    EXPECT_EQ(w.session.camera.eye, w.session.home.eye);
+    EXPECT_EQ(w.session.viewpoint.camera.eye, w.session.viewpoint.home.eye);
 }
 
 TEST_F(WindowControlsAtLength, OfBackgroundGlassLayersAndPoints) {

@@ -18,11 +18,11 @@ class WindowEventsTest : public WindowTest {
     static constexpr double degree = std::numbers::pi / 180;
     /// How high the camera is over its target, degrees.
     static double elevation(const HeadlessWindow& w) {
-        const Eigen::Vector3d away = w.session.camera.eye - w.session.camera.target;
-        return std::asin(away.normalized().dot(w.session.camera.up)) / degree;
+        const Eigen::Vector3d away = w.session.viewpoint.camera.eye - w.session.viewpoint.camera.target;
+        return std::asin(away.normalized().dot(w.session.viewpoint.camera.up)) / degree;
     }
     static double distance(const HeadlessWindow& w) {
-        return (w.session.camera.eye - w.session.camera.target).norm();
+        return (w.session.viewpoint.camera.eye - w.session.viewpoint.camera.target).norm();
     }
     /// Where a point is in the window.
     static Eigen::Vector2d pixel_of(const HeadlessWindow& w, const Eigen::Vector3d& point) {
@@ -79,7 +79,7 @@ TEST_F(WindowEventsTest, EscEndsWhatIsOpenAndNothingElse) {
     HeadlessWindow w(package_of(WindowScene::tiny));
     w.key(GLFW_KEY_C);
     w.key(GLFW_KEY_ESCAPE);
-    EXPECT_FALSE(w.session.flight);
+    EXPECT_FALSE(w.session.viewpoint.flight);
     w.key(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(w.there("Swipe"));
     w.key(GLFW_KEY_O);
@@ -141,9 +141,9 @@ TEST_F(WindowEventsTest, EveryKeyOfTheHelpActs) {
     EXPECT_TRUE(s.window.commands.empty());
     // Those that move the camera.
     const auto moves = [&](int key, const Eigen::Vector3d& along, double seconds = 0.5) {
-        const Navigation before = s.camera;
+        const Navigation before = s.viewpoint.camera;
         w.hold(key, seconds);
-        const Eigen::Vector3d moved = before.R * (s.camera.eye - before.eye);
+        const Eigen::Vector3d moved = before.R * (s.viewpoint.camera.eye - before.eye);
         EXPECT_GT(moved.normalized().dot(along), 0.999) << key;
         return moved.norm();
     };
@@ -151,12 +151,12 @@ TEST_F(WindowEventsTest, EveryKeyOfTheHelpActs) {
     moves(GLFW_KEY_W, {0, 0, 1}), moves(GLFW_KEY_S, {0, 0, -1});
     moves(GLFW_KEY_E, {0, -1, 0}), moves(GLFW_KEY_Q, {0, 1, 0});
     const double usual = moves(GLFW_KEY_D, {1, 0, 0});
-    s.flying_speed = 2;
+    s.steering.flying_speed = 2;
     EXPECT_NEAR(moves(GLFW_KEY_A, {-1, 0, 0}) / usual, 2, 0.01);
     w.key(GLFW_KEY_H);
     w.wait(1);
-    EXPECT_EQ(s.camera.eye, s.home.eye);
-    EXPECT_EQ(s.camera.R, s.home.R);
+    EXPECT_EQ(s.viewpoint.camera.eye, s.viewpoint.home.eye);
+    EXPECT_EQ(s.viewpoint.camera.R, s.viewpoint.home.R);
 }
 
 TEST_F(WindowEventsTest, DigitsChooseTheBlendModes) {
@@ -179,12 +179,12 @@ TEST_F(WindowEventsTest, ADragTurnsHalfATurnPerWidthOfTheWindow) {
     EXPECT_NEAR(elevation(w) - before, 60 * 180 / 900.0, 0.01);
     EXPECT_NEAR(distance(w), far, 1e-6 * far);
     // To the side: about the up axis.
-    const Eigen::Vector3d from = w.session.camera.eye;
+    const Eigen::Vector3d from = w.session.viewpoint.camera.eye;
     w.point_at({450, 200});
     w.drag(0, 90, 0);
-    EXPECT_GT((w.session.camera.eye - from).norm(), 1);
+    EXPECT_GT((w.session.viewpoint.camera.eye - from).norm(), 1);
     EXPECT_NEAR(elevation(w) - before, 12, 0.01);
-    const Eigen::Vector3d target = w.session.camera.target, nearer = target + 0.3 * (from - target);
+    const Eigen::Vector3d target = w.session.viewpoint.camera.target, nearer = target + 0.3 * (from - target);
     EXPECT_GT((pixel_of(w, nearer) - pixel_of(w, target)).x(), 5) << "the near side follows the pointer";
 }
 
@@ -200,34 +200,34 @@ TEST_F(WindowEventsTest, WhatIsUnderThePointerStaysThere) {
             << "dragged by " << button;
     }
     const Eigen::Vector2d here = pixel_of(w, point);
-    const double far = (w.session.camera.eye - point).norm();
+    const double far = (w.session.viewpoint.camera.eye - point).norm();
     w.point_at(here);
     for (int i = 0; i < 3; ++i) w.wheel(1);
     EXPECT_LT((pixel_of(w, point) - here).norm(), 0.5) << "after the wheel";
-    EXPECT_NEAR((w.session.camera.eye - point).norm() / far, std::pow(0.9, 3), 1e-3);
+    EXPECT_NEAR((w.session.viewpoint.camera.eye - point).norm() / far, std::pow(0.9, 3), 1e-3);
     w.point_at(here);
     w.drag(0, 80, 20);
     EXPECT_LT((pixel_of(w, point) - here).norm(), 0.5) << "orbited";
     // With Ctrl, the camera turns in its place.
-    const Eigen::Vector3d eye = w.session.camera.eye;
+    const Eigen::Vector3d eye = w.session.viewpoint.camera.eye;
     w.button(0, true), w.frames(2);
     w.hold_control(true), w.frames();
     w.point_at(here + Eigen::Vector2d(130, 20)), w.frames();
     w.hold_control(false);
     w.wait(0.3), w.button(0, false), w.frames(2);
-    EXPECT_LT((w.session.camera.eye - eye).norm(), 1e-9);
+    EXPECT_LT((w.session.viewpoint.camera.eye - eye).norm(), 1e-9);
 }
 
 TEST_F(WindowEventsTest, ADoubleClickFliesThere) {
     HeadlessWindow w(package_of(WindowScene::tiny));
     const Eigen::Vector2d at(380, 330);
     const Eigen::Vector3d point = point_at(w, at);
-    const double far = (w.session.camera.eye - point).norm();
+    const double far = (w.session.viewpoint.camera.eye - point).norm();
     w.point_at(at);
     w.frames();
     w.double_click();
     w.wait(1);
-    EXPECT_NEAR((w.session.camera.eye - point).norm() / far, 0.5, 1e-6);
+    EXPECT_NEAR((w.session.viewpoint.camera.eye - point).norm() / far, 0.5, 1e-6);
     const Eigen::Vector2d middle(w.view().intrinsics.cx, w.view().intrinsics.cy);
     EXPECT_LT((pixel_of(w, point) - middle).norm(), 0.5);
 }
@@ -247,7 +247,7 @@ TEST_F(WindowEventsTest, WhatIsLetGoInMotionMovesOn) {
         return elevation(w) - before;
     };
     EXPECT_GT(thrown(), 49) << "degrees, of which 48 were dragged";
-    w.session.inertia = false;
+    w.session.steering.inertia = false;
     EXPECT_NEAR(thrown(), 48, 0.5);
 }
 
@@ -278,11 +278,11 @@ TEST_F(WindowEventsTest, FlightsEndAtPhotosAndBackspaceLeadsBack) {
     w.point_at({450, 200});
     const auto flown = [&](int key) {
         w.key(key), w.wait(1.5);
-        return w.session.camera.eye;
+        return w.session.viewpoint.camera.eye;
     };
     flown(GLFW_KEY_N), flown(GLFW_KEY_B);
     const Eigen::Vector3d first = flown(GLFW_KEY_N);
-    EXPECT_LT((first - w.scene().poses[w.session.standing_at].center()).norm(), 1e-9);
+    EXPECT_LT((first - w.scene().poses[w.session.viewpoint.standing_at].center()).norm(), 1e-9);
     const Eigen::Vector3d left = flown(GLFW_KEY_B);
     EXPECT_NE(left, first);
     EXPECT_EQ(flown(GLFW_KEY_N), first);
@@ -290,9 +290,9 @@ TEST_F(WindowEventsTest, FlightsEndAtPhotosAndBackspaceLeadsBack) {
     EXPECT_EQ(flown(GLFW_KEY_BACKSPACE), first);
     // Input ends a flight.
     w.key(GLFW_KEY_N);
-    EXPECT_TRUE(w.session.flight);
+    EXPECT_TRUE(w.session.viewpoint.flight);
     w.wheel(1);
-    EXPECT_FALSE(w.session.flight);
+    EXPECT_FALSE(w.session.viewpoint.flight);
 }
 
 TEST_F(WindowEventsTest, NFliesAroundTheBuildingWhateverTheNames) {
@@ -304,10 +304,10 @@ TEST_F(WindowEventsTest, NFliesAroundTheBuildingWhateverTheNames) {
     std::vector<double> angles;
     for (const Pose& pose : w.scene().poses) angles.push_back(angle(pose.center()));
     w.key(GLFW_KEY_N), w.wait(1);
-    double from = angle(w.session.camera.eye);
+    double from = angle(w.session.viewpoint.camera.eye);
     for (int i = 0; i < 5; ++i) {
         w.key(GLFW_KEY_N), w.wait(1);
-        const double to = angle(w.session.camera.eye), low = std::min(from, to) + 1e-4,
+        const double to = angle(w.session.viewpoint.camera.eye), low = std::min(from, to) + 1e-4,
                      high = std::max(from, to) - 1e-4;
         EXPECT_GT(high, low) << "N stays where it is";
         EXPECT_EQ(std::ranges::count_if(angles, [&](double a) { return a > low && a < high; }), 0)
@@ -321,7 +321,7 @@ TEST_F(WindowEventsTest, RecordsThirtyPositionsPerSecond) {
     HeadlessWindow w(copy_of(WindowScene::tiny));
     w.key(GLFW_KEY_R);
     w.wait(2);
-    const Eigen::Vector3d eye = w.session.camera.eye;
+    const Eigen::Vector3d eye = w.session.viewpoint.camera.eye;
     w.point_at({450, 200});
     w.drag(0, 60, 0);
     w.key(GLFW_KEY_R);
@@ -329,20 +329,20 @@ TEST_F(WindowEventsTest, RecordsThirtyPositionsPerSecond) {
     int lines = 0;
     for (std::string line; std::getline(file, line);) lines += !line.starts_with('#');
     EXPECT_NEAR(lines, 30 * 2.6, 8);
-    EXPECT_GT((w.session.recorded.back().eye - eye).norm(), 1);
-    EXPECT_LT((w.session.recorded.front().eye - eye).norm(), 1e-9);
+    EXPECT_GT((w.session.path.positions.back().eye - eye).norm(), 1);
+    EXPECT_LT((w.session.path.positions.front().eye - eye).norm(), 1e-9);
     w.key(GLFW_KEY_T);
     w.frames(3);
-    EXPECT_LT((w.session.camera.eye - eye).norm(), 1e-9) << "a replay begins at the first position";
+    EXPECT_LT((w.session.viewpoint.camera.eye - eye).norm(), 1e-9) << "a replay begins at the first position";
     w.wait(4);
-    EXPECT_FALSE(w.session.flight);
-    EXPECT_LT((w.session.camera.eye - w.session.recorded.back().eye).norm(), 1e-9);
+    EXPECT_FALSE(w.session.viewpoint.flight);
+    EXPECT_LT((w.session.viewpoint.camera.eye - w.session.path.positions.back().eye).norm(), 1e-9);
 }
 
 TEST_F(WindowEventsTest, TheStripScrollsAndFliesNowhere) {
     HeadlessWindow w(package_of(WindowScene::many));
     EXPECT_TRUE(w.there("Photo 60")) << "the strip has all photos";
-    const Eigen::Vector3d eye = w.session.camera.eye;
+    const Eigen::Vector3d eye = w.session.viewpoint.camera.eye;
     const auto left = [&] { return w.place("Photo 3").x(); };
     double before = left();
     w.point_at(w.place("Photo 2")), w.frames();
@@ -352,10 +352,10 @@ TEST_F(WindowEventsTest, TheStripScrollsAndFliesNowhere) {
     w.point_at({300, w.place("Photo 2").y()}), w.frames();
     w.wheel(-1);
     EXPECT_LT(left(), before - 50) << "the wheel scrolls";
-    EXPECT_EQ(w.session.camera.eye, eye);
-    EXPECT_FALSE(w.session.flight);
+    EXPECT_EQ(w.session.viewpoint.camera.eye, eye);
+    EXPECT_FALSE(w.session.viewpoint.flight);
     w.press("Photo 8");
-    EXPECT_TRUE(w.session.flight);
+    EXPECT_TRUE(w.session.viewpoint.flight);
 }
 
 TEST_F(WindowEventsTest, MessagesGoAfterSomeSeconds) {
@@ -381,18 +381,18 @@ TEST_F(WindowEventsTest, AKioskLetsThePublicLookOnly) {
     w.key(GLFW_KEY_Q, control), w.key(GLFW_KEY_E, control), w.key(GLFW_KEY_C, control);
     const Session& s = w.session;
     EXPECT_TRUE(s.window.commands.empty());
-    EXPECT_FALSE(s.recording || s.window.panels.expert || s.window.panels.measure ||
+    EXPECT_FALSE(s.path.recording || s.window.panels.expert || s.window.panels.measure ||
                  s.window.panels.story_editor);
     EXPECT_TRUE(s.window.full_screen && s.window.panels.story);
     EXPECT_EQ(s.settings.show, Show::colors);
     w.key(GLFW_KEY_F1);
     EXPECT_TRUE(s.window.panels.help);
     w.key(GLFW_KEY_N), w.wait(1);
-    EXPECT_NE(s.camera.eye, s.home.eye);
+    EXPECT_NE(s.viewpoint.camera.eye, s.viewpoint.home.eye);
     w.choose("Bar Language", "Deutsch");
     EXPECT_EQ(s.window.language, "de");
     w.wait(7);
-    EXPECT_EQ(s.camera.eye, s.home.eye) << "home after some seconds without anybody";
+    EXPECT_EQ(s.viewpoint.camera.eye, s.viewpoint.home.eye) << "home after some seconds without anybody";
     EXPECT_FALSE(s.window.panels.help);
     EXPECT_EQ(s.window.language, "");
 }

@@ -89,7 +89,7 @@ TEST_F(WindowMeasures, EveryMeasureOfTheOpening) {
     w.double_click();
     EXPECT_NEAR(value(w, ++n), 3.50333, 5e-4)
         << "Backspace takes the last point back, and a double click ends";
-    EXPECT_FALSE(w.session.flight) << "a double click measures, and flies nowhere";
+    EXPECT_FALSE(w.session.viewpoint.flight) << "a double click measures, and flies nowhere";
 }
 
 TEST_F(WindowMeasures, NothingBesideTheModelAndNothingAfterEsc) {
@@ -179,7 +179,7 @@ TEST_F(WindowMeasures, AreTheSameAtAllDepthsOrthographically) {
     w.key(GLFW_KEY_TAB);
     w.choose("View", "From the top");
     w.wait(1);
-    w.session.orthographic = true;
+    w.session.viewpoint.orthographic = true;
     w.key(GLFW_KEY_TAB);
     w.key(GLFW_KEY_M);
     std::size_t n = 0;

@@ -83,7 +83,7 @@ TEST_F(WindowShows, PhotosAreListedByNameByPointAndByError) {
     EXPECT_EQ(w.session.photos.size(), 5u);
     w.press("Fly to " + all[3]);
     w.wait(1);
-    EXPECT_EQ(w.session.camera.eye, w.scene().poses[3].center());
+    EXPECT_EQ(w.session.viewpoint.camera.eye, w.scene().poses[3].center());
     w.press("Worst first");
     const std::vector<std::string> by_error = listed(w);
     EXPECT_EQ(std::set(by_error.begin(), by_error.end()), std::set(all.begin(), all.end()));
@@ -157,18 +157,18 @@ TEST_F(WindowShows, OrthophotosAreAskedForAndReported) {
 TEST_F(WindowShows, PointsAndComparisonsAreInPerspective) {
     {
         HeadlessWindow w(package_of(WindowScene::garden));
-        w.session.orthographic = true;
+        w.session.viewpoint.orthographic = true;
         w.frames(3);
-        EXPECT_FALSE(w.session.orthographic);
+        EXPECT_FALSE(w.session.viewpoint.orthographic);
         EXPECT_TRUE(w.there("Message"));
     }
     HeadlessWindow w(package_of(WindowScene::tiny));
-    w.session.orthographic = true;
+    w.session.viewpoint.orthographic = true;
     w.frames(3);
-    EXPECT_TRUE(w.session.orthographic);
+    EXPECT_TRUE(w.session.viewpoint.orthographic);
     w.key(GLFW_KEY_C);
     EXPECT_TRUE(w.there("Swipe"));
-    EXPECT_FALSE(w.session.orthographic);
+    EXPECT_FALSE(w.session.viewpoint.orthographic);
 }
 
 TEST_F(WindowShows, TheHelpHasEveryKey) {

@@ -22,7 +22,7 @@ class WindowStories : public WindowTest {
     }
     Story saved() const { return read_story(story_file_of(package)).story; }
     static Vector3d stands_at(const HeadlessWindow& w) {
-        return w.session.camera.eye + Eigen::Map<const Vector3d>(w.package().scene().origin);
+        return w.session.viewpoint.camera.eye + Eigen::Map<const Vector3d>(w.package().scene().origin);
     }
     static void add_note(HeadlessWindow& w, const std::string& title) {
         w.point_at({450, 300});
@@ -121,7 +121,7 @@ TEST_F(WindowStories, AVisitorFollowsNotesAndTours) {
     EXPECT_TRUE(w.there("Play All notes")) << "Esc ends a tour";
     w.press("Play All notes");
     w.wait(120);
-    EXPECT_FALSE(w.session.flight);
+    EXPECT_FALSE(w.session.viewpoint.flight);
     EXPECT_LT((stands_at(w) - story.notes[4].view->eye).norm(), 0.01) << "a tour ends at its last stop";
     w.key(GLFW_KEY_J);
     EXPECT_FALSE(w.there("List 1"));

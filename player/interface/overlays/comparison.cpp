@@ -117,7 +117,7 @@ void false_color_legend(Controls& c, const Session& s) {
     if (s.settings.show == Show::sources)
         plate(c, x, y, 0, tr("each color is a photo: the one outlined in that color in the strip"));
     if (s.settings.show != Show::coverage) return;
-    const std::string most = std::to_string(s.report.photos);
+    const std::string most = std::to_string(s.drawn.report.photos);
     const std::string before = tr("photos that show the surface: 0 ");
     plate(c, x, y, 0, before + std::string(24, ' ') + " " + most);
     const float from = x + ImGui::CalcTextSize(before.c_str()).x,

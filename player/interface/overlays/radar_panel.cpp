@@ -22,7 +22,7 @@ void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const
     if (!ImGui::Begin(shown_name("Radar").c_str(), &s.window.panels.radar, ImGuiWindowFlags_NoResize))
         return ImGui::End();
     const PlanScene& scene = renderer.scene();
-    const Eigen::Vector3d up = s.camera.up, east = up.unitOrthogonal(), north = up.cross(east);
+    const Eigen::Vector3d up = s.viewpoint.camera.up, east = up.unitOrthogonal(), north = up.cross(east);
     const Eigen::Vector3d eye = view.cam_from_origin.center();
     double reach = scene.size / 2;
     for (const Pose& pose : scene.poses) reach = std::max(reach, pose.center().norm());

@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-void side_views_menu(Controls& c, Session& s, const PackageReader& package, double now) {
+void side_views_menu(Controls& c, Viewpoint& viewpoint, const PackageReader& package, double now) {
     struct Side {
         const char *label, *plane;
     };
@@ -18,8 +18,8 @@ void side_views_menu(Controls& c, Session& s, const PackageReader& package, doub
     for (const auto& [label, plane] : sides) {
         if (!c.menu_item(label, "")) continue;
         const PicturePlane side = parse_plane(plane, up_of(package.scene()));
-        s.flight = Session::Flight{
-            {s.camera, stand_beside(package.scene(), side.right, side.up, s.camera.up)}, now, 0.7};
+        start_flight(viewpoint, stand_beside(package.scene(), side.right, side.up, viewpoint.camera.up), now,
+                     0.7);
     }
 }
 

@@ -72,7 +72,7 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
     in_second_column("Freeze weights");
     if (c.checkbox("Freeze weights", &s.freeze)) {
         s.settings.weights_from.reset();
-        if (s.freeze) s.settings.weights_from = view_of(s.camera, 1280, 720);
+        if (s.freeze) s.settings.weights_from = view_of(s.viewpoint.camera, 1280, 720);
     }
     c.explain("Keeps the weights of this view while you move, to see where each photo is used.");
 }

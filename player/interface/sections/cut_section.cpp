@@ -55,7 +55,7 @@ void plane_controls(Controls& c, Session& s, const PlanScene& scene, const Eigen
     choice(c, "Across", cut.across, across);
     c.explain("The plane faces you as you stand now, or lies across an axis of the model's coordinates.");
     begins |= cut.across != before;
-    if (begins && cut.across == Cut::Across::facing) cut.facing = -s.camera.R.row(2).transpose();
+    if (begins && cut.across == Cut::Across::facing) cut.facing = -s.viewpoint.camera.R.row(2).transpose();
     const Eigen::Vector3d axis = axis_of(cut);
     const auto [low, high] = cut.extents.along(scene, axis);
     const double from = axis.dot(origin);

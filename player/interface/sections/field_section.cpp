@@ -110,9 +110,8 @@ void layer_choice(Controls& c, std::span<const ScalarField> layers, FieldSetting
 
 }  // namespace
 
-void field_section(Controls& c, Session& session, const Renderer& renderer, const View& view) {
+void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, const View& view) {
     const std::span<const ScalarField> layers = renderer.layers();
-    FieldSettings& s = session.settings.layer;
     layer_choice(c, layers, s);
     if (s.layer < 0 || std::size_t(s.layer) >= layers.size()) return;
     const ScalarField& layer = layers[std::size_t(s.layer)];

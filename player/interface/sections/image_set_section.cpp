@@ -20,8 +20,8 @@ void show_image_set(ImageSetSettings& b, std::uint32_t image_set) {
 }
 
 /// The second image set, and how it is shown.
-void second_image_set(Controls& c, Session& session, const PlanScene& scene) {
-    ImageSetSettings& b = session.settings.image_sets;
+void second_image_set(Controls& c, RenderSettings& settings, const PlanScene& scene) {
+    ImageSetSettings& b = settings.image_sets;
     std::vector<const char*> names{tr("none")};
     std::vector<std::uint32_t> image_sets;
     int chosen = 0;
@@ -39,7 +39,7 @@ void second_image_set(Controls& c, Session& session, const PlanScene& scene) {
     int how = int(b.how);
     if (c.choice("Together", &how, hows, int(std::size(hows)))) {
         b.how = ImageSetView(how);
-        if (b.how != ImageSetView::mix) session.settings.compare = Compare::nothing;
+        if (b.how != ImageSetView::mix) settings.compare = Compare::nothing;
     }
     if (b.how == ImageSetView::mix) c.slider("Share of the second", &b.share, 0.0, 1.0);
     if (b.how == ImageSetView::swipe) c.slider("Divided at", &b.swipe, 0.0, 1.0);
@@ -47,9 +47,9 @@ void second_image_set(Controls& c, Session& session, const PlanScene& scene) {
 
 }  // namespace
 
-void image_set_section(Controls& c, Session& session, const Renderer& renderer) {
+void image_set_section(Controls& c, RenderSettings& settings, const Renderer& renderer) {
     const PlanScene& scene = renderer.scene();
-    ImageSetSettings& b = session.settings.image_sets;
+    ImageSetSettings& b = settings.image_sets;
     std::vector<std::string> names;
     for (std::uint32_t i = 0; i < scene.image_sets.size(); ++i) {
         const auto photos = std::ranges::count(scene.photos, i, &package::PhotoRecord::image_set);
@@ -63,15 +63,14 @@ void image_set_section(Controls& c, Session& session, const Renderer& renderer) 
     if (c.combo("Image set", &image_set, shown.data(), int(shown.size())))
         show_image_set(b, std::uint32_t(image_set));
     c.explain("The set of photos that is shown (X: the next one).");
-    second_image_set(c, session, scene);
+    second_image_set(c, settings, scene);
 }
 
 bool is_shown(const ImageSetSettings& s, const package::PhotoRecord& photo) {
     return photo.image_set == s.shown || s.other == photo.image_set;
 }
 
-void show_next_image_set(Session& session, std::size_t image_sets) {
-    ImageSetSettings& b = session.settings.image_sets;
+void show_next_image_set(ImageSetSettings& b, std::size_t image_sets) {
     if (image_sets > 1) show_image_set(b, std::uint32_t((b.shown + 1) % image_sets));
 }
 

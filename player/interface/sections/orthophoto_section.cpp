@@ -42,7 +42,7 @@ void orthophoto_section(Controls& c, Session& s, const PackageReader& package) {
     const auto before = o.plane;
     choice(c, "Seen from", o.plane, planes);
     c.explain("The side of the model that the picture shows, at right angles and true to scale.");
-    const Eigen::Vector2d size = size_on(plane_option(o.plane, s.camera), package);
+    const Eigen::Vector2d size = size_on(plane_option(o.plane, s.viewpoint.camera), package);
     if (o.pixel <= 0 || o.plane != before) o.pixel = fitting_pixel(size.maxCoeff());
     ImGui::InputDouble(shown_name("Size of a pixel").c_str(), &o.pixel, 0, 0, "%.6g");
     c.note("Size of a pixel");

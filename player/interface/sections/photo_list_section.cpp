@@ -16,8 +16,8 @@
 namespace vantage {
 namespace {
 
-std::optional<double> error_of(const Session& s, std::uint32_t photo) {
-    const auto& errors = s.photo_list.errors;
+std::optional<double> error_of(const PhotoList& list, std::uint32_t photo) {
+    const auto& errors = list.errors;
     return photo < errors.size() ? errors[photo] : std::nullopt;
 }
 
@@ -36,23 +36,23 @@ std::vector<std::uint32_t> listed(const Session& s, const PlanScene& scene) {
     }
     for (std::uint32_t p = 0; p < scene.photos.size(); ++p)
         if (passes(p)) out.push_back(p);
-    const auto error = [&](std::uint32_t p) { return error_of(s, p).value_or(-1); };
+    const auto error = [&](std::uint32_t p) { return error_of(s.photo_list, p).value_or(-1); };
     if (s.photo_list.worst_first) std::ranges::stable_sort(out, std::ranges::greater(), error);
     return out;
 }
 
-void use(Session& s, std::uint32_t photo, bool used) {
-    std::erase(s.photos, photo);
-    if (used) s.photos.insert(std::ranges::upper_bound(s.photos, photo), photo);
+void use(std::vector<std::uint32_t>& photos, std::uint32_t photo, bool used) {
+    std::erase(photos, photo);
+    if (used) photos.insert(std::ranges::upper_bound(photos, photo), photo);
 }
 
 /// What there is to know of it: at the point, or as a whole.
-std::string remark(const Session& s, const package::PhotoRecord& photo, std::uint32_t number) {
-    const auto at = std::ranges::find(s.photo_list.showing, number, &Footprint::photo);
+std::string remark(const PhotoList& list, const package::PhotoRecord& photo, std::uint32_t number) {
+    const auto at = std::ranges::find(list.showing, number, &Footprint::photo);
     if (!photo.levels) return tr("left out");
-    if (s.photo_list.by_point && s.photo_list.point && at != s.photo_list.showing.end())
+    if (list.by_point && list.point && at != list.showing.end())
         return formatted(tr("pixels of %.3g"), at->size);
-    const auto error = error_of(s, number);
+    const auto error = error_of(list, number);
     return formatted(tr("%.0f %%, %+.1f stops"), 100 * photo.visible_vertices,
                      -std::log2(std::max(photo.gain[1], 1e-9))) +
            (error ? formatted(tr(", %.1f px"), *error) : "");
@@ -63,20 +63,19 @@ void row(Controls& c, Session& s, const PlanScene& scene, std::uint32_t photo, d
     const std::string name = p.name;
     bool used = std::ranges::binary_search(s.photos, photo);
     ImGui::BeginDisabled(!p.levels);
-    if (c.checkbox(("##Use " + name).c_str(), &used)) use(s, photo, used);
+    if (c.checkbox(("##Use " + name).c_str(), &used)) use(s.photos, photo, used);
     c.explain("Use this photo.");
     ImGui::SameLine();
     if (c.button((name + "##Fly to " + name).c_str())) fly_to(s, photo, p, now);
     ImGui::EndDisabled();
     ImGui::SameLine();
-    ImGui::TextDisabled("%s", remark(s, p, photo).c_str());
+    ImGui::TextDisabled("%s", remark(s.photo_list, p, photo).c_str());
     c.explain(
         "How much of the mesh it sees; how much brighter than the others it was exposed; how many pixels its "
         "content is off from that of others. Of a point: the size of a pixel there.");
 }
 
-void point_line(const Session& s) {
-    const Session::PhotoList& list = s.photo_list;
+void point_line(const PhotoList& list) {
     if (!list.by_point) return;
     if (!list.point)
         ImGui::TextUnformatted(tr("Click on the model."));
@@ -87,15 +86,15 @@ void point_line(const Session& s) {
 
 }  // namespace
 
-void use_all(Session& s, const PlanScene& scene) {
-    s.photos.clear();
+void use_all(std::vector<std::uint32_t>& photos, const PlanScene& scene) {
+    photos.clear();
     for (std::uint32_t p = 0; p < scene.photos.size(); ++p)
-        if (scene.photos[p].levels) s.photos.push_back(p);
+        if (scene.photos[p].levels) photos.push_back(p);
 }
 
 void photo_list_section(Controls& c, Session& s, const Renderer& renderer, double now) {
     const PlanScene& scene = renderer.scene();
-    Session::PhotoList& list = s.photo_list;
+    PhotoList& list = s.photo_list;
     if (s.window.keyboard) {
         ImGui::InputText(shown_name("Name contains").c_str(), list.filter.data(), list.filter.size());
         c.note("Name contains");
@@ -110,12 +109,12 @@ void photo_list_section(Controls& c, Session& s, const Renderer& renderer, doubl
     c.checkbox("Worst first", &list.worst_first);
     c.explain("Those first whose content is farthest off from that of others, with the cameras as given.");
     if (!list.by_point) list.point.reset();
-    point_line(s);
+    point_line(list);
     const std::vector<std::uint32_t> photos = listed(s, scene);
     if (c.button("Use only these")) s.photos = photos, std::ranges::sort(s.photos);
     std::erase_if(s.photos, [&](std::uint32_t p) { return !scene.photos[p].levels; });
     ImGui::SameLine();
-    if (c.button("Use all")) use_all(s, scene);
+    if (c.button("Use all")) use_all(s.photos, scene);
     ImGui::BeginChild("##photos", ImVec2(0, 12 * ImGui::GetFontSize()), true);
     ImGuiListClipper clipper;
     clipper.Begin(int(photos.size()));
@@ -126,7 +125,7 @@ void photo_list_section(Controls& c, Session& s, const Renderer& renderer, doubl
 }
 
 void pick_listed_point(Session& s, const PlanScene& scene, const View& view) {
-    Session::PhotoList& list = s.photo_list;
+    PhotoList& list = s.photo_list;
     if (!list.by_point || !s.window.panels.expert || !s.window.panels.photo_list) return;
     if (!s.window.panels.measure && !ImGui::GetIO().WantCaptureMouse)
         for (const Click& click : s.window.input.clicks)
@@ -142,8 +141,8 @@ void pick_listed_point(Session& s, const PlanScene& scene, const View& view) {
     draw.AddCircle(middle, 7, IM_COL32_WHITE, 0, 2);
 }
 
-bool shows_listed_point(const Session& s, std::uint32_t photo) {
-    return s.photo_list.point && std::ranges::count(s.photo_list.showing, photo, &Footprint::photo) > 0;
+bool shows_listed_point(const PhotoList& list, std::uint32_t photo) {
+    return list.point && std::ranges::count(list.showing, photo, &Footprint::photo) > 0;
 }
 
 }  // namespace vantage

@@ -10,12 +10,12 @@ namespace vantage {
 void photo_list_section(Controls& controls, Session& session, const Renderer& renderer, double now);
 
 /// Uses all photos that were not left out of the package.
-void use_all(Session& session, const PlanScene& scene);
+void use_all(std::vector<std::uint32_t>& photos, const PlanScene& scene);
 
 /// While the list asks for it, takes clicks on the model as points, and marks the last one in the picture.
 void pick_listed_point(Session& session, const PlanScene& scene, const View& view);
 
 /// Whether the point that was clicked is shown by a photo.
-bool shows_listed_point(const Session& session, std::uint32_t photo);
+bool shows_listed_point(const PhotoList& list, std::uint32_t photo);
 
 }  // namespace vantage

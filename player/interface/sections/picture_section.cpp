@@ -20,7 +20,7 @@ void exposure_controls(Controls& c, Session& s, const Renderer& renderer) {
     in_second_column("This photo's");
     bool own = r.exposure.has_value();
     if (c.checkbox("This photo's", &own)) r.exposure.reset();
-    if (own) r.exposure = s.standing_at;
+    if (own) r.exposure = s.viewpoint.standing_at;
     c.explain("Shows the model in the exposure of the photo you flew to last.");
 }
 
@@ -99,11 +99,11 @@ void picture_section(Controls& c, Session& s, const Renderer& renderer) {
     picture_content(c, s, renderer);
     comparison_controls(c, s, renderer);
     stereo_controls(c, s);
-    c.checkbox("Orthographic", &s.orthographic);
+    c.checkbox("Orthographic", &s.viewpoint.orthographic);
     c.explain("Without perspective: what is farther away looks as large.");
-    c.slider("Flying speed", &s.flying_speed, 0.1, 10.0, "%.1f", ImGuiSliderFlags_Logarithmic);
+    c.slider("Flying speed", &s.steering.flying_speed, 0.1, 10.0, "%.1f", ImGuiSliderFlags_Logarithmic);
     c.explain("Of the keys W A S D, Q and E; Shift is four times as fast.");
-    c.checkbox("Inertia", &s.inertia);
+    c.checkbox("Inertia", &s.steering.inertia);
     c.explain("What is dragged and let go in motion moves on for a moment.");
 }
 

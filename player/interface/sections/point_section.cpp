@@ -62,7 +62,7 @@ void controls(Controls& c, Session& session, const Renderer& renderer) {
     if (c.slider("Million points", &millions, 0.05, 20.0, "%.2f", ImGuiSliderFlags_Logarithmic))
         p.budget = std::uint64_t(millions * 1e6);
     c.explain("How many points are drawn per frame at most.");
-    ImGui::TextDisabled(tr("%zu of %llu points drawn%s"), session.report.points,
+    ImGui::TextDisabled(tr("%zu of %llu points drawn%s"), session.drawn.report.points,
                         static_cast<unsigned long long>(renderer.points()->cloud().points),
                         renderer.points()->plan().whole ? "" : tr(" (limit reached)"));
 }

@@ -40,17 +40,18 @@ void transfer_lines(const Renderer& renderer) {
 
 }  // namespace
 
-void status_section(Controls& c, const Session& s, const Renderer& renderer, std::uint64_t graphics_budget) {
-    const float highest = *std::ranges::max_element(s.frame_ms);
-    ImGui::PlotLines("##frames", s.frame_ms.data(), int(s.frame_ms.size()), 0, "", 0,
+void status_section(Controls& c, const DrawnFrames& frames, const Renderer& renderer,
+                    std::uint64_t graphics_budget) {
+    const float highest = *std::ranges::max_element(frames.ms);
+    ImGui::PlotLines("##frames", frames.ms.data(), int(frames.ms.size()), 0, "", 0,
                      std::max(1.0f, highest * 1.1f), ImVec2(-1, 4 * ImGui::GetFontSize()));
-    const FrameStatistics& f = s.statistics;
+    const FrameStatistics& f = frames.statistics;
     ImGui::Text(tr("%.1f ms per frame, median %.1f"), f.mean, f.median);
     ImGui::Text(tr("99 %% below %.1f, 99.9 %% below %.1f"), f.p99, f.p999);
-    if (s.pace.scale < 1)
-        ImGui::Text(tr("in motion: %.0f %% of the resolution%s"), 100 * s.pace.scale,
-                    s.pace.swift ? tr(", fewer photos") : "");
-    const FrameReport& r = s.report;
+    if (frames.pace.scale < 1)
+        ImGui::Text(tr("in motion: %.0f %% of the resolution%s"), 100 * frames.pace.scale,
+                    frames.pace.swift ? tr(", fewer photos") : "");
+    const FrameReport& r = frames.report;
     ImGui::Text(tr("%zu photos in %zu passes, %zu draws"), r.photos, r.passes, r.draws);
     ImGui::Text(tr("%zu tiles, %zu to come; %.1f MiB uploaded"), r.tiles, r.tiles_to_come,
                 double(r.uploaded) / double(MiB));

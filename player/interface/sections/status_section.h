@@ -1,13 +1,13 @@
 #pragma once
 #include "player/interface/sections/controls.h"
-#include "player/interface/state/session.h"
+#include "player/interface/state/drawn_frames.h"
 #include "player/render/renderer.h"
 
 namespace vantage {
 
 /// Times of frames, tiles, memory, and traffic of a package on a server. `graphics_budget`: of all objects,
 /// bytes.
-void status_section(Controls& controls, const Session& session, const Renderer& renderer,
+void status_section(Controls& controls, const DrawnFrames& frames, const Renderer& renderer,
                     std::uint64_t graphics_budget);
 
 }  // namespace vantage

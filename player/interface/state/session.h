@@ -1,20 +1,16 @@
 #pragma once
 #include <array>
-#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "player/interface/overlays/glide.h"
+#include "player/interface/state/drawn_frames.h"
 #include "player/interface/state/message.h"
+#include "player/interface/state/viewpoint.h"
 #include "player/interface/state/window_state.h"
-#include "player/render/frame_statistics.h"
-#include "player/render/pace.h"
 #include "player/render/render_settings.h"
 #include "player/survey/footprint.h"
 #include "player/survey/section.h"
-#include "player/view/camera_spline.h"
-#include "player/view/navigation.h"
 #include "player/view/stereo.h"
 
 namespace vantage {
@@ -41,8 +37,28 @@ struct OrthophotoRequest {
     bool writing = false;
 };
 
-/// How often positions are recorded.
-inline constexpr double positions_per_second = 30;
+/// The list of all photos.
+struct PhotoList {
+    std::array<char, 100> filter{};  ///< part of a name
+    bool worst_first = false;
+    std::vector<std::optional<double>> errors;  ///< of all photos, pixels; see photo_errors()
+    bool by_point = false;                      ///< lists those that show a point that is clicked
+    std::optional<Eigen::Vector3d> point;
+    std::vector<Footprint> showing;  ///< the photos that show it
+};
+
+/// How keys, drags and fingers move the camera.
+struct Steering {
+    double flying_speed = 1;  ///< of the keys, in usual speeds
+    bool inertia = true;      ///< what is let go in motion moves on
+    Glide glide;
+    /// What a drag or two fingers hold.
+    struct Grip {
+        Eigen::Vector3d pivot;  ///< the point under the pointer when it began
+        bool looks = false;     ///< the drag turns the camera in its place
+    };
+    std::optional<Grip> grip;
+};
 
 /// What the user sees and changes of a scene, in a window that may show others before and after it.
 struct Session {
@@ -51,64 +67,20 @@ struct Session {
 
     WindowState& window;
     RenderSettings settings;
-    Navigation camera;
-    Navigation home;            ///< where the session began
-    bool orthographic = false;  ///< instead of perspective
-    StereoSettings stereo;      ///< for the pictures of two eyes
-    double flying_speed = 1;    ///< of the keys, in usual speeds
-    bool inertia = true;        ///< what is let go in motion moves on
-    Glide glide;
-    /// What a drag or two fingers hold.
-    struct Grip {
-        Eigen::Vector3d pivot;  ///< the point under the pointer when it began
-        bool looks = false;     ///< the drag turns the camera in its place
-    };
-    std::optional<Grip> grip;
     std::vector<std::uint32_t> photos;  ///< allowed for blending
+    StereoSettings stereo;              ///< for the pictures of two eyes
+    bool freeze = false;                ///< weights are frozen
+    bool lamp_follows = true;           ///< the raking light follows the pointer
     /// Whether the section of layers is open, of a package that has none of its own.
     std::optional<bool> measured_layers;
-
-    std::uint32_t standing_at = 0;  ///< the photo last flown to
-    bool freeze = false;            ///< weights are frozen
-    bool lamp_follows = true;       ///< the raking light follows the pointer
+    Viewpoint viewpoint;
+    Steering steering;
+    RecordedPath path;
     Cut cut;
     OrthophotoRequest orthophoto;
-    /// The list of all photos.
-    struct PhotoList {
-        std::array<char, 100> filter{};  ///< part of a name
-        bool worst_first = false;
-        std::vector<std::optional<double>> errors;  ///< of all photos, pixels; see photo_errors()
-        bool by_point = false;                      ///< lists those that show a point that is clicked
-        std::optional<Eigen::Vector3d> point;
-        std::vector<Footprint> showing;  ///< the photos that show it
-    };
     PhotoList photo_list;
-
-    /// A flight in progress: to a photo, along a recorded path, or along a curve with times of its own.
-    struct Flight {
-        std::vector<Navigation> stops;
-        double start, seconds;
-        std::shared_ptr<const CameraSpline> along{};
-    };
-    std::optional<Flight> flight;
-    /// Where the camera was before it moved, oldest first.
-    struct EarlierViews {
-        std::vector<Navigation> views;
-        Navigation last{};  ///< of the last frame
-        double moved_at = 0;
-        bool returning = false;  ///< the flight leads to one of them
-    };
-    EarlierViews earlier;
-    bool recording = false;
-    std::vector<Navigation> recorded;  ///< one per 1 / positions_per_second seconds
-
     Message message;
-
-    FrameReport report;
-    Pace pace;  ///< of the frame drawn last
-    std::vector<float> frame_ms =
-        std::vector<float>(240, 0.0f);  ///< of the last 240 frames drawn, newest last
-    FrameStatistics statistics;
+    DrawnFrames drawn;
 };
 
 /// What is seen from a camera in a frame of this size: in the free part of it, orthographically if the
@@ -121,19 +93,9 @@ bool& layers_open(Session& session);
 
 /// Starts a flight to a photo's camera, 0.7 seconds long.
 void fly_to(Session& session, std::uint32_t photo, const package::PhotoRecord& record, double now);
-/// Starts a flight that ends before a point, at half the distance.
-void fly_to_point(Session& session, const Eigen::Vector3d& point, double now);
-/// Remembers how long a frame took, in milliseconds.
-void note_time(Session& session, double ms);
-/// Remembers the view from which the camera has just started to move.
-void note_view(Session& session, double now);
 /// Starts a flight to the view before the last movement.
 void fly_back(Session& session, double now);
 /// Ends a comparison, and starts a flight to where the session began.
 void fly_home(Session& session, double now);
-/// Starts a flight along the recorded path, as fast as it was recorded.
-void replay(Session& session, double now);
-/// Moves the camera to its position on the flight in progress.
-void continue_flight(Session& session, double now);
 
 }  // namespace vantage

@@ -33,9 +33,10 @@ void make_tour(Story& story) {
 
 void StoryEditor::add(ToldStory& told, const Session& s, const View& view, const SurfaceAt& surface) {
     StoryNote note{free_note_id(told.story), {}, {}};
-    note.view = story_view(s.camera, told.axes);
+    note.view = story_view(s.viewpoint.camera, told.axes);
     if (const auto at = surface({view.intrinsics.cx, view.intrinsics.cy}))
-        note.anchor = rounded_place(*at + told.axes.origin, (s.camera.target - s.camera.eye).norm());
+        note.anchor = rounded_place(*at + told.axes.origin,
+                                    (s.viewpoint.camera.target - s.viewpoint.camera.eye).norm());
     told.story.notes.push_back(std::move(note));
     told.open = told.story.notes.size() - 1;
     told.changed = true;
@@ -90,7 +91,7 @@ void StoryEditor::buttons(Controls& c, ToldStory& told, const Session& s) {
         told.changed = true;
     };
     if (c.button("Set its view")) {
-        notes[at].view = story_view(s.camera, told.axes);
+        notes[at].view = story_view(s.viewpoint.camera, told.axes);
         told.changed = true;
     }
     c.explain("This is where it is looked at from.");
@@ -127,7 +128,7 @@ void StoryEditor::show(Controls& c, ToldStory& told, Session& s, const View& vie
     c.explain("Where the middle of the view meets the surface, with this view.");
     ImGui::SameLine();
     if (c.button("Set the opening view")) {
-        told.story.opening = story_view(s.camera, told.axes);
+        told.story.opening = story_view(s.viewpoint.camera, told.axes);
         told.changed = true;
     }
     take(told);

@@ -39,7 +39,7 @@ void tour_buttons(Controls& c, ToldStory& told, Session& s, double now) {
         if (c.button(
                 (formatted(plays ? tr("Stop %s") : tr("Play %s"), name.c_str()) + "##" + recorded).c_str())) {
             if (plays)
-                s.flight.reset();
+                s.viewpoint.flight.reset();
             else
                 play_tour(told, s, i, now);
         }
@@ -59,7 +59,8 @@ void story_content(Controls& c, ToldStory& told, Session& s, double now) {
     language_choice(c, told, s);
     for (std::size_t i = 0; i < told.story.notes.size(); ++i) {
         ImGui::PushID(int(i));
-        if (ImGui::Selectable(note_label(told, i).c_str(), told.open == i)) open_note(told, s, i, now);
+        if (ImGui::Selectable(note_label(told, i).c_str(), told.open == i))
+            open_note(told, s.viewpoint, i, now);
         c.note(("List " + std::to_string(i + 1)).c_str());
         ImGui::PopID();
     }
@@ -84,9 +85,9 @@ void note_content(Controls& c, ToldStory& told, NotePicture& picture, Session& s
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
     ImGui::TextUnformatted(text_in(told.story, note.text, told.language).c_str());
     ImGui::PopTextWrapPos();
-    if (count > 1 && c.button("Previous note")) open_note(told, s, (at + count - 1) % count, now);
+    if (count > 1 && c.button("Previous note")) open_note(told, s.viewpoint, (at + count - 1) % count, now);
     if (count > 1) ImGui::SameLine();
-    if (count > 1 && c.button("Next note")) open_note(told, s, (at + 1) % count, now);
+    if (count > 1 && c.button("Next note")) open_note(told, s.viewpoint, (at + 1) % count, now);
 }
 
 void story_panel(Controls& c, ToldStory& told, Session& s, bool* shown, double now) {

@@ -42,18 +42,18 @@ ToldStory told_story(const std::filesystem::path& package, const InputAxes& axes
     return told;
 }
 
-void open_note(ToldStory& told, Session& s, std::size_t note, double now) {
+void open_note(ToldStory& told, Viewpoint& viewpoint, std::size_t note, double now) {
     told.playing.reset();
     told.open = note;
     const auto& view = told.story.notes[note].view;
-    if (view) s.flight = Session::Flight{{s.camera, camera_at(*view, told.axes)}, now, flight_seconds};
+    if (view) start_flight(viewpoint, camera_at(*view, told.axes), now, flight_seconds);
 }
 
 void play_tour(ToldStory& told, Session& s, std::size_t tour, double now) {
     try {
-        const auto along = std::make_shared<const CameraSpline>(
-            keys_of(told.story, told.story.tours[tour].stops, s.camera, told.axes, told.file.string()));
-        s.flight = Session::Flight{{s.camera}, now, along->seconds(), along};
+        const auto along = std::make_shared<const CameraSpline>(keys_of(
+            told.story, told.story.tours[tour].stops, s.viewpoint.camera, told.axes, told.file.string()));
+        s.viewpoint.flight = Viewpoint::Flight{{s.viewpoint.camera}, now, along->seconds(), along};
         told.playing = ToldStory::Playing{tour, now};
         told.open.reset();
     } catch (const Error& e) {
@@ -61,9 +61,10 @@ void play_tour(ToldStory& told, Session& s, std::size_t tour, double now) {
     }
 }
 
-void continue_tour(ToldStory& told, const Session& s, double now) {
+void continue_tour(ToldStory& told, const Viewpoint& viewpoint, double now) {
     if (!told.playing) return;
-    if (!s.flight || !s.flight->along) return told.playing.reset();  // the last card stays open
+    if (!viewpoint.flight || !viewpoint.flight->along)
+        return told.playing.reset();  // the last card stays open
     told.open.reset();
     double at = told.playing->start;
     for (const StoryStop& stop : told.story.tours[told.playing->tour].stops) {

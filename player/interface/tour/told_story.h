@@ -33,14 +33,14 @@ ToldStory told_story(const std::filesystem::path& package, const InputAxes& axes
                      const std::string& language);
 
 /// Opens a note's card and flies to its view, if it has one.
-void open_note(ToldStory& told, Session& session, std::size_t note, double now);
+void open_note(ToldStory& told, Viewpoint& viewpoint, std::size_t note, double now);
 
 /// Starts a tour from where the camera is. Does nothing if a stop has no view.
 void play_tour(ToldStory& told, Session& session, std::size_t tour, double now);
 
 /// While a tour plays, opens the card of the note where it stops, and closes it when it flies on. A tour ends
 /// with its flight, also if input interrupts that.
-void continue_tour(ToldStory& told, const Session& session, double now);
+void continue_tour(ToldStory& told, const Viewpoint& viewpoint, double now);
 
 /// The opening view, or nothing if the story has none.
 std::optional<Navigation> opening_of(const ToldStory& told);

@@ -38,7 +38,7 @@ UnderPointer under_pointer(const View& view, const Session& s, const PlanScene& 
     const Ray ray = ray_through(view, pixel);
     if (const auto hit = first_hit(scene, ray, behind(s.settings.sections, ray)))
         return {hit->position, true};
-    return {ray.from + depth_in(view, s.camera.target) * ray.along, false};
+    return {ray.from + depth_in(view, s.viewpoint.camera.target) * ray.along, false};
 }
 
 /// Dragging by the window's width turns by half a turn; what is dragged follows the pointer.
@@ -46,21 +46,23 @@ void drag(Session& s, const View& view, const PlanScene& scene, const Eigen::Vec
           const Drags& drags) {
     const ImGuiIO& io = ImGui::GetIO();
     const auto [left, right, middle] = drags;
-    if (!s.grip) {
+    if (!s.steering.grip) {
         const Eigen::Vector2d moved(left.right + right.right + middle.right,
                                     left.down + right.down + middle.down);
         const UnderPointer begin = under_pointer(view, s, scene, pointer - moved);
-        s.grip = Session::Grip{begin.on_mesh ? begin.point : s.camera.target, io.KeyCtrl && !s.orthographic};
+        s.steering.grip = Steering::Grip{begin.on_mesh ? begin.point : s.viewpoint.camera.target,
+                                         io.KeyCtrl && !s.viewpoint.orthographic};
     }
     const double focal = view.intrinsics.fx;
-    if (s.grip->looks) {
-        look(s.camera, -left.right / focal, -left.down / focal);
+    if (s.steering.grip->looks) {
+        look(s.viewpoint.camera, -left.right / focal, -left.down / focal);
     } else {
         const double radians = std::numbers::pi / std::max(1.0, double(io.DisplaySize.x));
-        orbit_about(s.camera, s.grip->pivot, left.right * radians, left.down * radians);
+        orbit_about(s.viewpoint.camera, s.steering.grip->pivot, left.right * radians, left.down * radians);
     }
-    const double depth = std::abs(depth_in(view, s.grip->pivot));
-    fly(s.camera, -depth / focal * Eigen::Vector3d(right.right + middle.right, right.down + middle.down, 0));
+    const double depth = std::abs(depth_in(view, s.steering.grip->pivot));
+    fly(s.viewpoint.camera,
+        -depth / focal * Eigen::Vector3d(right.right + middle.right, right.down + middle.down, 0));
 }
 
 /// The wheel moves closer to what is under the pointer, or away; a double click flies there.
@@ -69,24 +71,26 @@ void move_to_pointer(Session& s, const View& view, const PlanScene& scene, const
     const double wheel = double(ImGui::GetIO().MouseWheel);
     const UnderPointer at = under_pointer(view, s, scene, pointer);
     if (wheel != 0)
-        approach_point(s.camera, at.point, std::pow(0.9, wheel), nearest * scene.size, farthest * scene.size);
+        approach_point(s.viewpoint.camera, at.point, std::pow(0.9, wheel), nearest * scene.size,
+                       farthest * scene.size);
     if (s.window.input.double_clicked && !s.window.panels.measure && at.on_mesh)
-        fly_to_point(s, at.point, now);
+        fly_to_point(s.viewpoint, at.point, now);
 }
 
 /// What is under two fingers follows them.
 void pinch(Session& s, const View& view, const PlanScene& scene) {
     const Pinch& p = *s.window.input.pinch;
-    if (s.window.input.pinch_begins || !s.grip)
-        s.grip = Session::Grip{under_pointer(view, s, scene, p.center - p.moved).point};
-    follow_pinch(s.camera, p, s.grip->pivot, view, nearest * scene.size, farthest * scene.size);
+    if (s.window.input.pinch_begins || !s.steering.grip)
+        s.steering.grip = Steering::Grip{under_pointer(view, s, scene, p.center - p.moved).point};
+    follow_pinch(s.viewpoint.camera, p, s.steering.grip->pivot, view, nearest * scene.size,
+                 farthest * scene.size);
 }
 
 /// What the pointer drags in this frame, or what was let go moves on by. Other movements end a glide.
 Drags dragged_by(Session& s, bool free, bool held, bool moves_otherwise, double now) {
-    if (moves_otherwise || s.flight || (!s.inertia && !held)) s.glide = {};
-    if (held && !s.glide.held) s.grip.reset();
-    return move_on(s.glide, free ? s.window.input.drags : Drags{}, free && held, now);
+    if (moves_otherwise || s.viewpoint.flight || (!s.steering.inertia && !held)) s.steering.glide = {};
+    if (held && !s.steering.glide.held) s.steering.grip.reset();
+    return move_on(s.steering.glide, free ? s.window.input.drags : Drags{}, free && held, now);
 }
 
 void move_by_pointer(Session& s, const PlanScene& scene, double now) {
@@ -98,14 +102,15 @@ void move_by_pointer(Session& s, const PlanScene& scene, double now) {
     const bool dragged =
         std::ranges::any_of(drags, [](const Drag& d) { return d.right != 0 || d.down != 0; });
     if (dragged || pinched || points) {
-        s.flight.reset();  // input interrupts a flight
-        const View view = shown_view(s.camera, s, scene, int(io.DisplaySize.x), int(io.DisplaySize.y));
+        s.viewpoint.flight.reset();  // input interrupts a flight
+        const View view =
+            shown_view(s.viewpoint.camera, s, scene, int(io.DisplaySize.x), int(io.DisplaySize.y));
         const Eigen::Vector2d pointer(io.MousePos.x, io.MousePos.y);
         if (dragged) drag(s, view, scene, pointer, drags);
         if (pinched) pinch(s, view, scene);
         if (points) move_to_pointer(s, view, scene, pointer, now);
     }
-    if (!s.window.input.pinch && !held && !dragged) s.grip.reset();
+    if (!s.window.input.pinch && !held && !dragged) s.steering.grip.reset();
 }
 
 /// The pointer as the top of a hemisphere over the frame: low at its edge, at the viewer in its middle.
@@ -137,14 +142,14 @@ void move_by_keys(Session& s) {
     Eigen::Vector3d step(down(GLFW_KEY_D) - down(GLFW_KEY_A), down(GLFW_KEY_Q) - down(GLFW_KEY_E),
                          down(GLFW_KEY_W) - down(GLFW_KEY_S));
     if (!(step.norm() > 0)) return;
-    s.flight.reset();
-    s.glide = {};
-    step *= (io.KeyShift ? 2.0 : 0.5) * s.flying_speed * std::min(io.DeltaTime, 0.1f);
-    if (s.orthographic) {  // ahead, nothing would change
-        approach(s.camera, std::exp(-step.z()));
+    s.viewpoint.flight.reset();
+    s.steering.glide = {};
+    step *= (io.KeyShift ? 2.0 : 0.5) * s.steering.flying_speed * std::min(io.DeltaTime, 0.1f);
+    if (s.viewpoint.orthographic) {  // ahead, nothing would change
+        approach(s.viewpoint.camera, std::exp(-step.z()));
         step.z() = 0;
     }
-    fly(s.camera, step * (s.camera.eye - s.camera.target).norm());
+    fly(s.viewpoint.camera, step * (s.viewpoint.camera.eye - s.viewpoint.camera.target).norm());
 }
 
 template <class Enum>
@@ -154,8 +159,9 @@ void next(Enum& value) {
 
 /// Flies to the next photo with pixels on the right, or on the left (`by` -1).
 void fly_on(Session& s, const PlanScene& scene, int by, double now) {
-    const std::vector<std::uint32_t> order = photos_around(scene.photos, s.camera.up);
-    const int count = int(order.size()), here = int(std::ranges::find(order, s.standing_at) - order.begin());
+    const std::vector<std::uint32_t> order = photos_around(scene.photos, s.viewpoint.camera.up);
+    const int count = int(order.size()),
+              here = int(std::ranges::find(order, s.viewpoint.standing_at) - order.begin());
     for (int i = 1; i <= count; ++i) {
         const std::uint32_t photo = order[std::size_t((here + by * i % count + count) % count)];
         if (scene.photos[photo].levels && is_shown(s.settings.image_sets, scene.photos[photo]))
@@ -167,8 +173,8 @@ void fly_on(Session& s, const PlanScene& scene, int by, double now) {
 void leave(Session& s, double now) {
     if (s.window.panels.help)
         s.window.panels.help = false;
-    else if (s.flight)
-        s.flight.reset();
+    else if (s.viewpoint.flight)
+        s.viewpoint.flight.reset();
     else if (s.settings.compare != Compare::nothing)
         s.settings.compare = Compare::nothing;
     else if (!s.window.kiosk)
@@ -233,19 +239,17 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
             return fly_on(s, scene, -1, now);
         case GLFW_KEY_C: {
             const ImVec2 frame = ImGui::GetIO().DisplaySize;
-            return toggle_comparison(s, scene, view_of(s.camera, int(frame.x), int(frame.y), s.window.free),
-                                     now);
+            return toggle_comparison(
+                s, scene, view_of(s.viewpoint.camera, int(frame.x), int(frame.y), s.window.free), now);
         }
         case GLFW_KEY_X:
-            return show_next_image_set(s, scene.image_sets.size());
+            return show_next_image_set(s.settings.image_sets, scene.image_sets.size());
         case GLFW_KEY_V:
             return next(s.settings.show);
         case GLFW_KEY_R:
-            s.recording = !s.recording;
-            if (s.recording) s.recorded.clear();
-            return;
+            return toggle_recording(s.path);
         case GLFW_KEY_T:
-            return replay(s, now);
+            return replay(s.viewpoint, s.path, now);
         case GLFW_KEY_M:
             s.window.panels.measure = !s.window.panels.measure;
             return;

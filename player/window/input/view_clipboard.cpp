@@ -18,8 +18,8 @@ std::string quoted(const std::string& text) {
 }
 
 void copy(Session& s, const PackageReader& package, double now) {
-    const std::string command =
-        "vantage-player " + quoted(package.path().string()) + " --view " + view_text(s.camera, package);
+    const std::string command = "vantage-player " + quoted(package.path().string()) + " --view " +
+                                view_text(s.viewpoint.camera, package);
     ImGui::SetClipboardText(command.c_str());
     say(s.message, tr("The view is copied as a command line"), now);
 }
@@ -37,9 +37,9 @@ void paste(Session& s, const std::string& text, const PackageReader& package, do
     if (text.empty()) return;
     try {
         const auto [view, distance] = parse_view_and_distance(view_in(text), package, {1280, 720});
-        Navigation to = stand_at(view, s.camera.up, distance);
-        to.aspect = s.camera.aspect;
-        s.flight = Session::Flight{{s.camera, to}, now, 0.7};
+        Navigation to = stand_at(view, s.viewpoint.camera.up, distance);
+        to.aspect = s.viewpoint.camera.aspect;
+        start_flight(s.viewpoint, to, now, 0.7);
     } catch (const Error& e) {
         say(s.message, e.what(), now);
     }

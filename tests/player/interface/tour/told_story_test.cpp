@@ -23,7 +23,7 @@ class ToldStories : public TemporaryFolder {
     Session session() {
         Session s(window);
         const Vector3d eye(0, -10, 0), target(0, 0, 0), up(0, 0, 1);
-        s.camera = {eye, target, up, view_towards(eye, target, up, 45, 1, 1).cam_from_origin.R, 45};
+        s.viewpoint.camera = {eye, target, up, view_towards(eye, target, up, 45, 1, 1).cam_from_origin.R, 45};
         return s;
     }
 };
@@ -41,24 +41,24 @@ TEST_F(ToldStories, ToursFlyToEachStopAndShowItsCardWhileTheyStay) {
     Session s = session();
     play_tour(story, s, 0, 100);
     const auto at = [&](double now) {
-        continue_flight(s, now);
-        continue_tour(story, s, now);
+        continue_flight(s.viewpoint, now);
+        continue_tour(story, s.viewpoint, now);
     };
     at(101);
     EXPECT_FALSE(story.open) << "on the way";
-    EXPECT_NEAR(s.camera.eye.norm(), 10, 0.1) << "around the model";
+    EXPECT_NEAR(s.viewpoint.camera.eye.norm(), 10, 0.1) << "around the model";
     at(103);
     EXPECT_EQ(story.open, 0u);
-    EXPECT_LT((s.camera.eye - Vector3d(10, 0, 0)).norm(), 1e-6);
+    EXPECT_LT((s.viewpoint.camera.eye - Vector3d(10, 0, 0)).norm(), 1e-6);
     at(105.5);
     EXPECT_FALSE(story.open) << "on the way";
     at(107);
     EXPECT_EQ(story.open, 1u);
-    EXPECT_LT((s.camera.eye - Vector3d(0, 10, 0)).norm(), 1e-6);
+    EXPECT_LT((s.viewpoint.camera.eye - Vector3d(0, 10, 0)).norm(), 1e-6);
     at(111);
-    EXPECT_FALSE(s.flight);
+    EXPECT_FALSE(s.viewpoint.flight);
     EXPECT_FALSE(story.playing);
-    EXPECT_LT((s.camera.eye - Vector3d(0, 10, 0)).norm(), 1e-6);
+    EXPECT_LT((s.viewpoint.camera.eye - Vector3d(0, 10, 0)).norm(), 1e-6);
 }
 
 TEST_F(ToldStories, InputEndsATour) {
@@ -66,12 +66,12 @@ TEST_F(ToldStories, InputEndsATour) {
     ToldStory story = told();
     Session s = session();
     play_tour(story, s, 0, 0);
-    continue_flight(s, 1);
-    s.flight.reset();  // as dragging does
-    continue_tour(story, s, 1);
+    continue_flight(s.viewpoint, 1);
+    s.viewpoint.flight.reset();  // as dragging does
+    continue_tour(story, s.viewpoint, 1);
     EXPECT_FALSE(story.playing);
-    continue_flight(s, 3);
-    continue_tour(story, s, 3);
+    continue_flight(s.viewpoint, 3);
+    continue_tour(story, s.viewpoint, 3);
     EXPECT_FALSE(story.open);
 }
 

@@ -1,0 +1,59 @@
+#include "player/interface/state/viewpoint.h"
+
+#include <algorithm>
+
+#include "player/view/camera_path.h"
+
+namespace vantage {
+
+void begin_at(Viewpoint& v, const Navigation& camera) { v.camera = v.home = v.earlier.last = camera; }
+
+void start_flight(Viewpoint& v, const Navigation& to, double now, double seconds) {
+    v.flight = Viewpoint::Flight{{v.camera, to}, now, seconds};
+}
+
+void fly_to_point(Viewpoint& v, const Eigen::Vector3d& point, double now) {
+    start_flight(v, facing(v.camera, point, (v.camera.eye - point).norm() / 2), now, 0.5);
+}
+
+void replay(Viewpoint& v, const RecordedPath& path, double now) {
+    if (path.positions.size() < 2) return;
+    v.flight =
+        Viewpoint::Flight{path.positions, now, double(path.positions.size() - 1) / positions_per_second};
+}
+
+void continue_flight(Viewpoint& v, double now) {
+    if (!v.flight) return;
+    if (v.flight->along) {
+        v.camera = v.flight->along->at(now - v.flight->start);
+        if (now - v.flight->start >= v.flight->seconds) v.flight.reset();
+        return;
+    }
+    const auto& stops = v.flight->stops;
+    double share = std::clamp((now - v.flight->start) / v.flight->seconds, 0.0, 1.0);
+    if (stops.size() == 2) share = share * share * (3 - 2 * share);  // accelerates and decelerates smoothly
+    const double at = share * double(stops.size() - 1);
+    const auto first = std::min(std::size_t(at), stops.size() - 2);
+    v.camera = share >= 1 ? stops.back() : between(stops[first], stops[first + 1], at - double(first));
+    if (share >= 1) v.flight.reset();
+}
+
+void note_view(Viewpoint& v, double now) {
+    constexpr double pause = 0.5;  // seconds between two movements
+    constexpr std::size_t most = 100;
+    Viewpoint::EarlierViews& e = v.earlier;
+    if (v.camera.eye != e.last.eye || v.camera.R != e.last.R) {
+        if (now - e.moved_at > pause && !e.returning) e.views.push_back(e.last);
+        if (e.views.size() > most) e.views.erase(e.views.begin());
+        e.moved_at = now;
+        e.last = v.camera;
+    }
+    e.returning = e.returning && v.flight;
+}
+
+void toggle_recording(RecordedPath& path) {
+    path.recording = !path.recording;
+    if (path.recording) path.positions.clear();
+}
+
+}  // namespace vantage
