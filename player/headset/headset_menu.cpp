@@ -33,37 +33,37 @@ constexpr std::array<const char*, std::size_t(MenuPage::count)> page_names{
     marked("Cut"),           marked("Measure"),     marked("Story"),      marked("Status")};
 
 bool has_page(MenuPage page, const MenuContent& m) {
-    const PlanScene& scene = m.renderer.scene();
+    const PlanScene& scene = m.scene.plan();
     switch (page) {
         case MenuPage::photos:
         case MenuPage::blending:
             return !scene.photos.empty();
         case MenuPage::layers:
-            return !m.renderer.layers().empty();
+            return !m.scene.renderer.layers().empty();
         case MenuPage::points:
-            return m.renderer.points() != nullptr;
+            return m.scene.renderer.points() != nullptr;
         case MenuPage::image_sets:
             return scene.image_sets.size() > 1;
         case MenuPage::objects:
-            return m.objects.size() > 1;
+            return m.scene.objects.size() > 1;
         case MenuPage::cut:
         case MenuPage::measure:
-            return !points_only(m.renderer.package().scene());
+            return !points_only(m.scene.package().scene());
         case MenuPage::story:
-            return m.told.any() || !m.told.trouble.empty();
+            return m.scene.told.any() || !m.scene.told.trouble.empty();
         default:
             return true;
     }
 }
 
-void page_buttons(Controls& c, MenuPage& page, const MenuContent& m) {
+void page_buttons(Controls& c, const MenuContent& m) {
     for (std::size_t i = 0; i < page_names.size(); ++i) {
         if (!has_page(MenuPage(i), m)) continue;
-        const bool chosen = page == MenuPage(i);
+        const bool chosen = m.page == MenuPage(i);
         if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         ImGui::PushID("page");
         const std::string name = shown_name(page_names[i]);
-        if (ImGui::Button(name.c_str(), ImVec2(-1, 0))) page = MenuPage(i);
+        if (ImGui::Button(name.c_str(), ImVec2(-1, 0))) m.page = MenuPage(i);
         c.note((std::string("Page ") + page_names[i]).c_str());
         ImGui::PopID();
         if (chosen) ImGui::PopStyleColor();
@@ -125,54 +125,57 @@ void only_this_photo(Controls& c, Session& s, const PlanScene& scene) {
 void photos_page(Controls& c, Session& s, const MenuContent& m, double now) {
     c.checkbox("Photos in the scene", &s.window.panels.frusta);
     c.explain("Shows each photo where it was taken. Select one to stand there.");
-    only_this_photo(c, s, m.renderer.scene());
-    photo_list_section(c, s, m.renderer, now);
+    only_this_photo(c, s, m.scene.plan());
+    photo_list_section(c, s, m.scene.renderer, now);
 }
 
 void measure_page(Controls& c, Session& s, const MenuContent& m, double now) {
-    if (c.button("Undo point")) m.measure.remove_last_point();
+    if (c.button("Undo point")) m.scene.measure.remove_last_point();
     ImGui::SameLine();
-    if (c.button("Finish")) m.measure.end();
-    m.measure.content(c, s, now);
+    if (c.button("Finish")) m.scene.measure.end();
+    m.scene.measure.content(c, s, now);
 }
 
 void story_page(Controls& c, Session& s, const MenuContent& m, double now) {
-    if (!m.told.open || *m.told.open >= m.told.story.notes.size()) return story_content(c, m.told, s, now);
+    if (!m.scene.told.open || *m.scene.told.open >= m.scene.told.story.notes.size())
+        return story_content(c, m.scene.told, s, now);
     if (c.button("All notes")) {
-        m.told.playing.reset();
-        return m.told.open.reset();
+        m.scene.told.playing.reset();
+        return m.scene.told.open.reset();
     }
-    ImGui::TextUnformatted(note_label(m.told, *m.told.open).c_str());
-    note_content(c, m.told, m.note_picture, s, ImGui::GetContentRegionAvail().x, 260, now);
+    ImGui::TextUnformatted(note_label(m.scene.told, *m.scene.told.open).c_str());
+    note_content(c, m.scene.told, m.scene.note_picture, s.viewpoint,
+                 ImVec2(ImGui::GetContentRegionAvail().x, 260), now);
 }
 
-void page_content(Controls& c, Session& s, MenuPage page, const MenuContent& m, double now) {
-    const PackageReader& package = m.renderer.package();
-    switch (page) {
+void page_content(Controls& c, Session& s, const MenuContent& m, double now) {
+    const PackageReader& package = m.scene.package();
+    switch (m.page) {
         case MenuPage::photos:
             return photos_page(c, s, m, now);
         case MenuPage::picture:
-            return picture_content(c, s, m.renderer);
+            return picture_content(c, s, m.scene.renderer);
         case MenuPage::blending:
-            return blending_section(c, s, m.renderer);
+            return blending_section(c, s, m.scene.renderer);
         case MenuPage::layers:
-            return field_section(c, s.settings.layer, m.renderer, view_of(s.viewpoint.camera, 1000, 1000));
+            return field_section(c, s.settings.layer, m.scene.renderer,
+                                 view_of(s.viewpoint.camera, 1000, 1000));
         case MenuPage::points:
-            return point_section(c, s, m.renderer);
+            return point_section(c, s, m.scene.renderer);
         case MenuPage::image_sets:
-            return image_set_section(c, s.settings, m.renderer);
+            return image_set_section(c, s.settings, m.scene.renderer);
         case MenuPage::objects:
-            object_section(c, s.window.commands, m.objects, m.renderer.scene().size);
+            object_section(c, s.window.commands, m.scene.objects, m.scene.plan().size);
             return;
         case MenuPage::cut:
-            return cut_section(c, s, m.renderer.scene(),
+            return cut_section(c, s, m.scene.plan(),
                                Eigen::Map<const Eigen::Vector3d>(package.scene().origin));
         case MenuPage::measure:
             return measure_page(c, s, m, now);
         case MenuPage::story:
             return story_page(c, s, m, now);
         case MenuPage::status:
-            return status_section(c, s.drawn, m.renderer, m.objects.graphics_budget());
+            return status_section(c, s.drawn, m.scene.renderer, m.scene.objects.graphics_budget());
         default:
             return move_page(c, s, m, now);
     }
@@ -180,29 +183,28 @@ void page_content(Controls& c, Session& s, MenuPage page, const MenuContent& m, 
 
 }  // namespace
 
-void headset_menu(Controls& c, Session& s, MenuPage& page, const MenuContent& m, int width, int height,
-                  double now) {
-    if (!has_page(page, m)) page = MenuPage::move;
+void headset_menu(Controls& c, Session& s, const MenuContent& m, FrameSize size, double now) {
+    if (!has_page(m.page, m)) m.page = MenuPage::move;
     ImGui::SetNextWindowPos(ImVec2(0, 0));
-    ImGui::SetNextWindowSize(ImVec2(float(width), float(height)));
+    ImGui::SetNextWindowSize(ImVec2(float(size.width), float(size.height)));
     ImGui::Begin("##menu", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::BeginChild("##pages", ImVec2(pages_width, 0));
-    page_buttons(c, page, m);
+    page_buttons(c, m);
     ImGui::EndChild();
     ImGui::SameLine();
     ImGui::BeginChild("##content", ImVec2(0, 0));
     ImGui::PushItemWidth(width_beside_names());
     c.set_width_fixed(true);
-    ImGui::PushID(int(page));
-    page_content(c, s, page, m, now);
+    ImGui::PushID(int(m.page));
+    page_content(c, s, m, now);
     ImGui::PopID();
     c.set_width_fixed(false);
     ImGui::PopItemWidth();
     ImGui::EndChild();
     ImGui::End();
-    s.window.panels.measure = page == MenuPage::measure;
+    s.window.panels.measure = m.page == MenuPage::measure;
 }
 
 }  // namespace vantage

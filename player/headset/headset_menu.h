@@ -1,10 +1,7 @@
 #pragma once
-#include "player/composition/object_set.h"
 #include "player/headset/locomotion/walk.h"
-#include "player/interface/sections/measure_panel.h"
-#include "player/interface/state/session.h"
-#include "player/interface/tour/note_picture.h"
-#include "player/interface/tour/told_story.h"
+#include "player/view/frame_size.h"
+#include "player/window/loaded_scene.h"
 
 namespace vantage {
 
@@ -27,18 +24,15 @@ enum class MenuPage {
 
 /// What the menu shows and changes, beside the session.
 struct MenuContent {
-    Renderer& renderer;
-    ObjectSet& objects;
-    MeasurePanel& measure;
-    ToldStory& told;
-    NotePicture& note_picture;
+    LoadedScene& scene;
+    MenuPage& page;  ///< that is shown
     Walk& walk;
     double& unit_meters;  ///< 0: unknown
     bool& vignette;       ///< while flying, the edges of the picture are dark
 };
 
 /// The menu in a headset, on a panel of this size, with large controls: the same settings as the window's.
-void headset_menu(Controls& controls, Session& session, MenuPage& page, const MenuContent& content, int width,
-                  int height, double now);
+void headset_menu(Controls& controls, Session& session, const MenuContent& content, FrameSize size,
+                  double now);
 
 }  // namespace vantage

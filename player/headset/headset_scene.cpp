@@ -38,19 +38,14 @@ double unit_meters(const PackageReader& package, double given) {
 
 HeadsetScene::HeadsetScene(const PackageReader& package, const std::vector<SceneObject>& objects,
                            const ShowOptions& o, Session& session)
-    : renderer_(package, memory_budget(o.memory)),
-      objects_(renderer_, objects, memory_budget(o.memory)),
+    : scene_(package, objects, o, session),
       session_(session),
       origin_(Eigen::Map<const Eigen::Vector3d>(package.scene().origin)),
       up_(up_of(package.scene())),
       unit_meters_(unit_meters(package, o.headset.unit_meters)),
       fps_(o.window.fps),
       controls_(o.window.controls),
-      measure_(package),
-      told_(told_story(o.package.file, input_axes(package), session.window.language)),
-      language_(session.window.language),
       clock_(gl::current_device().software) {
-    begin_in_scene(session_, package, told_, o);
     session_.window.keyboard = false;
     session_.window.panels.measure = false;  // a page of the menu
 }
@@ -86,8 +81,8 @@ void HeadsetScene::place_panel() {
 
 void HeadsetScene::point(const HeadsetFrame& frame) {
     place_panel();
-    const std::vector<PlacedMesh> meshes = objects_.meshes();
-    const PointingTargets targets{panel_, meshes, origin_, told_.story, renderer_.scene(), session_};
+    const std::vector<PlacedMesh> meshes = scene_.objects.meshes();
+    const PointingTargets targets{panel_, meshes, origin_, scene_.told.story, scene_.plan(), session_};
     for (std::size_t i = 0; i < 2; ++i) pointed_[i] = pointed_by(frame.hands[i], walk_.stance, targets);
     menu_pointer_ = next_menu_pointer(menu_pointer_, frame.hands, pointed_, selected_, walk_.stance, panel_);
 }
@@ -101,14 +96,15 @@ void HeadsetScene::act(const HeadsetFrame& frame) {
     const double now = frame.time;
     for (std::size_t i = 0; i < 2; ++i) {
         const Pointed& p = pointed_[i];
-        if (session_.window.panels.measure && frame.hands[i].aim && !p.menu) measure_.point_at(p.surface);
+        if (session_.window.panels.measure && frame.hands[i].aim && !p.menu)
+            scene_.measure.point_at(p.surface);
         if (!chosen(frame.hands, i)) continue;
         if (session_.window.panels.measure)
-            measure_.set_point(session_, now);
+            scene_.measure.set_point(session_, now);
         else if (p.note)
-            told_.playing.reset(), told_.open = *p.note, page_ = MenuPage::story;
+            scene_.told.playing.reset(), scene_.told.open = *p.note, page_ = MenuPage::story;
         else if (p.photo)
-            fly_to(session_, *p.photo, renderer_.scene().photos[*p.photo], now);
+            fly_to(session_, *p.photo, scene_.plan().photos[*p.photo], now);
         if (p.note && !menu_) menu_ = menu_in_front_of(frame.head);
     }
 }
@@ -125,7 +121,7 @@ FreeHands HeadsetScene::free_hands() const {
 
 void HeadsetScene::walk(const HeadsetFrame& frame, double seconds) {
     if (std::exchange(gazed_, frame.gazes) != frame.gazes || !frame.focused) let_go(walk_);
-    const std::vector<PlacedMesh> meshes = objects_.meshes();
+    const std::vector<PlacedMesh> meshes = scene_.objects.meshes();
     const SurfaceBetween surface = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
         return surface_on(meshes, {from, to - from}, 1, session_.settings.sections);
     };
@@ -142,24 +138,25 @@ void HeadsetScene::walk(const HeadsetFrame& frame, double seconds) {
 /// Of a tour, from the time at which the window begins to fly there. Somebody who moves leaves the tour.
 void HeadsetScene::stand_at_stop(const HeadsetFrame& frame) {
     const Viewpoint::Flight& flight = *session_.viewpoint.flight;
-    const double seconds = frame.time - told_.playing->start;
-    const TourStop to = tour_stop(told_.story.tours[told_.playing->tour], seconds);
-    const bool there = stop_ && stop_->number == to.stop && stop_->started == told_.playing->start;
+    const double seconds = frame.time - scene_.told.playing->start;
+    const TourStop to = tour_stop(scene_.told.story.tours[scene_.told.playing->tour], seconds);
+    const bool there = stop_ && stop_->number == to.stop && stop_->started == scene_.told.playing->start;
     if (there && walk_.stance.at != stop_->stood.at) return session_.viewpoint.flight.reset();
     if (there) return;
     const Navigation camera = flight.along->at(to.reached);
     walk_.stance = standing(frame.head, camera.eye, camera.target, up_, walk_.stance.scale);
-    stop_ = Stop{to.stop, told_.playing->start, walk_.stance};
+    stop_ = Stop{to.stop, scene_.told.playing->start, walk_.stance};
 }
 
 /// Shows the note that a tour has opened.
 void HeadsetScene::continue_tour(const HeadsetFrame& frame) {
-    if (!told_.playing) return stop_.reset();
-    if (session_.viewpoint.flight && frame.time - told_.playing->start >= session_.viewpoint.flight->seconds)
+    if (!scene_.told.playing) return stop_.reset();
+    if (session_.viewpoint.flight &&
+        frame.time - scene_.told.playing->start >= session_.viewpoint.flight->seconds)
         session_.viewpoint.flight.reset();
-    const auto before = told_.open;
-    vantage::continue_tour(told_, session_.viewpoint, frame.time);
-    if (!told_.open || told_.open == before) return;
+    const auto before = scene_.told.open;
+    vantage::continue_tour(scene_.told, session_.viewpoint, frame.time);
+    if (!scene_.told.open || scene_.told.open == before) return;
     page_ = MenuPage::story;
     if (!menu_) menu_ = menu_in_front_of(frame.head);
 }
@@ -168,7 +165,7 @@ void HeadsetScene::continue_tour(const HeadsetFrame& frame) {
 void HeadsetScene::stand_where_sent(const HeadsetFrame& frame) {
     if (!session_.viewpoint.flight) return;
     if (session_.viewpoint.flight->along)
-        return told_.playing ? stand_at_stop(frame) : session_.viewpoint.flight.reset();
+        return scene_.told.playing ? stand_at_stop(frame) : session_.viewpoint.flight.reset();
     const Navigation to = session_.viewpoint.flight->stops.back();
     session_.viewpoint.flight.reset();
     walk_.stance = standing(frame.head, to.eye, to.target, up_, walk_.stance.scale);
@@ -185,15 +182,15 @@ std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
         for (const MeasurePanel::Drawn& d : measured_) {
             const std::vector<Eigen::Vector3d> points = points_from(d.measurement, origin_);
             if (points.empty() || d.label.empty()) continue;
-            out.push_back({d.label, label_place(d.measurement.measure, points, measure_.up()), white});
+            out.push_back({d.label, label_place(d.measurement.measure, points, scene_.measure.up()), white});
         }
-    for (std::size_t i = 0; i < told_.story.notes.size(); ++i)
-        if (const auto& anchor = told_.story.notes[i].anchor)
-            out.push_back({note_label(told_, i), *anchor - origin_, white});
+    for (std::size_t i = 0; i < scene_.told.story.notes.size(); ++i)
+        if (const auto& anchor = scene_.told.story.notes[i].anchor)
+            out.push_back({note_label(scene_.told, i), *anchor - origin_, white});
     for (const Pointed& p : pointed_)
         if (p.photo)
-            out.push_back({renderer_.scene().photos[*p.photo].name,
-                           photo_frustum(renderer_.scene(), *p.photo).corner[1], white});
+            out.push_back({scene_.plan().photos[*p.photo].name,
+                           photo_frustum(scene_.plan(), *p.photo).corner[1], white});
     const bool hidden_menu = session_.window.panels.measure && !menu_;
     for (const Hand& hand : frame.hands)
         if (hidden_menu && hand.grip)
@@ -203,19 +200,17 @@ std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
 
 void HeadsetScene::write_interface(const HeadsetFrame& frame, double seconds) {
     if (frame.time > session_.message.until) session_.message.text.clear();
-    note_picture_.attend();
+    scene_.attend(session_);
     interface_.begin(menu_pointer_.pointer, seconds);
-    follow_language(told_, language_, session_.window.language);
     continue_tour(frame);
     measured_.clear();
-    if (measure_.attend(session_, frame.time)) measured_ = measure_.drawn();
-    const MenuContent content{renderer_,     objects_, measure_,     told_,
-                              note_picture_, walk_,    unit_meters_, dims_edges_};
+    if (scene_.measure.attend(session_, frame.time)) measured_ = scene_.measure.drawn();
+    const MenuContent content{scene_, page_, walk_, unit_meters_, dims_edges_};
     if (menu_)
-        headset_menu(interface_.controls(), session_, page_, content, SceneInterface::width,
-                     SceneInterface::height, frame.time);
+        headset_menu(interface_.controls(), session_, content,
+                     {SceneInterface::width, SceneInterface::height}, frame.time);
     interface_.end(labels(frame), view_of_eye(walk_.stance, {frame.head}, {1, 1}));
-    asked_files_.attend(session_, renderer_.package(), objects_, frame.time);
+    scene_.asked_files.attend(session_, scene_.package(), scene_.objects, frame.time);
     if (!controls_.empty()) interface_.controls().write_places(controls_);
 }
 
@@ -226,13 +221,14 @@ void HeadsetScene::mark(const HeadsetFrame& frame) {
     std::optional<std::uint32_t> photo;
     for (const Pointed& p : pointed_)
         if (p.photo) photo = p.photo;
-    if (session_.window.panels.frusta) add_photos(marks_, walk_.stance, renderer_, session_, eye, photo);
+    if (session_.window.panels.frusta)
+        add_photos(marks_, walk_.stance, scene_.renderer, session_, eye, photo);
     if (session_.window.panels.measure)
         for (const MeasurePanel::Drawn& d : measured_)
-            add_measurement(marks_, walk_.stance, d, origin_, measure_.up());
-    for (std::size_t i = 0; i < told_.story.notes.size(); ++i)
-        if (const auto& anchor = told_.story.notes[i].anchor)
-            add_note(marks_, walk_.stance, *anchor - origin_, told_.open == i);
+            add_measurement(marks_, walk_.stance, d, origin_, scene_.measure.up());
+    for (std::size_t i = 0; i < scene_.told.story.notes.size(); ++i)
+        if (const auto& anchor = scene_.told.story.notes[i].anchor)
+            add_note(marks_, walk_.stance, *anchor - origin_, scene_.told.open == i);
     if (walk_.arc) add_arc(marks_, walk_.stance, *walk_.arc);
     for (std::size_t i = 0; i < 2; ++i) {
         Hand hand = frame.hands[i];
@@ -287,18 +283,18 @@ void HeadsetScene::draw(HeadsetSession& headset, const HeadsetFrame& frame,
     Session& s = session_;
     s.drawn.pace = pacing_.pace;
     s.settings.image_sets.how = ImageSetView::mix;  // what divides a picture is at two places for two eyes
-    s.settings.sections = sections_of(s.cut, renderer_.scene());
+    s.settings.sections = sections_of(s.cut, scene_.plan());
     RenderSettings settings = s.settings;
     settings.room = headset.size(0);
     settings.swift = s.drawn.pace.swift;
     if (!settings.sections.empty()) settings.background = ShowBackground::off;
     const std::array<View, 2> views = views_of(frame, headset.size(0));
     s.drawn.report =
-        objects_.draw_eyes(views, settings, s.photos, {}, frame.time, nullptr, [&](std::size_t eye) {
+        scene_.objects.draw_eyes(views, settings, s.photos, {}, frame.time, nullptr, [&](std::size_t eye) {
             const GLuint target = headset.color_target(eye);
-            objects_.show(views[eye], settings, target, true, eye);
+            scene_.objects.show(views[eye], settings, target, true, eye);
             const FrameSize size = frame_size(views[eye]);
-            const DrawnDepth depth = objects_.depth(settings, nearest * walk_.stance.scale);
+            const DrawnDepth depth = scene_.objects.depth(settings, nearest * walk_.stance.scale);
             draw_over(views[eye], depth, target);
             if (eye == 0) seen(target, size);
             drawn_.push_back({size, depth_of(headset, depth, size, eye)});

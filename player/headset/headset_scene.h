@@ -2,7 +2,6 @@
 #include <functional>
 #include <vector>
 
-#include "player/composition/object_set.h"
 #include "player/headset/headset_marks.h"
 #include "player/headset/headset_menu.h"
 #include "player/headset/locomotion/pointing.h"
@@ -16,7 +15,7 @@
 #include "player/options/show_options.h"
 #include "player/panels/mark_pass.h"
 #include "player/render/frame_clock.h"
-#include "player/window/input/asked_files.h"
+#include "player/window/loaded_scene.h"
 
 namespace vantage {
 
@@ -56,8 +55,7 @@ class HeadsetScene {
                                         std::size_t eye);
     void keep_pace();
 
-    Renderer renderer_;
-    ObjectSet objects_;
+    LoadedScene scene_;
     Session& session_;
     Eigen::Vector3d origin_;  ///< of the package, in the input's coordinates
     Eigen::Vector3d up_;      ///< of the scene
@@ -71,20 +69,15 @@ class HeadsetScene {
     std::optional<MenuPlace> menu_;  ///< while it is open
     std::optional<Panel> panel_;     ///< that of the menu, in this frame
     MenuPage page_ = MenuPage::move;
-    MeasurePanel measure_;
-    ToldStory told_;
     struct Stop {
         std::size_t number;
         double started;  ///< the tour, seconds
         Stance stood;
     };
     std::optional<Stop> stop_;  ///< of the tour that plays
-    NotePicture note_picture_;
-    AskedFiles asked_files_;
     std::array<Pointed, 2> pointed_;
     std::array<bool, 2> selected_{};             ///< in the last frame
     bool menu_pressed_ = false, gazed_ = false;  ///< likewise
-    std::string language_;                       ///< in use
     std::vector<MeasurePanel::Drawn> measured_;  ///< in this frame
     MenuPointer menu_pointer_;
     Marks marks_, hand_marks_;

@@ -30,8 +30,8 @@ void section(Controls& c, const char* name, bool& open, const Content& content) 
     ImGui::Spacing();
 }
 
-bool sections(Controls& c, Session& s, const Renderer& renderer, ObjectSet& objects, const View& view,
-              double now) {
+bool sections(Controls& c, Session& s, const SidebarContent& content, double now) {
+    const auto& [renderer, objects, view] = content;
     bool changed = false;
     Panels& p = s.window.panels;
     section(c, "Picture", p.picture, [&] { picture_section(c, s, renderer); });
@@ -60,13 +60,12 @@ bool sections(Controls& c, Session& s, const Renderer& renderer, ObjectSet& obje
 
 }  // namespace
 
-bool sidebar(Controls& c, Session& s, const Renderer& renderer, ObjectSet& objects, const View& view,
-             const Area& area, double now) {
+bool sidebar(Controls& c, Session& s, const SidebarContent& content, const Area& area, double now) {
     begin_docked("##sidebar", area, ImGui::GetStyle().WindowPadding,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse);
     ImGui::PushItemWidth(width_beside_names());
     c.set_width_fixed(true);
-    const bool changed = sections(c, s, renderer, objects, view, now);
+    const bool changed = sections(c, s, content, now);
     c.set_width_fixed(false);
     ImGui::PopItemWidth();
     ImGui::End();

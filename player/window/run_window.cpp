@@ -170,7 +170,7 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
         const bool control_held = ImGui::GetIO().KeyCtrl;
         new_frame(mouse_of(window), state.input);
         controls.begin_frame();
-        apply_input(session, scene.renderer().scene(), now);
+        apply_input(session, scene.scene(), now);
         scene.frame(width, height, now);
         ImGui::GetIO().KeyCtrl = control_held;
         const bool ends = frame == o.window.frames;

@@ -22,27 +22,23 @@ class MenuAlone {
         : package_(file),
           options_(options_of(file)),
           session(start_session(package_, options_, start_settings(package_, options_, {}), state_)),
-          renderer_(package_, MemoryBudget{}),
-          objects_(renderer_, {{"scene", file, {}, true}}, MemoryBudget{}),
-          measure_(package_),
-          told(told_story(file, input_axes(package_), "")),
+          scene_(package_, {{"scene", file, {}, true}}, options_, session),
+          told(scene_.told),
           unit_meters_(unit_meters) {
         walk.usual_scale = walk.stance.scale = unit_meters > 0 ? 1 / unit_meters : 1;
-        begin_in_scene(session, package_, told, options_);
         session.window.keyboard = session.window.panels.measure = false;
-        renderer_.draw(view_of(session.viewpoint.camera, 32, 24), session.settings, {}, {},
-                       0);  // menus follow a frame
+        scene_.renderer.draw(view_of(session.viewpoint.camera, 32, 24), session.settings, {}, {},
+                             0);  // menus follow a frame
         frames(3);
     }
     void frames(int count, const PanelPointer& pointer = {}) {
         for (int i = 0; i < count; ++i) {
             now_ += 1.0 / 90;
-            note_picture_.attend();
+            scene_.attend(session);
             interface_.begin(pointer, 1.0 / 90);
-            measure_.attend(session, now_);
-            headset_menu(interface_.controls(), session, page,
-                         {renderer_, objects_, measure_, told, note_picture_, walk, unit_meters_, vignette},
-                         SceneInterface::width, SceneInterface::height, now_);
+            scene_.measure.attend(session, now_);
+            headset_menu(interface_.controls(), session, {scene_, page, walk, unit_meters_, vignette},
+                         {SceneInterface::width, SceneInterface::height}, now_);
             popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
             interface_.end({}, {{100, 100, 100, 100, 50, 50}, {}});
         }
@@ -94,15 +90,12 @@ class MenuAlone {
     bool vignette = true, popup_open = false;
 
   private:
-    Renderer renderer_;
-    ObjectSet objects_;
-    MeasurePanel measure_;
+    LoadedScene scene_;
 
   public:
-    ToldStory told;
+    ToldStory& told;
 
   private:
-    NotePicture note_picture_;
     double unit_meters_, now_ = 0;
     SceneInterface interface_;
 };

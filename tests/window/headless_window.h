@@ -68,7 +68,7 @@ class HeadlessWindow {
     Controls controls;
     WindowState state;
     Session session;
-    const PlanScene& scene() { return shown_->renderer().scene(); }
+    const PlanScene& scene() { return shown_->scene(); }
     const PackageReader& package() const { return package_; }
     const View& view() const { return view_; }
     double now() const { return now_; }

@@ -113,11 +113,12 @@ void StoryEditor::buttons(Controls& c, ToldStory& told, const Session& s) {
 }
 
 void StoryEditor::show(Controls& c, ToldStory& told, Session& s, const View& view, const SurfaceAt& surface,
-                       bool* shown, double now) {
+                       double now) {
     ImGui::SetNextWindowPos(ImVec2(float(s.window.free.left + s.window.free.width) - 12,
                                    float(s.window.free.top + s.window.free.height) - 12),
                             ImGuiCond_Always, ImVec2(1, 1));
-    if (!ImGui::Begin(shown_name("Edit the story").c_str(), shown, ImGuiWindowFlags_AlwaysAutoResize))
+    if (!ImGui::Begin(shown_name("Edit the story").c_str(), &s.window.panels.story_editor,
+                      ImGuiWindowFlags_AlwaysAutoResize))
         return ImGui::End();
     const bool fixed = told.file.empty() || !told.trouble.empty();
     if (fixed)

@@ -15,7 +15,7 @@ namespace vantage {
 class StoryEditor {
   public:
     void show(Controls& controls, ToldStory& told, Session& session, const View& view,
-              const SurfaceAt& surface, bool* shown, double now);
+              const SurfaceAt& surface, double now);
 
   private:
     void add(ToldStory& told, const Session& session, const View& view, const SurfaceAt& surface);

@@ -68,29 +68,29 @@ void story_content(Controls& c, ToldStory& told, Session& s, double now) {
     if (!told.trouble.empty()) ImGui::TextWrapped("%s", told.trouble.c_str());
 }
 
-void note_content(Controls& c, ToldStory& told, NotePicture& picture, Session& s, float width,
-                  float picture_height, double now) {
+void note_content(Controls& c, ToldStory& told, NotePicture& picture, Viewpoint& viewpoint, ImVec2 room,
+                  double now) {
     const std::size_t at = *told.open, count = told.story.notes.size();
     const StoryNote& note = told.story.notes[at];
     picture.load(note.picture.empty() ? std::filesystem::path() : told.file.parent_path() / note.picture);
     if (picture.texture()) {
-        const float scale = std::min(
-            1.0f, std::min(width / float(picture.width()), picture_height / float(picture.height())));
+        const float scale =
+            std::min(1.0f, std::min(room.x / float(picture.width()), room.y / float(picture.height())));
         ImGui::Image(ImTextureID(std::uintptr_t(picture.texture())),
                      ImVec2(scale * float(picture.width()), scale * float(picture.height())));
         c.note("Picture of the note");
     } else if (!picture.trouble().empty()) {
         ImGui::TextWrapped("%s", picture.trouble().c_str());
     }
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room.x);
     ImGui::TextUnformatted(text_in(told.story, note.text, told.language).c_str());
     ImGui::PopTextWrapPos();
-    if (count > 1 && c.button("Previous note")) open_note(told, s.viewpoint, (at + count - 1) % count, now);
+    if (count > 1 && c.button("Previous note")) open_note(told, viewpoint, (at + count - 1) % count, now);
     if (count > 1) ImGui::SameLine();
-    if (count > 1 && c.button("Next note")) open_note(told, s.viewpoint, (at + 1) % count, now);
+    if (count > 1 && c.button("Next note")) open_note(told, viewpoint, (at + 1) % count, now);
 }
 
-void story_panel(Controls& c, ToldStory& told, Session& s, bool* shown, double now) {
+void story_panel(Controls& c, ToldStory& told, Session& s, double now) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(
         ImVec2(float(s.window.free.left + s.window.free.width) - 12, float(s.window.free.top) + 12),
@@ -98,7 +98,7 @@ void story_panel(Controls& c, ToldStory& told, Session& s, bool* shown, double n
     ImGui::SetNextWindowSizeConstraints(
         ImVec2(16 * em, 4 * em), ImVec2(23 * em, std::max(8 * em, 0.6f * float(s.window.free.height))));
     const std::string& title = text_in(told.story, told.story.title, told.language);
-    if (!ImGui::Begin(((title.empty() ? tr("Story") : title) + "###story").c_str(), shown,
+    if (!ImGui::Begin(((title.empty() ? tr("Story") : title) + "###story").c_str(), &s.window.panels.story,
                       ImGuiWindowFlags_AlwaysAutoResize))
         return ImGui::End();
     keep_within(s.window.free);
@@ -117,7 +117,8 @@ void note_card(Controls& c, ToldStory& told, NotePicture& picture, Session& s, d
     if (ImGui::Begin((note_label(told, *told.open) + "###card").c_str(), &shown,
                      ImGuiWindowFlags_AlwaysAutoResize)) {
         keep_within(s.window.free);
-        note_content(c, told, picture, s, width - 2 * ImGui::GetStyle().WindowPadding.x, 0.4f * high, now);
+        note_content(c, told, picture, s.viewpoint,
+                     ImVec2(width - 2 * ImGui::GetStyle().WindowPadding.x, 0.4f * high), now);
     }
     ImGui::End();
     if (!shown) told.open.reset();

@@ -1,0 +1,38 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "player/composition/object_set.h"
+#include "player/interface/sections/measure_panel.h"
+#include "player/interface/state/session.h"
+#include "player/interface/tour/note_picture.h"
+#include "player/interface/tour/told_story.h"
+#include "player/options/show_options.h"
+#include "player/render/renderer.h"
+#include "player/window/input/asked_files.h"
+
+namespace vantage {
+
+/// A scene as it is shown in a window or a headset: a package, and others that were added to it, with its
+/// story, its measurements and the files that are written from it. Belongs to the OpenGL thread.
+struct LoadedScene {
+    /// Fits the session to the scene. The package must outlive it.
+    LoadedScene(const PackageReader& package, const std::vector<SceneObject>& all, const ShowOptions& options,
+                Session& session);
+
+    /// Follows the language of the window, and takes what was read of the open note's picture.
+    void attend(const Session& session);
+
+    const PackageReader& package() const { return renderer.package(); }
+    const PlanScene& plan() const { return renderer.scene(); }
+
+    Renderer renderer;
+    ObjectSet objects;
+    MeasurePanel measure;
+    ToldStory told;
+    NotePicture note_picture;
+    AskedFiles asked_files;
+    std::string language;  ///< in use
+};
+
+}  // namespace vantage

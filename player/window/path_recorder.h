@@ -1,0 +1,24 @@
+#pragma once
+#include <optional>
+
+#include "player/interface/state/session.h"
+
+namespace vantage {
+
+/// Records the camera's path while the session asks for it, and writes it into the current folder when that
+/// ends.
+class PathRecorder {
+  public:
+    /// `rests`: nothing has moved since the last call.
+    void attend(Session& session, bool rests, const PackageReader& package, double now);
+
+  private:
+    struct Recording {
+        double begin;
+        Navigation last;  ///< of the last frame
+        double last_at;
+    };
+    std::optional<Recording> recording_;
+};
+
+}  // namespace vantage
