@@ -13,7 +13,7 @@ struct WindowOptions {
     double home_after = 0;   ///< seconds; 0: as the story says, or 60
     std::string language;    ///< such as "de"; empty: that of the system
     std::string tour;        ///< file of a path, for a kiosk
-    int signs = -1;          ///< file descriptor for signs of life; -1: none
+    int heartbeat_fd = -1;   ///< file descriptor for signs of life; -1: none
     bool fresh = false;      ///< neither read nor write remembered settings
     std::string controls;    ///< file for the positions of the controls
     std::string screenshot;  ///< file for the last frame

@@ -43,9 +43,9 @@ int show_in_headset([[maybe_unused]] const ShowOptions& options,
 int show(const ShowOptions& options, const std::vector<SceneObject>& objects) {
     if (options.headset.on) return show_in_headset(options, objects);
     if (!options.window.kiosk) return run_window(options, objects);
-    const auto run = [&](int signs) {
+    const auto run = [&](int heartbeat_fd) {
         ShowOptions watched = options;
-        watched.window.signs = signs;
+        watched.window.heartbeat_fd = heartbeat_fd;
         try {
             return run_window(watched, objects);
         } catch (...) {

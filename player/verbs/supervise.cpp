@@ -47,13 +47,13 @@ struct Run {
 };
 
 /// Waits until the player ends. Ends it if it is silent.
-Run watch(pid_t child, int signs) {
+Run watch(pid_t child, int heartbeat_fd) {
     Run out;
-    for (pollfd p{signs, POLLIN, 0};;) {
+    for (pollfd p{heartbeat_fd, POLLIN, 0};;) {
         const int ready = ::poll(&p, 1, silent_ms);
         if (ready < 0 && errno == EINTR) continue;
         char bytes[256];
-        if (ready > 0 && ::read(signs, bytes, sizeof bytes) > 0) {
+        if (ready > 0 && ::read(heartbeat_fd, bytes, sizeof bytes) > 0) {
             out.showed = true;
             continue;
         }
@@ -70,7 +70,7 @@ Run watch(pid_t child, int signs) {
     return out;
 }
 
-Run run_once(const std::function<int(int signs)>& run) {
+Run run_once(const std::function<int(int heartbeat_fd)>& run) {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0)
         throw Error(Exit::internal, std::string("no pipe to the player: ") + std::strerror(errno));
@@ -94,7 +94,7 @@ Run run_once(const std::function<int(int signs)>& run) {
 
 }  // namespace
 
-int supervise(const std::function<int(int signs)>& run, const std::filesystem::path& log) {
+int supervise(const std::function<int(int heartbeat_fd)>& run, const std::filesystem::path& log) {
     std::error_code ignored;
     if (!log.empty()) std::filesystem::create_directories(log.parent_path(), ignored);
     std::signal(SIGTERM, end);

@@ -9,7 +9,7 @@ namespace vantage {
 /// returns an exit code. Ends with SIGTERM or SIGINT, and with the player's exit code if the first picture
 /// was never shown because of what the user gave: usage, input, damaged. Appends what happens to `log`, or to
 /// stderr if that is empty. Must be called before there are threads.
-int supervise(const std::function<int(int signs)>& run, const std::filesystem::path& log);
+int supervise(const std::function<int(int heartbeat_fd)>& run, const std::filesystem::path& log);
 
 /// $XDG_STATE_HOME/vantage/kiosk.log or ~/.local/state/vantage/kiosk.log; empty if there is no home.
 std::filesystem::path kiosk_log();

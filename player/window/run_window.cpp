@@ -112,9 +112,9 @@ std::optional<Requested> ask_for_package(GlfwWindow& window, WindowState& state,
 }
 
 /// Tells the supervisor of a kiosk that the window lives.
-void give_sign(int to) {
-    const char sign = '.';
-    [[maybe_unused]] const auto written = ::write(to, &sign, 1);  // a full pipe has signs enough
+void beat(int heartbeat_fd) {
+    const char byte = '.';
+    [[maybe_unused]] const auto written = ::write(heartbeat_fd, &byte, 1);  // a full pipe has beats enough
 }
 
 /// ImGui needs some frames to react to what has happened.
@@ -153,7 +153,7 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
     const bool may_rest = o.window.frames == 0 && o.window.controls.empty();  // else frames are counted
     int lively = frames_after_event;
     for (int frame = 0; state.kiosk || !glfwWindowShouldClose(window);) {
-        if (o.window.signs >= 0) give_sign(o.window.signs);
+        if (o.window.heartbeat_fd >= 0) beat(o.window.heartbeat_fd);
         if (!take_events(shown_in, state, scene, may_rest, lively)) continue;
         shown_in.fill_screen(state.full_screen);
         shown_in.set_text_scale(state.text_scale);
