@@ -2,7 +2,7 @@
 #include <optional>
 #include <span>
 
-#include "player/headset/locomotion/walk.h"
+#include "player/headset/locomotion/locomotion.h"
 #include "player/interface/sections/measure_panel.h"
 #include "player/interface/state/session.h"
 #include "player/panels/marks.h"

@@ -72,7 +72,7 @@ void page_buttons(Controls& c, const MenuContent& m) {
 
 /// The model's own size, if its unit is known.
 void size_controls(Controls& c, Session& s, const MenuContent& m) {
-    Walk& w = m.walk;
+    Locomotion& w = m.locomotion;
     int unit = 0;
     for (int i = 1; i < int(std::size(unit_texts)); ++i)
         if (m.unit_meters == meters_in(Unit(i))) unit = i;
@@ -97,7 +97,7 @@ void move_page(Controls& c, Session& s, const MenuContent& m, double now) {
     ImGui::SameLine();
     if (c.button("Leave")) s.window.commands.push_back(Quit{});
     size_controls(c, s, m);
-    Walk& w = m.walk;
+    Locomotion& w = m.locomotion;
     int degrees = int(w.snap_degrees);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(tr("Turn by"));

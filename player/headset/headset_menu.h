@@ -1,5 +1,5 @@
 #pragma once
-#include "player/headset/locomotion/walk.h"
+#include "player/headset/locomotion/locomotion.h"
 #include "player/view/frame_size.h"
 #include "player/window/loaded_scene.h"
 
@@ -26,7 +26,7 @@ enum class MenuPage {
 struct MenuContent {
     LoadedScene& scene;
     MenuPage& page;  ///< that is shown
-    Walk& walk;
+    Locomotion& locomotion;
     double& unit_meters;  ///< 0: unknown
     bool& vignette;       ///< while flying, the edges of the picture are dark
 };

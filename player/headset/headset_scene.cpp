@@ -54,21 +54,21 @@ HeadsetScene::HeadsetScene(const PackageReader& package, const std::vector<Scene
 void HeadsetScene::place(const RoomPose& head) {
     const Navigation& at = session_.viewpoint.home;
     const double distance = (at.target - at.eye).norm();
-    walk_.usual_scale = unit_meters_ > 0 ? 1 / unit_meters_ : std::max(distance, 1e-9) / arms_length;
-    walk_.stance = standing(head, at.eye, at.target, up_, walk_.usual_scale);
+    locomotion_.usual_scale = unit_meters_ > 0 ? 1 / unit_meters_ : std::max(distance, 1e-9) / arms_length;
+    locomotion_.stance = standing(head, at.eye, at.target, up_, locomotion_.usual_scale);
 }
 
 /// The session's camera is the head, for panels that ask where somebody stands.
 void HeadsetScene::follow_head(const HeadsetFrame& frame) {
-    const View middle = view_of_eye(walk_.stance, {frame.head}, {1, 1});
-    session_.viewpoint.camera = stand_at(middle, up_, walk_.stance.scale);
+    const View middle = view_of_eye(locomotion_.stance, {frame.head}, {1, 1});
+    session_.viewpoint.camera = stand_at(middle, up_, locomotion_.stance.scale);
 }
 
 /// Hands without a button for it open and close the menu by selecting with both.
 void HeadsetScene::take_menu_button(const HeadsetFrame& frame) {
     const auto& [left, right] = frame.hands;
     const bool both = !left.has_menu && !right.has_menu && left.select && right.select;
-    if (both) let_go(walk_);
+    if (both) let_go(locomotion_);
     const bool pressed = left.menu || right.menu || both;
     if (pressed && !menu_pressed_) menu_ = menu_ ? std::nullopt : std::optional(menu_in_front_of(frame.head));
     menu_pressed_ = pressed;
@@ -76,15 +76,16 @@ void HeadsetScene::take_menu_button(const HeadsetFrame& frame) {
 
 void HeadsetScene::place_panel() {
     panel_.reset();
-    if (menu_) panel_ = menu_panel(*menu_, walk_.stance, SceneInterface::width, SceneInterface::height);
+    if (menu_) panel_ = menu_panel(*menu_, locomotion_.stance, SceneInterface::width, SceneInterface::height);
 }
 
 void HeadsetScene::point(const HeadsetFrame& frame) {
     place_panel();
     const std::vector<PlacedMesh> meshes = scene_.objects.meshes();
     const PointingTargets targets{panel_, meshes, origin_, scene_.told.story, scene_.plan(), session_};
-    for (std::size_t i = 0; i < 2; ++i) pointed_[i] = pointed_by(frame.hands[i], walk_.stance, targets);
-    menu_pointer_ = next_menu_pointer(menu_pointer_, frame.hands, pointed_, selected_, walk_.stance, panel_);
+    for (std::size_t i = 0; i < 2; ++i) pointed_[i] = pointed_by(frame.hands[i], locomotion_.stance, targets);
+    menu_pointer_ =
+        next_menu_pointer(menu_pointer_, frame.hands, pointed_, selected_, locomotion_.stance, panel_);
 }
 
 /// Whether a hand has just selected what it points at.
@@ -119,8 +120,8 @@ FreeHands HeadsetScene::free_hands() const {
     return out;
 }
 
-void HeadsetScene::walk(const HeadsetFrame& frame, double seconds) {
-    if (std::exchange(gazed_, frame.gazes) != frame.gazes || !frame.focused) let_go(walk_);
+void HeadsetScene::move(const HeadsetFrame& frame, double seconds) {
+    if (std::exchange(gazed_, frame.gazes) != frame.gazes || !frame.focused) let_go(locomotion_);
     const std::vector<PlacedMesh> meshes = scene_.objects.meshes();
     const SurfaceBetween surface = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
         return surface_on(meshes, {from, to - from}, 1, session_.settings.sections);
@@ -132,7 +133,7 @@ void HeadsetScene::walk(const HeadsetFrame& frame, double seconds) {
     }
     Hands hands = frame.hands;
     if (menu_pointer_.hand) hands[*menu_pointer_.hand].stick.setZero();  // it scrolls
-    walk_on(walk_, hands, free_hands(), frame.head, seconds, surface);
+    continue_locomotion(locomotion_, hands, free_hands(), frame.head, seconds, surface);
 }
 
 /// Of a tour, from the time at which the window begins to fly there. Somebody who moves leaves the tour.
@@ -141,11 +142,11 @@ void HeadsetScene::stand_at_stop(const HeadsetFrame& frame) {
     const double seconds = frame.time - scene_.told.playing->start;
     const TourStop to = tour_stop(scene_.told.story.tours[scene_.told.playing->tour], seconds);
     const bool there = stop_ && stop_->number == to.stop && stop_->started == scene_.told.playing->start;
-    if (there && walk_.stance.at != stop_->stood.at) return session_.viewpoint.flight.reset();
+    if (there && locomotion_.stance.at != stop_->stood.at) return session_.viewpoint.flight.reset();
     if (there) return;
     const Navigation camera = flight.along->at(to.reached);
-    walk_.stance = standing(frame.head, camera.eye, camera.target, up_, walk_.stance.scale);
-    stop_ = Stop{to.stop, scene_.told.playing->start, walk_.stance};
+    locomotion_.stance = standing(frame.head, camera.eye, camera.target, up_, locomotion_.stance.scale);
+    stop_ = Stop{to.stop, scene_.told.playing->start, locomotion_.stance};
 }
 
 /// Shows the note that a tour has opened.
@@ -168,7 +169,7 @@ void HeadsetScene::stand_where_sent(const HeadsetFrame& frame) {
         return scene_.told.playing ? stand_at_stop(frame) : session_.viewpoint.flight.reset();
     const Navigation to = session_.viewpoint.flight->stops.back();
     session_.viewpoint.flight.reset();
-    walk_.stance = standing(frame.head, to.eye, to.target, up_, walk_.stance.scale);
+    locomotion_.stance = standing(frame.head, to.eye, to.target, up_, locomotion_.stance.scale);
 }
 
 std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
@@ -176,7 +177,8 @@ std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
     const std::array<float, 4> white{1, 1, 1, 1};
     if (!session_.message.text.empty()) {
         const Eigen::Vector3d ahead = frame.head.ahead() + Eigen::Vector3d(0, -0.25, 0);
-        out.push_back({session_.message.text, in_scene(walk_.stance, frame.head.at + ahead), white, true});
+        out.push_back(
+            {session_.message.text, in_scene(locomotion_.stance, frame.head.at + ahead), white, true});
     }
     if (session_.window.panels.measure)
         for (const MeasurePanel::Drawn& d : measured_) {
@@ -194,7 +196,7 @@ std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
     const bool hidden_menu = session_.window.panels.measure && !menu_;
     for (const Hand& hand : frame.hands)
         if (hidden_menu && hand.grip)
-            out.push_back({tr("Measure"), in_scene(walk_.stance, hand.grip->at), white});
+            out.push_back({tr("Measure"), in_scene(locomotion_.stance, hand.grip->at), white});
     return out;
 }
 
@@ -205,11 +207,11 @@ void HeadsetScene::write_interface(const HeadsetFrame& frame, double seconds) {
     continue_tour(frame);
     measured_.clear();
     if (scene_.measure.attend(session_, frame.time)) measured_ = scene_.measure.drawn();
-    const MenuContent content{scene_, page_, walk_, unit_meters_, dims_edges_};
+    const MenuContent content{scene_, page_, locomotion_, unit_meters_, dims_edges_};
     if (menu_)
         headset_menu(interface_.controls(), session_, content,
                      {SceneInterface::width, SceneInterface::height}, frame.time);
-    interface_.end(labels(frame), view_of_eye(walk_.stance, {frame.head}, {1, 1}));
+    interface_.end(labels(frame), view_of_eye(locomotion_.stance, {frame.head}, {1, 1}));
     scene_.asked_files.attend(session_, scene_.package(), scene_.objects, frame.time);
     if (!controls_.empty()) interface_.controls().write_places(controls_);
 }
@@ -217,27 +219,27 @@ void HeadsetScene::write_interface(const HeadsetFrame& frame, double seconds) {
 void HeadsetScene::mark(const HeadsetFrame& frame) {
     clear(marks_);
     clear(hand_marks_);
-    const Eigen::Vector3d eye = in_scene(walk_.stance, frame.head.at);
+    const Eigen::Vector3d eye = in_scene(locomotion_.stance, frame.head.at);
     std::optional<std::uint32_t> photo;
     for (const Pointed& p : pointed_)
         if (p.photo) photo = p.photo;
     if (session_.window.panels.frusta)
-        add_photos(marks_, walk_.stance, scene_.renderer, session_, eye, photo);
+        add_photos(marks_, locomotion_.stance, scene_.renderer, session_, eye, photo);
     if (session_.window.panels.measure)
         for (const MeasurePanel::Drawn& d : measured_)
-            add_measurement(marks_, walk_.stance, d, origin_, scene_.measure.up());
+            add_measurement(marks_, locomotion_.stance, d, origin_, scene_.measure.up());
     for (std::size_t i = 0; i < scene_.told.story.notes.size(); ++i)
         if (const auto& anchor = scene_.told.story.notes[i].anchor)
-            add_note(marks_, walk_.stance, *anchor - origin_, scene_.told.open == i);
-    if (walk_.arc) add_arc(marks_, walk_.stance, *walk_.arc);
+            add_note(marks_, locomotion_.stance, *anchor - origin_, scene_.told.open == i);
+    if (locomotion_.arc) add_arc(marks_, locomotion_.stance, *locomotion_.arc);
     for (std::size_t i = 0; i < 2; ++i) {
         Hand hand = frame.hands[i];
         const Pointed& p = pointed_[i];
-        if (walk_.aiming == i) hand.aim.reset();  // the arc is its ray
+        if (locomotion_.aiming == i) hand.aim.reset();  // the arc is its ray
         if (!frame.gazes)
-            add_hand(hand_marks_, walk_.stance, hand, p.length, p.any());
+            add_hand(hand_marks_, locomotion_.stance, hand, p.length, p.any());
         else if (hand.aim && p.any())  // a ray from between the eyes would be in their way
-            add_dot(hand_marks_, walk_.stance, hand, p.length);
+            add_dot(hand_marks_, locomotion_.stance, hand, p.length);
     }
     mark_pass_.upload(marks_);
     hand_pass_.upload(hand_marks_);
@@ -245,7 +247,7 @@ void HeadsetScene::mark(const HeadsetFrame& frame) {
 
 std::array<View, 2> HeadsetScene::views_of(const HeadsetFrame& frame, FrameSize size) const {
     const auto view = [&](std::size_t eye) {
-        return scaled(view_of_eye(walk_.stance, frame.eyes[eye], size), session_.drawn.pace.scale);
+        return scaled(view_of_eye(locomotion_.stance, frame.eyes[eye], size), session_.drawn.pace.scale);
     };
     return {view(0), view(1)};
 }
@@ -265,7 +267,7 @@ void HeadsetScene::frame(HeadsetSession& headset, const HeadsetFrame& frame,
         act(frame);
         for (std::size_t i = 0; i < 2; ++i)
             if (frame.hands[i].select && !selected_[i] && pointed_[i].any()) headset.hands().buzz(i);
-        walk(frame, seconds);
+        move(frame, seconds);
         write_interface(frame, seconds);
         stand_where_sent(frame);
         place_panel();  // it has moved with the room
@@ -294,7 +296,7 @@ void HeadsetScene::draw(HeadsetSession& headset, const HeadsetFrame& frame,
             const GLuint target = headset.color_target(eye);
             scene_.objects.show(views[eye], settings, target, true, eye);
             const FrameSize size = frame_size(views[eye]);
-            const DrawnDepth depth = scene_.objects.depth(settings, nearest * walk_.stance.scale);
+            const DrawnDepth depth = scene_.objects.depth(settings, nearest * locomotion_.stance.scale);
             draw_over(views[eye], depth, target);
             if (eye == 0) seen(target, size);
             drawn_.push_back({size, depth_of(headset, depth, size, eye)});
@@ -303,8 +305,8 @@ void HeadsetScene::draw(HeadsetSession& headset, const HeadsetFrame& frame,
 
 /// What is beside the model. The menu and the hands are never hidden.
 void HeadsetScene::draw_over(const View& view, const DrawnDepth& depth, GLuint target) {
-    if (dims_edges_) vignette_.draw(view, target, walk_.vignette);
-    EyePicture eye{view, nearest * walk_.stance.scale, target, true};
+    if (dims_edges_) vignette_.draw(view, target, locomotion_.vignette);
+    EyePicture eye{view, nearest * locomotion_.stance.scale, target, true};
     EyePicture behind_model = eye;
     behind_model.depth = {depth.texture, depth.terms, frame_size(view)};
     mark_pass_.draw(behind_model);
@@ -316,7 +318,7 @@ void HeadsetScene::draw_over(const View& view, const DrawnDepth& depth, GLuint t
 std::optional<DepthLimits> HeadsetScene::depth_of(HeadsetSession& headset, const DrawnDepth& depth,
                                                   FrameSize size, std::size_t eye) {
     if (!headset.takes_depth()) return {};
-    return depth_.copy(depth, size, walk_.stance.scale, headset.depth_target(eye));
+    return depth_.copy(depth, size, locomotion_.stance.scale, headset.depth_target(eye));
 }
 
 /// Sets the pace of frames to come by those that are finished.

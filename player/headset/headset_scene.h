@@ -4,9 +4,9 @@
 
 #include "player/headset/headset_marks.h"
 #include "player/headset/headset_menu.h"
+#include "player/headset/locomotion/locomotion.h"
 #include "player/headset/locomotion/pointing.h"
 #include "player/headset/locomotion/vignette.h"
-#include "player/headset/locomotion/walk.h"
 #include "player/headset/menu_place.h"
 #include "player/headset/runtime/depth_picture.h"
 #include "player/headset/runtime/headset_session.h"
@@ -40,7 +40,7 @@ class HeadsetScene {
     bool chosen(const Hands& hands, std::size_t hand) const;
     void act(const HeadsetFrame& frame);
     FreeHands free_hands() const;
-    void walk(const HeadsetFrame& frame, double seconds);
+    void move(const HeadsetFrame& frame, double seconds);
     void write_interface(const HeadsetFrame& frame, double seconds);
     std::vector<SceneLabel> labels(const HeadsetFrame& frame) const;
     void continue_tour(const HeadsetFrame& frame);
@@ -62,7 +62,7 @@ class HeadsetScene {
     double unit_meters_;      ///< 0: unknown
     double fps_;              ///< as for frame_goal(); below 0: the headset's
     std::string controls_;    ///< file for the places of the menu's controls
-    Walk walk_;
+    Locomotion locomotion_;
     bool placed_ = false, dims_edges_ = true;
 
     SceneInterface interface_;

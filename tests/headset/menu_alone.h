@@ -25,7 +25,7 @@ class MenuAlone {
           scene_(package_, {{"scene", file, {}, true}}, options_, session),
           told(scene_.told),
           unit_meters_(unit_meters) {
-        walk.usual_scale = walk.stance.scale = unit_meters > 0 ? 1 / unit_meters : 1;
+        locomotion.usual_scale = locomotion.stance.scale = unit_meters > 0 ? 1 / unit_meters : 1;
         session.window.keyboard = session.window.panels.measure = false;
         scene_.renderer.draw(view_of(session.viewpoint.camera, 32, 24), session.settings, {}, {},
                              0);  // menus follow a frame
@@ -37,7 +37,7 @@ class MenuAlone {
             scene_.attend(session);
             interface_.begin(pointer, 1.0 / 90);
             scene_.measure.attend(session, now_);
-            headset_menu(interface_.controls(), session, {scene_, page, walk, unit_meters_, vignette},
+            headset_menu(interface_.controls(), session, {scene_, page, locomotion, unit_meters_, vignette},
                          {SceneInterface::width, SceneInterface::height}, now_);
             popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
             interface_.end({}, {{100, 100, 100, 100, 50, 50}, {}});
@@ -85,7 +85,7 @@ class MenuAlone {
 
   public:
     Session session;
-    Walk walk;
+    Locomotion locomotion;
     MenuPage page = MenuPage::move;
     bool vignette = true, popup_open = false;
 

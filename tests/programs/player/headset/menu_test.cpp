@@ -105,7 +105,7 @@ TEST_F(HeadsetProgramAtLength, TakesAVisitorFromStopToStopOfATour) {
         script.click(menu.place(name));
         menu.press(name);
     }
-    menu.told.open = 0;
+    menu.active.open = 0;
     menu.frames(2);
     const std::array<int, 2> at{script.frame + 20, script.frame + 20 + 40};
     const auto played = [&](const Script& with) {
@@ -233,10 +233,10 @@ TEST_F(HeadsetProgram, TheMenuDoesWhatItSays) {
     EXPECT_GT(changed, 20u);
     menu.press("Page Move");
     menu.press("90");
-    EXPECT_EQ(menu.walk.snap_degrees, 90);
-    EXPECT_FALSE(menu.session.quit);
+    EXPECT_EQ(menu.locomotion.snap_degrees, 90);
+    EXPECT_FALSE(holds<Quit>(menu.session.window.commands));
     menu.press("Leave");
-    EXPECT_TRUE(menu.session.quit);
+    EXPECT_TRUE(holds<Quit>(menu.session.window.commands));
 }
 
 TEST_F(HeadsetProgram, LeavesByTheMenu) {

@@ -1,4 +1,4 @@
-#include "player/headset/locomotion/walk.h"
+#include "player/headset/locomotion/locomotion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ std::size_t turning_hand(const Hands& hands) {
     return has_stick(hands[right_hand]) || !has_stick(hands[left_hand]) ? right_hand : left_hand;
 }
 
-void hold_scene(Walk& w, const Hands& hands, const FreeHands& free) {
+void hold_scene(Locomotion& w, const Hands& hands, const FreeHands& free) {
     std::array<bool, 2> holds{};
     std::array<Eigen::Vector3d, 2> places;
     std::size_t count = 0;
@@ -37,7 +37,7 @@ void hold_scene(Walk& w, const Hands& hands, const FreeHands& free) {
     w.held_at = w.stance;
 }
 
-void note_ready(Walk& w, const Hands& hands, const FreeHands& free, std::size_t turner) {
+void note_ready(Locomotion& w, const Hands& hands, const FreeHands& free, std::size_t turner) {
     for (std::size_t i = 0; i < 2; ++i) {
         if (i != turner || !free[i].move || !has_stick(hands[i]))
             w.ready[i] = false;
@@ -46,7 +46,7 @@ void note_ready(Walk& w, const Hands& hands, const FreeHands& free, std::size_t 
     }
 }
 
-void turn(Walk& w, const Hands& hands, std::size_t turner, const RoomPose& head) {
+void turn(Locomotion& w, const Hands& hands, std::size_t turner, const RoomPose& head) {
     const Eigen::Vector2d stick = hands[turner].stick;
     const bool to_side = std::abs(stick.x()) >= pushed && std::abs(stick.x()) >= std::abs(stick.y());
     if (!w.ready[turner] || w.aiming || !to_side) return;
@@ -62,7 +62,7 @@ bool aims(const Hand& hand, bool aimed, bool sticks) {
                  : hand.stick.y() > pushed && hand.stick.y() > std::abs(hand.stick.x());
 }
 
-void teleport(Walk& w, const Hands& hands, const FreeHands& free, const RoomPose& head,
+void teleport(Locomotion& w, const Hands& hands, const FreeHands& free, const RoomPose& head,
               const SurfaceBetween& surface) {
     const bool sticks = has_stick(hands[left_hand]) || has_stick(hands[right_hand]);
     for (std::size_t i = 0; i < 2 && !w.aiming; ++i) {
@@ -89,7 +89,7 @@ Eigen::Vector3d flying_velocity(const Hand& hand) {
     return along / way * flying_speed * std::min(1.0, (way - dead) / (1 - dead));
 }
 
-void fly(Walk& w, const Hand& hand, double seconds) {
+void fly(Locomotion& w, const Hand& hand, double seconds) {
     const Eigen::Vector3d velocity = flying_velocity(hand);
     w.stance = moved(w.stance, w.stance.scale * seconds * (w.stance.R * velocity));
     const double wanted = velocity.norm() / flying_speed, most = seconds / vignette_seconds;
@@ -98,8 +98,8 @@ void fly(Walk& w, const Hand& hand, double seconds) {
 
 }  // namespace
 
-void walk_on(Walk& w, const Hands& hands, const FreeHands& free, const RoomPose& head, double seconds,
-             const SurfaceBetween& surface) {
+void continue_locomotion(Locomotion& w, const Hands& hands, const FreeHands& free, const RoomPose& head,
+                         double seconds, const SurfaceBetween& surface) {
     seconds = std::clamp(seconds, 0.0, 0.1);  // after a pause, nobody flies off
     const std::size_t turner = turning_hand(hands);
     note_ready(w, hands, free, turner);
@@ -110,7 +110,7 @@ void walk_on(Walk& w, const Hands& hands, const FreeHands& free, const RoomPose&
     hold_scene(w, hands, free);
 }
 
-void let_go(Walk& w) {
+void let_go(Locomotion& w) {
     w.hold.reset();
     w.holds = {};
     w.aiming.reset();

@@ -9,7 +9,7 @@
 namespace vantage {
 
 /// How somebody in a headset moves about.
-struct Walk {
+struct Locomotion {
     Stance stance;
     double usual_scale = 1;    ///< scene units per meter; hands change it by up to max_scaling
     bool smooth = true;        ///< a stick flies; otherwise one only teleports
@@ -37,10 +37,10 @@ using FreeHands = std::array<FreeHand, 2>;
 /// step; ahead aims an arc and, let go, teleports to its end. The other stick flies where its hand points.
 /// Without a stick, select aims. A stick that was pushed already, when it got its use, has to be let go
 /// first. Squeezing holds the scene: one hand moves it, two also turn and scale it.
-void walk_on(Walk& walk, const Hands& hands, const FreeHands& free, const RoomPose& head, double seconds,
-             const SurfaceBetween& surface);
+void continue_locomotion(Locomotion& locomotion, const Hands& hands, const FreeHands& free,
+                         const RoomPose& head, double seconds, const SurfaceBetween& surface);
 
 /// Ends what the hands began, without effect: they are gone, or others have come.
-void let_go(Walk& walk);
+void let_go(Locomotion& locomotion);
 
 }  // namespace vantage

@@ -1,4 +1,4 @@
-#include "player/headset/locomotion/walk.h"
+#include "player/headset/locomotion/locomotion.h"
 
 #include <gtest/gtest.h>
 
@@ -20,9 +20,9 @@ RoomPose aiming(const Vector3d& at, double up, double left = 0) {
 }
 
 /// A room that is not at the scene's origin, ten scene units per meter, z up.
-class Walking : public testing::Test {
+class LocomotionTest : public testing::Test {
   protected:
-    Walking() {
+    LocomotionTest() {
         head.at = {0.2, 1.6, 0.1};
         w.stance = standing(head, {5, 6, 16}, {5, 100, 16}, Vector3d::UnitZ(), 10);
         w.usual_scale = 10;
@@ -33,13 +33,13 @@ class Walking : public testing::Test {
         step();  // the sticks are in the middle
     }
     void step(int frames = 1) {
-        for (int i = 0; i < frames; ++i) walk_on(w, hands, free, head, frame, surface);
+        for (int i = 0; i < frames; ++i) continue_locomotion(w, hands, free, head, frame, surface);
     }
     void stick(std::size_t hand, double right, double ahead) { hands[hand].stick = {right, ahead}; }
     Vector3d eye() const { return in_scene(w.stance, head.at); }
     Vector3d ahead() const { return w.stance.R * head.ahead(); }
 
-    Walk w;
+    Locomotion w;
     Hands hands;
     FreeHands free{};
     RoomPose head;
@@ -54,7 +54,7 @@ SurfaceBetween floor_at(double z) {
     };
 }
 
-TEST_F(Walking, StickToTheSideTurnsOnceByThirtyDegrees) {
+TEST_F(LocomotionTest, StickToTheSideTurnsOnceByThirtyDegrees) {
     const Vector3d before = ahead(), at = eye();
     stick(right_hand, 1, 0);
     step(50);
@@ -68,7 +68,7 @@ TEST_F(Walking, StickToTheSideTurnsOnceByThirtyDegrees) {
     EXPECT_LT((ahead() - before).norm(), 1e-9) << "and back";
 }
 
-TEST_F(Walking, TeleportsToWhereAThrownStoneWouldFall) {
+TEST_F(LocomotionTest, TeleportsToWhereAThrownStoneWouldFall) {
     surface = floor_at(0);
     const double up = 0.3, height = 1.2, speed = 7.5, g = 9.81;
     hands[right_hand].aim = aiming({0.2, height, -0.3}, up);
@@ -88,7 +88,7 @@ TEST_F(Walking, TeleportsToWhereAThrownStoneWouldFall) {
     EXPECT_NEAR(eye().x(), middle.x() + 2, 0.01);
 }
 
-TEST_F(Walking, StandsBeforeAWallAndNotInIt) {
+TEST_F(LocomotionTest, StandsBeforeAWallAndNotInIt) {
     const double wall = 20;
     surface = [&](const Vector3d& from, const Vector3d& to) -> std::optional<SurfacePoint> {
         if (from.y() < wall && to.y() >= wall)
@@ -103,7 +103,7 @@ TEST_F(Walking, StandsBeforeAWallAndNotInIt) {
     EXPECT_NEAR(w.arc->landing->y(), wall - 5, 1e-9) << "half a meter before it";
 }
 
-TEST_F(Walking, ASteepRoofIsNoPlaceToStand) {
+TEST_F(LocomotionTest, ASteepRoofIsNoPlaceToStand) {
     surface = [](const Vector3d& from, const Vector3d& to) -> std::optional<SurfacePoint> {
         auto hit = floor_at(5)(from, to);
         if (hit) hit->normal = Vector3d(0, -std::sin(1.2), std::cos(1.2));
@@ -119,7 +119,7 @@ TEST_F(Walking, ASteepRoofIsNoPlaceToStand) {
     EXPECT_EQ(w.stance.at, before.at);
 }
 
-TEST_F(Walking, WithoutAFloorItLandsAtTheFeetsLevel) {
+TEST_F(LocomotionTest, WithoutAFloorItLandsAtTheFeetsLevel) {
     stick(right_hand, 0, 1);
     step();
     ASSERT_TRUE(w.arc && w.arc->landing);
@@ -127,7 +127,7 @@ TEST_F(Walking, WithoutAFloorItLandsAtTheFeetsLevel) {
     for (const Vector3d& p : w.arc->points) EXPECT_GE(p.z(), -1e-9);
 }
 
-TEST_F(Walking, StepDownOfTwoMetersIsFound) {
+TEST_F(LocomotionTest, StepDownOfTwoMetersIsFound) {
     surface = floor_at(-20);
     stick(right_hand, 0, 1);
     step();
@@ -135,7 +135,7 @@ TEST_F(Walking, StepDownOfTwoMetersIsFound) {
     EXPECT_NEAR(w.arc->landing->z(), -20, 1e-9);
 }
 
-TEST_F(Walking, StickOfTheOtherHandFliesWhereItPointsAtTheSameSpeedAtEveryFrameRate) {
+TEST_F(LocomotionTest, StickOfTheOtherHandFliesWhereItPointsAtTheSameSpeedAtEveryFrameRate) {
     hands[left_hand].aim = aiming({0, 1, 0}, 0.5, 0.4);
     stick(left_hand, 0, 1);
     const Vector3d from = eye();
@@ -146,11 +146,11 @@ TEST_F(Walking, StickOfTheOtherHandFliesWhereItPointsAtTheSameSpeedAtEveryFrameR
     stick(left_hand, 0, 0);
     step(30);
     EXPECT_EQ(w.vignette, 0);
-    walk_on(w, hands, free, head, 1000, surface);
+    continue_locomotion(w, hands, free, head, 1000, surface);
     EXPECT_LT((eye() - from - flown).norm(), 1e-9);
 }
 
-TEST_F(Walking, RestingThumbDoesNotDrift) {
+TEST_F(LocomotionTest, RestingThumbDoesNotDrift) {
     const Vector3d from = eye();
     stick(left_hand, 0.1, -0.1);
     stick(right_hand, 0.1, -0.1);
@@ -158,7 +158,7 @@ TEST_F(Walking, RestingThumbDoesNotDrift) {
     EXPECT_EQ(eye(), from);
 }
 
-TEST_F(Walking, TwoHandsScaleTheScene) {
+TEST_F(LocomotionTest, TwoHandsScaleTheScene) {
     hands[left_hand].grip->at = {-0.2, 1, -0.5};
     hands[right_hand].grip->at = {0.2, 1, -0.5};
     hands[left_hand].squeeze = hands[right_hand].squeeze = true;
@@ -173,7 +173,7 @@ TEST_F(Walking, TwoHandsScaleTheScene) {
     EXPECT_NEAR(w.stance.scale, 5, 1e-9);
 }
 
-TEST_F(Walking, SecondHandThatJoinsDoesNotMoveAnything) {
+TEST_F(LocomotionTest, SecondHandThatJoinsDoesNotMoveAnything) {
     hands[left_hand].squeeze = true;
     step();
     hands[left_hand].grip->at += Vector3d(0.1, 0.2, 0.3);
@@ -185,7 +185,7 @@ TEST_F(Walking, SecondHandThatJoinsDoesNotMoveAnything) {
     EXPECT_NEAR(w.stance.scale, one.scale, 1e-12);
 }
 
-TEST_F(Walking, ControllersWithoutSticksAimBySelecting) {
+TEST_F(LocomotionTest, ControllersWithoutSticksAimBySelecting) {
     surface = floor_at(0);
     for (Hand& hand : hands) hand.has_stick = false;
     hands[left_hand].select = true;
@@ -198,7 +198,7 @@ TEST_F(Walking, ControllersWithoutSticksAimBySelecting) {
     EXPECT_LT((in_scene(w.stance, {head.at.x(), 0, head.at.z()}) - there).norm(), 1e-9);
 }
 
-TEST_F(Walking, PressThatBeganOnAPanelDoesNotTeleport) {
+TEST_F(LocomotionTest, PressThatBeganOnAPanelDoesNotTeleport) {
     for (Hand& hand : hands) hand.has_stick = false;
     free = {FreeHand{false, false}, FreeHand{false, false}};
     hands[right_hand].select = true;
@@ -213,7 +213,7 @@ TEST_F(Walking, PressThatBeganOnAPanelDoesNotTeleport) {
     EXPECT_TRUE(w.aiming);
 }
 
-TEST_F(Walking, HandThatIsLostWhileAimingGoesNowhere) {
+TEST_F(LocomotionTest, HandThatIsLostWhileAimingGoesNowhere) {
     surface = floor_at(0);
     const Stance before = w.stance;
     stick(right_hand, 0, 1);
@@ -226,7 +226,7 @@ TEST_F(Walking, HandThatIsLostWhileAimingGoesNowhere) {
     EXPECT_EQ(w.stance.R, before.R);
 }
 
-TEST_F(Walking, StickThatIsPushedAlreadyDoesNothingUntilItIsLetGo) {
+TEST_F(LocomotionTest, StickThatIsPushedAlreadyDoesNothingUntilItIsLetGo) {
     surface = floor_at(0);
     const Stance before = w.stance;
     free[right_hand].move = false;  // it scrolls a list
@@ -247,7 +247,7 @@ TEST_F(Walking, StickThatIsPushedAlreadyDoesNothingUntilItIsLetGo) {
     EXPECT_EQ(w.stance.R, before.R);
 }
 
-TEST_F(Walking, TurnWhileAHandHoldsTheSceneStays) {
+TEST_F(LocomotionTest, TurnWhileAHandHoldsTheSceneStays) {
     hands[left_hand].squeeze = true;
     step(3);
     const Vector3d before = ahead();
@@ -260,7 +260,7 @@ TEST_F(Walking, TurnWhileAHandHoldsTheSceneStays) {
     EXPECT_LT((eye() - there - Vector3d(3, 2, 1)).norm(), 1e-9);
 }
 
-TEST_F(Walking, CeilingIsNoPlaceToStand) {
+TEST_F(LocomotionTest, CeilingIsNoPlaceToStand) {
     // Seen from either side, as a mesh is.
     surface = [](const Vector3d& from, const Vector3d& to) -> std::optional<SurfacePoint> {
         for (const double z : {20.0, 0.0}) {
@@ -277,7 +277,7 @@ TEST_F(Walking, CeilingIsNoPlaceToStand) {
     EXPECT_NEAR(w.arc->landing->z(), 0, 1e-9) << "the floor below it";
 }
 
-TEST_F(Walking, LettingGoOfWhatHandsBeganHasNoEffect) {
+TEST_F(LocomotionTest, LettingGoOfWhatHandsBeganHasNoEffect) {
     surface = floor_at(0);
     const Stance before = w.stance;
     stick(right_hand, 0, 1);
@@ -285,17 +285,17 @@ TEST_F(Walking, LettingGoOfWhatHandsBeganHasNoEffect) {
     ASSERT_TRUE(w.arc);
     let_go(w);
     hands = {};
-    walk_on(w, with_gaze(hands, head, false, false), free, head, frame, surface);
+    continue_locomotion(w, with_gaze(hands, head, false, false), free, head, frame, surface);
     EXPECT_EQ(w.stance.at, before.at);
 }
 
-TEST_F(Walking, GazeAndAButtonReplaceHands) {
+TEST_F(LocomotionTest, GazeAndAButtonReplaceHands) {
     surface = floor_at(0);
     head = aiming({0.2, 1.6, 0.1}, -35 * std::numbers::pi / 180);
     hands = {};
     EXPECT_FALSE(any_points(hands));
     const auto gaze = [&](bool button) {
-        walk_on(w, with_gaze(hands, head, button, false), free, head, frame, surface);
+        continue_locomotion(w, with_gaze(hands, head, button, false), free, head, frame, surface);
     };
     gaze(false);
     gaze(true);
