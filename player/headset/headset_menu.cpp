@@ -50,7 +50,7 @@ bool has_page(MenuPage page, const MenuContent& m) {
         case MenuPage::measure:
             return !points_only(m.scene.package().scene());
         case MenuPage::story:
-            return m.scene.told.any() || !m.scene.told.trouble.empty();
+            return m.scene.active.any() || !m.scene.active.trouble.empty();
         default:
             return true;
     }
@@ -137,14 +137,14 @@ void measure_page(Controls& c, Session& s, const MenuContent& m, double now) {
 }
 
 void story_page(Controls& c, Session& s, const MenuContent& m, double now) {
-    if (!m.scene.told.open || *m.scene.told.open >= m.scene.told.story.notes.size())
-        return story_content(c, m.scene.told, s, now);
+    if (!m.scene.active.open || *m.scene.active.open >= m.scene.active.story.notes.size())
+        return story_content(c, m.scene.active, s, now);
     if (c.button("All notes")) {
-        m.scene.told.playing.reset();
-        return m.scene.told.open.reset();
+        m.scene.active.playing.reset();
+        return m.scene.active.open.reset();
     }
-    ImGui::TextUnformatted(note_label(m.scene.told, *m.scene.told.open).c_str());
-    note_content(c, m.scene.told, m.scene.note_picture, s.viewpoint,
+    ImGui::TextUnformatted(note_label(m.scene.active, *m.scene.active.open).c_str());
+    note_content(c, m.scene.active, m.scene.note_picture, s.viewpoint,
                  ImVec2(ImGui::GetContentRegionAvail().x, 260), now);
 }
 

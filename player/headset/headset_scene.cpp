@@ -82,7 +82,7 @@ void HeadsetScene::place_panel() {
 void HeadsetScene::point(const HeadsetFrame& frame) {
     place_panel();
     const std::vector<PlacedMesh> meshes = scene_.objects.meshes();
-    const PointingTargets targets{panel_, meshes, origin_, scene_.told.story, scene_.plan(), session_};
+    const PointingTargets targets{panel_, meshes, origin_, scene_.active.story, scene_.plan(), session_};
     for (std::size_t i = 0; i < 2; ++i) pointed_[i] = pointed_by(frame.hands[i], locomotion_.stance, targets);
     menu_pointer_ =
         next_menu_pointer(menu_pointer_, frame.hands, pointed_, selected_, locomotion_.stance, panel_);
@@ -103,7 +103,7 @@ void HeadsetScene::act(const HeadsetFrame& frame) {
         if (session_.window.panels.measure)
             scene_.measure.set_point(session_, now);
         else if (p.note)
-            scene_.told.playing.reset(), scene_.told.open = *p.note, page_ = MenuPage::story;
+            scene_.active.playing.reset(), scene_.active.open = *p.note, page_ = MenuPage::story;
         else if (p.photo)
             fly_to(session_, *p.photo, scene_.plan().photos[*p.photo], now);
         if (p.note && !menu_) menu_ = menu_in_front_of(frame.head);
@@ -139,25 +139,25 @@ void HeadsetScene::move(const HeadsetFrame& frame, double seconds) {
 /// Of a tour, from the time at which the window begins to fly there. Somebody who moves leaves the tour.
 void HeadsetScene::stand_at_stop(const HeadsetFrame& frame) {
     const Viewpoint::Flight& flight = *session_.viewpoint.flight;
-    const double seconds = frame.time - scene_.told.playing->start;
-    const TourStop to = tour_stop(scene_.told.story.tours[scene_.told.playing->tour], seconds);
-    const bool there = stop_ && stop_->number == to.stop && stop_->started == scene_.told.playing->start;
+    const double seconds = frame.time - scene_.active.playing->start;
+    const TourStop to = tour_stop(scene_.active.story.tours[scene_.active.playing->tour], seconds);
+    const bool there = stop_ && stop_->number == to.stop && stop_->started == scene_.active.playing->start;
     if (there && locomotion_.stance.at != stop_->stood.at) return session_.viewpoint.flight.reset();
     if (there) return;
     const Navigation camera = flight.along->at(to.reached);
     locomotion_.stance = standing(frame.head, camera.eye, camera.target, up_, locomotion_.stance.scale);
-    stop_ = Stop{to.stop, scene_.told.playing->start, locomotion_.stance};
+    stop_ = Stop{to.stop, scene_.active.playing->start, locomotion_.stance};
 }
 
 /// Shows the note that a tour has opened.
 void HeadsetScene::continue_tour(const HeadsetFrame& frame) {
-    if (!scene_.told.playing) return stop_.reset();
+    if (!scene_.active.playing) return stop_.reset();
     if (session_.viewpoint.flight &&
-        frame.time - scene_.told.playing->start >= session_.viewpoint.flight->seconds)
+        frame.time - scene_.active.playing->start >= session_.viewpoint.flight->seconds)
         session_.viewpoint.flight.reset();
-    const auto before = scene_.told.open;
-    vantage::continue_tour(scene_.told, session_.viewpoint, frame.time);
-    if (!scene_.told.open || scene_.told.open == before) return;
+    const auto before = scene_.active.open;
+    vantage::continue_tour(scene_.active, session_.viewpoint, frame.time);
+    if (!scene_.active.open || scene_.active.open == before) return;
     page_ = MenuPage::story;
     if (!menu_) menu_ = menu_in_front_of(frame.head);
 }
@@ -166,7 +166,7 @@ void HeadsetScene::continue_tour(const HeadsetFrame& frame) {
 void HeadsetScene::stand_where_sent(const HeadsetFrame& frame) {
     if (!session_.viewpoint.flight) return;
     if (session_.viewpoint.flight->along)
-        return scene_.told.playing ? stand_at_stop(frame) : session_.viewpoint.flight.reset();
+        return scene_.active.playing ? stand_at_stop(frame) : session_.viewpoint.flight.reset();
     const Navigation to = session_.viewpoint.flight->stops.back();
     session_.viewpoint.flight.reset();
     locomotion_.stance = standing(frame.head, to.eye, to.target, up_, locomotion_.stance.scale);
@@ -186,9 +186,9 @@ std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
             if (points.empty() || d.label.empty()) continue;
             out.push_back({d.label, label_place(d.measurement.measure, points, scene_.measure.up()), white});
         }
-    for (std::size_t i = 0; i < scene_.told.story.notes.size(); ++i)
-        if (const auto& anchor = scene_.told.story.notes[i].anchor)
-            out.push_back({note_label(scene_.told, i), *anchor - origin_, white});
+    for (std::size_t i = 0; i < scene_.active.story.notes.size(); ++i)
+        if (const auto& anchor = scene_.active.story.notes[i].anchor)
+            out.push_back({note_label(scene_.active, i), *anchor - origin_, white});
     for (const Pointed& p : pointed_)
         if (p.photo)
             out.push_back({scene_.plan().photos[*p.photo].name,
@@ -228,9 +228,9 @@ void HeadsetScene::mark(const HeadsetFrame& frame) {
     if (session_.window.panels.measure)
         for (const MeasurePanel::Drawn& d : measured_)
             add_measurement(marks_, locomotion_.stance, d, origin_, scene_.measure.up());
-    for (std::size_t i = 0; i < scene_.told.story.notes.size(); ++i)
-        if (const auto& anchor = scene_.told.story.notes[i].anchor)
-            add_note(marks_, locomotion_.stance, *anchor - origin_, scene_.told.open == i);
+    for (std::size_t i = 0; i < scene_.active.story.notes.size(); ++i)
+        if (const auto& anchor = scene_.active.story.notes[i].anchor)
+            add_note(marks_, locomotion_.stance, *anchor - origin_, scene_.active.open == i);
     if (locomotion_.arc) add_arc(marks_, locomotion_.stance, *locomotion_.arc);
     for (std::size_t i = 0; i < 2; ++i) {
         Hand hand = frame.hands[i];

@@ -9,13 +9,13 @@ LoadedScene::LoadedScene(const PackageReader& package, const std::vector<SceneOb
     : renderer(package, memory_budget(o.memory)),
       objects(renderer, all, memory_budget(o.memory)),
       measure(package),
-      told(told_story(o.package.file, input_axes(package), session.window.language)),
+      active(active_story(o.package.file, input_axes(package), session.window.language)),
       language(session.window.language) {
-    begin_in_scene(session, package, told, o);
+    begin_in_scene(session, package, active, o);
 }
 
 void LoadedScene::attend(const Session& session) {
-    follow_language(told, language, session.window.language);
+    follow_language(active, language, session.window.language);
     note_picture.attend();
 }
 

@@ -5,8 +5,8 @@
 #include "player/composition/object_set.h"
 #include "player/interface/sections/measure_panel.h"
 #include "player/interface/state/session.h"
+#include "player/interface/tour/active_story.h"
 #include "player/interface/tour/note_picture.h"
-#include "player/interface/tour/told_story.h"
 #include "player/options/show_options.h"
 #include "player/render/renderer.h"
 #include "player/window/input/asked_files.h"
@@ -29,7 +29,7 @@ struct LoadedScene {
     Renderer renderer;
     ObjectSet objects;
     MeasurePanel measure;
-    ToldStory told;
+    ActiveStory active;
     NotePicture note_picture;
     AskedFiles asked_files;
     std::string language;  ///< in use

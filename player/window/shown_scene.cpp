@@ -57,8 +57,8 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
       controls_(controls),
       open_dialog_(package_folder(package)) {
     if (!o.window.kiosk) return;
-    const StoryAttract told = scene_.told.story.attract.value_or(StoryAttract{});
-    const double home_after = o.window.home_after > 0 ? o.window.home_after : told.after;
+    const StoryAttract attract = scene_.active.story.attract.value_or(StoryAttract{});
+    const double home_after = o.window.home_after > 0 ? o.window.home_after : attract.after;
     kiosk_ = make_kiosk(session, kiosk_tour(package, o.window.tour), home_after);
 }
 
@@ -66,8 +66,8 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
 std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
                                                   const std::string& path) const {
     if (path.empty()) try {
-            return attract_loop(scene_.told.story, session_.viewpoint.home, scene_.told.axes,
-                                scene_.told.file.string());
+            return attract_loop(scene_.active.story, session_.viewpoint.home, scene_.active.axes,
+                                scene_.active.file.string());
         } catch (const Error& e) {  // the rest of the story can be shown
             say(session_.message, e.what(), 0);
             return {};
@@ -115,7 +115,7 @@ View ShownScene::update(int width, int height, double now) {
     scene_.attend(s);
     use_clipboard(s, scene_.package(), now);
     continue_flight(s.viewpoint, now);
-    continue_tour(scene_.told, s.viewpoint, now);
+    continue_tour(scene_.active, s.viewpoint, now);
     note_view(s.viewpoint, now);
     layout_ = layout_of(s.window.panels, width, height, double(ImGui::GetFontSize()),
                         !scene_.plan().photos.empty());
@@ -203,15 +203,15 @@ void ShownScene::tell(const View& view, double now) {
     const SurfaceAt surface = [&](const Eigen::Vector2d& pixel) {
         return surface_at_pixel(scene_.plan(), seen, pixel_in(seen.view.intrinsics, view.intrinsics, pixel));
     };
-    if (s.window.panels.story_editor) story_editor_.show(controls_, scene_.told, s, view, surface, now);
+    if (s.window.panels.story_editor) story_editor_.show(controls_, scene_.active, s, view, surface, now);
     if (!s.window.panels.story) return;
-    if (scene_.told.any() || !scene_.told.trouble.empty()) story_panel(controls_, scene_.told, s, now);
+    if (scene_.active.any() || !scene_.active.trouble.empty()) story_panel(controls_, scene_.active, s, now);
     if (picture_.in_parts()) return;
     const auto clicked =
-        draw_note_markers(controls_, note_markers(scene_.told.story, scene_.told.axes, view, surface),
-                          scene_.told.story, scene_.told.language, scene_.told.open);
-    if (clicked) open_note(scene_.told, s.viewpoint, *clicked, now);
-    note_card(controls_, scene_.told, scene_.note_picture, s, now);
+        draw_note_markers(controls_, note_markers(scene_.active.story, scene_.active.axes, view, surface),
+                          scene_.active.story, scene_.active.language, scene_.active.open);
+    if (clicked) open_note(scene_.active, s.viewpoint, *clicked, now);
+    note_card(controls_, scene_.active, scene_.note_picture, s, now);
 }
 
 double ShownScene::wakes_at() const {

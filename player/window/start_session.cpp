@@ -83,13 +83,14 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     return s;
 }
 
-void begin_in_scene(Session& s, const PackageReader& package, const ToldStory& told, const ShowOptions& o) {
+void begin_in_scene(Session& s, const PackageReader& package, const ActiveStory& active,
+                    const ShowOptions& o) {
     s.photos = photos_in_use(package, o.package);
     s.photo_list.errors = photo_errors(package);
     const bool view_given = !o.package.photos.empty() || !o.pictures.view.empty();
-    if (const auto opening = opening_of(told); opening && !view_given) begin_at(s.viewpoint, *opening);
-    s.settings.plain_background = told.story.background ? plain_background_of(*told.story.background)
-                                                        : plain_background_of(package.scene());
+    if (const auto opening = opening_of(active); opening && !view_given) begin_at(s.viewpoint, *opening);
+    s.settings.plain_background = active.story.background ? plain_background_of(*active.story.background)
+                                                          : plain_background_of(package.scene());
 }
 
 }  // namespace vantage

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "player/interface/state/session.h"
-#include "player/interface/tour/told_story.h"
+#include "player/interface/tour/active_story.h"
 #include "player/options/show_options.h"
 #include "player/window/remembered.h"
 
@@ -25,7 +25,7 @@ Session start_session(const PackageReader& package, const ShowOptions& options, 
 
 /// Fits a session to the scene that is shown: the photos in use and their errors, and what the story says:
 /// the first view, unless the command line gives one, and the background.
-void begin_in_scene(Session& session, const PackageReader& package, const ToldStory& told,
+void begin_in_scene(Session& session, const PackageReader& package, const ActiveStory& active,
                     const ShowOptions& options);
 
 }  // namespace vantage

@@ -61,7 +61,7 @@ class WindowPicture {
 
     LoadedScene& scene_;
     Session& session_;
-    std::uint64_t memory_limit_;  ///< asked for, bytes; 0: none, or it has been told that frames need more
+    std::uint64_t memory_limit_;  ///< asked for, bytes; 0: none, or it was said that frames need more
     FrameClock clock_;
     Enlargement enlargement_;
     StereoPicture pair_;

@@ -23,7 +23,7 @@ class MenuAlone {
           options_(options_of(file)),
           session(start_session(package_, options_, start_settings(package_, options_, {}), state_)),
           scene_(package_, {{"scene", file, {}, true}}, options_, session),
-          told(scene_.told),
+          active(scene_.active),
           unit_meters_(unit_meters) {
         locomotion.usual_scale = locomotion.stance.scale = unit_meters > 0 ? 1 / unit_meters : 1;
         session.window.keyboard = session.window.panels.measure = false;
@@ -93,7 +93,7 @@ class MenuAlone {
     LoadedScene scene_;
 
   public:
-    ToldStory& told;
+    ActiveStory& active;
 
   private:
     double unit_meters_, now_ = 0;

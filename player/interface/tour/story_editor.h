@@ -5,7 +5,7 @@
 #include "player/interface/overlays/note_markers.h"
 #include "player/interface/sections/controls.h"
 #include "player/interface/state/session.h"
-#include "player/interface/tour/told_story.h"
+#include "player/interface/tour/active_story.h"
 
 namespace vantage {
 
@@ -14,14 +14,14 @@ namespace vantage {
 /// shown.
 class StoryEditor {
   public:
-    void show(Controls& controls, ToldStory& told, Session& session, const View& view,
+    void show(Controls& controls, ActiveStory& active, Session& session, const View& view,
               const SurfaceAt& surface, double now);
 
   private:
-    void add(ToldStory& told, const Session& session, const View& view, const SurfaceAt& surface);
-    void fields(Controls& controls, ToldStory& told);
-    void buttons(Controls& controls, ToldStory& told, const Session& session);
-    void take(const ToldStory& told);
+    void add(ActiveStory& active, const Session& session, const View& view, const SurfaceAt& surface);
+    void fields(Controls& controls, ActiveStory& active);
+    void buttons(Controls& controls, ActiveStory& active, const Session& session);
+    void take(const ActiveStory& active);
 
     std::optional<std::size_t> edited_;  ///< the note whose texts are in the fields
     std::string language_;               ///< that they are in

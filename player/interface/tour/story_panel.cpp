@@ -14,13 +14,14 @@
 namespace vantage {
 namespace {
 
-void language_choice(Controls& c, const ToldStory& told, Session& s) {
-    const std::vector<std::string> languages = languages_of(told.story);
+void language_choice(Controls& c, const ActiveStory& active, Session& s) {
+    const std::vector<std::string> languages = languages_of(active.story);
     if (languages.size() < 2) return;
     std::vector<const char*> names;
     int chosen = 0;
     for (const std::string& l : languages) {
-        if (l == told.language || (l == told.story.language && !std::ranges::count(languages, told.language)))
+        if (l == active.language ||
+            (l == active.story.language && !std::ranges::count(languages, active.language)))
             chosen = int(names.size());
         names.push_back(l.c_str());
     }
@@ -28,12 +29,12 @@ void language_choice(Controls& c, const ToldStory& told, Session& s) {
         s.window.language = languages[std::size_t(chosen)];
 }
 
-void tour_buttons(Controls& c, ToldStory& told, Session& s, double now) {
-    for (std::size_t i = 0; i < told.story.tours.size(); ++i) {
-        const StoryTour& tour = told.story.tours[i];
-        const std::string& title = text_in(told.story, tour.title, told.language);
+void tour_buttons(Controls& c, ActiveStory& active, Session& s, double now) {
+    for (std::size_t i = 0; i < active.story.tours.size(); ++i) {
+        const StoryTour& tour = active.story.tours[i];
+        const std::string& title = text_in(active.story, tour.title, active.language);
         const std::string name = title.empty() ? tour.id : title;
-        const bool plays = told.playing && told.playing->tour == i;
+        const bool plays = active.playing && active.playing->tour == i;
         ImGui::PushID(int(i));
         const std::string recorded = (plays ? "Stop " : "Play ") + name;
         if (c.button(
@@ -41,7 +42,7 @@ void tour_buttons(Controls& c, ToldStory& told, Session& s, double now) {
             if (plays)
                 s.viewpoint.flight.reset();
             else
-                play_tour(told, s, i, now);
+                play_tour(active, s, i, now);
         }
         ImGui::PopID();
     }
@@ -49,30 +50,30 @@ void tour_buttons(Controls& c, ToldStory& told, Session& s, double now) {
 
 }  // namespace
 
-std::string note_label(const ToldStory& told, std::size_t note) {
-    const StoryNote& n = told.story.notes[note];
-    const std::string& title = text_in(told.story, n.title, told.language);
+std::string note_label(const ActiveStory& active, std::size_t note) {
+    const StoryNote& n = active.story.notes[note];
+    const std::string& title = text_in(active.story, n.title, active.language);
     return std::to_string(note + 1) + "  " + (title.empty() ? n.id : title);
 }
 
-void story_content(Controls& c, ToldStory& told, Session& s, double now) {
-    language_choice(c, told, s);
-    for (std::size_t i = 0; i < told.story.notes.size(); ++i) {
+void story_content(Controls& c, ActiveStory& active, Session& s, double now) {
+    language_choice(c, active, s);
+    for (std::size_t i = 0; i < active.story.notes.size(); ++i) {
         ImGui::PushID(int(i));
-        if (ImGui::Selectable(note_label(told, i).c_str(), told.open == i))
-            open_note(told, s.viewpoint, i, now);
+        if (ImGui::Selectable(note_label(active, i).c_str(), active.open == i))
+            open_note(active, s.viewpoint, i, now);
         c.note(("List " + std::to_string(i + 1)).c_str());
         ImGui::PopID();
     }
-    tour_buttons(c, told, s, now);
-    if (!told.trouble.empty()) ImGui::TextWrapped("%s", told.trouble.c_str());
+    tour_buttons(c, active, s, now);
+    if (!active.trouble.empty()) ImGui::TextWrapped("%s", active.trouble.c_str());
 }
 
-void note_content(Controls& c, ToldStory& told, NotePicture& picture, Viewpoint& viewpoint, ImVec2 room,
+void note_content(Controls& c, ActiveStory& active, NotePicture& picture, Viewpoint& viewpoint, ImVec2 room,
                   double now) {
-    const std::size_t at = *told.open, count = told.story.notes.size();
-    const StoryNote& note = told.story.notes[at];
-    picture.load(note.picture.empty() ? std::filesystem::path() : told.file.parent_path() / note.picture);
+    const std::size_t at = *active.open, count = active.story.notes.size();
+    const StoryNote& note = active.story.notes[at];
+    picture.load(note.picture.empty() ? std::filesystem::path() : active.file.parent_path() / note.picture);
     if (picture.texture()) {
         const float scale =
             std::min(1.0f, std::min(room.x / float(picture.width()), room.y / float(picture.height())));
@@ -83,45 +84,45 @@ void note_content(Controls& c, ToldStory& told, NotePicture& picture, Viewpoint&
         ImGui::TextWrapped("%s", picture.trouble().c_str());
     }
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room.x);
-    ImGui::TextUnformatted(text_in(told.story, note.text, told.language).c_str());
+    ImGui::TextUnformatted(text_in(active.story, note.text, active.language).c_str());
     ImGui::PopTextWrapPos();
-    if (count > 1 && c.button("Previous note")) open_note(told, viewpoint, (at + count - 1) % count, now);
+    if (count > 1 && c.button("Previous note")) open_note(active, viewpoint, (at + count - 1) % count, now);
     if (count > 1) ImGui::SameLine();
-    if (count > 1 && c.button("Next note")) open_note(told, viewpoint, (at + 1) % count, now);
+    if (count > 1 && c.button("Next note")) open_note(active, viewpoint, (at + 1) % count, now);
 }
 
-void story_panel(Controls& c, ToldStory& told, Session& s, double now) {
+void story_panel(Controls& c, ActiveStory& active, Session& s, double now) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(
         ImVec2(float(s.window.free.left + s.window.free.width) - 12, float(s.window.free.top) + 12),
         ImGuiCond_Appearing, ImVec2(1, 0));
     ImGui::SetNextWindowSizeConstraints(
         ImVec2(16 * em, 4 * em), ImVec2(23 * em, std::max(8 * em, 0.6f * float(s.window.free.height))));
-    const std::string& title = text_in(told.story, told.story.title, told.language);
+    const std::string& title = text_in(active.story, active.story.title, active.language);
     if (!ImGui::Begin(((title.empty() ? tr("Story") : title) + "###story").c_str(), &s.window.panels.story,
                       ImGuiWindowFlags_AlwaysAutoResize))
         return ImGui::End();
     keep_within(s.window.free);
-    story_content(c, told, s, now);
+    story_content(c, active, s, now);
     ImGui::End();
 }
 
-void note_card(Controls& c, ToldStory& told, NotePicture& picture, Session& s, double now) {
-    if (!told.open || *told.open >= told.story.notes.size()) return;
+void note_card(Controls& c, ActiveStory& active, NotePicture& picture, Session& s, double now) {
+    if (!active.open || *active.open >= active.story.notes.size()) return;
     const float em = ImGui::GetFontSize(), high = float(s.window.free.height),
                 width = std::min(27 * em, float(s.window.free.width) - 24);
     ImGui::SetNextWindowPos(ImVec2(float(s.window.free.left) + 12, float(s.window.free.top) + 12),
                             ImGuiCond_Appearing);
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 6 * em), ImVec2(width, std::max(8 * em, 0.9f * high)));
     bool shown = true;
-    if (ImGui::Begin((note_label(told, *told.open) + "###card").c_str(), &shown,
+    if (ImGui::Begin((note_label(active, *active.open) + "###card").c_str(), &shown,
                      ImGuiWindowFlags_AlwaysAutoResize)) {
         keep_within(s.window.free);
-        note_content(c, told, picture, s.viewpoint,
+        note_content(c, active, picture, s.viewpoint,
                      ImVec2(width - 2 * ImGui::GetStyle().WindowPadding.x, 0.4f * high), now);
     }
     ImGui::End();
-    if (!shown) told.open.reset();
+    if (!shown) active.open.reset();
 }
 
 }  // namespace vantage

@@ -1,4 +1,4 @@
-#include "player/interface/tour/told_story.h"
+#include "player/interface/tour/active_story.h"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,12 @@ using Eigen::Vector3d;
 
 namespace {
 
-class ToldStories : public TemporaryFolder {
+class ActiveStories : public TemporaryFolder {
   protected:
     const std::filesystem::path file = dir / "a.story.json";
     void write(const std::string& text) const { std::ofstream(file) << text; }
-    ToldStory told() const {
-        return told_story(dir / "a.vantage", {Vector3d::Zero(), Vector3d::UnitZ()}, "de-AT");
+    ActiveStory active() const {
+        return active_story(dir / "a.vantage", {Vector3d::Zero(), Vector3d::UnitZ()}, "de-AT");
     }
     WindowState window;
     Session session() {
@@ -35,9 +35,9 @@ const char* const two_stops = R"({"format": "vantage-story-1", "notes": [
 
 }  // namespace
 
-TEST_F(ToldStories, ToursFlyToEachStopAndShowItsCardWhileTheyStay) {
+TEST_F(ActiveStories, ToursFlyToEachStopAndShowItsCardWhileTheyStay) {
     write(two_stops);
-    ToldStory story = told();
+    ActiveStory story = active();
     Session s = session();
     play_tour(story, s, 0, 100);
     const auto at = [&](double now) {
@@ -61,9 +61,9 @@ TEST_F(ToldStories, ToursFlyToEachStopAndShowItsCardWhileTheyStay) {
     EXPECT_LT((s.viewpoint.camera.eye - Vector3d(0, 10, 0)).norm(), 1e-6);
 }
 
-TEST_F(ToldStories, InputEndsATour) {
+TEST_F(ActiveStories, InputEndsATour) {
     write(two_stops);
-    ToldStory story = told();
+    ActiveStory story = active();
     Session s = session();
     play_tour(story, s, 0, 0);
     continue_flight(s.viewpoint, 1);
@@ -75,8 +75,8 @@ TEST_F(ToldStories, InputEndsATour) {
     EXPECT_FALSE(story.open);
 }
 
-TEST_F(ToldStories, AStoryThatAnotherProgramChangedIsNotReplaced) {
-    ToldStory story = told();
+TEST_F(ActiveStories, AStoryThatAnotherProgramChangedIsNotReplaced) {
+    ActiveStory story = active();
     EXPECT_TRUE(story.trouble.empty());
     story.story.notes.push_back({"a", {"Clock", {}}, {}});
     save(story);
@@ -88,13 +88,13 @@ TEST_F(ToldStories, AStoryThatAnotherProgramChangedIsNotReplaced) {
     EXPECT_EQ(slurp(file), "{}");
 }
 
-TEST_F(ToldStories, WhatCannotBeReadIsSaid) {
+TEST_F(ActiveStories, WhatCannotBeReadIsSaid) {
     write("{");
-    const ToldStory story = told();
+    const ActiveStory story = active();
     EXPECT_NE(story.trouble.find(file.string()), std::string::npos);
     EXPECT_FALSE(story.any());
     write(R"({"format": "vantage-story-1", "mood": 1, "notes": [{"id": "a"}]})");
-    EXPECT_TRUE(told().any());
-    EXPECT_NE(told().trouble.find("mood"), std::string::npos) << "it would be lost if the story were saved";
-    EXPECT_TRUE(told_story("https://a.org/a.vantage", {}, "").file.empty());
+    EXPECT_TRUE(active().any());
+    EXPECT_NE(active().trouble.find("mood"), std::string::npos) << "it would be lost if the story were saved";
+    EXPECT_TRUE(active_story("https://a.org/a.vantage", {}, "").file.empty());
 }

@@ -1,0 +1,101 @@
+#include "player/interface/tour/active_story.h"
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "base/text/error.h"
+#include "base/text/translation.h"
+#include "scene/story/story_file.h"
+
+namespace vantage {
+namespace {
+
+constexpr double flight_seconds = 1.5;  ///< to a note
+
+/// The text of a file; empty if there is none.
+std::string text_on_disk(const std::filesystem::path& file) {
+    std::ostringstream text;
+    std::ifstream in(file, std::ios::binary);
+    if (in && in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
+    return std::move(text).str();
+}
+
+}  // namespace
+
+ActiveStory active_story(const std::filesystem::path& package, const InputAxes& axes,
+                         const std::string& language) {
+    ActiveStory active{story_file_of(package), axes, {}, language, {}, {}};
+    std::error_code error;
+    if (active.file.empty() || !std::filesystem::exists(std::filesystem::symlink_status(active.file, error)))
+        return active;
+    try {
+        ReadStory read = read_story(active.file);
+        active.on_disk = text_on_disk(active.file);
+        active.story = std::move(read.story);
+        if (!read.unknown.empty()) active.trouble = read.unknown.front();
+    } catch (const Error& e) {
+        active.trouble = e.what();
+    }
+    if (active.language.empty()) active.language = active.story.language;
+    return active;
+}
+
+void open_note(ActiveStory& active, Viewpoint& viewpoint, std::size_t note, double now) {
+    active.playing.reset();
+    active.open = note;
+    const auto& view = active.story.notes[note].view;
+    if (view) start_flight(viewpoint, camera_at(*view, active.axes), now, flight_seconds);
+}
+
+void play_tour(ActiveStory& active, Session& s, std::size_t tour, double now) {
+    try {
+        const auto along = std::make_shared<const CameraSpline>(
+            keys_of(active.story, active.story.tours[tour].stops, s.viewpoint.camera, active.axes,
+                    active.file.string()));
+        s.viewpoint.flight = Viewpoint::Flight{{s.viewpoint.camera}, now, along->seconds(), along};
+        active.playing = ActiveStory::Playing{tour, now};
+        active.open.reset();
+    } catch (const Error& e) {
+        say(s.message, e.what(), now);
+    }
+}
+
+void continue_tour(ActiveStory& active, const Viewpoint& viewpoint, double now) {
+    if (!active.playing) return;
+    if (!viewpoint.flight || !viewpoint.flight->along)
+        return active.playing.reset();  // the last card stays open
+    active.open.reset();
+    double at = active.playing->start;
+    for (const StoryStop& stop : active.story.tours[active.playing->tour].stops) {
+        at += stop.fly;
+        if (now >= at && now <= at + stop.stay)
+            if (const StoryNote* note = note_of(active.story, stop.note))
+                active.open = std::size_t(note - active.story.notes.data());
+        at += stop.stay;
+    }
+}
+
+std::optional<Navigation> opening_of(const ActiveStory& active) {
+    if (!active.story.opening) return {};
+    return camera_at(*active.story.opening, active.axes);
+}
+
+void follow_language(ActiveStory& active, std::string& in_use, const std::string& chosen) {
+    if (chosen == in_use) return;
+    in_use = chosen;
+    active.language = chosen.empty() ? active.story.language : chosen;
+    use_language(chosen);
+}
+
+void save(ActiveStory& active) {
+    if (text_on_disk(active.file) != active.on_disk)
+        throw Error(Exit::usage,
+                    active.file.string() + ": was changed by another program, and is not replaced");
+    write_story(active.file, active.story);
+    active.on_disk = story_text(active.story);
+    active.changed = false;
+}
+
+}  // namespace vantage
