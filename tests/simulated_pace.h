@@ -13,7 +13,7 @@ namespace vantage {
 /// A renderer whose frames take a time of their own, and one for each pixel and photo.
 struct Machine {
     double fixed, full;  ///< ms; `full` at full size with all photos
-    double time(const Pace& p) const { return fixed + full * p.scale * p.scale * (p.swift ? 0.4 : 1); }
+    double time(const Pace& p) const { return fixed + full * p.scale * p.scale * (p.reduced ? 0.4 : 1); }
 };
 
 /// What a motion's frames are paced against.

@@ -9,10 +9,10 @@
 #include "shaders/contract.h"
 
 namespace vantage {
-void Composition::fit(FrameSize room, std::size_t objects) {
-    if (room == room_ && objects == layers_.size()) return;
-    room_ = room;
-    const auto [width, height] = room;
+void Composition::fit(FrameSize size, std::size_t objects) {
+    if (size == allocated_ && objects == layers_.size()) return;
+    allocated_ = size;
+    const auto [width, height] = size;
     layers_.clear();
     nearest_target_ = {};
     colors_ = {}, depths_ = {}, nearest_ = {};
@@ -28,33 +28,33 @@ void Composition::fit(FrameSize room, std::size_t objects) {
 }
 
 void Composition::copy_depth(const ObjectFrame& frame, const Layer& layer) {
-    glBindFramebuffer(GL_FRAMEBUFFER, layer.depth.id());
-    glViewport(0, 0, frame_.width, frame_.height);
+    bind_target(layer.depth.id(), frame_);
     glUseProgram(depth_program_.id());
-    const Eigen::Vector2d terms = frame.renderer->depth_terms();
+    const FrameTargets& targets = frame.renderer->resources().targets;
+    const Eigen::Vector2d& terms = targets.depth_terms;
     glUniform3f(shader::depth_terms_uniform, float(terms.x()), float(terms.y()), float(frame.scale));
-    glBindTextureUnit(shader::depth_unit, frame.renderer->targets().surface().depth.id());
+    glBindTextureUnit(shader::depth_unit, targets.surface().depth.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void Composition::show(std::span<const ObjectFrame> frames, const View& view, const RenderSettings& settings,
-                       GLuint target, bool flip, std::size_t eye) {
+                       const ShowTarget& target) {
     frame_ = {view.intrinsics.width, view.intrinsics.height};
-    fit(room_for(frame_, settings.room), std::max<std::size_t>(1, frames.size()));
+    fit(enclosing(frame_, settings.capacity), std::max<std::size_t>(1, frames.size()));
     opacities_.clear();
     for (const ObjectFrame& f : frames) opacities_.push_back(float(f.opacity));
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const ObjectFrame& f = frames[i];
-        f.renderer->show(f.view, f.settings, layers_[i].color.id(), false, eye);
+        f.renderer->show(f.view, f.settings, {layers_[i].color.id(), false, target.eye});
         glBindVertexArray(no_vertices_.id());
         copy_depth(f, layers_[i]);
     }
-    begin_full_frame(compose_program_, target, frame_);
+    begin_full_frame(compose_program_, target.framebuffer, frame_);
     glBindVertexArray(no_vertices_.id());
     glUniform2i(shader::frame_size_uniform, frame_.width, frame_.height);
     glUniform1i(shader::objects_uniform, GLint(frames.size()));
     glUniform1fv(shader::compose_opacity_uniform, GLsizei(opacities_.size()), opacities_.data());
-    glUniform1i(shader::compose_flip_uniform, flip);
+    glUniform1i(shader::compose_flip_uniform, target.flip);
     glUniform1i(shader::compose_fill_uniform, settings.fill_holes);
     glUniform3fv(shader::compose_plain_background_uniform, 1, settings.plain_background.top.data());
     glUniform3fv(shader::compose_plain_background_bottom_uniform, 1, settings.plain_background.bottom.data());
@@ -67,7 +67,8 @@ void Composition::show(std::span<const ObjectFrame> frames, const View& view, co
 
 const gl::Texture& Composition::nearest_depth(double near) {
     if (!nearest_) {
-        nearest_ = gl::make_texture_2d("nearest object", GL_R32F, room_.width, room_.height, GL_NEAREST);
+        nearest_ =
+            gl::make_texture_2d("nearest object", GL_R32F, allocated_.width, allocated_.height, GL_NEAREST);
         nearest_target_ = gl::make_framebuffer("nearest object", std::array{nearest_.id()}, 0);
         nearest_program_ = full_frame_program("nearest object", "nearest_object.frag",
                                               {"MAX_OBJECTS " + std::to_string(layers_.size())});

@@ -21,10 +21,10 @@ struct ObjectFrame {
 /// OpenGL thread.
 class Composition {
   public:
-    /// Shows the frames, all of the size of `view`, in the framebuffer `target`; `flip` as for
-    /// Renderer::show. `settings`: background, and whether it is filled. `eye`: the one drawn last.
+    /// Shows the frames, all of the size of `view`, in the framebuffer `target`, whose eye is
+    /// the one drawn last. `settings`: background, and whether it is filled.
     void show(std::span<const ObjectFrame> frames, const View& view, const RenderSettings& settings,
-              GLuint target, bool flip, std::size_t eye);
+              const ShowTarget& target);
 
     /// How near the nearest object whose opacity is above 0 is at each pixel of the frame that was shown
     /// last: 32-bit depths `near / z` from the first texel on, top row first, 0 where there is none. `near`
@@ -35,10 +35,10 @@ class Composition {
     struct Layer {
         gl::Framebuffer color, depth;
     };
-    void fit(FrameSize room, std::size_t objects);
+    void fit(FrameSize size, std::size_t objects);
     void copy_depth(const ObjectFrame& frame, const Layer& layer);
 
-    FrameSize room_, frame_;
+    FrameSize allocated_, frame_;
     gl::Texture colors_, depths_, nearest_;
     std::vector<Layer> layers_;
     std::vector<float> opacities_;  ///< of the objects in the frame

@@ -9,19 +9,18 @@ namespace vantage {
 class Enlargement {
   public:
     /// Makes room for frames of at most this size, unless there is.
-    void fit(FrameSize room);
+    void fit(FrameSize size);
     /// Shows what `objects` drew last, of the view `drawn`, in the framebuffer `target` of this size, which
-    /// stays bound; `flip` and `eye` as for Renderer::show. fit() must have made room for `drawn` if it is
-    /// smaller.
+    /// stays bound. fit() must have made room for `drawn` if it is smaller.
     void show(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
-              GLuint target, bool flip, std::size_t eye = 0);
+              const ShowTarget& target);
     /// The same where nothing has changed since show(): from the second time on, copies the picture, if
     /// there is room for it.
     void show_again(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
-                    GLuint target, bool flip);
+                    const ShowTarget& target);
 
   private:
-    FrameSize room_;
+    FrameSize allocated_;
     bool kept_ = false;  ///< picture_ is the whole frame
     gl::Texture picture_;
     gl::Framebuffer target_;

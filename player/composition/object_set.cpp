@@ -40,9 +40,9 @@ std::string ObjectSet::free_name(const std::string& wanted) const {
 }
 
 void ObjectSet::add(const SceneObject& object) {
-    if (size() == most)
-        throw Error(Exit::usage,
-                    object.package.string() + ": a scene has at most " + std::to_string(most) + " objects");
+    if (size() == max_objects)
+        throw Error(Exit::usage, object.package.string() + ": a scene has at most " +
+                                     std::to_string(max_objects) + " objects");
     auto other = std::make_unique<Other>(
         Other{object, open_package(object.package, {.cache_bytes = budget_.cache}), {}, {}});
     other->package.fetch_scene();
@@ -68,7 +68,7 @@ void ObjectSet::divide_budget() {
     share.graphics = budget_.graphics / size();
     const auto set = [&](Renderer& renderer) {
         share.elsewhere = held - renderer.held();
-        renderer.set_budget(share);
+        renderer.planner().set_budget(share);
     };
     set(first_);
     for (const auto& o : others_) set(*o->renderer);
@@ -120,11 +120,16 @@ const FrameReport& ObjectSet::report(std::size_t object) const {
 }
 
 StreamedSoFar ObjectSet::streamed() const {
-    return sum([](const Renderer& r) { return r.store().streamed(); });
+    return sum([](const Renderer& r) { return r.resources().store.streamed(); });
 }
 
 std::uint64_t ObjectSet::graphics_budget() const {
-    return sum([](const Renderer& r) { return r.graphics_budget(); });
+    return sum([](const Renderer& r) { return r.planner().graphics_budget(); });
+}
+
+void ObjectSet::use_trials(const RenderTrials& trials) {
+    first_.resources().trials = trials;
+    for (const auto& o : others_) o->renderer->resources().trials = trials;
 }
 
 bool ObjectSet::alone() const { return others_.empty() && first_object_.shown && first_object_.opacity == 1; }
@@ -145,22 +150,21 @@ RenderSettings ObjectSet::settings_of_others(const RenderSettings& settings) con
 FrameReport ObjectSet::draw(const View& view, const RenderSettings& settings,
                             std::span<const std::uint32_t> photos, PixelSample sample, double now,
                             const View* next) {
-    return draw_eyes({&view, 1}, settings, photos, sample, now, next, [](std::size_t) {});
+    return draw_eyes({{&view, 1}, settings, photos, sample, now, next}, [](std::size_t) {});
 }
 
 bool ObjectSet::draws_first(const RenderSettings& settings) const {
     return first_object_.shown || settings.compare != Compare::nothing;
 }
 
-FrameReport ObjectSet::draw_eyes(std::span<const View> eyes, const RenderSettings& settings,
-                                 std::span<const std::uint32_t> photos, PixelSample sample, double now,
-                                 const View* next, const std::function<void(std::size_t eye)>& drawn) {
+FrameReport ObjectSet::draw_eyes(const FrameRequest& request,
+                                 const std::function<void(std::size_t eye)>& drawn) {
     if (alone())
-        first_report_ = first_.prepare(eyes, settings, photos, sample, now, next);
+        first_report_ = first_.prepare(request);
     else
-        prepare(eyes, settings, photos, sample, now, next);
-    const bool paints_first = draws_first(settings);
-    for (std::size_t eye = 0; eye < eyes.size(); ++eye) {
+        prepare(request);
+    const bool paints_first = draws_first(request.settings);
+    for (std::size_t eye = 0; eye < request.eyes.size(); ++eye) {
         paint(eye, paints_first);
         drawn(eye);
     }
@@ -178,9 +182,8 @@ void ObjectSet::paint(std::size_t eye, bool paints_first) {
         if (o->object.shown) o->renderer->paint(eye, o->report);
 }
 
-void ObjectSet::prepare(std::span<const View> eyes, const RenderSettings& settings,
-                        std::span<const std::uint32_t> photos, PixelSample sample, double now,
-                        const View* next) {
+void ObjectSet::prepare(const FrameRequest& request) {
+    const RenderSettings& settings = request.settings;
     divide_budget();
     RenderSettings of_first = settings;
     of_first.fill_background = false;
@@ -193,7 +196,8 @@ void ObjectSet::prepare(std::span<const View> eyes, const RenderSettings& settin
     };
     if (draws_first(settings)) {
         of_first.upload_bytes = upload_share();
-        first_report_ = first_.prepare(eyes, of_first, photos, sample, now, next);
+        first_report_ = first_.prepare(
+            {request.eyes, of_first, request.photos, request.sample, request.now, request.next});
         uploaded += first_report_.uploaded;
     }
     RenderSettings of_others = settings_of_others(settings);
@@ -203,30 +207,28 @@ void ObjectSet::prepare(std::span<const View> eyes, const RenderSettings& settin
         of_others.sections = settings.sections;
         of_others.upload_bytes = upload_share();
         divide_budget();  // what the objects before it hold may have changed
-        prepare_other(*o, eyes, of_others, sample, now, next);
+        prepare_other(*o, request, of_others);
         uploaded += o->report.uploaded;
     }
 }
 
-void ObjectSet::prepare_other(Other& o, std::span<const View> eyes, RenderSettings& settings,
-                              PixelSample sample, double now, const View* next) const {
+void ObjectSet::prepare_other(Other& o, const FrameRequest& request, RenderSettings& settings) const {
     const auto seen_by = [&](const View& v) {
         return view_of_object(v, origin_of(first_.package()), origin_of(o.package), o.object.placement);
     };
     o.views.clear();
-    for (const View& eye : eyes) o.views.push_back(seen_by(eye));
+    for (const View& eye : request.eyes) o.views.push_back(seen_by(eye));
     if (settings.weights_from) settings.weights_from = seen_by(*settings.weights_from);
     for (SectionPlane& plane : settings.sections)
         plane = plane_of_object(plane, origin_of(first_.package()), origin_of(o.package), o.object.placement);
     std::optional<View> ahead;
-    if (next) ahead = seen_by(*next);
-    o.report = o.renderer->prepare(o.views, settings, o.photos, sample, now, ahead ? &*ahead : nullptr);
+    if (request.next) ahead = seen_by(*request.next);
+    o.report = o.renderer->prepare(
+        {o.views, settings, o.photos, request.sample, request.now, ahead ? &*ahead : nullptr});
 }
 
-void ObjectSet::show(const View& view, const RenderSettings& settings, GLuint target, bool flip,
-                     std::size_t eye) {
-    if (alone() || settings.compare != Compare::nothing)
-        return first_.show(view, settings, target, flip, eye);
+void ObjectSet::show(const View& view, const RenderSettings& settings, const ShowTarget& target) {
+    if (alone() || settings.compare != Compare::nothing) return first_.show(view, settings, target);
     RenderSettings of_first = settings;
     of_first.fill_background = false;
     of_first.plain_background.soft_edges = 0;
@@ -235,14 +237,14 @@ void ObjectSet::show(const View& view, const RenderSettings& settings, GLuint ta
     if (first_object_.shown) frames.push_back({&first_, view, of_first, 1, first_object_.opacity});
     for (const auto& o : others_)
         if (o->object.shown)
-            frames.push_back(
-                {o->renderer.get(), o->views[eye], of_others, o->object.placement.scale, o->object.opacity});
-    composition_.show(frames, view, settings, target, flip, eye);
+            frames.push_back({o->renderer.get(), o->views[target.eye], of_others, o->object.placement.scale,
+                              o->object.opacity});
+    composition_.show(frames, view, settings, target);
 }
 
 DrawnDepth ObjectSet::depth(const RenderSettings& settings, double near) {
     if (alone() || settings.compare != Compare::nothing)
-        return {first_.targets().surface().depth.id(), first_.depth_terms()};
+        return {first_.resources().targets.surface().depth.id(), first_.resources().targets.depth_terms};
     return {composition_.nearest_depth(near).id(), {0, near}};
 }
 
@@ -253,22 +255,23 @@ FrameReport draw_samples(ObjectSet& objects, const View& view, const RenderSetti
     return report;
 }
 
-FrameReport draw_eye_samples(ObjectSet& objects, std::span<const View> eyes, const RenderSettings& settings,
-                             std::span<const std::uint32_t> photos, int side, double now,
+FrameReport draw_eye_samples(ObjectSet& objects, std::span<const View> eyes, const PictureSpec& spec,
                              const std::function<GLuint(std::size_t eye)>& target) {
     FrameReport report;
-    for (int i = 0; i < side * side; ++i)
-        report = objects.draw_eyes(eyes, settings, photos, {i, side}, now, nullptr, [&](std::size_t eye) {
-            if (i + 1 == side * side) objects.show(eyes[eye], settings, target(eye), false, eye);
-        });
+    const int samples = spec.side * spec.side;
+    for (int i = 0; i < samples; ++i)
+        report = objects.draw_eyes({eyes, spec.settings, spec.photos, {i, spec.side}, spec.now},
+                                   [&](std::size_t eye) {
+                                       if (i + 1 == samples)
+                                           objects.show(eyes[eye], spec.settings, {target(eye), false, eye});
+                                   });
     return report;
 }
 
 Picture take_picture(ObjectSet& objects, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side, double now) {
     const FrameReport report = draw_samples(objects, view, settings, photos, side, now);
-    Picture p =
-        picture_of(frame_size(view), [&](GLuint target) { objects.show(view, settings, target, false); });
+    Picture p = picture_of(frame_size(view), [&](GLuint target) { objects.show(view, settings, {target}); });
     p.report = report;
     return p;
 }

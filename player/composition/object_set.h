@@ -24,7 +24,7 @@ struct DrawnDepth {
 /// object is shown. Belongs to the OpenGL thread.
 class ObjectSet {
   public:
-    static constexpr std::size_t most = 16;  ///< objects
+    static constexpr std::size_t max_objects = 16;
 
     /// `first` and its package must outlive the set; `objects.front()` says what it is. `budget` is that of
     /// all objects together. Throws Error, see add().
@@ -53,6 +53,8 @@ class ObjectSet {
     /// Of all objects together.
     StreamedSoFar streamed() const;
     std::uint64_t graphics_budget() const;  ///< bytes
+    /// Of all renderers.
+    void use_trials(const RenderTrials& trials);
 
     /// Draws all objects that are shown, as Renderer::draw does; `settings.upload_bytes` is for all
     /// together, but each may upload a tile.
@@ -60,14 +62,11 @@ class ObjectSet {
     /// comparisons are those of the first object.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
-    /// The same for the views of one eye or two, of the same size, see Renderer::prepare. Calls `drawn` after
-    /// each eye, which show() shows as long as the other one has not been drawn.
-    FrameReport draw_eyes(std::span<const View> eyes, const RenderSettings& settings,
-                          std::span<const std::uint32_t> photos, PixelSample sample, double now,
-                          const View* next, const std::function<void(std::size_t eye)>& drawn);
+    /// The same for one eye or two, see Renderer::prepare. Calls `drawn` after each eye, which show() shows
+    /// as long as the other one has not been drawn.
+    FrameReport draw_eyes(const FrameRequest& request, const std::function<void(std::size_t eye)>& drawn);
     /// Shows what was drawn last, as Renderer::show does. A comparison shows the first object alone.
-    void show(const View& view, const RenderSettings& settings, GLuint target, bool flip,
-              std::size_t eye = 0);
+    void show(const View& view, const RenderSettings& settings, const ShowTarget& target);
     /// Of what was shown last; of several objects, of the nearest one, as Composition::nearest_depth().
     DrawnDepth depth(const RenderSettings& settings, double near);
 
@@ -87,10 +86,8 @@ class ObjectSet {
     SceneObject& object_at(std::size_t object);
     RenderSettings settings_of_others(const RenderSettings& settings) const;
     /// `settings.weights_from` is a view of the scene, and becomes one of the object.
-    void prepare_other(Other& other, std::span<const View> eyes, RenderSettings& settings, PixelSample sample,
-                       double now, const View* next) const;
-    void prepare(std::span<const View> eyes, const RenderSettings& settings,
-                 std::span<const std::uint32_t> photos, PixelSample sample, double now, const View* next);
+    void prepare_other(Other& other, const FrameRequest& request, RenderSettings& settings) const;
+    void prepare(const FrameRequest& request);
     void paint(std::size_t eye, bool paints_first);
     bool draws_first(const RenderSettings& settings) const;
     void divide_budget();
@@ -109,8 +106,7 @@ FrameReport draw_samples(ObjectSet& objects, const View& view, const RenderSetti
                          std::span<const std::uint32_t> photos, int side, double now = 0);
 
 /// The same for one eye or two; shows each in the framebuffer that `target` names.
-FrameReport draw_eye_samples(ObjectSet& objects, std::span<const View> eyes, const RenderSettings& settings,
-                             std::span<const std::uint32_t> photos, int side, double now,
+FrameReport draw_eye_samples(ObjectSet& objects, std::span<const View> eyes, const PictureSpec& spec,
                              const std::function<GLuint(std::size_t eye)>& target);
 
 /// Renders all objects with `side` * `side` samples per pixel, as take_picture() does one; `now` as for

@@ -49,16 +49,15 @@ double overlap(const Intrinsics& view, const Eigen::Vector2d& half) {
 
 }  // namespace
 
-Picture take_panorama(ObjectSet& objects, const Panorama& panorama, const RenderSettings& settings,
-                      std::span<const std::uint32_t> photos, int side) {
+Picture take_panorama(ObjectSet& objects, const Panorama& panorama, const PictureSpec& spec) {
     expect_size(panorama.size);
-    const std::array<View, 6> views = cube_views(panorama, finer, fills(settings) ? fading : 0);
+    const std::array<View, 6> views = cube_views(panorama, finer, fills(spec.settings) ? fading : 0);
     const gl::Texture faces = make_faces(frame_size(views.front()), views.size());
     FrameReport report;
     for (std::size_t f = 0; f < views.size(); ++f) {
         const gl::Framebuffer target = gl::make_layer_framebuffer("face", faces, GLint(f));
-        const FrameReport of_face = draw_samples(objects, views[f], settings, photos, side);
-        objects.show(views[f], settings, target.id(), false);
+        const FrameReport of_face = draw_samples(objects, views[f], spec.settings, spec.photos, spec.side);
+        objects.show(views[f], spec.settings, {target.id()});
         report = f == 0 ? of_face : followed(report, of_face);
     }
     const auto axes = cube_axes();
@@ -74,12 +73,11 @@ Picture take_panorama(ObjectSet& objects, const Panorama& panorama, const Render
 }
 
 Picture take_stereo_panorama(ObjectSet& objects, StereoPicture& stereo, StereoMode mode,
-                             const StereoPanorama& panorama, const RenderSettings& settings,
-                             std::span<const std::uint32_t> photos, int side,
+                             const StereoPanorama& panorama, const PictureSpec& spec,
                              const std::function<void(std::size_t done, std::size_t count)>& finished) {
     const FrameSize size = panorama.middle.size, frame = stereo_size(mode, size);
     expect_size(frame);
-    const double margin = fills(settings) ? slice_fading : 0;
+    const double margin = fills(spec.settings) ? slice_fading : 0;
     const Intrinsics k = eyes_of_slice(panorama, 0, finer, margin)[0][0].intrinsics;
     const gl::Texture faces = make_faces({k.width, k.height}, 2 * slice_views);
     std::array<gl::Framebuffer, 2 * slice_views> targets;
@@ -93,9 +91,9 @@ Picture take_stereo_panorama(ObjectSet& objects, StereoPicture& stereo, StereoMo
     for (int slice = 0; slice < count; ++slice) {
         const auto views = eyes_of_slice(panorama, slice, finer, margin);
         for (std::size_t v = 0; v < slice_views; ++v) {
-            const FrameReport drawn =
-                draw_eye_samples(objects, views[v], settings, photos, side, 0,
-                                 [&](std::size_t eye) { return targets[eye * slice_views + v].id(); });
+            const FrameReport drawn = draw_eye_samples(objects, views[v], spec, [&](std::size_t eye) {
+                return targets[eye * slice_views + v].id();
+            });
             report = slice == 0 && v == 0 ? drawn : followed(report, drawn);
         }
         const auto axes = slice_axes(panorama, slice);

@@ -5,17 +5,15 @@
 
 namespace vantage {
 
-/// Renders all directions around an eye: a cube's faces, with `side` * `side` samples per pixel, of which
-/// each pixel of the panorama then takes four. Throws Error(usage) for a size that the graphics card cannot
+/// Renders all directions around an eye: a cube's faces, with the samples per pixel of `spec`, of which each
+/// pixel of the panorama then takes four. Throws Error(usage) for a size that the graphics card cannot
 /// draw.
-Picture take_panorama(ObjectSet& objects, const Panorama& panorama, const RenderSettings& settings,
-                      std::span<const std::uint32_t> photos, int side);
+Picture take_panorama(ObjectSet& objects, const Panorama& panorama, const PictureSpec& spec);
 
 /// The same for two eyes that turn to where they look, in one picture. `finished`: called after each
 /// slice, with the number finished and the total.
 Picture take_stereo_panorama(ObjectSet& objects, StereoPicture& stereo, StereoMode mode,
-                             const StereoPanorama& panorama, const RenderSettings& settings,
-                             std::span<const std::uint32_t> photos, int side,
+                             const StereoPanorama& panorama, const PictureSpec& spec,
                              const std::function<void(std::size_t done, std::size_t count)>& finished);
 
 /// The distance of the nearest surface around a point, relative to the scene's origin, by rays in all

@@ -35,12 +35,12 @@ void StereoPicture::show(StereoMode mode, FrameSize frame, GLuint target, bool f
 }
 
 Picture take_picture(ObjectSet& objects, StereoPicture& stereo, StereoMode mode, std::span<const View> eyes,
-                     const RenderSettings& settings, std::span<const std::uint32_t> photos, int side,
-                     double now) {
-    if (eyes.size() == 1) return take_picture(objects, eyes.front(), settings, photos, side, now);
+                     const PictureSpec& spec) {
+    if (eyes.size() == 1)
+        return take_picture(objects, eyes.front(), spec.settings, spec.photos, spec.side, spec.now);
     stereo.fit(frame_size(eyes.front()));
-    const FrameReport report = draw_eye_samples(objects, eyes, settings, photos, side, now,
-                                                [&](std::size_t eye) { return stereo.target(eye); });
+    const FrameReport report =
+        draw_eye_samples(objects, eyes, spec, [&](std::size_t eye) { return stereo.target(eye); });
     const FrameSize frame = stereo_size(mode, frame_size(eyes.front()));
     Picture p = picture_of(frame, [&](GLuint target) { stereo.show(mode, frame, target, false); });
     p.report = report;

@@ -26,10 +26,8 @@ class StereoPicture {
     gl::VertexArray no_vertices_;
 };
 
-/// Renders all objects as one eye or two see them, with `side` * `side` samples per pixel, in one picture;
-/// `now` as for ObjectSet::draw.
+/// Renders all objects as one eye or two see them, in one picture.
 Picture take_picture(ObjectSet& objects, StereoPicture& stereo, StereoMode mode, std::span<const View> eyes,
-                     const RenderSettings& settings, std::span<const std::uint32_t> photos, int side,
-                     double now);
+                     const PictureSpec& spec);
 
 }  // namespace vantage

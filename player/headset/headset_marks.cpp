@@ -97,12 +97,12 @@ void add_measurement(Marks& marks, const Stance& stance, const MeasurePanel::Dra
 void add_photos(Marks& marks, const Stance& stance, Renderer& renderer, const Session& s, const Vector3d& eye,
                 std::optional<std::uint32_t> pointed_at) {
     const PlanScene& scene = renderer.scene();
-    const Residency& residency = renderer.store().residency();
+    const Residency& residency = renderer.resources().store.residency();
     // Photos that are blended need thumbnails as well.
     const std::size_t pictures = residency.layout().thumbnails / 2;
     std::size_t wanted = 0;
     for (const std::uint32_t i : photos_in_scene(scene, s, eye, stance)) {
-        if (wanted++ < pictures) renderer.want_thumbnail(i);
+        if (wanted++ < pictures) renderer.planner().tiles().want_thumbnail(i);
         const PhotoFrustum f = photo_frustum(scene, i);
         const package::PhotoRecord& p = scene.photos[i];
         if (const auto layer = residency.thumbnail_layer(i)) {

@@ -39,9 +39,9 @@ bool has_page(MenuPage page, const MenuContent& m) {
         case MenuPage::blending:
             return !scene.photos.empty();
         case MenuPage::layers:
-            return !m.scene.renderer.layers().empty();
+            return !m.scene.renderer.resources().layers.all().empty();
         case MenuPage::points:
-            return m.scene.renderer.points() != nullptr;
+            return m.scene.renderer.resources().points.has_value();
         case MenuPage::image_sets:
             return scene.image_sets.size() > 1;
         case MenuPage::objects:

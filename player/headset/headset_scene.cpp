@@ -287,14 +287,14 @@ void HeadsetScene::draw(HeadsetSession& headset, const HeadsetFrame& frame,
     s.settings.image_sets.how = ImageSetView::mix;  // what divides a picture is at two places for two eyes
     s.settings.sections = sections_of(s.cut, scene_.plan());
     RenderSettings settings = s.settings;
-    settings.room = headset.size(0);
-    settings.swift = s.drawn.pace.swift;
+    settings.capacity = headset.size(0);
+    settings.reduced = s.drawn.pace.reduced;
     if (!settings.sections.empty()) settings.background = ShowBackground::off;
     const std::array<View, 2> views = views_of(frame, headset.size(0));
     s.drawn.report =
-        scene_.objects.draw_eyes(views, settings, s.photos, {}, frame.time, nullptr, [&](std::size_t eye) {
+        scene_.objects.draw_eyes({views, settings, s.photos, {}, frame.time}, [&](std::size_t eye) {
             const GLuint target = headset.color_target(eye);
-            scene_.objects.show(views[eye], settings, target, true, eye);
+            scene_.objects.show(views[eye], settings, {target, true, eye});
             const FrameSize size = frame_size(views[eye]);
             const DrawnDepth depth = scene_.objects.depth(settings, nearest * locomotion_.stance.scale);
             draw_over(views[eye], depth, target);

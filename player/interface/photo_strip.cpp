@@ -41,8 +41,8 @@ GLuint PhotoStrip::picture(const Residency& residency, std::uint32_t layer) {
 
 void PhotoStrip::tooltip(Renderer& renderer, std::uint32_t photo) {
     const package::PhotoRecord& p = renderer.scene().photos[photo];
-    const Residency& residency = renderer.store().residency();
-    if (p.levels) renderer.want_thumbnail(photo);
+    const Residency& residency = renderer.resources().store.residency();
+    if (p.levels) renderer.planner().tiles().want_thumbnail(photo);
     ImGui::BeginTooltip();
     ImGui::TextUnformatted(p.name);
     if (const auto layer = residency.thumbnail_layer(photo); layer && p.levels) {
@@ -95,10 +95,10 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
         controls.note(name.c_str());
         if (!ImGui::IsItemVisible()) continue;
         const bool hovered = ImGui::IsItemHovered();
-        renderer.want_thumbnail(order[n]);
+        renderer.planner().tiles().want_thumbnail(order[n]);
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const ImVec2 end(at.x + width, at.y + height);
-        const Residency& residency = renderer.store().residency();
+        const Residency& residency = renderer.resources().store.residency();
         if (const auto layer = residency.thumbnail_layer(order[n])) {
             const ImVec2 share(float(p.thumbnail_width) / float(residency.layout().thumbnail_width),
                                float(p.thumbnail_height) / float(residency.layout().thumbnail_height));
@@ -111,7 +111,7 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
         }
         if (shows_listed_point(s.photo_list, order[n]))
             list.AddRect(ImVec2(at.x + 3, at.y + 3), ImVec2(end.x - 3, end.y - 3), IM_COL32_WHITE, 0, 0, 2);
-        const bool used = renderer.uses(order[n]);
+        const bool used = renderer.planner().uses(order[n]);
         const FalseColor c = false_color(order[n]);
         if (used || hovered)
             list.AddRect(at, end, ImGui::ColorConvertFloat4ToU32(ImVec4(c.r, c.g, c.b, 1)), 0, 0,

@@ -44,10 +44,11 @@ bool sections(Controls& c, Session& s, const SidebarContent& content, double now
         });
         section(c, "Orthophoto", p.orthophoto, [&] { orthophoto_section(c, s, package); });
     }
-    if (!renderer.layers().empty())
+    if (!renderer.resources().layers.all().empty())
         section(c, "Scalar fields", layers_open(s),
                 [&] { field_section(c, s.settings.layer, renderer, view); });
-    if (renderer.points()) section(c, "Point cloud", p.points, [&] { point_section(c, s, renderer); });
+    if (renderer.resources().points)
+        section(c, "Point cloud", p.points, [&] { point_section(c, s, renderer); });
     if (renderer.scene().image_sets.size() > 1)
         section(c, "Image sets", p.image_sets, [&] { image_set_section(c, s.settings, renderer); });
     section(c, "Objects", p.objects,

@@ -97,7 +97,7 @@ void verify_package(const VerifyOptions& o, Verified& out) {
         if (now.report.tiles_damaged)
             return out.add(Exit::damaged,
                            std::to_string(now.report.tiles_damaged) + " tiles have a checksum mismatch");
-        if (const NonFinite wrong = count_non_finite(renderer.targets()); wrong.all() > 0)
+        if (const NonFinite wrong = count_non_finite(renderer.resources().targets); wrong.all() > 0)
             out.add(Exit::different, shot.name + ": " + words(wrong));
         verify_view(o, folder, inputs, shot, now, out);
     }

@@ -14,7 +14,6 @@
 #include "base/text/formatted.h"
 #include "base/text/lower_extension.h"
 #include "player/pictures/tiff_rows.h"
-#include "player/render/picture.h"
 #include "player/survey/survey.h"
 #include "scene/package/contents/point_cloud.h"
 #include "scene/package/output_file.h"
@@ -32,7 +31,7 @@ View view_of(const Orthophoto& o, const package::SceneRecord& scene) {
     const Eigen::Vector3d middle = origin - o.plane.origin;
     const double size = std::max(bounds_from_origin(scene).diagonal().norm(), o.resolution);
     View view = orthographic_view(Eigen::Vector3d::Zero(), o.plane.right, -o.plane.up, 1 / o.resolution, size,
-                                  o.width, o.height);
+                                  {o.width, o.height});
     view.intrinsics.cx = (o.plane.right.dot(middle) - o.upper_left.x()) / o.resolution;
     view.intrinsics.cy = (o.upper_left.y() - o.plane.up.dot(middle)) / o.resolution;
     return view;
@@ -98,8 +97,7 @@ TileSize tile_size_for(int width) {
     return {tile_pixels, int(std::clamp<std::int64_t>(rows, 16, tile_pixels))};
 }
 
-std::size_t draw_orthophoto(Renderer& renderer, const Orthophoto& o, const RenderSettings& settings,
-                            std::span<const std::uint32_t> photos, int samples, TileSize tile,
+std::size_t draw_orthophoto(Renderer& renderer, const Orthophoto& o, const PictureSpec& spec, TileSize tile,
                             const std::function<void(std::span<const std::uint8_t>)>& row,
                             const std::function<void(std::size_t done, std::size_t all)>& progress) {
     const View whole = view_of(o, renderer.package().scene());
@@ -114,7 +112,7 @@ std::size_t draw_orthophoto(Renderer& renderer, const Orthophoto& o, const Rende
             // Always of one size, also where less is left: another one would have to be allocated.
             const View view =
                 cut(whole, left, top, std::min(tile.width, o.width), std::min(tile.height, o.height));
-            const Picture part = take_picture(renderer, view, settings, photos, samples);
+            const Picture part = take_picture(renderer, view, spec.settings, spec.photos, spec.side);
             damaged = std::max(damaged, part.report.tiles_damaged);
             const int bytes = 4 * std::min(part.width, o.width - left);
             for (int y = 0; y < height; ++y)
@@ -137,12 +135,13 @@ int run_orthophoto(const PackageReader& package, const OrthophotoOptions& o) {
     const gl::HeadlessContext context;
     Renderer renderer(package, memory_budget(o.memory));
     if (files.picture.has_parent_path()) make_folder(files.picture.parent_path());
+    const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
     std::size_t damaged = 0;
     const auto write = [&](auto&& file) {
         ProgressLine progress(o.output.quiet ? ProgressStyle::none : ProgressStyle::automatic, 10);
         damaged = draw_orthophoto(
-            renderer, picture, settings, photos_in_use(package, o.package), o.samples,
-            tile_size_for(picture.width), [&](std::span<const std::uint8_t> row) { file.add(row); },
+            renderer, picture, {settings, photos, o.samples}, tile_size_for(picture.width),
+            [&](std::span<const std::uint8_t> row) { file.add(row); },
             [&](std::size_t done, std::size_t all) {
                 progress.show({"tiles", "", done, all});
             });

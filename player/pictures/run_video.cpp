@@ -68,16 +68,15 @@ class Frames {
         settings_.points = point_settings(o.points);
         if (story.background) settings_.plain_background = plain_background_of(*story.background);
         // Of few photos, which ones changes from frame to frame: they fade, as in the window.
-        settings_.complete = settings_.photos == 0;
-        settings_.wait_for_tiles = !settings_.complete;
+        settings_.loading = settings_.photos == 0 ? Loading::complete : Loading::repeatable;
     }
     /// `now`: seconds since the first frame.
     Picture picture(const Navigation& camera, FrameSize size, double now) {
         const View view = view_of(camera, size.width, size.height);
         const std::vector<View> eyes = views_of(stereo_, view, (camera.target - camera.eye).norm());
-        if (settings_.wait_for_tiles && !settled_) settle(eyes, now);
+        if (settings_.loading == Loading::repeatable && !settled_) settle(eyes, now);
         settled_ = true;
-        return take_picture(objects_, pair_, stereo_.mode, eyes, settings_, photos_, side_, now);
+        return take_picture(objects_, pair_, stereo_.mode, eyes, {settings_, photos_, side_, now});
     }
 
   private:
@@ -85,8 +84,8 @@ class Frames {
     void settle(std::span<const View> eyes, double now) {
         constexpr int most = 60;
         for (int i = 0; i < most; ++i) {
-            const FrameReport report = objects_.draw_eyes(eyes, settings_, photos_, {},
-                                                          now + (i - most) / 30.0, nullptr, [](auto) {});
+            const FrameReport report =
+                objects_.draw_eyes({eyes, settings_, photos_, {}, now + (i - most) / 30.0}, [](auto) {});
             if (report.settled && i > 1) return;
         }
     }

@@ -49,10 +49,10 @@ bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d
 
 /// Assigns each cluster to the chosen photos that see it. With `worth`, omits photos whose weight relative to
 /// a photo that sees the whole cluster is below 1/1024, less than one color code: they would show only where
-/// the other photo's masks are 0. A swift plan has only photos that weigh much.
+/// the other photo's masks are 0. A reduced plan has only photos that weigh much.
 void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
                      std::vector<PlannedPhoto>& photos) {
-    const double least = !(settings.worth > 0) ? 0 : settings.swift ? 0.3 : 1.0 / 1024;
+    const double least = !(settings.worth > 0) ? 0 : settings.reduced ? 0.3 : 1.0 / 1024;
     const std::size_t words = package::visible_words(s.scene.triangles);
     std::vector<Eigen::Vector3d> centers;
     for (const PlannedPhoto& p : photos) centers.push_back(s.scene.poses[p.photo].center());
@@ -89,11 +89,12 @@ void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
 }  // namespace
 
 Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
-               std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous,
-               std::span<const std::uint32_t> seen, const PhotoChoice* chosen) {
-    VisibleSurface surface = visible_surface(scene, view, seen, settings.samples, settings.background);
+               std::span<const std::uint32_t> allowed, const PlanContext& context) {
+    VisibleSurface surface =
+        visible_surface(scene, view, context.seen, settings.samples, settings.background);
     Plan plan;
-    plan.choice = chosen ? *chosen : choose_photos(surface, settings, allowed, previous);
+    plan.choice =
+        context.chosen ? *context.chosen : choose_photos(surface, settings, allowed, context.previous);
     plan.uncovered = plan.choice.uncovered;
     for (const ChosenPhoto& c : plan.choice.photos)
         plan.photos.push_back({c.photo, c.agreement, {}, {}, {}, {}});

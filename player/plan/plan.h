@@ -30,13 +30,18 @@ struct Plan {
         0;  ///< share of the surface in view and in some allowed photo that no chosen photo sees
 };
 
-/// Chooses among the photos `allowed`, with a slight preference for those in `previous`, to avoid flicker.
-/// `seen`: the triangles at pixels of this view or a recent one, numbered from 1 (0: none). With them the
-/// plan covers the visible surface, without them everything in view. `chosen`: the photos are these, as they
-/// were chosen for another view. A pure function.
+/// What is known of a view from frames before.
+struct PlanContext {
+    std::span<const std::uint32_t> previous{};  ///< photos that are slightly preferred, to avoid flicker
+    /// The triangles at pixels of this view or a recent one, numbered from 1 (0: none). With them the plan
+    /// covers the visible surface, without them everything in view.
+    std::span<const std::uint32_t> seen{};
+    const PhotoChoice* chosen = nullptr;  ///< the photos are these, as they were chosen for another view
+};
+
+/// Chooses among the photos `allowed`. A pure function.
 Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
-               std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous = {},
-               std::span<const std::uint32_t> seen = {}, const PhotoChoice* chosen = nullptr);
+               std::span<const std::uint32_t> allowed, const PlanContext& context = {});
 
 /// Agreement of each photo with a view, see agreement().
 std::vector<double> agreements(const PlanScene& scene, const View& view);

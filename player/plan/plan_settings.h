@@ -22,7 +22,7 @@ struct PlanSettings {
     bool complete = true;    ///< wait for everything that the picture needs; otherwise photos fade in and out
     /// For frames in motion that take too long: each surface gets only the photos that matter most there, and
     /// photos are exchanged at once.
-    bool swift = false;
+    bool reduced = false;
     bool operator==(const PlanSettings&) const = default;
 };
 

@@ -70,7 +70,7 @@ void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<
     std::span<const std::uint32_t> known = at_rest_;
     if (uses_seen_ && known.empty()) known = seen.triangles;
     if (keeps) shared = &choice;
-    plan_ = make_plan(*scene_, widened(view), with_side(settings, side), photos, previous, known, shared);
+    plan_ = make_plan(*scene_, widened(view), with_side(settings, side), photos, {previous, known, shared});
     plan_drawn(widened(view), settings, photos);
     made_for_ = Key{view, settings, side, {photos.begin(), photos.end()}, seen.version};
 }
@@ -107,7 +107,7 @@ void ViewPlan::plan_drawn(const View& view, const PlanSettings& settings,
 
 void ViewPlan::fade(const PlanSettings& settings, double now, const std::vector<bool>& ready) {
     const double step =
-        settings.complete || settings.swift ? 1 : std::clamp((now - last_) / fade_seconds, 0.0, 1.0);
+        settings.complete || settings.reduced ? 1 : std::clamp((now - last_) / fade_seconds, 0.0, 1.0);
     last_ = now;
     std::vector<bool> wanted(drawn_.size(), false);
     for (const PlannedPhoto& p : plan_.photos) wanted[p.photo] = settings.complete || ready[p.photo];

@@ -14,7 +14,7 @@ struct FrameReport {
     std::size_t points = 0;         ///< of the cloud, drawn
     std::size_t nodes_missing = 0;  ///< of the cloud, needed and not resident
     std::size_t fragments = 0;      ///< of transparent surfaces, in the last frame that was read back
-    std::size_t fragments_approximated = 0;  ///< of these: not sorted, for lack of room
+    std::size_t fragments_approximated = 0;  ///< of these: not sorted, for lack of space
     std::size_t uploaded = 0;                ///< bytes
     double plan_ms = 0;                      ///< spent on choosing photos and tiles
     double uncovered = 0;  ///< share of the surface visible in photos that no chosen photo sees

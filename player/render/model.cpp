@@ -58,7 +58,7 @@ bool can_be_read(const Model& m, const PlanScene& scene) {
     glGetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
     const std::size_t largest =
-        std::max((scene.indices.size() + 3 * m.coarse_room) * 4, scene.positions.size() * 12);
+        std::max((scene.indices.size() + 3 * m.coarse_capacity) * 4, scene.positions.size() * 12);
     return m.indices && bindings > shader::cluster_photos_buffer && blocks >= shader::blend_buffers &&
            largest <= std::size_t(most);
 }
@@ -78,7 +78,7 @@ gl::Buffer buffer_of(const char* name, std::span<const T> values) {
     return gl::make_buffer(name, values.size_bytes(), values.data());
 }
 
-/// With room behind the values, for as many as `more`.
+/// With space behind the values, for as many as `more`.
 gl::Buffer buffer_of(const char* name, std::span<const std::uint32_t> values, std::size_t more) {
     if (more == 0) return buffer_of(name, values);
     gl::Buffer out =
@@ -109,10 +109,10 @@ Model load_model(const PackageReader& package, const PlanScene& scene) {
         m.normals = buffer_of("normals", normals);
         package.forget(std::as_bytes(normals));
     }
-    m.coarse_room = coarse_triangles(scene);
-    m.indices = buffer_of("indices", scene.indices, 3 * m.coarse_room);
+    m.coarse_capacity = coarse_triangles(scene);
+    m.indices = buffer_of("indices", scene.indices, 3 * m.coarse_capacity);
     if (can_be_read(m, scene))
-        m.triangle_clusters = buffer_of("triangles' clusters", clusters_of_all(scene), m.coarse_room);
+        m.triangle_clusters = buffer_of("triangles' clusters", clusters_of_all(scene), m.coarse_capacity);
     m.vertices = gl::make_vertex_array("model");
     gl::attach_floats(m.vertices, shader::position_attribute, m.positions, 3, 12);
     gl::attach_floats(m.vertices, shader::normal_attribute, m.normals, 3, 12);
@@ -134,7 +134,7 @@ Model load_model(const PackageReader& package, const PlanScene& scene) {
 }
 
 bool add_coarse_mesh(Model& model, const PlanScene& scene, const CoarseMesh& mesh) {
-    if (!model.triangle_clusters || mesh.stands_for.size() > model.coarse_room) return false;
+    if (!model.triangle_clusters || mesh.stands_for.size() > model.coarse_capacity) return false;
     std::vector<std::uint32_t> clusters = mesh.stands_for;
     for (std::uint32_t& number : clusters) ++number;  // from 1
     clusters = clusters_of(scene, clusters);

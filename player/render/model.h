@@ -18,14 +18,14 @@ struct Model {
     gl::Buffer values;             ///< of the scalar field shown last, once one was
     gl::VertexArray vertices;
     std::uint32_t vertex_count = 0;  ///< of the mesh
-    std::size_t coarse_room =
-        0;  ///< triangles that indices and triangle_clusters have room for, behind the scene's
+    /// Triangles that indices and triangle_clusters hold at most, behind the scene's.
+    std::size_t coarse_capacity = 0;
 };
 
 /// Makes a layer's values, one per vertex of the mesh, the attribute `value`.
 void show_values(Model& model, const PlanScene& scene, std::span<const float> values);
 
-/// Puts a coarse mesh of the scene behind its triangles. False if there is no room for it.
+/// Puts a coarse mesh of the scene behind its triangles. False if it has too many triangles.
 bool add_coarse_mesh(Model& model, const PlanScene& scene, const CoarseMesh& mesh);
 
 /// Throws Error(damaged) for a checksum mismatch or a triangle with a vertex out of range.

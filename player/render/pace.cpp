@@ -7,27 +7,27 @@
 namespace vantage {
 
 Pace next_pace(Pace pace, double ms, double goal_ms, double all_photos) {
-    constexpr double aim = 0.82;      // of the goal: frames of a motion differ
-    constexpr double swift_at = 0.6;  // fewer photos, before a frame gets coarser than this
-    constexpr double all_at = 0.7;    // all photos again, as soon as frames can be as fine as this
+    constexpr double aim = 0.82;        // of the goal: frames of a motion differ
+    constexpr double reduced_at = 0.6;  // fewer photos, before a frame gets coarser than this
+    constexpr double all_at = 0.7;      // all photos again, as soon as frames can be as fine as this
     if (!(ms > 0) || !(goal_ms > 0) || !std::isfinite(ms)) return pace;
     // A frame's time does not fall as much as its pixels do: what is left is for the frames to come.
     const double pixels = std::min(aim * goal_ms / ms, 1.2);
     pace.scale = std::clamp(pace.scale * std::sqrt(pixels), least_scale, 1.0);
-    if (pace.scale < swift_at) pace.swift = true;
+    if (pace.scale < reduced_at) pace.reduced = true;
     const double with_all = std::sqrt(aim * goal_ms / (all_photos * ms));
-    if (pace.swift && pace.scale == 1 && with_all > all_at) pace = {std::min(with_all, 1.0), false};
+    if (pace.reduced && pace.scale == 1 && with_all > all_at) pace = {std::min(with_all, 1.0), false};
     return pace;
 }
 
 namespace {
 
-/// Compares a frame with the one before it, if one of them was swift and the other was not.
-void learn(Pacing& p, bool swift, double whole) {
+/// Compares a frame with the one before it, if one of them was reduced and the other was not.
+void learn(Pacing& p, bool reduced, double whole) {
     constexpr double least = 1.1, margin = 1.1;
     const double last = std::exchange(p.last, whole);
-    if (std::exchange(p.last_swift, swift) == swift || !(last > 0)) return;
-    const double ratio = swift ? last / whole : whole / last;
+    if (std::exchange(p.last_reduced, reduced) == reduced || !(last > 0)) return;
+    const double ratio = reduced ? last / whole : whole / last;
     p.all_photos = std::clamp(margin * ratio, least, max_for_all_photos);
 }
 
@@ -40,21 +40,22 @@ Pacing next_pacing(Pacing p, Pace drawn, double ms, double goal_ms) {
     constexpr int watched = 8;
     if (!(ms > 0) || !(goal_ms > 0) || !std::isfinite(ms)) return p;
     const double whole = ms / (drawn.scale * drawn.scale);
-    learn(p, drawn.swift, whole);
+    learn(p, drawn.reduced, whole);
     if (p.watched > 0) {
         --p.watched;
-        if (drawn == p.before ? whole <= as_before * p.usual : drawn == p.pace && ms < passed * goal_ms) {
+        if (drawn == p.before ? whole <= as_before * p.full_frame_ms
+                              : drawn == p.pace && ms < passed * goal_ms) {
             p.pace = p.before, p.watched = 0;
             return p;
         }
-    } else if (ms > goal_ms && p.usual > 0 && whole > suddenly * p.usual) {
+    } else if (ms > goal_ms && p.full_frame_ms > 0 && whole > suddenly * p.full_frame_ms) {
         // With as many photos: only then do the frames to come show whether it has passed.
         p.before = p.pace, p.watched = watched;
-        p.pace = {next_pace(drawn, ms, caution * goal_ms).scale, p.pace.swift};
+        p.pace = {next_pace(drawn, ms, caution * goal_ms).scale, p.pace.reduced};
         return p;
     }
     if (drawn != p.pace) return p;  // from before the last change
-    if (p.watched == 0 && ms <= goal_ms) p.usual = whole;
+    if (p.watched == 0 && ms <= goal_ms) p.full_frame_ms = whole;
     if (ms < 0.72 * goal_ms || ms > 0.92 * goal_ms) p.pace = next_pace(drawn, ms, goal_ms, p.all_photos);
     return p;
 }

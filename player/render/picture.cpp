@@ -21,7 +21,7 @@ Picture take_picture(Renderer& renderer, const View& view, const RenderSettings&
 }
 
 Picture shown_picture(Renderer& renderer, const View& view, const RenderSettings& settings) {
-    return picture_of(frame_size(view), [&](GLuint target) { renderer.show(view, settings, target, false); });
+    return picture_of(frame_size(view), [&](GLuint target) { renderer.show(view, settings, {target}); });
 }
 
 Picture picture_of(FrameSize size, const std::function<void(GLuint target)>& show) {

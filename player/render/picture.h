@@ -15,6 +15,14 @@ struct Picture {
     FrameReport report;
 };
 
+/// How a picture is taken.
+struct PictureSpec {
+    const RenderSettings& settings;
+    std::span<const std::uint32_t> photos;  ///< indices
+    int side = 1;                           ///< samples per side of a pixel
+    double now = 0;                         ///< seconds, for fading
+};
+
 /// Renders with `side` * `side` samples per pixel.
 Picture take_picture(Renderer& renderer, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side);

@@ -10,18 +10,18 @@
 
 namespace vantage {
 
-PlanSettings plan_settings(const RenderSettings& s) {
+PlanSettings plan_settings(const RenderSettings& s, int anisotropy) {
     PlanSettings p;
     p.choice = s.choice;
-    p.photos = s.swift && s.photos > 0 ? 1 : s.photos;
-    p.swift = s.swift;
+    p.photos = s.reduced && s.photos > 0 ? 1 : s.photos;
+    p.reduced = s.reduced;
     p.tiles = !s.thumbnails;
     p.background = s.background != ShowBackground::off;
-    p.complete = s.complete;
+    p.complete = is_complete(s.loading);
     p.angle_limit = s.photos > 0 ? s.angle_limit * std::numbers::pi / 180 : 0;
     // The plan keeps footprints up to 4 times longer than wide sharp; more taps read finer levels.
-    p.samples = std::exp2(-s.lod_bias) * std::max(1.0, s.anisotropy / 4.0);
-    if (!s.complete || !s.every_tile)
+    p.samples = std::exp2(-s.lod_bias) * std::max(1.0, anisotropy / 4.0);
+    if (s.loading != Loading::complete)
         p.worth = 0.1;  // half the bytes, and at least 47 dB from all tiles that may be sampled
     const bool falls = s.weights.angle && !s.weights.angle_per_photo && s.show != Show::coverage;
     if (falls && !takes_one(s.blend)) p.sharpness = s.weights.sharpness;

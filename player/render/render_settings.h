@@ -119,13 +119,21 @@ struct PlainBackground {
 /// Of a scene without a background: calm, in the shade that its photos show beside the model.
 PlainBackground plain_background_of(const package::SceneRecord& scene);
 
-/// How the bare surface is drawn for two eyes. The pictures are the same.
-enum class EyeSurfaces {
-    automatic,   ///< at once if the graphics card can; on a software rasterizer overlapped; else in turn
-    in_turn,     ///< into the same targets, each when its eye is painted
-    overlapped,  ///< each into its own; the second while the first eye's photos are blended
-    at_once      ///< in one pass; without support for it, overlapped
+/// Which tiles and points a frame waits for.
+enum class Loading {
+    complete,  ///< all that the view needs; photos do not fade
+    sparing,   ///< the same, without tiles of which little is shown
+    /// All that the frame needs. Photos fade as in a window, and are chosen for the triangles that the frame
+    /// before showed: the same frames at the same times give the same pictures.
+    repeatable,
+    streamed,   ///< none: shows what is resident once upload_bytes are uploaded, at most; photos fade
+    uploading,  ///< streamed, but waits for tiles until upload_bytes are uploaded
+    beginning   ///< streamed, but waits for what photos need to be drawn at all: for the first of frames
 };
+/// Whether a frame's pictures are complete at once: it chooses photos for what it shows, and none fades.
+inline bool is_complete(Loading l) { return l == Loading::complete || l == Loading::sparing; }
+/// Whether a frame waits for all that it needs.
+inline bool waits_for_tiles(Loading l) { return is_complete(l) || l == Loading::repeatable; }
 
 /// How a view is rendered.
 struct RenderSettings {
@@ -141,11 +149,7 @@ struct RenderSettings {
     bool fill_background = true;  ///< if holes are filled; otherwise the background stays transparent
     int photos_per_pass = 8;      ///< 1 to 16
     double lod_bias = 0;          ///< levels; below 0 is sharper
-    bool trilinear = true;        ///< between two levels; otherwise the nearest level
-    int anisotropy = 1;           ///< taps along the longer side of a sample's footprint, 1 to 16
-    bool by_triangle = true;      ///< photos are blended once per pixel, not once per triangle and pixel
-    EyeSurfaces eye_surfaces = EyeSurfaces::automatic;
-    bool thumbnails = false;  ///< nothing finer than thumbnails
+    bool thumbnails = false;      ///< nothing finer than thumbnails
     Show show = Show::colors;
     ShowBackground background = ShowBackground::on;
     Transparency transparency = Transparency::exact;
@@ -159,25 +163,17 @@ struct RenderSettings {
     double swipe = 0.5;                     ///< share of the width
     bool refined_colors = true;             ///< apply gains and vignetting if the package's effects are on
     std::optional<std::uint32_t> exposure;  ///< of this photo, instead of the view's
-    bool complete = true;    ///< wait for all tiles that the view needs; else show what is resident
-    bool every_tile = true;  ///< with `complete`: also those of which little is shown
-    /// Without `complete`: photos fade as in a window, but each frame waits for its tiles and for the
-    /// triangles that the frame before it showed. The same frames at the same times then give the same
-    /// pictures.
-    bool wait_for_tiles = false;
-    bool wait_for_base = false;     ///< in this frame, waits for what photos need to be drawn at all
-    bool swift = false;             ///< see PlanSettings::swift
-    bool wait_for_uploads = false;  ///< waits for tiles until upload_bytes are uploaded
-    bool whole_photos = false;      ///< upload each photo whole and at once (for comparison)
+    Loading loading = Loading::complete;
+    bool reduced = false;                                                ///< see PlanSettings::reduced
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< per frame
     std::vector<SectionPlane> sections;  ///< at most max_sections; cut the mesh only
     PlainBackground plain_background;
-    FrameSize room;  ///< frames up to this size, or the view's, need no new render targets
+    FrameSize capacity;  ///< frames up to this size, or the view's, need no new render targets
     bool operator==(const RenderSettings&) const = default;
 };
 
-/// The plan settings that follow from these, for one sample per pixel.
-PlanSettings plan_settings(const RenderSettings& settings);
+/// The plan settings that follow from these, for one sample per pixel. `anisotropy`: see RenderTrials.
+PlanSettings plan_settings(const RenderSettings& settings, int anisotropy = 1);
 
 /// Memory limits in bytes.
 struct MemoryBudget {

@@ -98,17 +98,17 @@ std::string consisted_of(const FrameReport& r) {
 
 /// For one eye or two.
 Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader& package, const Shot& shot,
-                    RenderSettings settings, std::span<const std::uint32_t> photos, const ShowOptions& o) {
+                    const PictureSpec& spec, const ShowOptions& o) {
     const FrameSize size = o.output.size.empty() ? FrameSize{4096, 2048} : parse_size(o.output.size);
-    const int side = o.pictures.samples ? o.pictures.samples : 1;
     const Panorama middle = panorama_at(shot.view, up_of(package.scene()), size);
-    if (o.stereo.mode == StereoMode::off) return take_panorama(scene, middle, settings, photos, side);
-    settings.every_tile = false;  // hundreds of views read nearly the same ones
+    if (o.stereo.mode == StereoMode::off) return take_panorama(scene, middle, spec);
+    RenderSettings settings = spec.settings;
+    settings.loading = Loading::sparing;  // hundreds of views read nearly the same ones
     const StereoPanorama panorama =
         stereo_panorama(middle, eye_distance(o.stereo.eyes, shot.distance),
                         nearest_around(scene.meshes(), middle.eye, shot.distance));
     ProgressLine progress(o.output.quiet ? ProgressStyle::none : ProgressStyle::automatic, 10);
-    return take_stereo_panorama(scene, stereo, o.stereo.mode, panorama, settings, photos, side,
+    return take_stereo_panorama(scene, stereo, o.stereo.mode, panorama, {settings, spec.photos, spec.side},
                                 [&](std::size_t done, std::size_t count) {
                                     progress.show({"slices", "", done, count});
                                 });
@@ -117,7 +117,7 @@ Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader
 /// What the ends of the color map stand for, if a layer was shown.
 void print_legend(const Renderer& renderer, const RenderSettings& settings) {
     if (settings.layer.layer < 0) return;
-    const ScalarField& layer = renderer.layers()[std::size_t(settings.layer.layer)];
+    const ScalarField& layer = renderer.resources().layers.all()[std::size_t(settings.layer.layer)];
     const auto [map, range] = field_legend(layer, settings.layer);
     std::printf("layer %s  %g to %g, %s%s\n", layer.name.c_str(), range.low, range.high, name_of(map),
                 settings.layer.logarithmic ? ", logarithmic" : "");
@@ -145,9 +145,11 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
     const int side = o.samples ? o.samples : own_pixels ? 1 : 2;
     StereoPicture stereo;
     const auto picture_of_shot = [&](const Shot& shot) {
-        if (o.panorama) return panorama_of(scene, stereo, package, shot, settings, photos, options);
+        if (o.panorama)
+            return panorama_of(scene, stereo, package, shot, {settings, photos, o.samples ? o.samples : 1},
+                               options);
         const std::vector<View> eyes = views_of(options.stereo, shot.view, shot.distance);
-        return take_picture(scene, stereo, options.stereo.mode, eyes, settings, photos, side, 0);
+        return take_picture(scene, stereo, options.stereo.mode, eyes, {settings, photos, side});
     };
     std::size_t damaged = 0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {

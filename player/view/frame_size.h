@@ -9,8 +9,8 @@ struct FrameSize {
     bool operator==(const FrameSize&) const = default;
 };
 
-/// What has room for both.
-inline FrameSize room_for(FrameSize a, FrameSize b) {
+/// The smallest size that holds both.
+inline FrameSize enclosing(FrameSize a, FrameSize b) {
     return {std::max(a.width, b.width), std::max(a.height, b.height)};
 }
 

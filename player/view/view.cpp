@@ -50,14 +50,14 @@ View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, con
 }
 
 View orthographic_view(const Eigen::Vector3d& middle, const Eigen::Vector3d& right,
-                       const Eigen::Vector3d& down, double pixels, double size, int width, int height) {
+                       const Eigen::Vector3d& down, double pixels, double size, FrameSize frame) {
     const double depth = orthographic_distance * size;
     if (!middle.allFinite() || !std::isfinite(pixels * depth) || !(pixels > 0) || !(size > 0))
         throw Error(Exit::usage, "an orthographic view's position, scale and size must be finite");
     View view;
     view.cam_from_origin.R << right.transpose(), down.transpose(), right.cross(down).transpose();
     view.cam_from_origin.t = Eigen::Vector3d(0, 0, depth) - view.cam_from_origin.R * middle;
-    view.intrinsics = {width, height, pixels * depth, pixels * depth, 0, 0};
+    view.intrinsics = {frame.width, frame.height, pixels * depth, pixels * depth, 0, 0};
     view.orthographic_depth = depth;
     return view;
 }

@@ -49,7 +49,7 @@ inline constexpr double orthographic_distance = 1e6;
 /// length 1, at right angles), and `pixels` per unit. `size`: a length that nothing shown exceeds, such as
 /// the diagonal of the model's bounds. Throws Error(usage) if a number is not finite, or not above 0.
 View orthographic_view(const Eigen::Vector3d& middle, const Eigen::Vector3d& right,
-                       const Eigen::Vector3d& down, double pixels, double size, int width, int height);
+                       const Eigen::Vector3d& down, double pixels, double size, FrameSize frame);
 
 /// The orthographic view that shows what is `depth` in front of a perspective view's eye as that does. `size`
 /// and errors: as above.

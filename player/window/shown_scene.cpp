@@ -120,7 +120,7 @@ View ShownScene::update(int width, int height, double now) {
     layout_ = layout_of(s.window.panels, width, height, double(ImGui::GetFontSize()),
                         !scene_.plan().photos.empty());
     s.window.free = picture_area(layout_, s.settings.compare, width);
-    s.settings.room = {width, height};
+    s.settings.capacity = {width, height};
     choose_projection(now);
     View view = shown_view(s.viewpoint.camera, s, scene_.plan(), width, height);
     shown_at_ = now;
@@ -137,7 +137,7 @@ View ShownScene::update(int width, int height, double now) {
 /// What an orthographic view cannot show ends it.
 void ShownScene::choose_projection(double now) {
     Session& s = session_;
-    const bool points = scene_.renderer.points() && s.settings.points.show;
+    const bool points = scene_.renderer.resources().points && s.settings.points.show;
     if (!s.viewpoint.orthographic ||
         (!points && s.settings.compare == Compare::nothing && scene_.objects.size() == 1))
         return;
@@ -199,7 +199,7 @@ void ShownScene::show_cut(const View& view) {
 /// Notes, their cards and tours, over the picture of `view`.
 void ShownScene::tell(const View& view, double now) {
     Session& s = session_;
-    const SeenTriangles seen = scene_.renderer.seen();
+    const SeenTriangles seen = scene_.renderer.planner().seen();
     const SurfaceAt surface = [&](const Eigen::Vector2d& pixel) {
         return surface_at_pixel(scene_.plan(), seen, pixel_in(seen.view.intrinsics, view.intrinsics, pixel));
     };

@@ -60,7 +60,7 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     Session s(window);
     s.settings = remembered.settings;
     s.settings.upload_bytes = o.memory.upload_bytes();
-    s.settings.complete = false;
+    s.settings.loading = Loading::streamed;
     s.settings.layer = layer_settings(package, o.layer);
     if (read_fields(package).empty()) s.measured_layers = s.settings.layer.layer >= 0;
     if (o.light.shown != LightSettings{}) s.settings.light = light_settings(o.light);

@@ -43,7 +43,7 @@ WindowPicture::WindowPicture(LoadedScene& scene, const ShowOptions& o, Session& 
       pacing_{pace_of_first_picture(goal_ms_)} {}
 
 void WindowPicture::draw(const View& view, const RenderSettings& shown, double now) {
-    if (goal_ms_ > 0) enlargement_.fit(shown.room);
+    if (goal_ms_ > 0) enlargement_.fit(shown.capacity);
     const bool still = unchanged(view, shown);
     if (!still) samples_ = 0;
     draw_sample(view, shown, still, now);
@@ -94,11 +94,15 @@ void WindowPicture::draw_sample(const View& view, const RenderSettings& shown, b
     // evict each other.
     resting_ = still && !moves && (resting_ || complete);
     RenderSettings settings = shown;
-    settings.swift = s.drawn.pace.swift;
+    settings.reduced = s.drawn.pace.reduced;
     settings.lod_bias = resting_ ? 0 : -0.5;
     if (!moves) settings.upload_bytes = upload_of_frame(settings.upload_bytes, frame_ms_);
-    settings.wait_for_uploads = !moves && frame_ms_ > slow_ms && !scene_.package().remote();
-    settings.wait_for_base = !drawn_ && !scene_.package().remote();  // the first picture shows photos
+    if (!scene_.package().remote()) {
+        if (!drawn_)
+            settings.loading = Loading::beginning;  // the first picture shows photos
+        else if (!moves && frame_ms_ > slow_ms)
+            settings.loading = Loading::uploading;
+    }
     const Navigation ahead = before_ ? between(*before_, s.viewpoint.camera, 4) : s.viewpoint.camera;
     before_ = s.viewpoint.camera;
     const View next =
@@ -134,7 +138,7 @@ bool WindowPicture::in_parts() const { return stereo() && divides_frame(session_
 void WindowPicture::draw_eyes(const RenderSettings& shown, const RenderSettings& settings, PixelSample sample,
                               double now, const View* next) {
     Session& s = session_;
-    const FrameSize size = eye_size(s.stereo.mode, shown.room);
+    const FrameSize size = eye_size(s.stereo.mode, shown.capacity);
     const double distance = (s.viewpoint.camera.target - s.viewpoint.camera.eye).norm();
     const Area free = free_for_eye(s.stereo.mode, s.window.free, size);
     const View middle =
@@ -142,18 +146,18 @@ void WindowPicture::draw_eyes(const RenderSettings& shown, const RenderSettings&
     const std::vector<View> eyes = eye_views(middle, s.stereo.eyes, distance);
     pair_.fit(size);
     s.drawn.report =
-        scene_.objects.draw_eyes(eyes, settings, s.photos, sample, now, next, [&](std::size_t eye) {
-            enlargement_.show(scene_.objects, eyes[eye], shown, size, pair_.target(eye), false, eye);
+        scene_.objects.draw_eyes({eyes, settings, s.photos, sample, now, next}, [&](std::size_t eye) {
+            enlargement_.show(scene_.objects, eyes[eye], shown, size, {pair_.target(eye), false, eye});
         });
     drawn_view_ = eyes.front();
 }
 
 void WindowPicture::show(const RenderSettings& shown, double now) {
-    if (stereo()) return pair_.show(session_.stereo.mode, shown.room, 0, true);
+    if (stereo()) return pair_.show(session_.stereo.mode, shown.capacity, 0, true);
     if (is_final() && drawn_at_ != now && same_settings_)
-        enlargement_.show_again(scene_.objects, *drawn_view_, shown, shown.room, 0, true);
+        enlargement_.show_again(scene_.objects, *drawn_view_, shown, shown.capacity, {0, true});
     else
-        enlargement_.show(scene_.objects, *drawn_view_, shown, shown.room, 0, true);
+        enlargement_.show(scene_.objects, *drawn_view_, shown, shown.capacity, {0, true});
 }
 
 /// Whether the samples of a picture at rest would keep the processor busy for too long: on a large screen, in
@@ -175,7 +179,7 @@ void WindowPicture::keep_pace() {
     if (!frame) return;
     note_time(session_.drawn, frame->ms);
     frame_ms_ = frame->ms;
-    if (frame->pace != Pace{} || (pacing_.pace == Pace{} && pacing_.usual > 0)) {
+    if (frame->pace != Pace{} || (pacing_.pace == Pace{} && pacing_.full_frame_ms > 0)) {
         pacing_ = next_pacing(pacing_, frame->pace, frame->ms, goal_ms_);
         return;
     }

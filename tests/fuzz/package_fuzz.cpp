@@ -65,7 +65,7 @@ void play(const PackageReader& package) {
                           : view_of_photo(scene.photos[0], std::min(1.0, 64.0 / scene.photos[0].width));
     const std::vector<std::uint32_t> seen{1, 2, 0, 1, 0xffffffffu};
     for (const Plan& plan :
-         {make_plan(scene, view, {}, photos), make_plan(scene, view, {}, photos, {}, seen)})
+         {make_plan(scene, view, {}, photos), make_plan(scene, view, {}, photos, {.seen = seen})})
         for (const PlannedPhoto& p : plan.photos)
             for (std::uint32_t l = 0; l < max_levels; ++l) {
                 for (const std::uint32_t t : p.needs.color[l]) {

@@ -355,6 +355,6 @@ TEST(PlanHardCases, IsEmptyIfNothingIsAllowedOrInView) {
     EXPECT_TRUE(plan.photos.empty() && plan.clusters.empty());
     EXPECT_EQ(plan.uncovered, 0);
     // Triangle indices beyond the model are skipped.
-    const Plan odd = make_plan(t.scene, view, {}, std::array{0u}, {}, std::array{0u, 3u, ~0u, 1u});
+    const Plan odd = make_plan(t.scene, view, {}, std::array{0u}, {.seen = std::array{0u, 3u, ~0u, 1u}});
     EXPECT_EQ(odd.photos.size(), 1u);
 }

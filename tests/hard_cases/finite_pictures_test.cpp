@@ -44,7 +44,7 @@ class FinitePictures : public PreparedScene {
     }
     std::size_t count(const Named& of, const RenderSettings& s, const std::string& what, int side = 1) {
         const Picture p = picture(of.view, s, side);
-        const NonFinite found = count_non_finite(renderer->targets());
+        const NonFinite found = count_non_finite(renderer->resources().targets);
         EXPECT_EQ(found.all(), 0u) << of.name << ", " << what << ": " << words(found);
         return found.all();
     }
@@ -70,11 +70,9 @@ std::vector<std::pair<std::string, RenderSettings>> kinds() {
     out.emplace_back("sources", shown);
     shown.show = Show::coverage;
     out.emplace_back("coverage", shown);
-    RenderSettings taps;
-    taps.coordinates = Coordinates::fragment;
-    taps.anisotropy = 4;
-    taps.trilinear = false;
-    out.emplace_back("fragment, 4 taps, bilinear", taps);
+    RenderSettings fragment;
+    fragment.coordinates = Coordinates::fragment;
+    out.emplace_back("fragment", fragment);
     for (const Compare c : {Compare::side_by_side, Compare::swipe, Compare::difference}) {
         RenderSettings compared;
         compared.compare = c;
@@ -124,6 +122,10 @@ TEST_F(FinitePictures, EverySettingFromEveryView) {
     for (const Named& view : views())
         for (const auto& [name, s] : kinds()) count(view, s, name);
     count(views()[1], {}, "four samples per pixel", 2);
+    RenderSettings fragment;
+    fragment.coordinates = Coordinates::fragment;
+    renderer->resources().trials = {.trilinear = false, .anisotropy = 4};
+    for (const Named& view : views()) count(view, fragment, "4 taps, bilinear");
 }
 
 TEST_F(FinitePicturesOfOddModel, CancelingNormalsAndExtremeColors) {
@@ -144,7 +146,7 @@ TEST_F(FinitePictures, CountsInjectedNonFiniteValues) {
     const Named view = views()[1];
     ASSERT_EQ(count(view, {}, "usual"), 0u);
     const std::size_t pixels = 48 * 36;
-    const FrameTargets& t = renderer->targets();
+    const FrameTargets& t = renderer->resources().targets;
     const float bad = std::numeric_limits<float>::quiet_NaN(),
                 infinite = std::numeric_limits<float>::infinity();
     const std::array<float, 4> one_bad{0, bad, 0, 1}, all_endless{infinite, -infinite, infinite, infinite};
@@ -198,7 +200,7 @@ TEST_F(FinitePictures, NonFiniteViewIsRejectedAndTheNextOneDrawn) {
         EXPECT_THROW(picture(good, frozen), Error) << i;
     }
     EXPECT_EQ(picture(good, {}).rgba, before.rgba);
-    EXPECT_EQ(count_non_finite(renderer->targets()).all(), 0u);
+    EXPECT_EQ(count_non_finite(renderer->resources().targets).all(), 0u);
 }
 
 TEST_F(FinitePictures, NonFiniteEyeOrTargetIsRejected) {

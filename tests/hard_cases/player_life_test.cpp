@@ -26,7 +26,7 @@ class PlayerLifetime : public PreparedScene {
   protected:
     RenderSettings streamed() const {
         RenderSettings s;
-        s.complete = false;
+        s.loading = Loading::streamed;
         s.photos = 4;
         return s;
     }
@@ -104,7 +104,7 @@ TEST_F(PlayerLifetime, WindowResizedEveryFrame) {
         const int w = frame == 7 ? 1 : 1 + int(random() % 90), h = frame == 7 ? 1 : 1 + int(random() % 90);
         RenderSettings s = streamed();
         renderer->draw(between(0, 1, w, h), s, photos, {}, frame / 30.0);
-        s.complete = true;
+        s.loading = Loading::complete;
         s.photos = 0;
         if (frame % 5 != 2) continue;
         EXPECT_EQ(picture(between(0, 1, w, h), s).rgba,

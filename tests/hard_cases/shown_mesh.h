@@ -97,7 +97,7 @@ class Geometry : public TemporaryFolder {
                 s.fill_holes = true;
                 out.pictures.push_back(
                     take_picture(renderer, view_of_photo(reader.photos()[photo], 1), s, photos, 1));
-                EXPECT_EQ(count_non_finite(renderer.targets()).all(), 0u) << "blend " << int(blend);
+                EXPECT_EQ(count_non_finite(renderer.resources().targets).all(), 0u) << "blend " << int(blend);
             }
         }
         out.triangles = std::size_t(reader.scene().triangles);

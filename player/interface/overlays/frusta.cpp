@@ -49,7 +49,7 @@ void frusta(Session& s, Renderer& renderer, PhotoStrip& strip, const View& view,
         if (!is_shown(s.settings.image_sets, scene.photos[i])) continue;
         const PhotoFrustum f = photo_frustum(scene, i);
         if ((f.center - eye).norm() < 0.0012 * scene.size) continue;  // the viewer is at this camera
-        const bool used = renderer.uses(i), white = shows_listed_point(s.photo_list, i);
+        const bool used = renderer.planner().uses(i), white = shows_listed_point(s.photo_list, i);
         draw(
             f, view,
             white ? IM_COL32_WHITE : weight_color(weights.distance[i], weights.angle[i], used ? 1.0f : 0.45f),

@@ -60,7 +60,8 @@ void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const
     for (std::uint32_t i = 0; i < scene.poses.size(); ++i) {
         if (!is_shown(s.settings.image_sets, scene.photos[i])) continue;
         arrow(scene.poses[i],
-              weight_color(weights.distance[i], weights.angle[i], renderer.uses(i) ? 1.0f : 0.5f), 14);
+              weight_color(weights.distance[i], weights.angle[i], renderer.planner().uses(i) ? 1.0f : 0.5f),
+              14);
         const ImVec2 at = place(scene.poses[i].center());
         const double d = std::hypot(double(at.x - mouse.x), double(at.y - mouse.y));
         if (d < best) best = d, nearest = i;

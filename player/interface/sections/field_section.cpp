@@ -24,7 +24,7 @@ float histogram_height() { return 3 * ImGui::GetFontSize(); }
 std::optional<double> value_under_pointer(const Renderer& renderer, const ScalarField& layer,
                                           const View& view) {
     const ImGuiIO& io = ImGui::GetIO();
-    const SeenTriangles seen = renderer.seen();
+    const SeenTriangles seen = renderer.planner().seen();
     if (io.WantCaptureMouse || seen.view.intrinsics.width != view.intrinsics.width) return {};
     const Eigen::Vector2d at(io.MousePos.x, io.MousePos.y);
     const std::uint32_t triangle = seen_triangle(seen, at);
@@ -111,7 +111,7 @@ void layer_choice(Controls& c, std::span<const ScalarField> layers, FieldSetting
 }  // namespace
 
 void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, const View& view) {
-    const std::span<const ScalarField> layers = renderer.layers();
+    const std::span<const ScalarField> layers = renderer.resources().layers.all();
     layer_choice(c, layers, s);
     if (s.layer < 0 || std::size_t(s.layer) >= layers.size()) return;
     const ScalarField& layer = layers[std::size_t(s.layer)];

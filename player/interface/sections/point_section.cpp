@@ -41,7 +41,7 @@ void controls(Controls& c, Session& session, const Renderer& renderer) {
     }
     if (!renderer.scene().photos.empty()) {
         static const char* const colors[] = {marked("the photos'"), marked("their own")};
-        int color = renderer.photos_on_points(session.settings) ? 0 : 1;
+        int color = photos_on_points(session.settings, renderer.resources().parts) ? 0 : 1;
         if (c.choice("Colors of points", &color, colors, int(std::size(colors))))
             p.color = color == 0 ? PointColor::photos : PointColor::own;
     }
@@ -63,8 +63,8 @@ void controls(Controls& c, Session& session, const Renderer& renderer) {
         p.budget = std::uint64_t(millions * 1e6);
     c.explain("How many points are drawn per frame at most.");
     ImGui::TextDisabled(tr("%zu of %llu points drawn%s"), session.drawn.report.points,
-                        static_cast<unsigned long long>(renderer.points()->cloud().points),
-                        renderer.points()->plan().whole ? "" : tr(" (limit reached)"));
+                        static_cast<unsigned long long>(renderer.resources().points->cloud().points),
+                        renderer.resources().points->plan().whole ? "" : tr(" (limit reached)"));
 }
 
 }  // namespace

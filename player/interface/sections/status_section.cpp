@@ -29,7 +29,7 @@ void transfer_lines(const Renderer& renderer) {
     if (!traffic) return;
     ImGui::Text(tr("network %.0f kB/s, %.1f MB; cache %.1f MB"), traffic->bytes_per_second / 1e3,
                 double(traffic->bytes_received) / 1e6, double(traffic->bytes_from_cache) / 1e6);
-    if (const std::string failure = renderer.failure(); !failure.empty()) {
+    if (const std::string failure = renderer.resources().failure(); !failure.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 0.5f, 0.4f, 1));
         ImGui::TextWrapped("%s", failure.c_str());
         ImGui::PopStyleColor();
@@ -50,14 +50,14 @@ void status_section(Controls& c, const DrawnFrames& frames, const Renderer& rend
     ImGui::Text(tr("99 %% below %.1f, 99.9 %% below %.1f"), f.p99, f.p999);
     if (frames.pace.scale < 1)
         ImGui::Text(tr("in motion: %.0f %% of the resolution%s"), 100 * frames.pace.scale,
-                    frames.pace.swift ? tr(", fewer photos") : "");
+                    frames.pace.reduced ? tr(", fewer photos") : "");
     const FrameReport& r = frames.report;
     ImGui::Text(tr("%zu photos in %zu passes, %zu draws"), r.photos, r.passes, r.draws);
     ImGui::Text(tr("%zu tiles, %zu to come; %.1f MiB uploaded"), r.tiles, r.tiles_to_come,
                 double(r.uploaded) / double(MiB));
     if (renderer.scene().has_transparency())
         ImGui::Text(tr("%zu transparent fragments, %zu approximated"), r.fragments, r.fragments_approximated);
-    const Residency& held = renderer.store().residency();
+    const Residency& held = renderer.resources().store.residency();
     ImGui::Text(tr("graphics memory: %.0f of %.0f MiB"), double(gl::memory_held()) / double(MiB),
                 double(graphics_budget) / double(MiB));
     budget_bar(c, marked("tiles"), double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,

@@ -94,9 +94,10 @@ SeenFrame seen_frame(const Renderer& renderer, const View& view) {
     const std::size_t pixels = std::size_t(view.intrinsics.width) * std::size_t(view.intrinsics.height);
     std::vector<std::array<float, 4>> light(pixels);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glGetTextureImage(renderer.targets().samples.front().sum.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(16 * pixels),
-                      light.data());
-    SeenFrame out{view, std::vector<std::array<float, 3>>(pixels), renderer.triangles()};
+    glGetTextureImage(renderer.resources().targets.samples.front().sum.id(), 0, GL_RGBA, GL_FLOAT,
+                      GLsizei(16 * pixels), light.data());
+    SeenFrame out{view, std::vector<std::array<float, 3>>(pixels),
+                  read_triangles(renderer.resources().targets)};
     for (std::size_t i = 0; i < pixels; ++i)
         for (std::size_t c = 0; c < 3; ++c)
             out.codes[i][c] = 255 * float(srgb_from_linear(std::clamp(double(light[i][c]), 0.0, 1.0)));

@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <functional>
 
 #include "base/gl/context.h"
 #include "player/composition/enlargement.h"
@@ -21,34 +22,33 @@ using Clock = std::chrono::steady_clock;
 /// Makes everything that the path needs resident, as far as there is space.
 void preload(ObjectSet& objects, const CameraPath& path, FrameSize size, RenderSettings settings,
              const std::vector<std::uint32_t>& photos) {
-    settings.complete = true;
+    settings.loading = Loading::complete;
     for (const Navigation& n : path.frames)
         objects.draw(view_of(n, size.width, size.height), settings, photos, {}, 0);
 }
 
+/// Draws a frame at `now` seconds, and shows it.
+using DrawAndShow = std::function<void(const View& view, const RenderSettings& settings, double now)>;
+
 /// Milliseconds that a frame takes in which a view rests; after a coarse one, as a window's first picture is.
-double time_at_rest(ObjectSet& objects, Enlargement& enlargement, const View& view, RenderSettings settings,
-                    const std::vector<std::uint32_t>& photos, FrameTimer& timer, const FlightTarget& target) {
+double time_at_rest(const View& view, RenderSettings settings, FrameTimer& timer, const DrawAndShow& draw) {
     double ms = 0;
     for (int i = 0; i < 4; ++i) {
         const View drawn = i == 0 ? scaled(view, coarse_pace.scale) : view;
-        settings.swift = i == 0 && coarse_pace.swift;
+        settings.reduced = i == 0 && coarse_pace.reduced;
         timer.begin();
-        objects.draw(drawn, settings, photos, {}, i * frame_seconds);
-        enlargement.show(objects, drawn, settings, target.size, target.framebuffer.id(), false);
+        draw(drawn, settings, i * frame_seconds);
         ms = timer.end();
     }
     return ms;
 }
 
-RenderSettings flight_settings(const PackageReader& package, const FlightOptions& o,
-                               const std::string& mode) {
+RenderSettings flight_settings(const PackageReader& package, const FlightOptions& o) {
     RenderSettings settings = render_settings(package, o.blending, Purpose::window);
     settings.points = point_settings(o.points);
     settings.fill_holes = true;
-    settings.complete = false;
+    settings.loading = Loading::streamed;
     settings.upload_bytes = o.memory.upload_bytes();
-    settings.whole_photos = mode == "whole";
     return settings;
 }
 
@@ -103,11 +103,12 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
     for (const SceneObject& object : o.scene)
         if (!o.warm) drop_from_page_cache(object.package);
     const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
-    RenderSettings settings = flight_settings(package, o, mode);
+    RenderSettings settings = flight_settings(package, o);
     const FrameSize size = target.size;
-    settings.room = size;
+    settings.capacity = size;
     Renderer renderer(package, memory_budget(o.memory));
     ObjectSet objects(renderer, o.scene, memory_budget(o.memory));
+    objects.use_trials({.whole_photos = mode == "whole"});
     if (mode == "resident") preload(objects, path, size, settings, photos);
     Flight flight{path.name, mode, repeat, {}};
     flight.frames.reserve(path.frames.size());
@@ -118,8 +119,11 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
     Pacing pacing;
     if (goal > 0) {
         const View first = view_of(path.frames[0], size.width, size.height);
-        pacing.pace =
-            first_pace(time_at_rest(objects, enlargement, first, settings, photos, timer, target), goal);
+        const auto draw = [&](const View& drawn, const RenderSettings& s, double now) {
+            objects.draw(drawn, s, photos, {}, now);
+            enlargement.show(objects, drawn, s, size, {target.framebuffer.id()});
+        };
+        pacing.pace = first_pace(time_at_rest(first, settings, timer, draw), goal);
     }
     const auto begin = Clock::now();
     const std::chrono::duration<double, std::ratio<60>> minutes(o.minutes);
@@ -136,20 +140,20 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
         const std::vector<View> eyes = views_of(o.stereo, view, (camera.target - camera.eye).norm());
         std::optional<View> next = expected_view(path, i, jump, size);
         if (next) next = scaled(*next, pace.scale);
-        settings.swift = pace.swift;
+        settings.reduced = pace.reduced;
         timer.begin();
         const auto show = [&](std::size_t eye) {
-            enlargement.show(objects, eyes[eye], settings, size, target.framebuffer.id(), false, eye);
+            enlargement.show(objects, eyes[eye], settings, size, {target.framebuffer.id(), false, eye});
         };
         const FrameReport report =
-            objects.draw_eyes(eyes, settings, photos, {}, now, next ? &*next : nullptr, show);
+            objects.draw_eyes({eyes, settings, photos, {}, now, next ? &*next : nullptr}, show);
         const double ms = timer.end();
         gl::check("drawing a frame");
         flight.frames.push_back(
             {ms, pace.scale, report, gl::memory_held(), memory_without(flight.frames.size())});
         pacing = next_pacing(pacing, pace, ms, goal);
         const bool exact = objects.size() == 1 && report.tiles_missing == 0 &&
-                           report.photos == renderer.plan().photos.size();
+                           report.photos == renderer.planner().frame().plan().photos.size();
         if (stays_from >= 0 && i > stays_from && flight.frames_to_exact < 0 && exact) {
             note_exact(flight, stays_from);
             flight.streamed_to_exact = objects.streamed() - before;

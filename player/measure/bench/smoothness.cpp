@@ -21,8 +21,7 @@ namespace {
 
 RenderSettings shown_settings(const PackageReader& package, const SmoothnessOptions& o) {
     RenderSettings settings = render_settings(package, o.blending, Purpose::window);
-    settings.complete = !o.fades;
-    settings.wait_for_tiles = o.fades;
+    settings.loading = o.fades ? Loading::repeatable : Loading::complete;
     settings.points.show = false;  // colors are followed on the mesh
     settings.transparency = Transparency::off;
     return settings;
@@ -53,7 +52,7 @@ std::vector<Navigation> path_of(const PackageReader& package, const SmoothnessOp
 
 std::vector<std::uint32_t> planned_photos(const Renderer& renderer) {
     std::vector<std::uint32_t> out;
-    for (const PlannedPhoto& p : renderer.plan().photos) out.push_back(p.photo);
+    for (const PlannedPhoto& p : renderer.planner().frame().plan().photos) out.push_back(p.photo);
     std::ranges::sort(out);
     return out;
 }

@@ -9,13 +9,13 @@ namespace vantage {
 
 std::uint64_t touched_bytes(Renderer& renderer, const View& view, const RenderSettings& settings,
                             std::span<const std::uint32_t> photos, double now) {
-    const ResidencyLayout& layout = renderer.store().residency().layout();
+    const ResidencyLayout& layout = renderer.resources().store.residency().layout();
     const std::size_t words = std::size_t(layout.color + 2 * layout.masks) * tile_size * tile_size / 32;
     const std::vector<std::uint32_t> zero(words, 0);
     const gl::Buffer touched = gl::make_buffer("touched texels", words * 4, zero.data());
-    renderer.trace_texels(touched.id());
+    renderer.resources().photos.trace_texels(touched.id());
     renderer.draw(view, settings, photos, {}, now);
-    renderer.trace_texels(0);
+    renderer.resources().photos.trace_texels(0);
     std::vector<std::uint32_t> bits(words);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(touched.id(), 0, GLsizeiptr(words * 4), bits.data());

@@ -180,7 +180,8 @@ class SceneWithout {
             use_poses_without(renderer.package(), photo, out);
         if (transient_) {
             transient_->leave_out(photo, colors, out);
-            renderer.use_weights([this](std::uint32_t other) { return transient_->of(other); });
+            renderer.resources().store.use_weights(
+                [this](std::uint32_t other) { return transient_->of(other); });
         }
         return out;
     }
@@ -226,7 +227,7 @@ int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
                                    package.photos()[p].image_set};  // the others of its image set predict it
         const int level = std::min(o.level, int(package.photos()[p].levels) - 1);
         const auto records = without.leave_out(p, renderer);
-        results.push_back(leave_out(renderer, settings, photos, records, p, level, regions, pictures));
+        results.push_back(leave_out(renderer, settings, {p, level, photos, records}, regions, pictures));
         write_pictures(o.folder, results.back(), pictures);
         if (!o.against.empty()) compare(o, results.back(), pictures);
         print_row(results.back(), names);

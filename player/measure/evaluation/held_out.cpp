@@ -70,7 +70,7 @@ std::vector<Picture> pictures_alone(Renderer& renderer, RenderSettings settings,
     settings.photos = 1;
     std::vector<Picture> out;
     out.push_back(take_picture(renderer, view, settings, others, samples));
-    for (const PlannedPhoto& p : renderer.plan().photos) std::erase(plan, p.photo);
+    for (const PlannedPhoto& p : renderer.planner().frame().plan().photos) std::erase(plan, p.photo);
     for (std::size_t i = 0; i < std::min<std::size_t>(2, plan.size()); ++i)
         out.push_back(take_picture(renderer, view, settings, std::span(plan).subspan(i, 1), 1));
     return out;
@@ -81,14 +81,15 @@ std::vector<std::uint32_t> render_view(Renderer& renderer, const View& view, con
                                        std::span<const std::uint32_t> others, LeftOutPictures& p) {
     p.rendered = take_picture(renderer, view, settings, others, samples);
     std::vector<std::uint32_t> plan;
-    for (const PlannedPhoto& planned : renderer.plan().photos) plan.push_back(planned.photo);
+    for (const PlannedPhoto& planned : renderer.planner().frame().plan().photos)
+        plan.push_back(planned.photo);
     p.scored = scored_pixels(p.rendered);
     for (std::size_t i = 0; i < p.scored.size(); ++i)
         p.scored[i] = p.scored[i] && p.photo.rgba[4 * i + 3] >= 128;
     p.alone.clear();
     if (!plan.empty()) p.alone = pictures_alone(renderer, settings, others, view, plan);
     p.shown = as_in_window(renderer, view, settings, p.rendered, samples);
-    return renderer.triangles();
+    return read_triangles(renderer.resources().targets);
 }
 
 double over_nearest(const LeftOutPictures& p) {
@@ -130,11 +131,11 @@ double RegionError::rms() const {
     return pixels > uncolored ? std::sqrt(squares / (3.0 * double(pixels - uncolored))) : 0;
 }
 
-LeftOut leave_out(Renderer& renderer, RenderSettings settings, std::span<const std::uint32_t> photos,
-                  std::span<const package::PhotoRecord> records, std::uint32_t photo, int level,
+LeftOut leave_out(Renderer& renderer, RenderSettings settings, const HeldOut& held_out,
                   std::vector<RegionError>& regions, LeftOutPictures& p) {
+    const auto [photo, level, photos, records] = held_out;
     const PackageReader& package = renderer.package();
-    renderer.use_records(records);
+    renderer.resources().photos.use_records(records);
     settings.background = ShowBackground::off;  // the photo had a say in their shape
     std::vector<std::uint32_t> others(photos.begin(), photos.end());
     std::erase(others, photo);

@@ -45,10 +45,17 @@ struct LeftOutPictures {
     std::vector<bool> scored;    ///< one flag per pixel: both photo and rendered picture show it
 };
 
-/// Compares a photo with its view rendered from the others (`photos` without it), at a pyramid level, with
-/// 2x2 samples per pixel. `records`: see ColorsWithout. Adds the errors to `regions`, one per cluster.
-LeftOut leave_out(Renderer& renderer, RenderSettings settings, std::span<const std::uint32_t> photos,
-                  std::span<const package::PhotoRecord> records, std::uint32_t photo, int level,
+/// A photo to leave out.
+struct HeldOut {
+    std::uint32_t photo;
+    int level;                                      ///< of the pyramid, at which pictures are compared
+    std::span<const std::uint32_t> photos;          ///< the others are these without it
+    std::span<const package::PhotoRecord> records;  ///< see ColorsWithout
+};
+
+/// Compares a photo with its view rendered from the others, with 2x2 samples per pixel. Adds the errors to
+/// `regions`, one per cluster.
+LeftOut leave_out(Renderer& renderer, RenderSettings settings, const HeldOut& held_out,
                   std::vector<RegionError>& regions, LeftOutPictures& pictures);
 
 /// Adds remarks to photos with likely problems; an unusually low SSIM is judged against all results.

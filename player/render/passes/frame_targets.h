@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -17,10 +18,10 @@ struct SurfaceTargets {
 
 /// The render targets of a frame: the bare surface, the picture of photos that others are replacing, two
 /// float targets of sums (best photo and transient masking read one and write the other), and the samples of
-/// each eye's picture. They may have room for larger frames.
+/// each eye's picture. They may be allocated for larger frames.
 struct FrameTargets {
-    int width = 0, height = 0;             ///< of the frame, pixels; up to `room`
-    FrameSize room;                        ///< of the textures
+    int width = 0, height = 0;             ///< of the frame, pixels; up to `allocated`
+    FrameSize allocated;                   ///< of the textures
     SurfaceTargets layers;                 ///< of both eyes, if each has its own surface
     std::vector<SurfaceTargets> surfaces;  ///< one per eye, from `layers`; or one that eyes use in turn
     std::size_t surface_number = 0;        ///< of the eye that was painted last
@@ -28,6 +29,8 @@ struct FrameTargets {
     std::vector<std::array<gl::Framebuffer, 2>> sums_targets;  ///< per surface, which gives them its depth
     gl::Framebuffer before_target;
     std::vector<PictureSamples> samples;  ///< per eye
+    /// Of the eye that was painted last, a and b of its depth, a + b / z. Not of an orthographic view.
+    Eigen::Vector2d depth_terms = Eigen::Vector2d::Zero();
 
     FrameSize size() const { return {width, height}; }
     /// Of the eye that was painted last. There must be targets.
@@ -35,14 +38,30 @@ struct FrameTargets {
     const gl::Framebuffer& sums_target(int sums) const {
         return sums_targets[surface_number][std::size_t(sums)];
     }
-    static std::uint64_t bytes(FrameSize room, std::size_t eyes = 1, std::size_t surfaces = 1);
+    static std::uint64_t bytes(FrameSize allocated, std::size_t eyes = 1, std::size_t surfaces = 1);
 };
 
 /// Draws into a framebuffer, in a frame of this size.
 void bind_target(GLuint framebuffer, FrameSize size);
 
+/// While it lives, nothing is cleared or drawn outside of the frame: its targets may be much larger.
+class DrawnRegion {
+  public:
+    explicit DrawnRegion(const FrameTargets& targets) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, 0, targets.width, targets.height);
+    }
+    ~DrawnRegion() { glDisable(GL_SCISSOR_TEST); }
+    DrawnRegion(const DrawnRegion&) = delete;
+    DrawnRegion& operator=(const DrawnRegion&) = delete;
+};
+
+/// The triangle at each pixel of the frame drawn last, row by row from the top, numbered from 1; 0: none.
+/// Waits for the graphics card.
+std::vector<std::uint32_t> read_triangles(const FrameTargets& targets);
+
 /// For frames of at most this size, drawn for one eye or two, with as many surfaces or one. Throws
 /// Error(usage) for a size that the graphics card cannot draw.
-FrameTargets make_frame_targets(FrameSize room, std::size_t eyes = 1, std::size_t surfaces = 1);
+FrameTargets make_frame_targets(FrameSize allocated, std::size_t eyes = 1, std::size_t surfaces = 1);
 
 }  // namespace vantage

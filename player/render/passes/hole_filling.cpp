@@ -61,9 +61,7 @@ void HoleFilling::fill(const gl::Texture& accumulated, int width, int height, do
     glDisable(GL_BLEND);
     glBindVertexArray(no_vertices_.id());
     const auto draw_to = [&](std::size_t level) {
-        glBindFramebuffer(GL_FRAMEBUFFER, levels_[level].target.id());
-        const auto [w, h] = level_size(frame, level);
-        glViewport(0, 0, w, h);
+        bind_target(levels_[level].target.id(), level_size(frame, level));
         glDrawArrays(GL_TRIANGLES, 0, 3);
     };
     glUseProgram(average_program_.id());

@@ -10,7 +10,7 @@ namespace vantage {
 /// Where holes are filled behind transparent surfaces: what is over the holes (`veil`), and the samples
 /// without those surfaces (`clean`), from which the holes are filled.
 struct PictureSamples {
-    FrameSize room;  ///< of the textures
+    FrameSize allocated;  ///< of the textures
     gl::Texture sum, other, veil, clean;
     gl::Framebuffer sum_target, other_target, veiled_target;
     double count = 0;  ///< per pixel
@@ -28,6 +28,6 @@ struct PictureSamples {
     }
 };
 
-PictureSamples make_picture_samples(FrameSize room);
+PictureSamples make_picture_samples(FrameSize allocated);
 
 }  // namespace vantage

@@ -83,7 +83,7 @@ PointPass::PointPass(const PackageReader& package, PointCloud cloud, std::uint64
 }
 
 void PointPass::fit(const FrameTargets& targets, bool placed) {
-    const auto [width, height] = targets.room;
+    const auto [width, height] = targets.allocated;
     release();
     picture_ = gl::make_texture_2d("frame points", GL_RGBA16F, width, height);
     if (!placed) {
@@ -103,7 +103,7 @@ std::size_t PointPass::stream(const View& view, const RenderSettings& settings, 
     store_.begin_frame(now);
     for (const std::uint32_t node : plan_.nodes) store_.need(cloud_.nodes[node]);
     std::size_t uploaded = 0;
-    if (settings.complete || settings.wait_for_tiles)
+    if (waits_for_tiles(settings.loading))
         store_.load();
     else
         uploaded = store_.stream(settings.upload_bytes);
@@ -143,8 +143,7 @@ std::size_t PointPass::draw(const View& view, const Eigen::Matrix4f& clip_from_o
     glDepthMask(GL_TRUE);
     const float farthest = 0;
     if (settings.alone) glClearNamedFramebufferfv(target_.id(), GL_DEPTH, 0, &farthest);
-    glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
-    glViewport(0, 0, view.intrinsics.width, view.intrinsics.height);
+    bind_target(target_.id(), frame_size(view));
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);

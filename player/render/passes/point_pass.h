@@ -20,16 +20,16 @@ class PointPass {
     PointPass(const PackageReader& package, PointCloud cloud, std::uint64_t bytes);
 
     void release() { target_ = {}, picture_ = {}, places_ = {}, numbers_ = {}; }
-    /// Creates the target for frames of at most the targets' room, with the depth of the model's; `placed`:
-    /// and with places() and numbers().
+    /// Creates the target for frames of at most the targets' allocated size, with the depth of the model's;
+    /// `placed`: and with places() and numbers().
     void fit(const FrameTargets& targets, bool placed);
     static std::uint64_t bytes(int width, int height, bool placed) {
         return std::uint64_t(width) * std::uint64_t(height) * (placed ? 20 : 8);
     }
     bool placed() const { return bool(places_); }
 
-    /// Chooses nodes for the view, requests them and uploads what has arrived; with settings.complete or
-    /// wait_for_tiles, waits for all of them. Returns the bytes uploaded.
+    /// Chooses nodes for the view, requests them and uploads what has arrived; where the settings wait
+    /// for tiles, waits for all of them. Returns the bytes uploaded.
     std::size_t stream(const View& view, const RenderSettings& settings, int side, double now);
     /// The planned nodes that are still to come.
     std::size_t missing() const { return missing_; }

@@ -43,8 +43,8 @@ std::uint64_t TransparentPass::bytes(int width, int height, Transparency mode) c
 void TransparentPass::fit(const FrameTargets& targets, Transparency mode) {
     release();
     mode_ = mode;
-    room_ = targets.room;
-    const auto [width, height] = room_;
+    allocated_ = targets.allocated;
+    const auto [width, height] = allocated_;
     if (mode == Transparency::off) return;
     sums_ = gl::make_texture_2d("transparent sums", GL_RGBA32F, width, height);
     transmitted_ = gl::make_texture_2d("transmitted light", GL_R32F, width, height);
@@ -62,8 +62,7 @@ void TransparentPass::collect(FrameSize frame, const std::function<void()>& draw
     glClearNamedFramebufferfv(target_.id(), GL_COLOR, 0, nothing.data());
     glClearNamedFramebufferfv(target_.id(), GL_COLOR, 1, everything.data());
     if (heads_) glClearNamedBufferData(heads_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
-    glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
-    glViewport(0, 0, frame.width, frame.height);
+    bind_target(target_.id(), frame);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_GEQUAL);

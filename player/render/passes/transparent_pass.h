@@ -12,7 +12,7 @@ namespace vantage {
 /// Fragments of transparent surfaces.
 struct FragmentCount {
     std::size_t fragments = 0;     ///< in front of what is opaque
-    std::size_t approximated = 0;  ///< of these: not sorted, for lack of room
+    std::size_t approximated = 0;  ///< of these: not sorted, for lack of space
 };
 
 /// The buffers in which transparent surfaces are collected: weighted sums (McGuire and Bavoil 2013) and, in
@@ -20,7 +20,7 @@ struct FragmentCount {
 /// thread.
 class TransparentPass {
   public:
-    /// Room in lists: this many fragments per pixel on average; what finds none goes to the sums.
+    /// How many fragments lists hold per pixel, on average; what finds no place goes to the sums.
     static constexpr std::uint64_t layers_per_pixel = 4;
     /// Lists take at most this, in bytes.
     static constexpr std::uint64_t max_list_bytes = std::uint64_t(512) << 20;
@@ -28,8 +28,8 @@ class TransparentPass {
     /// `list_bytes`: of graphics memory for lists.
     explicit TransparentPass(std::uint64_t list_bytes) : list_bytes_(list_bytes) {}
     void release();
-    /// Creates the buffers for frames of at most the targets' room, with the depth of the model's. Nothing if
-    /// the mode is off.
+    /// Creates the buffers for frames of at most the targets' allocated size, with the depth of the model's.
+    /// Nothing if the mode is off.
     void fit(const FrameTargets& targets, Transparency mode);
     std::uint64_t bytes(int width, int height, Transparency mode) const;
     /// The mode that fit() was called with.
@@ -38,7 +38,7 @@ class TransparentPass {
     std::uint32_t capacity() const { return capacity_; }
 
     /// Pixels from the first of a row to that of the next one, in the lists' heads.
-    int row() const { return room_.width; }
+    int row() const { return allocated_.width; }
 
     /// Calls `draw` with targets and lists that are empty and bound, and whatever is behind the frame's depth
     /// rejected.
@@ -57,7 +57,7 @@ class TransparentPass {
 
     std::uint64_t list_bytes_;
     Transparency mode_ = Transparency::off;
-    FrameSize room_;
+    FrameSize allocated_;
     std::uint32_t capacity_ = 0;
     gl::Texture sums_, transmitted_;
     gl::Framebuffer target_;

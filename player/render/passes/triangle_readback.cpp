@@ -9,17 +9,18 @@ void TriangleReadback::release() {
     small_target_ = {};
     small_ = {};
     pixels_.release();
-    room_ = {};
+    allocated_ = {};
 }
 
 void TriangleReadback::capture(const FrameTargets& targets, const View& view) {
     if (pixels_.pending()) return;
     const auto smaller = [](int pixels) { return std::max(1, pixels / step); };
-    if (const FrameSize room{smaller(targets.room.width), smaller(targets.room.height)}; room != room_) {
-        small_ = gl::make_texture_2d("seen triangles", GL_R32UI, room.width, room.height);
+    if (const FrameSize size{smaller(targets.allocated.width), smaller(targets.allocated.height)};
+        size != allocated_) {
+        small_ = gl::make_texture_2d("seen triangles", GL_R32UI, size.width, size.height);
         small_target_ = gl::make_framebuffer("seen triangles", std::array{small_.id()}, 0);
-        pixels_.allocate("seen triangles", std::size_t(room.width) * std::size_t(room.height));
-        room_ = room;
+        pixels_.allocate("seen triangles", std::size_t(size.width) * std::size_t(size.height));
+        allocated_ = size;
     }
     if (!pixels_) return;
     const int width = smaller(targets.width), height = smaller(targets.height);

@@ -33,7 +33,7 @@ class TriangleReadback {
     SeenTriangles seen() const { return {triangles_, view_, version_}; }
 
   private:
-    FrameSize room_;  ///< of `small_`
+    FrameSize allocated_;  ///< of `small_`
     std::size_t captured_pixels_ = 0;
     gl::Texture small_;
     gl::Framebuffer small_target_;

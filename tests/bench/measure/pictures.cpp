@@ -35,7 +35,8 @@ class Frames {
           photos_(allowed(view, s)),
           side_(s.timed_whole ? s.side : 1),
           target_(make_flight_target(frame_size(view_))) {
-        settings_.complete = false;
+        settings_.loading = Loading::streamed;
+        renderer.resources().trials = s.trials;
     }
     FrameReport draw() const {
         // Milliseconds instead of seconds, so that no photo is still fading in.
@@ -43,7 +44,7 @@ class Frames {
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
                 .count();
         const FrameReport report = renderer_.draw(view_, settings_, photos_, {0, side_}, now);
-        renderer_.show(view_, settings_, target_.framebuffer.id(), false);
+        renderer_.show(view_, settings_, {target_.framebuffer.id()});
         glFinish();
         return report;
     }
@@ -134,7 +135,8 @@ double frame_psnr(std::span<const TrueView> views, std::span<const Picture> pict
 
 std::vector<Picture> render_views(Renderer& renderer, const BenchScene& scene, const PictureSetting& s) {
     RenderSettings settings = s.settings;
-    settings.complete = true;
+    settings.loading = Loading::complete;
+    renderer.resources().trials = s.trials;
     std::vector<Picture> out;
     for (const TrueView& v : scene.views)
         out.push_back(take_picture(renderer, v.view, settings, allowed(v, s), s.side));
@@ -145,7 +147,7 @@ void settle(Renderer& renderer, const TrueView& view, const PictureSetting& s) {
     const Frames frames(renderer, view, s);
     for (int n = 0; n < 1000; ++n) {
         const FrameReport r = frames.draw();
-        if (r.tiles_missing == 0 && r.photos == renderer.plan().photos.size()) return;
+        if (r.tiles_missing == 0 && r.photos == renderer.planner().frame().plan().photos.size()) return;
     }
 }
 

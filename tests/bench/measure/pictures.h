@@ -22,6 +22,7 @@ struct PictureSetting {
     bool whole_frame = false;               ///< measure psnr_frame, too
     double photos = 1;                      ///< fraction of the allowed photos to use, evenly spread
     std::map<std::string, double> known{};  ///< metrics given by the setting itself
+    RenderTrials trials{};
 };
 
 /// Errors of a scene's views against the truth over the seeable pixels; means over the views.

@@ -16,15 +16,15 @@ struct NamedLoad {
 const NamedLoad loads[] = {{"none", {}}, {"step", step_load}, {"spikes", spike_load}, {"drift", drift_load}};
 
 void print_row(const NamedLoad& load, const PacedMotion& motion, const std::vector<PacedFrame>& frames) {
-    double pixels = 0, swift = 0;
+    double pixels = 0, reduced = 0;
     for (const PacedFrame& f : frames) {
         pixels += f.pace.scale * f.pace.scale;
-        swift += f.pace.swift;
+        reduced += f.pace.reduced;
     }
     const double n = double(frames.size());
     std::printf("| %s | %g | %d | %zu | %d | %.0f %% | %.0f %% | %zu |\n", load.name, motion.machine.full,
-                motion.delay, count_missed(frames), longest_missed(frames), 100 * pixels / n, 100 * swift / n,
-                count_changes(frames));
+                motion.delay, count_missed(frames), longest_missed(frames), 100 * pixels / n,
+                100 * reduced / n, count_changes(frames));
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
     const std::string folder = argc > 1 ? argv[1] : ".";
     std::printf(
         "%g Hz, 1000 frames, 1 ms of its own per frame, 4 %% noise\n"
-        "| load | ms per full frame | known late, frames | missed | in a row | pixels | swift | changes |\n"
+        "| load | ms per full frame | known late, frames | missed | in a row | pixels | reduced | changes |\n"
         "|---|---|---|---|---|---|---|---|\n",
         hertz);
     for (const NamedLoad& load : loads) {

@@ -198,7 +198,7 @@ TEST_F(Depth, PlayerShowsTheNearestSurfaceOverANearFarRatioOfAMillion) {
     const std::vector<std::uint32_t> photos{0, 1};
     const View view = view_of_photo(package.photos()[0], 1);
     const Picture picture = take_picture(renderer, view, {}, photos, 1);
-    const auto shown = renderer.triangles();
+    const auto shown = read_triangles(renderer.resources().targets);
     const Rays rays(package.records<Eigen::Vector3f>(package::Type::positions),
                     package.records<std::uint32_t>(package::Type::indices));
     const Eigen::Vector3d eye = view.cam_from_origin.center();

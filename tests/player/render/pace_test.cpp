@@ -97,8 +97,8 @@ TEST(Pacing, BlendsAllPhotosAgainWhenALoadHasPassed) {
     for (const double full : {4.0, 8.0, 14.0, 18.0})
         for (const int delay : {0, 1, 2}) {
             const auto frames = paced({{1, full}, headset_ms, delay, step_load});
-            ASSERT_FALSE(frames[199].pace.swift) << full;
-            EXPECT_FALSE(frames.back().pace.swift) << full << " ms, known " << delay << " late";
+            ASSERT_FALSE(frames[199].pace.reduced) << full;
+            EXPECT_FALSE(frames.back().pace.reduced) << full << " ms, known " << delay << " late";
             EXPECT_LT(count_changes(frames, 560), 20u) << "and does not go back and forth";
         }
 }

@@ -23,7 +23,7 @@ Placed random_placed(Random& random) {
     const Eigen::Matrix3d R =
         Eigen::AngleAxisd(random(0, 3), random.vector(1).normalized()).toRotationMatrix();
     Placed p{{}, random.vector(1), R.row(0), R.row(1), random(10, 300)};
-    p.view = orthographic_view(p.middle, p.right, p.down, p.pixels, 8, 640, 480);
+    p.view = orthographic_view(p.middle, p.right, p.down, p.pixels, 8, {640, 480});
     p.view.intrinsics.cx = random(-300, 900);
     p.view.intrinsics.cy = random(-300, 900);
     return p;
@@ -109,8 +109,8 @@ TEST(OrthographicView, FindsEveryClusterInIt) {
 
 TEST(OrthographicView, RefusesNumbersThatAreNone) {
     const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY();
-    EXPECT_THROW(orthographic_view({0, 0, 0}, x, y, 0, 1, 10, 10), Error);
-    EXPECT_THROW(orthographic_view({0, 0, 0}, x, y, 1, 0, 10, 10), Error);
-    EXPECT_THROW(orthographic_view({0, 0, 0}, x, y, 1e308, 10, 10, 10), Error);
-    EXPECT_THROW(orthographic_view(Vector3d::Constant(NAN), x, y, 1, 1, 10, 10), Error);
+    EXPECT_THROW(orthographic_view({0, 0, 0}, x, y, 0, 1, {10, 10}), Error);
+    EXPECT_THROW(orthographic_view({0, 0, 0}, x, y, 1, 0, {10, 10}), Error);
+    EXPECT_THROW(orthographic_view({0, 0, 0}, x, y, 1e308, 10, {10, 10}), Error);
+    EXPECT_THROW(orthographic_view(Vector3d::Constant(NAN), x, y, 1, 1, {10, 10}), Error);
 }

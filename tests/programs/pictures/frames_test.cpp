@@ -64,10 +64,10 @@ void expect_cut(const PackageReader& package, const View& view, std::vector<Sect
     RenderSettings settings;
     settings.sections = std::move(sections);
     take_picture(renderer, view, settings, photos, 1);
-    const std::vector<std::uint32_t> cut = renderer.triangles();
+    const std::vector<std::uint32_t> cut = read_triangles(renderer.resources().targets);
     const std::vector<SectionPlane> planes = std::exchange(settings.sections, {});
     take_picture(renderer, view, settings, photos, 1);
-    const std::vector<std::uint32_t> whole = renderer.triangles();
+    const std::vector<std::uint32_t> whole = read_triangles(renderer.resources().targets);
     const PlanScene& scene = renderer.scene();
     const std::uint32_t of_mesh = scene.clusters[scene.first_surrounding].first_triangle;
     std::size_t changed = 0, wrong = 0;
@@ -98,8 +98,9 @@ TEST_F(FramesAtLength, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
                 settings.transients = transients;
                 settings.photos_per_pass = 3;  // so that there are several passes
                 settings.fill_holes = true;
+                renderer.resources().trials.by_triangle = true;
                 const Picture by_pixel = take_picture(renderer, view, settings, all(package), 1);
-                settings.by_triangle = false;
+                renderer.resources().trials.by_triangle = false;
                 const Picture by_model = take_picture(renderer, view, settings, all(package), 1);
                 EXPECT_LT(by_pixel.report.draws, by_model.report.draws) << "they were drawn in the same way";
                 const Difference d = difference(by_pixel.rgba, by_model.rgba);
@@ -126,11 +127,11 @@ TEST_F(Frames, ACoarseMeshInMotionLooksLikeTheMesh) {
     Renderer renderer(package, MemoryBudget{});
     RenderSettings settings;
     settings.photos = 4;
-    settings.swift = true;
+    settings.reduced = true;
     settings.fill_holes = true;
     const View view = scaled(view_of_photo(package.photos()[1], 0.8), 0.5);
     const Picture of_mesh = take_picture(renderer, view, settings, all(package), 1);
-    renderer.coarsen(true);
+    renderer.planner().coarsen(true);
     const Picture coarse = take_picture(renderer, view, settings, all(package), 1);
     EXPECT_NE(coarse.rgba, of_mesh.rgba) << "the mesh was drawn";
     double squares = 0;
@@ -138,11 +139,11 @@ TEST_F(Frames, ACoarseMeshInMotionLooksLikeTheMesh) {
         squares += std::pow(int(coarse.rgba[i]) - int(of_mesh.rgba[i]), 2);
     EXPECT_GT(10 * std::log10(255 * 255 / (squares / double(coarse.rgba.size()))), 30);
     // What is under a pixel is known as a triangle of the mesh.
-    const auto triangles = renderer.seen().triangles;
+    const auto triangles = renderer.planner().seen().triangles;
     ASSERT_FALSE(triangles.empty());
     EXPECT_LE(std::ranges::max(triangles), renderer.scene().triangles);
     // At rest, the mesh is drawn again.
-    settings.swift = false;
+    settings.reduced = false;
     const Picture at_rest = take_picture(renderer, view, settings, all(package), 1);
     Renderer other(package, MemoryBudget{});
     EXPECT_EQ(at_rest.rgba, take_picture(other, view, settings, all(package), 1).rgba);
@@ -176,14 +177,14 @@ TEST_F(Frames, SmallerThanTheirTargetsLookAsWithTargetsOfTheirOwn) {
     settings.fill_holes = true;
     settings.plain_background = {{0.1f, 0.2f, 0.4f}, {0.4f, 0.3f, 0.2f}, 0.1};
     for (const View& view : views(package)) {
-        RenderSettings in_room = settings;
-        in_room.room = {view.intrinsics.width, view.intrinsics.height};
+        RenderSettings large = settings;
+        large.capacity = {view.intrinsics.width, view.intrinsics.height};
         // The larger frame before it leaves its pixels beside those of the smaller one.
-        take_picture(roomy, view, in_room, all(package), 1);
+        take_picture(roomy, view, large, all(package), 1);
         const View small = scaled(view, 0.37);
-        EXPECT_EQ(take_picture(roomy, small, in_room, all(package), 2).rgba,
+        EXPECT_EQ(take_picture(roomy, small, large, all(package), 2).rgba,
                   take_picture(own, small, settings, all(package), 2).rgba);
-        EXPECT_EQ(roomy.targets().room, in_room.room) << "no new targets";
+        EXPECT_EQ(roomy.resources().targets.allocated, large.capacity) << "no new targets";
     }
 }
 
@@ -198,12 +199,12 @@ TEST_F(Frames, SmallerOnesAreShownEnlarged) {
     enlargement.fit(size);
     RenderSettings settings;
     settings.fill_holes = true;
-    settings.room = size;
+    settings.capacity = size;
     const auto shown = [&](double scale) {
         const View drawn = scaled(view, scale);
         objects.draw(drawn, settings, all(package), {}, 0);
-        return picture_of(
-            size, [&](GLuint target) { enlargement.show(objects, drawn, settings, size, target, false); });
+        return picture_of(size,
+                          [&](GLuint target) { enlargement.show(objects, drawn, settings, size, {target}); });
     };
     const Picture whole = shown(1), half = shown(0.5), tiny = shown(0.1);
     const auto mean_off = [&](const Picture& p) {

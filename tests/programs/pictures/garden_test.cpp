@@ -143,7 +143,7 @@ TEST_F(Garden, NothingIsDarkWhileOnePhotoReplacesAnother) {
     const std::vector<std::uint32_t> photos{1, 7};
     RenderSettings settings;
     settings.fill_holes = true;
-    settings.complete = false, settings.wait_for_tiles = true;
+    settings.loading = Loading::repeatable;
     settings.choice = Choice::nearest, settings.photos = 1;
     const View from = view_of_photo(package.photos()[1], 0.5), to = view_of_photo(package.photos()[7], 0.5);
     const auto drawn = [&](const View& view, double start, int frames) {
@@ -152,7 +152,7 @@ TEST_F(Garden, NothingIsDarkWhileOnePhotoReplacesAnother) {
     };
     drawn(from, 0, 10);
     const Picture between = drawn(to, 1, 1), after = drawn(to, 2, 10);
-    settings.complete = true;
+    settings.loading = Loading::complete;
     const std::vector<std::uint32_t> replaced{photos[0]};
     const Picture before = take_picture(renderer, to, settings, replaced, 1);
     EXPECT_NE(between.rgba, before.rgba);

@@ -116,7 +116,7 @@ TEST_F(Layers, ColorsAreThoseOfTheValuesThatRaysMeet) {
     settings.layer.layer = 0;
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
     const Rays rays(scene.mesh, origin, view);
-    const ScalarField& layer = renderer.layers()[0];
+    const ScalarField& layer = renderer.resources().layers.all()[0];
     EXPECT_EQ(layer.name, "height");
     for (const ColorMap map : {ColorMap::viridis, ColorMap::coolwarm})
         for (const bool clamped : {false, true}) {
@@ -221,10 +221,10 @@ TEST_F(Layers, ValuesUnderThePointerAreThoseOfTheSurface) {
     Renderer renderer(package, MemoryBudget{});
     const View view = view_of_photo(package.photos()[0], 0.5);
     take_picture(renderer, view, {}, all(package), 1);
-    const std::vector<std::uint32_t> triangles = renderer.triangles();
+    const std::vector<std::uint32_t> triangles = read_triangles(renderer.resources().targets);
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
     const Rays rays(scene.mesh, origin, view);
-    const std::span<const float> values = renderer.layers()[0].values;
+    const std::span<const float> values = renderer.resources().layers.all()[0].values;
     std::size_t compared = 0;
     for (int y = 3; y < view.intrinsics.height; y += 7)
         for (int x = 3; x < view.intrinsics.width; x += 7) {
@@ -319,15 +319,15 @@ TEST_F(Layers, WhatPhotosSeeIsALayerOfEveryPackageAndCostsNothingUntilShown) {
     ASSERT_TRUE(read_fields(package).empty());
     const gl::HeadlessContext context;
     Renderer renderer(package, MemoryBudget{.graphics = std::uint64_t(200) << 20});
-    ASSERT_EQ(renderer.layers().size(), 2u);
-    EXPECT_EQ(renderer.layers()[0].name, "photo-count");
-    EXPECT_TRUE(renderer.layers()[0].values.empty());
+    ASSERT_EQ(renderer.resources().layers.all().size(), 2u);
+    EXPECT_EQ(renderer.resources().layers.all()[0].name, "photo-count");
+    EXPECT_TRUE(renderer.resources().layers.all()[0].values.empty());
     const View view = view_of_photo(package.photos()[0], 0.5);
     RenderSettings settings;
     const Picture photos = take_picture(renderer, view, settings, all(package), 1);
-    settings.layer.layer = layer_named(renderer.layers(), "photo-count");
+    settings.layer.layer = layer_named(renderer.resources().layers.all(), "photo-count");
     const Picture counted = take_picture(renderer, view, settings, all(package), 1);
-    const ScalarField& layer = renderer.layers()[0];
+    const ScalarField& layer = renderer.resources().layers.all()[0];
     EXPECT_GE(layer.low, 0);
     EXPECT_LE(layer.high, double(package.photos().size()));
     EXPECT_EQ(layer.high, *std::ranges::max_element(layer.values));

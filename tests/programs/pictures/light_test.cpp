@@ -44,7 +44,7 @@ std::vector<Flat> flat_pixels(const Renderer& renderer) {
     const auto normals = renderer.package().records<Eigen::Vector3f>(package::Type::normals);
     const View view = view_of_photo(renderer.package().photos()[1], 0.5);
     const Eigen::Matrix3d up_and_back = Eigen::Vector3d(1, -1, -1).asDiagonal();
-    const std::vector<std::uint32_t> triangles = renderer.triangles();
+    const std::vector<std::uint32_t> triangles = read_triangles(renderer.resources().targets);
     std::vector<Flat> out;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         if (triangles[i] == 0) continue;
@@ -149,7 +149,7 @@ TEST_F(LightOnGeometry, TheWireframeIsWhereTrianglesMeet) {
     const Picture without = taken(renderer, settings);
     settings.light.wireframe = true;
     const Picture with = taken(renderer, settings);
-    const std::vector<std::uint32_t> triangles = renderer.triangles();
+    const std::vector<std::uint32_t> triangles = read_triangles(renderer.resources().targets);
     const auto width = std::size_t(with.width);
     std::size_t borders = 0, wrong = 0;
     for (std::size_t y = 0; y + 1 < std::size_t(with.height); ++y)

@@ -224,7 +224,7 @@ TEST_F(Objects, TogetherTheyKeepTheUploadLimitAndConverge) {
     Renderer renderer(*first, MemoryBudget{});
     ObjectSet set(renderer, scene, MemoryBudget{});
     RenderSettings settings;
-    settings.complete = false;
+    settings.loading = Loading::streamed;
     settings.upload_bytes = std::size_t(2) << 20;
     std::uint64_t total = 0, most = 0;
     bool settled = false;

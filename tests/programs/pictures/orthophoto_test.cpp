@@ -197,7 +197,7 @@ TEST_F(OrthophotoProgram, IsTheSameHoweverItIsTiled) {
         std::vector<std::uint8_t> out;
         std::size_t done = 0, all = 0;
         draw_orthophoto(
-            renderer, o, settings, photos, 2, tile,
+            renderer, o, {settings, photos, 2}, tile,
             [&](std::span<const std::uint8_t> row) { out.insert(out.end(), row.begin(), row.end()); },
             [&](std::size_t d, std::size_t a) {
                 EXPECT_EQ(d, ++done);

@@ -143,7 +143,7 @@ TEST_F(PointScenes, TheFirstFrameOfAWindowShowsTheWholeCloudCoarsely) {
     const View view = view_of(home_of(package, 0), 320, 240);
     const Picture all = taken(package, view, {});
     RenderSettings window;
-    window.complete = window.wait_for_tiles = false;
+    window.loading = Loading::streamed;
     window.upload_bytes = 1;  // a block, at most
     const Picture first = taken(package, view, window);
     EXPECT_LT(first.report.points, all.report.points) << "the rest is still to come";

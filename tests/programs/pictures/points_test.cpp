@@ -198,11 +198,12 @@ TEST_F(Points, OfTwoEyesHideAndAreHiddenAsForOne) {
         RenderSettings s = plain();
         s.points.show = shown;
         std::array<Picture, 2> pair;
-        FrameReport report = renderer.prepare(both, s, all(package), {}, 0);
+        FrameReport report = renderer.prepare({both, s, all(package)});
         for (const std::size_t eye : {0, 1}) {
             renderer.paint(eye, report);
-            pair[eye] = picture_of(frame_size(both[eye]),
-                                   [&](GLuint target) { renderer.show(both[eye], s, target, false, eye); });
+            pair[eye] = picture_of(frame_size(both[eye]), [&](GLuint target) {
+                renderer.show(both[eye], s, {target, false, eye});
+            });
         }
         for (const std::size_t eye : {0, 1})
             EXPECT_EQ(pair[eye].rgba, taken(renderer, both[eye], s).rgba)

@@ -89,8 +89,8 @@ TEST_F(StereoPicturesAtLength, AreTwoSinglePicturesToTheBit) {
             ObjectSet objects(renderer, {{"garden", file, {}, true}}, MemoryBudget{});
             StereoPicture stereo;
             const auto eyes = eye_views(middle, {.distance = apart, .convergence = convergence}, 1);
-            const Picture both = take_picture(objects, stereo, StereoMode::side_by_side, eyes, settings,
-                                              all(package), side, 0);
+            const Picture both =
+                take_picture(objects, stereo, StereoMode::side_by_side, eyes, {settings, all(package), side});
             const int w = middle.intrinsics.width, h = middle.intrinsics.height;
             ASSERT_EQ(both.width, 2 * w);
             ASSERT_EQ(both.height, h);
@@ -117,25 +117,24 @@ TEST_F(StereoPicturesAtLength, AreTheSameHoweverTheirSurfaceIsDrawn) {
         pose = {apart * pose.R, apart * pose.t};
     }
     std::map<std::string, RenderSettings> cases;
-    for (const char* name : {"plain", "raking", "normals", "cut", "layer", "swift", "by model"})
+    for (const char* name : {"plain", "raking", "normals", "cut", "layer", "reduced", "by model"})
         cases[name].photos = 4, cases[name].fill_holes = true;
     cases["raking"].light = {.light = Light::raking, .on_photos = true, .wireframe = true};
     cases["normals"].light.light = Light::normals;
     cases["cut"].sections = {{Eigen::Vector3d::UnitX(), 0.2}, {Eigen::Vector3d::UnitY(), 0.1}};
     cases["layer"].layer.layer = 0;
-    cases["swift"].swift = true;
-    cases["by model"].by_triangle = false;
+    cases["reduced"].reduced = true;
     Renderer renderer(package, MemoryBudget{});
-    renderer.coarsen(true);
+    renderer.planner().coarsen(true);
     ObjectSet objects(renderer, {{"garden", fine, {}, true}}, MemoryBudget{});
     StereoPicture stereo;
     const int w = eyes[0].intrinsics.width, h = eyes[0].intrinsics.height;
     for (auto& [name, settings] : cases)
         for (const EyeSurfaces surfaces :
              {EyeSurfaces::in_turn, EyeSurfaces::overlapped, EyeSurfaces::at_once}) {
-            settings.eye_surfaces = surfaces;
+            renderer.resources().trials = {.eye_surfaces = surfaces, .by_triangle = name != "by model"};
             const Picture both =
-                take_picture(objects, stereo, StereoMode::side_by_side, eyes, settings, all(package), 1, 0);
+                take_picture(objects, stereo, StereoMode::side_by_side, eyes, {settings, all(package), 1});
             for (const int i : {0, 1}) {
                 const View& eye = eyes[std::size_t(i)];
                 EXPECT_EQ(part(both, i * w, 0, w, h).rgba,
@@ -153,13 +152,12 @@ TEST_F(StereoPictures, OfAWindowShareTheirPhotosAndUploadEachTileOnce) {
     const View middle = view_of_photo(package.photos()[2], 0.7);
     RenderSettings settings;
     settings.photos = 2;
-    settings.complete = false;
-    settings.wait_for_tiles = true;
+    settings.loading = Loading::repeatable;
     const auto uploaded = [&](std::span<const View> eyes) {
         Renderer renderer(package, MemoryBudget{});
         ObjectSet objects(renderer, {{"garden", file, {}, true}}, MemoryBudget{});
         for (int frame = 0; frame < 8; ++frame)
-            objects.draw_eyes(eyes, settings, all(package), {}, frame, nullptr, [](auto) {});
+            objects.draw_eyes({eyes, settings, all(package), {}, double(frame)}, [](auto) {});
         return objects.streamed().bytes;
     };
     const auto eyes = eye_views(middle, {}, 5);

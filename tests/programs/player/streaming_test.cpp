@@ -43,7 +43,7 @@ class Streaming : public TemporaryFolder {
     }
     static RenderSettings streamed() {
         RenderSettings s;
-        s.complete = false;
+        s.loading = Loading::streamed;
         s.photos = 4;
         return s;
     }
@@ -114,12 +114,13 @@ TEST_F(Streaming, UploadBudgetIsKeptAndThePictureConverges) {
         report = renderer.draw(view, settings, all(package), {}, frame / 30.0);
         ASSERT_LE(report.uploaded, settings.upload_bytes);
         // On a busy machine, thumbnails of some photos come frames before those of others.
-        const bool all_shown = report.photos > 0 && report.photos >= renderer.plan().photos.size();
+        const bool all_shown =
+            report.photos > 0 && report.photos >= renderer.planner().frame().plan().photos.size();
         if (first.empty() && all_shown) first = shown_picture(renderer, view, settings).rgba;
     }
     ASSERT_TRUE(report.settled);
     const auto last = shown_picture(renderer, view, settings).rgba;
-    settings.complete = true;
+    settings.loading = Loading::complete;
     renderer.draw(view, settings, all(package), {}, 100);
     const auto exact = shown_picture(renderer, view, settings).rgba;
     EXPECT_LT(mean_difference(first, exact), 12) << "thumbnails show the scene, though blurred";
@@ -152,8 +153,8 @@ TEST_F(Streaming, LimitThatAFrameCannotKeepIsExceededAndSaid) {
     for (int frame = 0; !report.settled && std::chrono::steady_clock::now() - start < std::chrono::minutes(1);
          ++frame) {
         report = renderer.draw(view, streamed(), all(package), {}, frame / 30.0);
-        ASSERT_GT(renderer.graphics_budget(), limit);
-        ASSERT_LE(gl::memory_held(), renderer.graphics_budget());
+        ASSERT_GT(renderer.planner().graphics_budget(), limit);
+        ASSERT_LE(gl::memory_held(), renderer.planner().graphics_budget());
     }
     EXPECT_TRUE(report.settled);
     EXPECT_GT(report.photos, 0u);
@@ -204,7 +205,7 @@ TEST_F(Streaming, DamagedTilesFallBackToCoarserOnesUntilRestored) {
     Renderer fresh(package, {});
     fresh.draw(view, settings, only, {}, 0);
     RenderSettings complete = settings;
-    complete.complete = true;
+    complete.loading = Loading::complete;
     fresh.draw(view, complete, only, {}, 1);
     EXPECT_LT(mean_difference(shown_picture(renderer, view, settings).rgba,
                               shown_picture(fresh, view, complete).rgba),
@@ -217,7 +218,7 @@ TEST_F(Streaming, APictureOfASmallModelComesToRest) {
     Renderer renderer(package, {});
     RenderSettings settings = streamed();
     settings.photos = 1;
-    settings.wait_for_tiles = true;
+    settings.loading = Loading::repeatable;
     for (const double away : {100.0, 1000.0}) {
         const View view = view_towards({0.3 * away, -away, 0.2 * away}, {0, 0, 0}, {0, 0, 1}, 40, 640, 480);
         // As a window does: one sample per frame once everything is settled, from the first again otherwise.
@@ -246,7 +247,7 @@ TEST_F(Streaming, PlansCoverTheViewAndKeepTheirPhotos) {
     std::vector<std::uint32_t> previous;
     int changes = 0;
     for (const Navigation& n : scripted_path("orbit", start, 120).frames) {
-        const Plan plan = make_plan(scene, view_of(n, 640, 480), settings, photos, previous);
+        const Plan plan = make_plan(scene, view_of(n, 640, 480), settings, photos, {.previous = previous});
         EXPECT_LE(plan.uncovered, 1.6e-3) << "the guarantee of cover()";
         EXPECT_EQ(plan.photos.size(), std::set<std::uint32_t>([&] {
                                           std::set<std::uint32_t> s;
@@ -259,7 +260,7 @@ TEST_F(Streaming, PlansCoverTheViewAndKeepTheirPhotos) {
         std::ranges::sort(now);
         changes += now != previous;
         previous = now;
-        const Plan same = make_plan(scene, view_of(n, 640, 480), settings, photos, previous);
+        const Plan same = make_plan(scene, view_of(n, 640, 480), settings, photos, {.previous = previous});
         std::vector<std::uint32_t> again;
         for (const PlannedPhoto& p : same.photos) again.push_back(p.photo);
         std::ranges::sort(again);

@@ -24,10 +24,10 @@ std::vector<PictureSetting> settings(int most) {
         out.back().chosen = side == 2;
     }
     out.push_back(setting("one sample", "bilinear", 1));
-    out.back().settings.trilinear = false;
+    out.back().trials.trilinear = false;
     for (const int taps : {2, 4, 8, 16}) {
         out.push_back(setting("one sample", fmt::format("{} taps", taps), 1));
-        out.back().settings.anisotropy = taps;
+        out.back().trials.anisotropy = taps;
     }
     for (const double bias : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
         out.push_back(setting("one sample, bias", fmt::format("{:g}", bias), 1));

@@ -80,7 +80,7 @@ std::vector<Measurement> targets(const BenchScene& scene, const Effort& effort) 
     return compare("counting non-finite pixels (verify)", "frame_ms", effort.repeats, [&](bool guarded) {
         return milliseconds([&] {
             renderer.draw(view.view, setting.settings, view.photos, {}, 0);
-            if (guarded) count_non_finite(renderer.targets());
+            if (guarded) count_non_finite(renderer.resources().targets);
             glFinish();
         });
     });

@@ -38,7 +38,7 @@ Opened open_and_show(const BenchScene& scene, const PictureSetting& s) {
         const PackageReader package(scene.package);
         Renderer renderer(package, ample_memory());
         settle(renderer, scene.views.front(), s);
-        out.bytes = double(renderer.store().streamed().bytes);
+        out.bytes = double(renderer.resources().store.streamed().bytes);
     });
     return out;
 }

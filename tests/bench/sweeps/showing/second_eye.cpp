@@ -39,25 +39,24 @@ class EyesFlight {
           target_(make_flight_target(frame_size(path.front()))) {
         settings_.photos = window_photos;
         settings_.fill_holes = true;
-        settings_.eye_surfaces = setting.surfaces;
+        renderer_.resources().trials.eye_surfaces = setting.surfaces;
         for (const View& view : path)
             frames_.push_back(views_of({.mode = setting.mode, .eyes = {.share = 1.0 / 30}}, view,
                                        looked_at(view, renderer_.scene())));
         for (const auto& eyes : frames_) draw(eyes);  // complete, which makes the tiles resident
-        settings_.complete = false;
-        settings_.wait_for_tiles = true;
+        settings_.loading = Loading::repeatable;
         for (int n = 0; n < 5; ++n) draw(frames_.front());
-        settings_.wait_for_tiles = false;
+        settings_.loading = Loading::streamed;
     }
     void draw_next() { draw(frames_[next_++ % frames_.size()]); }
 
   private:
     void draw(std::span<const View> eyes) {
         now_ += frame_seconds;
-        FrameReport report = renderer_.prepare(eyes, settings_, photos_, {}, now_);
+        FrameReport report = renderer_.prepare({eyes, settings_, photos_, {}, now_});
         for (std::size_t eye = 0; eye < eyes.size(); ++eye) {
             renderer_.paint(eye, report);
-            renderer_.show(eyes[eye], settings_, target_.framebuffer.id(), false, eye);
+            renderer_.show(eyes[eye], settings_, {target_.framebuffer.id(), false, eye});
         }
         glFinish();
     }

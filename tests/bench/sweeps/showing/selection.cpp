@@ -51,7 +51,7 @@ Measurement fly(const PlanScene& scene, const CameraPath& path, PlanSettings set
         Plan plan;
         ms.push_back(milliseconds([&] {
             plan = make_plan(scene, view, settings, from.photos,
-                             remembers ? former : std::vector<std::uint32_t>());
+                             {.previous = remembers ? former : std::vector<std::uint32_t>()});
         }));
         std::vector<std::uint32_t> now;
         for (const PlannedPhoto& p : plan.photos) now.push_back(p.photo);

@@ -27,7 +27,7 @@ std::vector<PairSetting> pair_settings(int most) {
 RenderSettings render_settings_of(const PairSetting& s) {
     RenderSettings out;
     out.photos = s.photos;
-    out.complete = false;
+    out.loading = Loading::streamed;
     return out;
 }
 
@@ -53,7 +53,7 @@ class EyePairs {
         const RenderSettings settings = render_settings_of(s);
         const std::vector<View> eyes = eyes_at(view.view, both_.scene());
         if (s.together) {
-            report_ = both_.prepare(eyes, settings, view.photos, {}, now_);
+            report_ = both_.prepare({eyes, settings, view.photos, {}, now_});
             for (const std::size_t eye : {0, 1}) both_.paint(eye, report_);
         } else {
             report_ = left_.draw(eyes[0], settings, view.photos, {}, now_);
@@ -68,7 +68,7 @@ class EyePairs {
             if (n > 4 && report_.tiles_missing == 0) break;
         }
         Picture out = picture_of(frame_size(view.view), [&](GLuint target) {
-            (s.together ? both_ : left_).show(view.view, render_settings_of(s), target, false);
+            (s.together ? both_ : left_).show(view.view, render_settings_of(s), {target});
         });
         out.report = report_;
         return out;

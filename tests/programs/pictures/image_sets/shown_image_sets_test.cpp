@@ -169,7 +169,7 @@ TEST_F(ImageSets, AImageSetThatTakesAnothersPlaceLeavesNoHole) {
     const gl::HeadlessContext context;
     Renderer renderer(package, MemoryBudget{});
     RenderSettings s;
-    s.complete = false;
+    s.loading = Loading::streamed;
     s.photos = 2;
     s.fill_holes = true;
     s.upload_bytes = std::size_t(1) << 20;
@@ -220,13 +220,13 @@ TEST_F(ImageSets, BothEyesSeeThem) {
     std::array<View, 2> eyes{front(), front()};
     eyes[1].cam_from_origin.t.x() -= 0.3;
     RenderSettings s;
-    s.complete = false;
+    s.loading = Loading::streamed;
     s.fill_holes = true;
     double now = 0;
     const auto settle = [&] {
         for (int i = 0; i < 600; ++i) {
             now += 1.0 / 30;
-            FrameReport report = renderer.prepare(eyes, s, all(package), {}, now);
+            FrameReport report = renderer.prepare({eyes, s, all(package), {}, now});
             for (const std::size_t eye : {0, 1}) renderer.paint(eye, report);
             if (report.settled) return true;
         }
@@ -237,10 +237,11 @@ TEST_F(ImageSets, BothEyesSeeThem) {
     ASSERT_TRUE(settle());
     Renderer alone(package, MemoryBudget{});
     for (const std::size_t eye : {0, 1}) {
-        const Picture of_pair = picture_of(
-            frame_size(eyes[eye]), [&](GLuint target) { renderer.show(eyes[eye], s, target, false, eye); });
+        const Picture of_pair = picture_of(frame_size(eyes[eye]), [&](GLuint target) {
+            renderer.show(eyes[eye], s, {target, false, eye});
+        });
         RenderSettings single = s;
-        single.complete = true;
+        single.loading = Loading::complete;
         EXPECT_LT(mean_difference(of_pair, take_picture(alone, eyes[eye], single, all(package), 1)), 1);
     }
 }

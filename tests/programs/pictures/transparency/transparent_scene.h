@@ -126,7 +126,7 @@ class Transparent : public TemporaryFolder {
         taken(renderer, view, settings);
         std::vector<Eigen::Vector4f> out(std::size_t(view.intrinsics.width) *
                                          std::size_t(view.intrinsics.height));
-        glGetTextureImage(renderer.targets().samples.front().sum.id(), 0, GL_RGBA, GL_FLOAT,
+        glGetTextureImage(renderer.resources().targets.samples.front().sum.id(), 0, GL_RGBA, GL_FLOAT,
                           GLsizei(out.size() * 16), out.data());
         std::vector<Vector4d> light;
         for (const Eigen::Vector4f& l : out) light.push_back(l.cast<double>());

@@ -55,7 +55,7 @@ class Evaluate : public TemporaryFolder {
         for (const std::uint32_t p : photos)
             if (!only || p == *only)
                 out.push_back(
-                    leave_out(renderer, settings, photos, package.photos(), p, 1, regions, pictures));
+                    leave_out(renderer, settings, {p, 1, photos, package.photos()}, regions, pictures));
         remark(out);
         return out;
     }

@@ -70,7 +70,8 @@ TEST_F(Evaluate, HolesAreWhereTheMeshEndsOrNoOtherPhotoLooks) {
     Renderer renderer(package, {});
     std::vector<RegionError> regions;
     LeftOutPictures pictures;
-    const LeftOut alone = leave_out(renderer, {}, std::array{2u}, package.photos(), 2, 2, regions, pictures);
+    const LeftOut alone =
+        leave_out(renderer, {}, {2, 2, std::array{2u}, package.photos()}, regions, pictures);
     EXPECT_GT(alone.causes.of(Cause::unseen), 0);
     EXPECT_EQ(alone.causes.colored(), 0);
     EXPECT_EQ(alone.score.pixels, 0u);
@@ -268,7 +269,7 @@ TEST_F(EvaluateAtLength, JudgeFindsTheGainsThatThePlayerShows) {
         const auto psnr = [&](bool refined) {
             RenderSettings settings;
             settings.refined_colors = refined;
-            return leave_out(renderer, settings, photos, colors.records(p), p, 2, regions, pictures)
+            return leave_out(renderer, settings, {p, 2, photos, colors.records(p)}, regions, pictures)
                 .score.psnr_gain;
         };
         gain += (psnr(true) - psnr(false)) / double(photos.size());

@@ -37,15 +37,15 @@ std::vector<Picture> window_pictures(const PackageReader& package, const std::ve
     options.photos = 0;
     options.render.thumbnails = true;
     RenderSettings settings = render_settings(package, options, Purpose::window);
-    settings.complete = false;
-    settings.wait_for_tiles = true;
+    settings.loading = Loading::repeatable;
     Renderer renderer(package, MemoryBudget{});
     ObjectSet objects(renderer, {{"garden", package.path(), {}, true}}, MemoryBudget{});
     std::vector<Picture> out(2);
     for (int frame = 0; frame < 6; ++frame)
-        objects.draw_eyes(eyes, settings, photos, {}, 10.0 * frame, nullptr, [&](std::size_t e) {
-            out[e] = picture_of(frame_size(eyes[e]),
-                                [&](GLuint target) { objects.show(eyes[e], settings, target, false, e); });
+        objects.draw_eyes({eyes, settings, photos, {}, 10.0 * frame}, [&](std::size_t e) {
+            out[e] = picture_of(frame_size(eyes[e]), [&](GLuint target) {
+                objects.show(eyes[e], settings, {target, false, e});
+            });
         });
     return out;
 }

@@ -1,4 +1,4 @@
-#include "player/render/shown_image_sets.h"
+#include "player/render/planning/shown_image_sets.h"
 
 #include <algorithm>
 

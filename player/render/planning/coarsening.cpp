@@ -1,4 +1,4 @@
-#include "player/render/coarsening.h"
+#include "player/render/planning/coarsening.h"
 
 #include <chrono>
 

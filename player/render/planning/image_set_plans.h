@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "player/plan/view_plan.h"
-#include "player/render/shown_image_sets.h"
+#include "player/render/planning/shown_image_sets.h"
 
 namespace vantage {
 

@@ -1,4 +1,4 @@
-#include "player/render/image_set_plans.h"
+#include "player/render/planning/image_set_plans.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,7 +7,7 @@ namespace vantage {
 
 void ImageSetPlans::choose(const RenderSettings& settings, double now) {
     ShownImageSets wanted = shown_image_sets(settings.image_sets, scene_->image_sets.size());
-    if (scene_->image_sets.size() > 1 && !settings.complete) {
+    if (scene_->image_sets.size() > 1 && !is_complete(settings.loading)) {
         const bool ready = !first_.drawn().empty() || first_.plan().photos.empty();
         wanted = change_.update(wanted, now, ready);
     }

@@ -4,19 +4,18 @@
 #include <span>
 #include <vector>
 
-#include "player/render/image_set_plans.h"
-#include "player/render/passes/model_passes.h"
-#include "player/stream/photo_store.h"
+#include "player/render/frame_report.h"
+#include "player/render/frame_resources.h"
+#include "player/render/planning/image_set_plans.h"
 
 namespace vantage {
 
-/// Requests the tiles of frames. Belongs to the OpenGL thread; the constructor's arguments must outlive it.
+/// Requests the tiles of frames. Belongs to the OpenGL thread; the resources must outlive it.
 class FrameTiles {
   public:
     using Pass = std::span<const PlannedPhoto* const>;
 
-    FrameTiles(const PlanScene& scene, PhotoStore& store, const ModelPasses& passes)
-        : scene_(&scene), store_(&store), passes_(&passes) {}
+    explicit FrameTiles(FrameResources& resources) : resources_(&resources) {}
 
     /// Requests this photo's thumbnail with the next frame, for panels.
     void want_thumbnail(std::uint32_t photo) { wanted_thumbnails_.push_back(photo); }
@@ -35,13 +34,13 @@ class FrameTiles {
     std::vector<bool> ready_photos(const RenderSettings& settings, const Plan& plan) const;
 
   private:
-    bool coordinates(const RenderSettings& settings) const { return !passes_->per_fragment(settings); }
+    bool coordinates(const RenderSettings& settings) const {
+        return !resources_->photos.per_fragment(settings);
+    }
     TileNeeds comparison_needs(const View& view, const RenderSettings& settings) const;
     void prefetch(std::span<const ImageSetFrame> image_sets, int side, const View& next);
 
-    const PlanScene* scene_;
-    PhotoStore* store_;
-    const ModelPasses* passes_;
+    FrameResources* resources_;
     std::vector<std::uint32_t> wanted_thumbnails_;
     std::vector<PlannedPhoto> ahead_;  ///< of a view to come
     unsigned prefetches_ = 0;

@@ -1,0 +1,186 @@
+#include "player/render/frame_painter.h"
+
+#include <algorithm>
+
+#include "player/render/passes/blend_table.h"
+
+namespace vantage {
+
+void FramePainter::begin(const PlannedFrame& frame) {
+    FrameResources& r = *resources_;
+    const DrawnRegion region(r.targets);
+    for (OwnSurface& surface : surfaces_) {
+        surface.prepared.reset();
+        surface.drawn = false;
+    }
+    coarse_ = std::ranges::all_of(frame.eyes, [&](const PlannedEye& eye) {
+        return suits_coarse(r, eye.sampled, eye.image_sets.front());
+    });
+    // Points share the depth of one surface, and two image sets may differ in theirs.
+    const std::vector<ImageSetFrame>& image_sets = frame.eyes.front().image_sets;
+    const RenderSettings& settings = image_sets.front().settings;
+    const bool own = image_sets.size() == 1 && !shows_points(settings, r.parts);
+    how_ = own ? eye_surfaces(r, settings, frame.eyes.size()) : EyeSurfaces::in_turn;
+    if (how_ == EyeSurfaces::in_turn) return;
+    for (std::size_t i = 0; i < frame.eyes.size(); ++i) {
+        const PlannedEye& eye = frame.eyes[i];
+        surfaces_.at(i).prepared.emplace(
+            drawn_view(r, eye.sampled, eye.image_sets.front(), frame.sample.side, coarse_));
+    }
+    if (how_ != EyeSurfaces::at_once) return;
+    r.surface.draw_both(*surfaces_[0].prepared, *surfaces_[1].prepared, r.targets);
+    for (OwnSurface& surface : surfaces_) surface.drawn = true;
+}
+
+void FramePainter::paint(PlannedFrame& frame, std::size_t number, FrameReport& report) {
+    FrameResources& r = *resources_;
+    PlannedEye& eye = frame.eyes[number];
+    const DrawnRegion region(r.targets);
+    OwnSurface& own = surfaces_.at(number);
+    const auto image_set_of = [&](const ImageSetFrame& b) {
+        const bool takes = !b.second && own.prepared;
+        return PaintedImageSet{.drawn = takes ? std::move(*own.prepared)
+                                              : drawn_view(r, eye.sampled, b, frame.sample.side, coarse_),
+                               .sample = frame.sample,
+                               .now = frame.now,
+                               .eye = number,
+                               .second = b.second,
+                               .transparent = shows_transparent(r, b.settings, frame.plan())};
+    };
+    PaintedImageSet first = image_set_of(eye.image_sets.front());
+    own.prepared.reset();
+    first.report = report;
+    r.targets.depth_terms = depth_terms(first.drawn.view, first.drawn.depth_range);
+    draw_surface(number, first.drawn);
+    own.drawn = false;  // once it is painted, it may be drawn over
+    if (!is_complete(first.drawn.settings.loading)) eye.readback.capture(r.targets, eye.view);
+    draw_photos(first);
+    report = first.report;
+    for (const ImageSetFrame& b : std::span(eye.image_sets).subspan(1)) {
+        PaintedImageSet second = image_set_of(b);
+        // With its own surface, because it may lack background.
+        r.surface.draw(second.drawn, r.targets);
+        draw_photos(second);
+        report = joined(report, second.report);
+    }
+    count_fragments(first, report);
+}
+
+void FramePainter::paint_again(PlannedFrame& frame, const View& view, const RenderSettings& settings) {
+    FrameResources& r = *resources_;
+    r.targets.surface_number = 0;
+    for (const ImageSetFrame& b : frame.eyes.front().plans.frames(settings, {})) {
+        PaintedImageSet image_set{.drawn = drawn_view(r, view, b, 1, coarse_),
+                                  .second = b.second,
+                                  .transparent = shows_transparent(r, b.settings, frame.plan())};
+        r.surface.draw(image_set.drawn, r.targets);
+        draw_photos(image_set);
+    }
+}
+
+/// The bare surface that an eye sees, unless it has been drawn.
+void FramePainter::draw_surface(std::size_t eye, const DrawnView& drawn) {
+    FrameTargets& targets = resources_->targets;
+    targets.surface_number = how_ == EyeSurfaces::in_turn ? 0 : eye;
+    OwnSurface& surface = surfaces_.at(eye);
+    if (!surface.drawn) resources_->surface.draw(drawn, targets);
+    surface.drawn = true;
+}
+
+/// A software rasterizer prepares triangles on one thread, while others can blend an eye's photos.
+void FramePainter::draw_next_surface(std::size_t eye) {
+    const std::size_t next = eye + 1;
+    if (next >= surfaces_.size() || !surfaces_[next].prepared) return;
+    draw_surface(next, *surfaces_[next].prepared);
+    resources_->targets.surface_number = eye;
+}
+
+/// Draws the photos on the surface drawn; during a transition also those that they replace.
+void FramePainter::draw_photos(PaintedImageSet& image_set) {
+    const ViewPlan& plan = image_set.drawn.plan;
+    const std::vector<const PlannedPhoto*> drawn = plan.drawn();
+    image_set.report.photos = drawn.size();
+    // Points that photos are drawn on come first: their depth keeps photos off the model behind them.
+    const SceneParts& parts = resources_->parts;
+    const bool shows = shows_points(image_set.drawn.settings, parts),
+               first = photos_on_points(image_set.drawn.settings, parts);
+    if (shows && first) draw_points(image_set);
+    if (!plan.settled()) {
+        const std::vector<const PlannedPhoto*> before = plan.before();
+        image_set.report.photos += std::size_t(std::ranges::count_if(before, [&](const PlannedPhoto* p) {
+            return std::ranges::count(drawn, p->photo, &PlannedPhoto::photo) == 0;
+        }));
+        resolver_->resolve_before(draw_set(before, image_set), image_set);
+    }
+    const int sums = draw_set(drawn, image_set);
+    draw_next_surface(image_set.eye);
+    if (shows && !first) draw_points(image_set);
+    if (image_set.transparent) draw_transparent(image_set);
+    resolver_->resolve(sums, image_set);
+}
+
+void FramePainter::draw_points(PaintedImageSet& image_set) {
+    PointPass& points = *resources_->points;
+    image_set.report.points =
+        points.draw(image_set.drawn.view, image_set.drawn.clip_from_origin, image_set.drawn.settings.points);
+    image_set.report.draws += points.drawn().size();
+}
+
+/// Blends photos into empty sums. Returns the number of the sums.
+int FramePainter::draw_set(Pass photos, PaintedImageSet& image_set) {
+    const RenderSettings& settings = image_set.drawn.settings;
+    const std::array<float, 4> zero{};
+    for (const int sums : {0, 1})
+        glClearNamedFramebufferfv(resources_->targets.sums_target(sums).id(), GL_COLOR, 0, zero.data());
+    int into = 0;
+    draw_passes(photos, image_set, false, into);
+    if (settings.transients && !takes_one(settings.blend)) {
+        into = 1;
+        draw_passes(photos, image_set, true, into);
+    }
+    return into;
+}
+
+void FramePainter::draw_passes(Pass photos, PaintedImageSet& image_set, bool transients, int& into) {
+    FrameResources& r = *resources_;
+    const RenderSettings& settings = image_set.drawn.settings;
+    PointSurface on_points;
+    if (shows_points(settings, r.parts) && photos_on_points(settings, r.parts))
+        on_points = {r.points->places(), settings.points.alone};
+    for (Pass rest = photos; !rest.empty(); ++image_set.report.passes) {
+        const Pass pass = rest.first(tiles_->pass_length(rest, settings));
+        rest = rest.subspan(pass.size());
+        if (is_complete(settings.loading))
+            tiles_->load(pass, image_set.drawn, image_set.now, image_set.report);
+        if (takes_one(settings.blend)) into = 1 - into;
+        image_set.report.draws +=
+            r.photos.draw(pass, image_set.drawn, r.targets, on_points, transients, into);
+    }
+}
+
+void FramePainter::draw_transparent(PaintedImageSet& image_set) {
+    TransparentPass& pass = *resources_->transparent;
+    pass.collect(resources_->targets.size(), [&] {
+        image_set.report.draws += resources_->surface.draw_transparent(
+            image_set.drawn, {pass.mode() == Transparency::exact, pass.row(), pass.capacity()});
+    });
+}
+
+/// Pictures wait for the counts of their samples; a window shows what has arrived.
+void FramePainter::count_fragments(const PaintedImageSet& image_set, FrameReport& report) {
+    if (!resources_->transparent) return;
+    TransparentPass& pass = *resources_->transparent;
+    const bool wait = waits_for_tiles(image_set.drawn.settings.loading);
+    if (wait && image_set.sample.index == 0) fragments_ = {};
+    if (image_set.transparent) {
+        if (!wait && pass.update(false)) fragments_ = pass.count();
+        pass.capture();
+        if (wait && pass.update(true)) {
+            fragments_.fragments += pass.count().fragments;
+            fragments_.approximated += pass.count().approximated;
+        }
+    }
+    report.fragments = fragments_.fragments, report.fragments_approximated = fragments_.approximated;
+}
+
+}  // namespace vantage

@@ -1,0 +1,55 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "player/render/frame_resolver.h"
+#include "player/render/planning/frame_tiles.h"
+#include "player/render/planning/planned_frame.h"
+
+namespace vantage {
+
+/// Paints frames that are planned: the bare surface of each eye, then points, photos and transparent surfaces
+/// on it, which the resolver adds to the samples of the eye's picture. Belongs to the OpenGL thread; the
+/// constructor's arguments must outlive it.
+class FramePainter {
+  public:
+    FramePainter(FrameResources& resources, FrameTiles& tiles, FrameResolver& resolver)
+        : resources_(&resources), tiles_(&tiles), resolver_(&resolver) {}
+
+    /// Begins a frame. Draws the bare surfaces of both eyes if that is done at once. The frame must stay as
+    /// it is until its last eye is painted.
+    void begin(const PlannedFrame& frame);
+    /// Paints an eye, and may draw the bare surface of the next. Adds to the report.
+    void paint(PlannedFrame& frame, std::size_t eye, FrameReport& report);
+    /// Replaces what was painted last by the photos of the frame's first eye, as far as they had faded in,
+    /// seen from another view, with one sample per pixel.
+    void paint_again(PlannedFrame& frame, const View& view, const RenderSettings& settings);
+
+  private:
+    using Pass = FrameTiles::Pass;
+    /// The bare surface of an eye that has one of its own.
+    struct OwnSurface {
+        std::optional<DrawnView> prepared;  ///< what it is drawn for
+        bool drawn = false;
+    };
+
+    void draw_surface(std::size_t eye, const DrawnView& drawn);
+    void draw_next_surface(std::size_t eye);
+    void draw_photos(PaintedImageSet& image_set);
+    int draw_set(Pass photos, PaintedImageSet& image_set);
+    void draw_passes(Pass photos, PaintedImageSet& image_set, bool transients, int& into);
+    void draw_points(PaintedImageSet& image_set);
+    void draw_transparent(PaintedImageSet& image_set);
+    void count_fragments(const PaintedImageSet& image_set, FrameReport& report);
+
+    FrameResources* resources_;
+    FrameTiles* tiles_;
+    FrameResolver* resolver_;
+    EyeSurfaces how_ = EyeSurfaces::in_turn;
+    bool coarse_ = false;  ///< the coarse mesh is fine enough for all eyes
+    std::array<OwnSurface, 2> surfaces_;
+    FragmentCount fragments_;  ///< of the picture
+};
+
+}  // namespace vantage

@@ -1,0 +1,60 @@
+#pragma once
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/gl/program.h"
+#include "player/render/frame_report.h"
+#include "player/render/frame_request.h"
+#include "player/render/frame_resources.h"
+#include "player/render/planning/shown_image_sets.h"
+
+namespace vantage {
+
+/// An image set of an eye that is being painted.
+struct PaintedImageSet {
+    DrawnView drawn;
+    PixelSample sample{};
+    double now = 0;  ///< seconds
+    std::size_t eye = 0;
+    bool second = false;       ///< of two image sets: its samples are accumulated by themselves
+    bool transparent = false;  ///< transparent surfaces are shown
+    FrameReport report{};
+};
+
+/// Resolves sums of photos into the samples of a picture, and shows samples. Belongs to the OpenGL thread;
+/// the resources must outlive it.
+class FrameResolver {
+  public:
+    explicit FrameResolver(FrameResources& resources);
+
+    /// Adds the picture in sums, lit, with points and transparent surfaces, to the samples of its eye.
+    void resolve(int sums, const PaintedImageSet& image_set);
+    /// Keeps the picture in sums, of photos that are being replaced, with transparent holes; resolve() mixes
+    /// it in.
+    void resolve_before(int sums, const PaintedImageSet& image_set);
+    /// Shows the samples of an eye; the target has the view's size. `image sets`: which they are of.
+    void show(const View& view, const RenderSettings& settings, const ShownImageSets& image_sets,
+              const ShowTarget& target);
+
+  private:
+    gl::Program make_program(const std::vector<std::string>& asked) const;
+    const gl::Program& program_for(const RenderSettings& settings);
+    void draw_resolved(int sums, const PaintedImageSet& image_set, bool before);
+    void set_light(const RenderSettings& settings) const;
+    void set_holes(const PaintedImageSet& image_set, bool before) const;
+    void set_points(const DrawnView& drawn, bool before) const;
+    void set_transparent(const PaintedImageSet& image_set, bool before) const;
+    void set_exposure(const DrawnView& drawn) const;
+    bool veils(std::size_t eye) const { return bool(resources_->targets.samples[eye].veil); }
+    void set_image_sets(const ShownImageSets& image_sets, std::size_t eye, bool other_fills) const;
+    void set_comparison(const View& view, const RenderSettings& settings) const;
+
+    FrameResources* resources_;
+    gl::Program plain_program_, show_program_;
+    std::map<std::vector<std::string>, gl::Program> other_programs_;  ///< by what was asked for
+    gl::VertexArray no_vertices_;
+};
+
+}  // namespace vantage

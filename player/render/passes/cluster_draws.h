@@ -1,0 +1,50 @@
+#pragma once
+#include <span>
+
+#include "player/render/frame_ring.h"
+#include "player/render/model.h"
+
+namespace vantage {
+
+/// Draws clusters of the model with the program that is current. Belongs to the OpenGL thread; the scene must
+/// outlive it.
+class ClusterDraws {
+  public:
+    using Clusters = std::span<const std::uint32_t>;  ///< ascending
+
+    ClusterDraws(const PackageReader& package, const PlanScene& scene);
+
+    const Model& model() const { return model_; }
+    /// Makes a layer's values, one per vertex of the mesh, those of the model. Returns whether that has taken
+    /// graphics memory.
+    bool show_values(std::span<const float> values);
+    /// Reduced frames may be drawn with this mesh from now on.
+    void use_coarse(CoarseMesh mesh);
+    const CoarseMesh& coarse() const { return coarse_; }
+
+    /// All draws of a pass are between begin() and end().
+    void begin() { ring_.begin(); }
+    void end() { ring_.end(); }
+    /// Draws clusters once per eye, background behind the mesh. `photos`: of each cluster of the scene, one
+    /// bit per photo of the pass; those without any are not drawn. Empty: all are drawn. Returns the number
+    /// of draws.
+    std::size_t draw(Clusters clusters, std::span<const std::uint32_t> photos, std::size_t eyes = 1);
+    /// The same of the mesh, or of transparent clusters, in one call.
+    std::size_t draw_mesh(Clusters clusters, std::span<const std::uint32_t> photos, std::size_t eyes = 1) {
+        return draw_run(clusters, photos, 0, eyes);
+    }
+    /// Draws all of the coarse mesh, and the background among the clusters.
+    void draw_coarse(Clusters clusters, std::size_t eyes);
+
+  private:
+    std::size_t draw_background(Clusters clusters, std::span<const std::uint32_t> photos, std::size_t eyes);
+    std::size_t draw_run(Clusters clusters, std::span<const std::uint32_t> photos, std::uint32_t bits,
+                         std::size_t eyes);
+
+    const PlanScene* scene_;
+    Model model_;
+    CoarseMesh coarse_;
+    FrameRing ring_;
+};
+
+}  // namespace vantage

@@ -1,0 +1,36 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "player/plan/view_plan.h"
+#include "player/render/render_settings.h"
+
+namespace vantage {
+
+struct ImageSetFrame;
+struct FrameResources;
+
+/// What all passes of a frame have in common.
+struct DrawnView {
+    const View& view;
+    const RenderSettings& settings;
+    const ViewPlan& plan;
+    int side;                     ///< samples per side of a pixel
+    Eigen::Vector2d depth_range;  ///< nearest and farthest, scene units
+    Eigen::Matrix4f clip_from_origin;
+    std::vector<double> weights;  ///< dynamic, per photo
+    bool coarse;                  ///< the coarse mesh stands for the mesh
+};
+
+/// An image set's frame seen from `view`, with `side` * `side` samples per pixel. Valid as long as its view
+/// and image set.
+DrawnView drawn_view(const FrameResources& resources, const View& view, const ImageSetFrame& image_set,
+                     int side, bool coarse);
+
+/// Whether the coarse mesh is fine enough for a view that is planned.
+bool suits_coarse(const FrameResources& resources, const View& view, const ImageSetFrame& image_set);
+
+/// a and b of the frame's depths, a + b / z. Not of an orthographic view.
+Eigen::Vector2d depth_terms(const View& view, const Eigen::Vector2d& depth_range);
+
+}  // namespace vantage

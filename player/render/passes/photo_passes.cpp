@@ -1,0 +1,274 @@
+#include "player/render/passes/photo_passes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "player/render/passes/blend_table.h"
+#include "scene/package/contents/point_cloud.h"
+#include "scene/package/package_shape.h"
+#include "shaders/contract.h"
+
+namespace vantage {
+namespace {
+
+/// The viewing direction of [P]: outside the model's box, toward its center; inside, the camera's own.
+Eigen::Vector3d overall_direction(const View& view, const package::SceneRecord& scene) {
+    const Eigen::Vector3d eye = view.cam_from_origin.center();
+    const Eigen::Vector3d half = (Eigen::Map<const Eigen::Vector3d>(scene.bounds_max) -
+                                  Eigen::Map<const Eigen::Vector3d>(scene.bounds_min)) /
+                                 2;
+    const bool outside = (eye.cwiseAbs().array() > half.array()).any();
+    return outside && eye.norm() > 0 ? Eigen::Vector3d(-eye.normalized()) : view.cam_from_origin.direction();
+}
+
+GLuint switches(const WeightSettings& w) {
+    return w.angle_mask * shader::angle_mask_switch | w.depth_mask * shader::depth_mask_switch |
+           w.border_mask * shader::border_mask_switch |
+           (w.angle && !w.angle_per_photo) * shader::angle_switch |
+           w.transient_mask * shader::transient_mask_switch;
+}
+
+static_assert(GLuint(Show::colors) == shader::show_colors && GLuint(Show::sources) == shader::show_sources &&
+              GLuint(Show::coverage) == shader::show_coverage);
+
+void uniform(GLint location, const Eigen::Vector3d& v) {
+    glUniform3f(location, float(v.x()), float(v.y()), float(v.z()));
+}
+
+std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos) {
+    std::vector<PhotoBlock> out;
+    for (std::uint32_t i = 0; i < photos.size(); ++i) out.push_back(make_photo_block(photos[i], i));
+    return out;
+}
+
+static_assert(shader::lens_cells == LensTable::cells);
+
+/// Of a photo's lens table, in the pass's page table.
+constexpr std::size_t lens_words = 2 * std::size_t(LensTable::side) * LensTable::side;
+
+void write_lens(const LensTable& lens, PhotoBlock& block, std::byte* table, std::uint32_t& next) {
+    block.direction[3] = float(next);  // exact below 2^24
+    block.vignetting[3] = float(lens.range * lens.range);
+    std::memcpy(table + std::size_t(next) * 4, lens.displaced.data(), 4 * lens_words);
+    next += std::uint32_t(lens_words);
+}
+
+/// Upper bound on the bytes that one pass writes for photos: their records, their pages and the bits of
+/// clusters.
+std::size_t photo_bytes(const PackagePages& pages, std::size_t clusters, bool lenses) {
+    std::size_t largest = 0;
+    for (const PhotoPages& p : pages.photos)
+        largest = std::max<std::size_t>(largest, p.color_count + p.mask_count);
+    if (lenses) largest += lens_words;
+    return std::size_t(max_photos_per_pass) * (sizeof(PhotoBlock) + 4 * largest) + clusters * 4 + 4096;
+}
+
+}  // namespace
+
+PhotoPasses::PhotoPasses(const PackageReader& package, const PlanScene& scene, const PhotoStore& store,
+                         ClusterDraws& clusters, const SceneParts& parts, const RenderTrials& trials)
+    : package_(&package),
+      scene_(&scene),
+      store_(&store),
+      clusters_(&clusters),
+      parts_(&parts),
+      trials_(&trials),
+      blocks_(make_blocks(scene.photos)),
+      ring_("frame constants", photo_bytes(store.pages(), scene.clusters.size(),
+                                           effect_on(package.scene(), Effect::undistortion))),
+      no_vertices_(gl::make_vertex_array("no vertices")) {}
+
+void PhotoPasses::use_records(std::span<const package::PhotoRecord> photos) { blocks_ = make_blocks(photos); }
+
+bool PhotoPasses::per_fragment(const RenderSettings& settings) const {
+    if (points_only(package_->scene()) || !has_coordinates(*package_)) return true;
+    // Triangles of the background is too large for coordinates per vertex.
+    if (shows_background(settings, *parts_)) return true;
+    if (settings.coordinates != Coordinates::automatic) return settings.coordinates == Coordinates::fragment;
+    return effect_on(package_->scene(), Effect::per_fragment);
+}
+
+bool PhotoPasses::by_triangle(const RenderSettings& settings) const {
+    return trials_->by_triangle && clusters_->model().triangle_clusters && per_fragment(settings);
+}
+
+const gl::Program& PhotoPasses::blend_program(const RenderSettings& settings, bool transients, BlendOn on) {
+    const bool fragment = on != BlendOn::model || per_fragment(settings);
+    const Blend blend = settings.show == Show::coverage ? Blend::average : settings.blend;
+    // Only programs for per-vertex coordinates depend on the number of photos, through their vertex outputs.
+    const int photos = fragment ? max_photos_per_pass : settings.photos_per_pass;
+    const BlendVariant variant{.photos = photos,
+                               .per_fragment = fragment,
+                               .blend = blend,
+                               .transients = transients,
+                               .traces_texels = trace_ != 0,
+                               .trilinear = trials_->trilinear,
+                               .anisotropy = trials_->anisotropy,
+                               .refined_colors = settings.refined_colors,
+                               .background = shows_background(settings, *parts_),
+                               .effects = scene_->image_sets.at(settings.image_sets.shown).effects,
+                               .on_points = on == BlendOn::points,
+                               .by_triangle = on == BlendOn::frame || on == BlendOn::frame_behind_points,
+                               .behind_points = on == BlendOn::frame_behind_points};
+    gl::Program& program = blend_programs_[variant];
+    if (program) return program;
+    package::SceneRecord scene = package_->scene();
+    scene.effects = variant.effects;
+    program = make_blend_program(variant, scene);
+    return program;
+}
+
+std::size_t PhotoPasses::draw(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
+                              const FrameTargets& targets, const PointSurface& points, bool transients,
+                              int into) {
+    const RenderSettings& settings = drawn.settings;
+    bind_target(targets.sums_target(into).id(), targets.size());
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_EQUAL);
+    if (!takes_one(settings.blend) || settings.show == Show::coverage) {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+    } else {
+        glDisable(GL_BLEND);
+        glBindTextureUnit(shader::best_so_far_unit, targets.sums[1 - into].id());
+    }
+    if (transients) glBindTextureUnit(shader::first_sums_unit, targets.sums[1 - into].id());
+    const bool frame_wise = by_triangle(settings);
+    if (!points.alone) {
+        const BlendOn on = !frame_wise     ? BlendOn::model
+                           : points.places ? BlendOn::frame_behind_points
+                                           : BlendOn::frame;
+        glUseProgram(blend_program(settings, transients, on).id());
+        set_uniforms(pass, drawn, on);
+    }
+    std::vector<std::uint32_t> photos;
+    // The best color so far is copied from target to target, so every cluster is drawn.
+    const std::uint32_t always = takes_one(settings.blend) ? 1u << max_photos_per_pass : 0;
+    cluster_photos_.assign(scene_->clusters.size(), always);
+    for (const PlannedPhoto* p : pass) {
+        for (const std::uint32_t c : p->clusters) cluster_photos_[c] |= 1u << photos.size();
+        photos.push_back(p->photo);
+    }
+    ring_.begin();
+    bind_photos(photos, drawn.weights);
+    std::size_t draws = 0;
+    if (!points.alone && frame_wise) draw_on_frame(targets, points), ++draws;
+    if (!points.alone && !frame_wise) {
+        clusters_->begin();
+        draws += clusters_->draw(drawn.plan.plan().clusters, cluster_photos_);
+        clusters_->end();
+    }
+    if (points.places) draw_on_points(pass, drawn, points, transients), ++draws;
+    ring_.end();
+    return draws;
+}
+
+/// Blends photos on the triangles that the frame shows.
+void PhotoPasses::draw_on_frame(const FrameTargets& targets, const PointSurface& points) {
+    const FrameRing::Space photos = ring_.take(4 * cluster_photos_.size());
+    const std::size_t mesh = std::min<std::size_t>(scene_->first_surrounding, cluster_photos_.size());
+    for (std::uint32_t& bits : std::span(cluster_photos_).subspan(mesh))
+        if (bits) bits |= shader::background_bit;
+    std::memcpy(photos.memory, cluster_photos_.data(), std::size_t(photos.bytes));
+    const auto bind = [](int binding, const gl::Buffer& buffer) {
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(binding), buffer.id());
+    };
+    const Model& model = clusters_->model();
+    bind(shader::indices_buffer, model.indices);
+    bind(shader::positions_buffer, model.positions);
+    bind(shader::normals_buffer, model.normals);
+    if (model.colors) bind(shader::colors_buffer, model.colors);
+    bind(shader::triangle_clusters_buffer, model.triangle_clusters);
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::cluster_photos_buffer, ring_.buffer(), photos.offset,
+                      photos.bytes);
+    glUniform2i(shader::frame_size_uniform, targets.width, targets.height);
+    glBindTextureUnit(shader::triangles_unit, targets.surface().triangles.id());
+    if (points.places) glBindTextureUnit(shader::places_unit, points.places);
+    glDisable(GL_DEPTH_TEST);
+    glBindVertexArray(no_vertices_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_DEPTH_TEST);
+}
+
+/// Blends the same photos where the frame shows points. What is behind points failed the test of depth.
+void PhotoPasses::draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
+                                 const PointSurface& points, bool transients) {
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(blend_program(drawn.settings, transients, BlendOn::points).id());
+    set_uniforms(pass, drawn, BlendOn::points);
+    const Intrinsics& k = drawn.view.intrinsics;
+    glUniform4f(shader::frame_uniform, float(k.fx), float(k.fy), float(k.cx), float(k.cy));
+    const Eigen::Matrix3f axes = drawn.view.cam_from_origin.R.transpose().cast<float>();
+    glUniformMatrix3fv(shader::frame_axes_uniform, 1, GL_FALSE, axes.data());
+    glBindTextureUnit(shader::places_unit, points.places);
+    glBindVertexArray(no_vertices_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_DEPTH_TEST);
+}
+
+void PhotoPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
+                               BlendOn on) {
+    const RenderSettings& settings = drawn.settings;
+    if (on != BlendOn::points)
+        glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
+    glUniform1ui(shader::pass_count_uniform, GLuint(pass.size()));
+    uniform(shader::eye_uniform, drawn.view.cam_from_origin.center());
+    const View& weighted_from = settings.weights_from ? *settings.weights_from : drawn.view;
+    uniform(shader::weight_eye_uniform, weighted_from.cam_from_origin.center());
+    uniform(shader::view_direction_uniform, overall_direction(weighted_from, package_->scene()));
+    glUniform1ui(shader::switches_uniform, switches(settings.weights));
+    glUniform1f(shader::border_width_uniform, float(package_->scene().border_width));
+    glUniform1f(shader::sharpness_uniform, float(settings.weights.sharpness));
+    glUniform1f(shader::lod_bias_uniform, float(settings.lod_bias - std::log2(drawn.side)));
+    glUniform1ui(shader::blend_show_uniform, GLuint(settings.show));
+    if (shows_background(settings, *parts_))
+        glUniform1f(shader::background_distance_uniform, float(2 * scene_->spread));
+    if (trace_) {
+        const ResidencyLayout& layout = store_->residency().layout();
+        glUniform2ui(shader::first_layers_uniform, layout.color, layout.color + layout.masks);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shader::touched_buffer, trace_);
+    }
+    if (on != BlendOn::model || per_fragment(settings)) return;
+    std::vector<std::uint32_t> slots;
+    for (const PlannedPhoto* p : pass)
+        slots.push_back(store_->residency().coordinate_slot(p->photo).value_or(0));
+    slots.resize(std::size_t(settings.photos_per_pass), slots.front());
+    glUniform1ui(shader::vertex_count_uniform, clusters_->model().vertex_count);
+    glUniform1uiv(shader::pass_slots_uniform, GLsizei(slots.size()), slots.data());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shader::coordinates_buffer, store_->residency().coordinates());
+}
+
+void PhotoPasses::bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights) {
+    std::size_t words = 0;
+    for (const std::uint32_t p : photos)
+        words += store_->table_words(p) + (scene_->lenses.of(p) ? lens_words : 0);
+    const FrameRing::Space blocks = ring_.take(photos.size() * sizeof(PhotoBlock)),
+                           table = ring_.take(words * 4);
+    std::uint32_t next = 0;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        const std::uint32_t p = photos[i];
+        PhotoBlock b = blocks_[p];
+        b.size_weight[3] = float(weights[p]);
+        store_->write_pages(p, b, table.memory, next);
+        if (const LensTable* lens = scene_->lenses.of(p)) write_lens(*lens, b, table.memory, next);
+        std::memcpy(blocks.memory + i * sizeof b, &b, sizeof b);
+    }
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::photos_buffer, ring_.buffer(), blocks.offset,
+                      blocks.bytes);
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::pages_buffer, ring_.buffer(), table.offset,
+                      table.bytes);
+    store_->bind();
+}
+
+void PhotoPasses::with_photo(std::uint32_t photo, const std::function<void()>& draw) {
+    if (photo >= scene_->photos.size()) return draw();  // none to compare with
+    ring_.begin();
+    bind_photos(std::array{photo}, std::vector<double>(scene_->photos.size(), 1));
+    draw();
+    ring_.end();
+}
+
+}  // namespace vantage

@@ -1,0 +1,79 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "base/gl/program.h"
+#include "player/plan/plan.h"
+#include "player/render/frame_ring.h"
+#include "player/render/passes/blend_program.h"
+#include "player/render/passes/cluster_draws.h"
+#include "player/render/passes/drawn_view.h"
+#include "player/render/passes/frame_targets.h"
+#include "player/render/render_trials.h"
+#include "player/render/scene_parts.h"
+#include "player/stream/photo_block.h"
+#include "player/stream/photo_store.h"
+
+namespace vantage {
+
+/// The points of a frame as a surface for photos.
+struct PointSurface {
+    GLuint places = 0;   ///< texture, see PointPass::places(); 0: no photos on points
+    bool alone = false;  ///< the model is not shown
+};
+
+/// Draws photos on the model and on points, several per pass. Belongs to the OpenGL thread; the constructor's
+/// arguments must outlive it.
+class PhotoPasses {
+  public:
+    PhotoPasses(const PackageReader& package, const PlanScene& scene, const PhotoStore& store,
+                ClusterDraws& clusters, const SceneParts& parts, const RenderTrials& trials);
+
+    /// Replaces the cameras and colors with which photos are drawn, for measurements. The plan keeps the
+    /// package's.
+    void use_records(std::span<const package::PhotoRecord> photos);
+    bool per_fragment(const RenderSettings& settings) const;
+    /// Whether photos are blended once per pixel of the frame.
+    bool by_triangle(const RenderSettings& settings) const;
+    /// Adds photos to the sums `into`; best photo and transient masking read the other sums. Returns the
+    /// number of draws.
+    std::size_t draw(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
+                     const FrameTargets& targets, const PointSurface& points, bool transients, int into);
+    /// Runs `draw` with one photo, as far as it is resident, bound as photo 0.
+    void with_photo(std::uint32_t photo, const std::function<void()>& draw);
+
+    /// Makes passes set a bit in this buffer for each texel that they read, ordered by the layers of color,
+    /// masks and depth; 0 turns this off.
+    void trace_texels(GLuint buffer) { trace_ = buffer; }
+
+  private:
+    /// What a program blends photos on: the model, drawn again; the triangles that the frame shows, where no
+    /// points are in front of them; points.
+    enum class BlendOn { model, frame, frame_behind_points, points };
+    void draw_on_frame(const FrameTargets& targets, const PointSurface& points);
+    void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn, BlendOn on);
+    void draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
+                        const PointSurface& points, bool transients);
+    /// Writes the photos and their pages into the ring, and binds them.
+    void bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights);
+    const gl::Program& blend_program(const RenderSettings& settings, bool transients, BlendOn on);
+
+    const PackageReader* package_;
+    const PlanScene* scene_;
+    const PhotoStore* store_;
+    /// Its draws are in a ring of their own: a software rasterizer waits before it reads draws from a buffer
+    /// that photos use.
+    ClusterDraws* clusters_;
+    const SceneParts* parts_;
+    const RenderTrials* trials_;
+    std::vector<PhotoBlock> blocks_;
+    FrameRing ring_;  ///< photos and their pages
+    gl::VertexArray no_vertices_;
+    std::map<BlendVariant, gl::Program> blend_programs_;
+    std::vector<std::uint32_t> cluster_photos_;  ///< per cluster: one bit per photo of the pass
+    GLuint trace_ = 0;
+};
+
+}  // namespace vantage

@@ -1,0 +1,202 @@
+#include "player/render/passes/surface_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "shaders/contract.h"
+
+namespace vantage {
+namespace {
+
+static_assert(GLuint(Light::lamp) == shader::light_lamp && GLuint(Light::raking) == shader::light_raking &&
+              GLuint(Light::normals) == shader::light_normals);
+
+gl::Program make_surface_program(const std::vector<std::string>& defines) {
+    return gl::make_program(
+        "surface", {{GL_VERTEX_SHADER, "surface.vert"}, {GL_FRAGMENT_SHADER, "surface.frag"}}, defines);
+}
+
+void set_sections(std::span<const SectionPlane> sections) {
+    std::array<Eigen::Vector4f, max_sections> planes;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const SectionPlane& cut = sections[i];
+        planes[i] =
+            Eigen::Vector4d(-cut.normal.x(), -cut.normal.y(), -cut.normal.z(), cut.offset).cast<float>();
+        glEnable(GL_CLIP_DISTANCE0 + GLenum(i));
+    }
+    if (!sections.empty())
+        glUniform4fv(shader::section_planes_uniform, GLsizei(sections.size()), planes.front().data());
+}
+
+void end_sections(std::span<const SectionPlane> sections) {
+    for (std::size_t i = 0; i < sections.size(); ++i) glDisable(GL_CLIP_DISTANCE0 + GLenum(i));
+}
+
+/// A program clips by as many planes as there are.
+std::string section_define(const RenderSettings& settings) {
+    return "SECTION " + std::to_string(settings.sections.size());
+}
+
+void set_light(std::span<const DrawnView* const> eyes) {
+    const LightSettings& s = eyes.front()->settings.light;
+    const double a = s.azimuth * std::numbers::pi / 180, e = s.elevation * std::numbers::pi / 180;
+    const Eigen::Vector3d in_camera(std::cos(e) * std::cos(a), -std::cos(e) * std::sin(a), -std::sin(e));
+    const bool raking = s.light == Light::raking;
+    const auto facing = raking ? float(std::sin(e)) : 1.0f;
+    // What faces the viewer reflects a light at this angle to its normal away from the viewer by as much.
+    const float glint = std::pow(std::max(raking ? facing : 1.0f, 0.0f), 24.0f);
+    const float scale =
+        1 / (shader::light_ambient + shader::light_diffuse * facing + shader::light_specular * glint);
+    glUniform1ui(shader::light_uniform, GLuint(s.light));
+    for (int i = 0; const DrawnView* eye : eyes) {
+        const Eigen::Matrix3d& R = eye->view.cam_from_origin.R;
+        const Eigen::Vector3f to = (R.transpose() * in_camera).cast<float>();
+        const Eigen::Matrix3f camera = R.cast<float>();
+        glUniform4f(shader::lamp_uniform + i, to.x(), to.y(), to.z(), scale);
+        glUniformMatrix3fv(shader::camera_rows_uniform + i, 1, GL_FALSE, camera.data());
+        ++i;
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> background_defines(const PlanScene& scene) {
+    return scene.has_background() ? std::vector<std::string>{"BACKGROUND"} : std::vector<std::string>{};
+}
+
+std::vector<std::string> asked_defines(const RenderSettings& settings, const ScalarLayers& layers) {
+    std::vector<std::string> out;
+    if (settings.light.light != Light::photos) out.emplace_back("LIGHT");
+    if (layers.shows(settings)) out.emplace_back("SCALAR_LAYER");
+    return out;
+}
+
+SurfacePass::SurfacePass(const PackageReader& package, const PlanScene& scene, ClusterDraws& clusters,
+                         ScalarLayers& layers)
+    : package_(&package),
+      scene_(&scene),
+      clusters_(&clusters),
+      layers_(&layers),
+      plain_program_(make_surface_program(own_defines())) {}
+
+std::vector<std::string> SurfacePass::own_defines() const {
+    std::vector<std::string> defines = shader_defines("surface", package_->scene().effects);
+    for (std::string& d : background_defines(*scene_)) defines.push_back(std::move(d));
+    return defines;
+}
+
+void SurfacePass::draw(const DrawnView& drawn, const FrameTargets& targets) {
+    draw_eyes(std::array{&drawn}, targets.surface().target, targets.size());
+}
+
+void SurfacePass::draw_both(const DrawnView& left, const DrawnView& right, const FrameTargets& targets) {
+    draw_eyes(std::array{&left, &right}, targets.layers.target, targets.size());
+}
+
+void SurfacePass::draw_eyes(DrawnEyes eyes, const gl::Framebuffer& target, FrameSize frame) {
+    const RenderSettings& settings = eyes.front()->settings;
+    const std::array<float, 4> zero{};
+    const float farthest = 0;
+    const std::array<GLuint, 4> no_triangle{};
+    glDepthMask(GL_TRUE);
+    glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, zero.data());
+    glClearNamedFramebufferuiv(target.id(), GL_COLOR, 1, no_triangle.data());
+    glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
+    bind_target(target.id(), frame);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_DEPTH_TEST);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glDepthFunc(GL_GREATER);
+    glUseProgram(surface_program(settings, eyes.size()).id());
+    set_surface(eyes);
+    const std::span<const std::uint32_t> clusters = clusters_of(eyes);
+    clusters_->begin();
+    if (eyes.front()->coarse)
+        clusters_->draw_coarse(clusters, eyes.size());
+    else
+        clusters_->draw(clusters, {}, eyes.size());
+    clusters_->end();
+    end_sections(settings.sections);
+}
+
+/// The clusters that are in view of any eye, in order. Valid until the next call.
+std::span<const std::uint32_t> SurfacePass::clusters_of(DrawnEyes eyes) {
+    const std::vector<std::uint32_t>& first = eyes.front()->plan.plan().clusters;
+    if (eyes.size() == 1) return first;
+    clusters_of_both_.clear();
+    std::ranges::set_union(first, eyes.back()->plan.plan().clusters, std::back_inserter(clusters_of_both_));
+    return clusters_of_both_;
+}
+
+/// The uniforms of a surface program; the sections that it is drawn with.
+void SurfacePass::set_surface(DrawnEyes eyes) {
+    for (int i = 0; const DrawnView* eye : eyes) {
+        const Eigen::Vector3f at = eye->view.cam_from_origin.center().cast<float>();
+        glUniformMatrix4fv(shader::clip_from_eye_uniform + i, 1, GL_FALSE, eye->clip_from_origin.data());
+        glUniform3fv(shader::surface_eye_uniform + i, 1, at.data());
+        ++i;
+    }
+    const RenderSettings& settings = eyes.front()->settings;
+    if (settings.light.light != Light::photos) set_light(eyes);
+    if (layers_->shows(settings)) layers_->set(settings.layer);
+    set_sections(settings.sections);
+}
+
+std::size_t SurfacePass::draw_transparent(const DrawnView& drawn, const TransparentTarget& target) {
+    const LightSettings& light = drawn.settings.light;
+    const bool normals = light.light == Light::normals;
+    glUseProgram(transparent_program(drawn.settings, target.lists).id());
+    set_surface(std::array{&drawn});
+    const double near = drawn.depth_range.x(), depth = drawn.depth_range.y() - near;
+    const double scale = depth > 0 ? 1 / depth : 0;
+    glUniform2f(shader::nearness_uniform, float(-near * scale), float(scale));
+    if (target.lists) {
+        glUniform1ui(shader::frame_width_uniform, GLuint(target.width));
+        glUniform1ui(shader::capacity_uniform, target.capacity);
+    }
+    if (layers_->shows(drawn.settings))
+        glUniform1f(shader::own_layer_share_uniform, float(drawn.settings.layer.share));
+    if (light.light != Light::photos) {
+        glUniform1i(shader::own_light_on_photos_uniform, light.on_photos && !normals);
+        glUniform1f(shader::own_light_scale_uniform, normals ? 1.0f : shader::light_gray);
+    }
+    clusters_->begin();
+    const std::size_t draws = clusters_->draw_mesh(drawn.plan.plan().transparent, {});
+    clusters_->end();
+    end_sections(drawn.settings.sections);
+    return draws;
+}
+
+const gl::Program& SurfacePass::transparent_program(const RenderSettings& settings, bool lists) {
+    std::vector<std::string> asked = asked_defines(settings, *layers_);
+    if (lists) asked.emplace_back("FRAGMENT_LISTS");
+    if (!settings.sections.empty()) asked.push_back(section_define(settings));
+    gl::Program& program = transparent_programs_[asked];
+    if (program) return program;
+    std::vector<std::string> defines = own_defines();
+    if (std::ranges::count(defines, "VERTEX_COLORS") == 0) defines.emplace_back("VERTEX_COLORS");
+    defines.emplace_back("TRANSPARENT");
+    defines.insert(defines.end(), asked.begin(), asked.end());
+    return program = make_surface_program(defines);
+}
+
+const gl::Program& SurfacePass::surface_program(const RenderSettings& settings, std::size_t eyes) {
+    std::vector<std::string> asked = asked_defines(settings, *layers_);
+    if (settings.reduced && asked.empty()) asked.emplace_back("FLAT");
+    if (!settings.sections.empty()) asked.push_back(section_define(settings));
+    if (eyes == 2) asked.emplace_back("EYES 2");
+    if (asked.empty()) return plain_program_;
+    gl::Program& program = other_programs_[asked];
+    if (!program) {
+        std::vector<std::string> defines = own_defines();
+        defines.insert(defines.end(), asked.begin(), asked.end());
+        program = make_surface_program(defines);
+    }
+    return program;
+}
+
+}  // namespace vantage

@@ -1,0 +1,62 @@
+#pragma once
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/gl/program.h"
+#include "player/render/passes/cluster_draws.h"
+#include "player/render/passes/drawn_view.h"
+#include "player/render/passes/frame_targets.h"
+#include "player/render/passes/scalar_layers.h"
+
+namespace vantage {
+
+/// The preprocessor symbols of a scene with a background.
+std::vector<std::string> background_defines(const PlanScene& scene);
+/// Those of what is compiled only once it is shown: light, a layer.
+std::vector<std::string> asked_defines(const RenderSettings& settings, const ScalarLayers& layers);
+
+/// Where transparent surfaces are collected.
+struct TransparentTarget {
+    bool lists;  ///< else sums only
+    int width;   ///< pixels
+    std::uint32_t capacity;
+};
+
+/// Draws the bare surface of the model, and what of it is transparent. Belongs to the OpenGL thread; the
+/// constructor's arguments must outlive it.
+class SurfacePass {
+  public:
+    SurfacePass(const PackageReader& package, const PlanScene& scene, ClusterDraws& clusters,
+                ScalarLayers& layers);
+
+    /// Depth, plain shading and the triangles' numbers, of the eye that is drawn; those of the coarse mesh
+    /// follow the scene's.
+    void draw(const DrawnView& drawn, const FrameTargets& targets);
+    /// Likewise, of both eyes in one pass, into targets.layers.
+    void draw_both(const DrawnView& left, const DrawnView& right, const FrameTargets& targets);
+    /// The transparent surfaces, into the lists or sums of a TransparentPass. Returns the number of draws.
+    std::size_t draw_transparent(const DrawnView& drawn, const TransparentTarget& target);
+
+  private:
+    /// Of one eye or two.
+    using DrawnEyes = std::span<const DrawnView* const>;
+    void draw_eyes(DrawnEyes eyes, const gl::Framebuffer& target, FrameSize frame);
+    std::span<const std::uint32_t> clusters_of(DrawnEyes eyes);
+    std::vector<std::string> own_defines() const;
+    const gl::Program& surface_program(const RenderSettings& settings, std::size_t eyes);
+    const gl::Program& transparent_program(const RenderSettings& settings, bool lists);
+    void set_surface(DrawnEyes eyes);
+
+    const PackageReader* package_;
+    const PlanScene* scene_;
+    ClusterDraws* clusters_;
+    ScalarLayers* layers_;
+    gl::Program plain_program_;
+    std::map<std::vector<std::string>, gl::Program> other_programs_;        ///< by what was asked for
+    std::map<std::vector<std::string>, gl::Program> transparent_programs_;  ///< likewise
+    std::vector<std::uint32_t> clusters_of_both_;
+};
+
+}  // namespace vantage

@@ -1,0 +1,29 @@
+#pragma once
+#include <span>
+
+#include "player/render/frame_resources.h"
+#include "player/render/planning/image_set_plans.h"
+
+namespace vantage {
+
+/// The targets and data that a frame needs beside tiles.
+struct FrameNeeds {
+    FrameSize allocated, capacity;  ///< of targets: for this frame, and for those that follow
+    std::size_t eyes = 1, surfaces = 1;
+    bool coordinates = false;    ///< per vertex
+    bool points_placed = false;  ///< see PointPass::placed()
+    bool veiled = false;         ///< transparent surfaces may be in front of holes
+    Transparency transparency = Transparency::off;
+};
+
+/// Of a frame of this size, drawn from `image sets` for each of the eyes.
+FrameNeeds needs_of(const FrameResources& resources, FrameSize frame,
+                    std::span<const ImageSetFrame> image_sets, std::size_t eyes);
+/// Whether the targets serve.
+bool has(const FrameResources& resources, const FrameNeeds& needs);
+/// Makes new targets, and fits the tiles into what is left of `budget`, or into as much as a frame of this
+/// size shows and some more. The former targets must have been freed. Returns the limit of graphics memory,
+/// which is above the budget's if the frame needs more, bytes.
+std::uint64_t make_targets(FrameResources& resources, const FrameNeeds& needs, const MemoryBudget& budget);
+
+}  // namespace vantage

@@ -1,0 +1,193 @@
+#include "player/render/planning/frame_planner.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/text/error.h"
+#include "player/render/planning/frame_memory.h"
+
+namespace vantage {
+namespace {
+
+/// The view shifted so that its pixel centers are the positions of one sample.
+View sampled(View view, PixelSample s) {
+    view.intrinsics.cx -= (s.index % s.side + 0.5) / s.side - 0.5;
+    view.intrinsics.cy -= (s.index / s.side + 0.5) / s.side - 0.5;
+    return view;
+}
+
+/// Points and background is drawn for perspective only. Throws Error(usage).
+void expect_perspective(const View& view, bool points, bool background) {
+    if (view.orthographic_depth > 0 && (points || background))
+        throw Error(Exit::usage, "an orthographic view shows neither points nor background");
+}
+
+double milliseconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+FramePlanner::FramePlanner(FrameResources& resources, const MemoryBudget& budget)
+    : resources_(&resources), budget_(budget), tiles_(resources) {
+    frame_.eyes.emplace_back(resources.scene);
+}
+
+void FramePlanner::set_budget(const MemoryBudget& budget) {
+    if (budget.graphics != budget_.graphics) resources_->targets = {};  // it has to be divided again
+    budget_ = budget;
+}
+
+void FramePlanner::coarsen(bool wait) {
+    if (coarse_triangles(resources_->scene) == 0) return;
+    if (!coarsening_) coarsening_.emplace(resources_->scene);
+    if (auto mesh = coarsening_->take(wait)) resources_->clusters.use_coarse(std::move(*mesh));
+}
+
+FrameReport FramePlanner::plan(const FrameRequest& request) {
+    FrameResources& r = *resources_;
+    for (const View& view : request.eyes) check_view(view);
+    const RenderSettings settings = usable(request.settings, r.parts);
+    const bool complete = is_complete(settings.loading);
+    expect_perspective(request.eyes.front(), shows_points(settings, r.parts),
+                       shows_background(settings, r.parts));
+    if (settings.weights_from) check_view(*settings.weights_from);
+    choose_image_sets(request, settings);
+    if (r.layers.load(settings, r.clusters)) r.targets = {};  // the budget has to be divided again
+    fit();
+    const DrawnRegion region(r.targets);
+    // What a frame waits for, it shows.
+    const bool fades = settings.loading == Loading::streamed || settings.loading == Loading::beginning;
+    r.store.begin_frame(frame_.now, fades);
+    FrameReport report;
+    if (!complete)
+        for (PlannedEye& eye : frame_.eyes) take_seen(eye, waits_for_tiles(settings.loading));
+    const auto planning = std::chrono::steady_clock::now();
+    for (PlannedEye& eye : frame_.eyes) plan_eye(eye);
+    report.plan_ms = milliseconds_since(planning);
+    stream_points(frame_.eyes.front(), report);
+    report.clusters = frame_.plan().clusters.size();
+    report.uncovered = frame_.plan().uncovered;
+    const View* ahead = settings.reduced ? nullptr : request.next;
+    if (!complete)
+        tiles_.stream(frame_.eyes.front().sampled, image_sets_, request.sample.side, ahead, report);
+    for (const ImageSetFrame& image_set : image_sets_)
+        image_set.plan->fade(plan_settings(image_set.settings, r.trials.anisotropy), frame_.now,
+                             tiles_.ready_photos(image_set.settings, image_set.plan->plan()));
+    return report;
+}
+
+void FramePlanner::choose_image_sets(const FrameRequest& request, const RenderSettings& settings) {
+    std::span<const std::uint32_t> photos = request.photos;
+    if (!shows_photos(settings, resources_->parts)) photos = {};
+    frame_.sample = request.sample, frame_.now = request.now;
+    std::deque<PlannedEye>& eyes = frame_.eyes;
+    if (eyes.size() != request.eyes.size()) seen_version_ = 0;
+    while (eyes.size() > request.eyes.size()) eyes.pop_back();
+    while (eyes.size() < request.eyes.size()) eyes.emplace_back(resources_->scene);
+    image_sets_.clear();
+    for (std::size_t i = 0; i < eyes.size(); ++i) {
+        PlannedEye& eye = eyes[i];
+        eye.view = request.eyes[i];
+        eye.sampled = sampled(eye.view, request.sample);
+        if (i == 0)
+            eye.plans.choose(settings, request.now);
+        else
+            eye.plans.follow(eyes.front().plans);  // else one eye might fade while the other has done so
+        eye.image_sets = eye.plans.frames(settings, photos);
+        image_sets_.insert(image_sets_.end(), eye.image_sets.begin(), eye.image_sets.end());
+    }
+}
+
+/// Sees to it that there are targets for the frame.
+void FramePlanner::fit() {
+    FrameResources& r = *resources_;
+    const std::vector<ImageSetFrame>& image_sets = frame_.eyes.front().image_sets;
+    const FrameSize size = frame_size(frame_.eyes.front().view);
+    const FrameNeeds needs = needs_of(r, size, image_sets, frame_.eyes.size());
+    if (!has(r, needs)) {
+        r.targets = {};
+        for (PlannedEye& eye : frame_.eyes) eye.readback.release();
+        if (r.points) r.points->release();
+        if (r.transparent) r.transparent->release();
+        graphics_budget_ = make_targets(r, needs, budget_);
+    }
+    r.targets.width = size.width, r.targets.height = size.height;
+    r.targets.surface_number = 0;
+    for (PictureSamples& samples : r.targets.samples) {
+        if (image_sets.size() > 1) samples.add_other();
+        if (needs.veiled) samples.add_veil();
+    }
+}
+
+bool FramePlanner::take_seen(PlannedEye& eye, bool wait) {
+    return eye.readback.update(wait, resources_->scene.triangles, resources_->clusters.coarse().stands_for);
+}
+
+/// Plans the image sets of an eye. In a frame that is not complete, those of the first eye serve both: the
+/// second one's plan has its photos, and no tiles of its own.
+void FramePlanner::plan_eye(PlannedEye& eye) {
+    PlannedEye& first = frame_.eyes.front();
+    for (std::size_t b = 0; b < eye.image_sets.size(); ++b) {
+        const ImageSetFrame& image_set = eye.image_sets[b];
+        const bool complete = is_complete(image_set.settings.loading);
+        PlanSettings how = plan_settings(image_set.settings, resources_->trials.anisotropy);
+        if (complete && reads_seen(how) && frame_.sample.index == 0) find_seen(eye, image_set);
+        const PhotoChoice* photos = nullptr;
+        if (&eye != &first && !complete) {
+            photos = &first.image_sets.at(b).plan->plan().choice;
+            how.tiles = false;
+        }
+        const bool both = !complete && frame_.eyes.size() > 1;
+        image_set.plan->update(eye.view, how, image_set.photos, frame_.sample.side,
+                               both ? seen_by_both(eye) : eye.readback.seen(), photos);
+    }
+}
+
+/// Finds out which triangles the view shows before photos are chosen for it. Waits for the graphics card.
+void FramePlanner::find_seen(PlannedEye& eye, const ImageSetFrame& image_set) {
+    FrameResources& r = *resources_;
+    const int side = frame_.sample.side;
+    image_set.plan->update(eye.view, plan_settings(image_set.settings, r.trials.anisotropy), image_set.photos,
+                           side, eye.readback.seen());
+    r.surface.draw(drawn_view(r, eye.view, image_set, side, suits_coarse(r, eye.view, image_set)), r.targets);
+    take_seen(eye, true);
+    eye.readback.capture(r.targets, eye.view);
+    take_seen(eye, true);
+}
+
+/// What the eyes saw, as if this one had seen it all.
+SeenTriangles FramePlanner::seen_by_both(const PlannedEye& eye) {
+    const SeenTriangles left = frame_.eyes[0].readback.seen(), right = frame_.eyes[1].readback.seen();
+    if (const std::uint64_t version = left.version + right.version; version != seen_version_) {
+        seen_version_ = version;
+        seen_by_both_.assign(left.triangles.begin(), left.triangles.end());
+        seen_by_both_.insert(seen_by_both_.end(), right.triangles.begin(), right.triangles.end());
+    }
+    return {seen_by_both_, eye.readback.seen().view, seen_version_};
+}
+
+void FramePlanner::stream_points(const PlannedEye& eye, FrameReport& report) {
+    const RenderSettings& settings = eye.image_sets.front().settings;
+    if (!shows_points(settings, resources_->parts)) return;
+    PointPass& points = *resources_->points;
+    report.uploaded += points.stream(eye.view, settings, frame_.sample.side, frame_.now);
+    report.nodes_missing += points.missing();
+}
+
+void FramePlanner::finish(FrameReport& report) {
+    const std::optional<PointPass>& points = resources_->points;
+    const Residency& residency = resources_->store.residency();
+    report.tiles_damaged = residency.damaged_count() + (points ? points->damaged() : 0);
+    report.tiles_absent = residency.absent_count() + (points ? points->absent() : 0);
+    const bool planned =
+        std::ranges::all_of(frame_.eyes, [](const PlannedEye& e) { return e.plans.settled(); });
+    report.settled = report.tiles_to_come == 0 && report.nodes_missing == 0 && planned && residency.settled();
+    const RenderSettings& settings = frame_.eyes.front().image_sets.front().settings;
+    const bool has_time = settings.reduced ? settings.loading != Loading::beginning
+                                           : report.settled && !is_complete(settings.loading);
+    if (has_time) coarsen(false);
+}
+
+}  // namespace vantage

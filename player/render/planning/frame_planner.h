@@ -1,0 +1,65 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "player/render/frame_report.h"
+#include "player/render/frame_request.h"
+#include "player/render/frame_resources.h"
+#include "player/render/planning/coarsening.h"
+#include "player/render/planning/frame_tiles.h"
+#include "player/render/planning/planned_frame.h"
+
+namespace vantage {
+
+/// Plans frames and streams what they need: chooses photos for the triangles that each eye sees, and tiles.
+/// Belongs to the OpenGL thread; the resources must outlive it.
+class FramePlanner {
+  public:
+    FramePlanner(FrameResources& resources, const MemoryBudget& budget);
+
+    /// Plans a frame, makes targets for it, and streams its tiles and the first eye's points. Unless
+    /// is_complete(), photos and tiles are chosen once, for what both eyes see: these would see different
+    /// colors otherwise, and it takes most of a plan. Throws Error(usage) for a view that cannot be drawn.
+    FrameReport plan(const FrameRequest& request);
+    /// Streams points for an eye. Adds to the report.
+    void stream_points(const PlannedEye& eye, FrameReport& report);
+    /// Adds to the report of a frame that was painted what is damaged, absent and still to come. Makes the
+    /// coarse mesh when there is time.
+    void finish(FrameReport& report);
+
+    PlannedFrame& frame() { return frame_; }
+    const PlannedFrame& frame() const { return frame_; }
+    FrameTiles& tiles() { return tiles_; }
+    /// The triangles that the first eye saw last, as far as they have been read back.
+    SeenTriangles seen() const { return frame_.eyes.front().readback.seen(); }
+    /// Whether the plan of an image set that is shown has this photo.
+    bool uses(std::uint32_t photo) const { return frame_.eyes.front().plans.uses(photo); }
+    /// Makes the coarse mesh for reduced frames on another thread, and uses it from when it is made; `wait`:
+    /// now.
+    void coarsen(bool wait);
+    /// Current limit of graphics memory, bytes: the budget's, or more if a frame needs more.
+    std::uint64_t graphics_budget() const { return graphics_budget_; }
+    /// Applies from the next frame.
+    void set_budget(const MemoryBudget& budget);
+
+  private:
+    void choose_image_sets(const FrameRequest& request, const RenderSettings& settings);
+    void fit();
+    void plan_eye(PlannedEye& eye);
+    void find_seen(PlannedEye& eye, const ImageSetFrame& image_set);
+    bool take_seen(PlannedEye& eye, bool wait);
+    SeenTriangles seen_by_both(const PlannedEye& eye);
+
+    FrameResources* resources_;
+    MemoryBudget budget_;
+    std::uint64_t graphics_budget_ = 0;
+    FrameTiles tiles_;
+    PlannedFrame frame_;
+    std::vector<ImageSetFrame> image_sets_;  ///< of all eyes
+    std::vector<std::uint32_t> seen_by_both_;
+    std::uint64_t seen_version_ = 0;  ///< of seen_by_both_; 0: none
+    std::optional<Coarsening> coarsening_;
+};
+
+}  // namespace vantage

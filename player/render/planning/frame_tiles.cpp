@@ -1,0 +1,115 @@
+#include "player/render/planning/frame_tiles.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vantage {
+
+TileNeeds FrameTiles::comparison_needs(const View& view, const RenderSettings& settings) const {
+    const std::uint32_t photo = settings.compare_photo;
+    if (settings.compare == Compare::nothing || photo >= resources_->scene.photos.size() ||
+        !resources_->scene.photos[photo].levels)
+        return {};
+    return whole_photo_needs(resources_->scene.photos[photo],
+                             view.intrinsics.fx / resources_->scene.intrinsics[photo].fx);
+}
+
+void FrameTiles::stream(const View& view, std::span<const ImageSetFrame> image_sets, int side,
+                        const View* next, FrameReport& report) {
+    const RenderSettings& settings = image_sets.front().settings;
+    for (const ImageSetFrame& image_set : image_sets) {
+        for (const PlannedPhoto& p : image_set.plan->plan().photos)
+            resources_->store.need_base(p.photo, coordinates(image_set.settings));
+        for (const PlannedPhoto& p : image_set.plan->kept())
+            resources_->store.need_base(p.photo, coordinates(image_set.settings));
+    }
+    const Loading loading = settings.loading;
+    if (loading == Loading::beginning) report.uploaded += resources_->store.load(settings.upload_bytes);
+    for (const ImageSetFrame& image_set : image_sets)
+        for (const PlannedPhoto& p : image_set.plan->plan().photos) {
+            if (resources_->trials.whole_photos) report.uploaded += resources_->store.load_whole(p.photo);
+            report.tiles += p.needs.tiles();
+            // Until the visible triangles are known, many tiles would be read unnecessarily.
+            const bool known = image_set.plan->uses_seen() || loading == Loading::repeatable;
+            report.tiles_missing += known ? resources_->store.need(p.photo, p.needs) : p.needs.tiles();
+            if (!known) report.tiles_to_come += p.needs.tiles();
+        }
+    const TileNeeds comparison = comparison_needs(view, settings);
+    report.tiles_missing += resources_->store.need(settings.compare_photo, comparison);
+    for (const std::uint32_t p : wanted_thumbnails_)
+        if (resources_->scene.photos[p].levels) resources_->store.need_thumbnail(p);
+    wanted_thumbnails_.clear();
+    if (loading == Loading::repeatable) {
+        resources_->store.load();
+        report.tiles_missing = resources_->store.missing(settings.compare_photo, comparison);
+        for (const ImageSetFrame& image_set : image_sets)
+            for (const PlannedPhoto& p : image_set.plan->plan().photos)
+                report.tiles_missing += resources_->store.missing(p.photo, p.needs);
+        return;
+    }
+    if (report.tiles_missing == 0 && next) prefetch(image_sets, side, *next);
+    // Points have taken their part of the frame's budget.
+    const std::size_t left = settings.upload_bytes - std::min(settings.upload_bytes, report.uploaded);
+    report.uploaded +=
+        loading == Loading::uploading ? resources_->store.await(left) : resources_->store.stream(left);
+    report.tiles_to_come += resources_->store.to_come();
+}
+
+void FrameTiles::prefetch(std::span<const ImageSetFrame> image_sets, int side, const View& next) {
+    constexpr unsigned every = 4;  // frames; the view to come is further ahead
+    if (prefetches_++ % every == 0) {
+        ahead_.clear();
+        for (const ImageSetFrame& image_set : image_sets)
+            for (PlannedPhoto& p :
+                 image_set.plan
+                     ->ahead(next, plan_settings(image_set.settings, resources_->trials.anisotropy), side)
+                     .photos)
+                ahead_.push_back(std::move(p));
+    }
+    for (const PlannedPhoto& p : ahead_) resources_->store.prefetch(p.photo, p.needs);
+}
+
+void FrameTiles::load(Pass pass, const DrawnView& drawn, double now, FrameReport& report) {
+    resources_->store.begin_frame(now, false);  // what earlier passes used may be evicted
+    for (const PlannedPhoto* p : pass) {
+        resources_->store.need_base(p->photo, coordinates(drawn.settings));
+        resources_->store.need(p->photo, p->needs);
+        resources_->store.need(p->photo, p->later);
+        report.tiles += p->needs.tiles();
+    }
+    resources_->store.need(drawn.settings.compare_photo, comparison_needs(drawn.view, drawn.settings));
+    resources_->store.load();
+    for (const PlannedPhoto* p : pass) report.tiles_missing += resources_->store.missing(p->photo, p->needs);
+}
+
+std::size_t FrameTiles::pass_length(Pass rest, const RenderSettings& settings) const {
+    const std::size_t most = std::min(rest.size(), std::size_t(settings.photos_per_pass));
+    if (!is_complete(settings.loading)) return most;
+    const ResidencyLayout& layout = resources_->store.residency().layout();
+    std::size_t n = 0, color = 0, masks = 0;
+    while (n < most) {
+        for (const auto& level : rest[n]->needs.color) color += level.size();
+        for (const auto& level : rest[n]->needs.masks) masks += level.size();
+        // Sums do not depend on the split into passes, so a pass ends when graphics memory is full.
+        const auto exceeds = [](std::size_t wanted, std::size_t held, std::size_t all) {
+            return wanted > held && held < all;
+        };
+        const bool full =
+            exceeds(color, layout.color, resources_->store.pages().color) ||
+            exceeds(masks + n + 1, layout.masks, resources_->store.pages().masks) ||
+            exceeds(n + 1, layout.thumbnails, resources_->scene.photos.size()) ||
+            (coordinates(settings) && exceeds(n + 1, layout.coordinates, resources_->scene.photos.size()));
+        if (n > 0 && full) break;
+        ++n;
+    }
+    return n;
+}
+
+std::vector<bool> FrameTiles::ready_photos(const RenderSettings& settings, const Plan& plan) const {
+    std::vector<bool> ready(resources_->scene.photos.size(), false);
+    for (const PlannedPhoto& p : plan.photos)
+        ready[p.photo] = resources_->store.base_resident(p.photo, coordinates(settings));
+    return ready;
+}
+
+}  // namespace vantage
