@@ -44,7 +44,7 @@ class PlayerLifetime : public PreparedScene {
         const int w = view.intrinsics.width, h = view.intrinsics.height;
         const gl::Texture color = gl::make_texture_2d("picture", GL_RGBA8, w, h);
         const gl::Framebuffer target = gl::make_framebuffer("picture", std::array{color.id()}, 0);
-        r.show(view, s, target.id(), false);
+        r.show(view, s, {target.id()});
         std::vector<std::uint8_t> rgba(std::size_t(w) * std::size_t(h) * 4);
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         glGetTextureImage(color.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(rgba.size()), rgba.data());
@@ -194,9 +194,9 @@ TEST_F(PlayerLifetime, BudgetSmallerThanATileIsExceededAndStillWorks) {
         Renderer small(*package, {bytes, 1});
         const RenderSettings s = streamed();
         ASSERT_TRUE(settle(small, view, s, 0)) << bytes;
-        EXPECT_GT(small.graphics_budget(), bytes) << "the excess is not told";
-        EXPECT_LT(small.graphics_budget(), std::uint64_t(64) << 20);
-        EXPECT_GE(small.graphics_budget(), small.held());
+        EXPECT_GT(small.planner().graphics_budget(), bytes) << "the excess is not told";
+        EXPECT_LT(small.planner().graphics_budget(), std::uint64_t(64) << 20);
+        EXPECT_GE(small.planner().graphics_budget(), small.held());
     }
     // A ring of one byte and uploads of one byte per frame let one piece through at a time.
     Renderer slow(*package, {0, 1});
