@@ -75,7 +75,7 @@ TEST_F(WindowControls, OfBlending) {
     changes(w, "Prefer near", weights.exponent, 0.3);
     EXPECT_GT(weights.exponent, 5);
     EXPECT_LT(weights.exponent, 25) << "of 32";
-    toggles(w, "Transient masking", s.transients);
+    toggles(w, "Reject outliers", s.transients);
     toggles(w, "Fill holes", s.fill_holes);
     toggles(w, "Near photos", weights.distance);
     toggles(w, "Facing photos", weights.angle_mask);

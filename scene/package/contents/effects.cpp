@@ -42,7 +42,7 @@ constexpr std::array table{
               "layers of the mesh with more than one value", "", 0, Basis::scene, "", ""},
     EffectRow{Effect::points, "points", "points", "points of the clouds", "", 0, Basis::scene, "resolve",
               "POINTS"},
-    EffectRow{Effect::image_sets, "image-sets", "image sets", "photo sets that are shown one at a time", "",
+    EffectRow{Effect::image_sets, "image-sets", "image-sets", "photo sets that are shown one at a time", "",
               1, Basis::scene, "show", "IMAGE_SETS"},
     EffectRow{Effect::transparency, "transparency", "transparency",
               "share of the triangles that are not opaque", "", 0, Basis::scene, "resolve", "TRANSPARENCY"},

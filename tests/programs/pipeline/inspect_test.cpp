@@ -187,7 +187,7 @@ TEST_F(Inspect, TextAndJsonAgree) {
     for (const json& e : j["effects"])
         if (!e["on"].is_null()) expect(e["evidence"]);
     expect(
-        "exposure, vignetting, pose refinement, transient masking, background is decided from the photos' "
+        "exposure, vignetting, pose-refinement, transients, background are decided from the photos' "
         "pixels");
 }
 

@@ -113,7 +113,7 @@ TEST_F(Collection, VerifyFindsChangedPictures) {
     const std::string one = package(0).string() + " --golden " + (golden / name(0)).string();
     EXPECT_EQ(verify(one).code, int(Exit::input)) << "no pictures are stored yet";
     EXPECT_EQ(verify(words + " --update").code, 0);
-    EXPECT_EQ(verify(one + " --tolerance 0 --share 0").code, 0) << "rendering is deterministic";
+    EXPECT_EQ(verify(one + " --tolerance 0 --max-diff-fraction 0").code, 0) << "rendering is deterministic";
     spoil();
     const fs::path junit = dir / "verify.xml";
     const Outcome found = verify(words + " --junit " + junit.string());
