@@ -7,6 +7,9 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "base/text/error.h"
 #include "pipeline/output/meta.h"
@@ -149,6 +152,24 @@ TEST_F(ImageSets, NumbersOutOfRangeAreRefused) {
               "BAND: image set 0 has no name of its own that a folder may have");
 }
 
+/// A table without the columns of whole frames: the shade behind the model is that of the first image set.
+std::string without_frame(const std::string& table) {
+    std::istringstream lines(table);
+    std::vector<bool> kept;
+    std::string out;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream cells(line);
+        std::size_t column = 0;
+        for (std::string cell; std::getline(cells, cell, ','); ++column) {
+            if (out.find('\n') == out.npos)
+                kept.push_back(!cell.starts_with("frame_") && !cell.starts_with("error_"));
+            if (kept[column]) out += cell + ',';
+        }
+        out += '\n';
+    }
+    return out;
+}
+
 TEST_F(ImageSetsAtLength, EvaluatePredictsAPhotoFromItsOwnImageSet) {
     make(small_scene());
     prepared("scene");
@@ -163,7 +184,7 @@ TEST_F(ImageSetsAtLength, EvaluatePredictsAPhotoFromItsOwnImageSet) {
             const Ran ran = run(VANTAGE_PLAYER " evaluate " + (dir / (name + ".vantage")).string() +
                                 " --photo " + image_set + "_0001," + image_set + "_0002 -o " + out);
             EXPECT_EQ(ran.code, 0) << ran.says;
-            return slurp(fs::path(out) / "photos.csv");
+            return without_frame(slurp(fs::path(out) / "photos.csv"));
         };
         const std::string valid = scores("scene");
         EXPECT_FALSE(valid.empty());
