@@ -14,7 +14,6 @@
 #include "player/survey/survey.h"
 #include "player/survey/survey_file.h"
 #include "player/tour/tour_stop.h"
-#include "player/window/start_session.h"
 
 namespace vantage {
 namespace {

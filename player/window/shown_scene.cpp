@@ -8,9 +8,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "base/gl/context.h"
 #include "base/text/error.h"
-#include "base/text/formatted.h"
 #include "base/text/translation.h"
 #include "player/interface/help_panel.h"
 #include "player/interface/menu_bar.h"
@@ -23,15 +21,10 @@
 #include "player/interface/sections/photo_list_section.h"
 #include "player/interface/sidebar.h"
 #include "player/interface/tour/visitor_bar.h"
-#include "player/options/frame_goal.h"
-#include "player/survey/photo_errors.h"
-#include "player/tour/story_background.h"
 #include "player/view/camera_path.h"
-#include "player/window/input/asked_files.h"
 #include "player/window/input/numbered_file.h"
 #include "player/window/input/view_clipboard.h"
 #include "player/window/screenshot.h"
-#include "player/window/start_session.h"
 
 namespace vantage {
 

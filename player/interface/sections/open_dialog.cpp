@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <tuple>
-#include <utility>
 
 #include "base/text/is_url.h"
 #include "base/text/lower_case.h"
