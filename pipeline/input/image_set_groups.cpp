@@ -34,7 +34,7 @@ bool is_one_of(std::span<const char* const> names, const std::string& name) {
     return std::ranges::any_of(names, [&](const char* n) { return spaced == n; });
 }
 
-/// A photo's image set in words, by the folders in its path; nothing if a folder of it is no image set.
+/// A photo's image set in words, by the folders in its path; nothing if none of them names an image set.
 std::optional<std::string> image_set_by_folder(const fs::path& photo, const std::string& how) {
     const fs::path folders = photo.parent_path();
     if (folders.empty()) return without_folder;

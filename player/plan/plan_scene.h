@@ -41,7 +41,7 @@ struct PlanScene {
     /// The background is clusters, triangles and vertices behind those of the mesh.
     std::uint32_t first_surrounding = ~0u;  ///< cluster; beyond all if there are no background
     std::vector<std::array<std::uint8_t, 4>> surrounding_colors;  ///< one per vertex of theirs
-    /// What the spans show if there are background.
+    /// What the spans show if there is a background.
     struct Joined {
         std::vector<Eigen::Vector3f> positions;
         std::vector<std::uint32_t> indices;

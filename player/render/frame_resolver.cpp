@@ -18,7 +18,7 @@ static_assert(GLuint(Compare::nothing) == shader::compare_nothing &&
               GLuint(Compare::swipe) == shader::compare_swipe &&
               GLuint(Compare::difference) == shader::compare_difference);
 
-constexpr float dimmed_light = 0.2f;  ///< of the background that are dimmed
+constexpr float dimmed_light = 0.2f;  ///< of the dimmed background
 
 /// 1 where photos were taken, 0 farther from all of them than they are spread: in between, one may have left
 /// the background in one direction while still inside in others.

@@ -34,7 +34,7 @@ class FrameResolver {
     /// Keeps the picture in sums, of photos that are being replaced, with transparent holes; resolve() mixes
     /// it in.
     void resolve_before(int sums, const PaintedImageSet& image_set);
-    /// Shows the samples of an eye; the target has the view's size. `image sets`: which they are of.
+    /// Shows the samples of an eye; the target has the view's size. `image_sets`: which they are of.
     void show(const View& view, const RenderSettings& settings, const ShownImageSets& image_sets,
               const ShowTarget& target);
 

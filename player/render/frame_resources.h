@@ -35,7 +35,7 @@ struct FrameResources {
     PhotoPasses photos;
     std::optional<PointPass> points;             ///< if there is a cloud
     std::optional<TransparentPass> transparent;  ///< if some of the mesh is not opaque
-    std::optional<HoleFilling> filling;          ///< if there are background
+    std::optional<HoleFilling> filling;          ///< if there is a background
     FrameTargets targets;                        ///< of the last frame
 
     /// Why a server did not give all that was requested recently; empty if it did, and for a file.

@@ -10,7 +10,7 @@
 namespace vantage {
 
 /// The package's mesh and the background on the graphics card, with the attributes of shaders/contract.glsl.
-/// Colors are present only if vertex colors or transparency are on, or if there are background. The
+/// Colors are present only if vertex colors or transparency are on, or if there is a background. The
 /// attribute `draw` is one DrawRecord per draw, selected by base instance from a buffer that each pass binds.
 struct Model {
     gl::Buffer positions, normals, colors, indices;

@@ -138,8 +138,7 @@ inline bool waits_for_tiles(Loading l) { return is_complete(l) || l == Loading::
 /// How a view is rendered.
 struct RenderSettings {
     Blend blend = Blend::lumigraph;
-    bool transients =
-        false;  ///< colors far from the weighted mean get less weight (a second round of passes)
+    bool transients = false;  ///< outlying colors count less: a second round of passes
     Coordinates coordinates = Coordinates::automatic;
     WeightSettings weights;
     Choice choice = Choice::cover;

@@ -15,8 +15,8 @@ RenderSettings usable(RenderSettings settings, const SceneParts& parts);
 /// Whether points have the photos' colors where photos show them.
 bool photos_on_points(const RenderSettings& settings, const SceneParts& parts);
 bool shows_points(const RenderSettings& settings, const SceneParts& parts);
-/// Whether photos are needed: points alone need none, and neither does light, unless there are background
-/// to show.
+/// Whether photos are needed: points alone need none, and neither does light, unless there is a
+/// background to show.
 bool shows_photos(const RenderSettings& settings, const SceneParts& parts);
 bool shows_background(const RenderSettings& settings, const SceneParts& parts);
 /// Whether holes get the colors around them. Only in colors: between counts or false colors, others would say

@@ -84,7 +84,7 @@ void PhotoPasses::use_records(std::span<const package::PhotoRecord> photos) { bl
 
 bool PhotoPasses::per_fragment(const RenderSettings& settings) const {
     if (points_only(package_->scene()) || !has_coordinates(*package_)) return true;
-    // Triangles of the background is too large for coordinates per vertex.
+    // Triangles of the background are too large for coordinates per vertex.
     if (shows_background(settings, *parts_)) return true;
     if (settings.coordinates != Coordinates::automatic) return settings.coordinates == Coordinates::fragment;
     return effect_on(package_->scene(), Effect::per_fragment);

@@ -17,7 +17,7 @@ View sampled(View view, PixelSample s) {
     return view;
 }
 
-/// Points and background is drawn for perspective only. Throws Error(usage).
+/// Points and background are drawn for perspective only. Throws Error(usage).
 void expect_perspective(const View& view, bool points, bool background) {
     if (view.orthographic_depth > 0 && (points || background))
         throw Error(Exit::usage, "an orthographic view shows neither points nor background");
@@ -100,7 +100,7 @@ void FramePlanner::choose_image_sets(const FrameRequest& request, const RenderSe
     }
 }
 
-/// Sees to it that there are targets for the frame.
+/// Makes targets for the frame, unless it has some.
 void FramePlanner::fit() {
     FrameResources& r = *resources_;
     const std::vector<ImageSetFrame>& image_sets = frame_.eyes.front().image_sets;
