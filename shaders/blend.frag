@@ -31,7 +31,7 @@ layout(location = eye_uniform) uniform vec3 eye;                        // relat
 layout(location = weight_eye_uniform) uniform vec3 weight_eye;          // same as `eye`, or the eye at which weights were frozen
 layout(location = view_direction_uniform) uniform vec3 view_direction;  // [P], of the same view: outside the model toward it, inside the camera's own
 layout(location = switches_uniform) uniform uint switches;              // bits as in contract.glsl
-layout(location = border_width_uniform) uniform float border_width;     // reference pixels at which the border mask is 1
+layout(location = border_width_uniform) uniform float border_width;     // reference pixels at which the border weight is 1
 layout(location = sharpness_uniform) uniform float sharpness;           // radians
 layout(location = lod_bias_uniform) uniform float lod_bias;
 #ifdef BACKGROUND
@@ -45,7 +45,7 @@ layout(binding = best_so_far_unit) uniform sampler2D best_so_far;
 layout(binding = first_sums_unit) uniform sampler2D first_sums;
 #endif
 
-const float least = 0.001;           // minimum of each mask: a photo that sees the surface keeps some weight
+const float least = 0.001;           // minimum of each weight map: a photo that sees the surface keeps some weight
 const float transient_scale = 0.08;  // square root of linear color: a difference of this much halves the weight
 
 #ifdef BACKGROUND
@@ -69,7 +69,7 @@ bool inside(uint photo, vec2 pixel) {
 
 // Visibility of a fragment in a photo, from the four depths around its pixel: 1 if it is behind none of them, `beside` if
 // behind some, 0 if behind all.
-float seen(uint photo, vec3 p, MaskPlace at) {
+float seen(uint photo, vec3 p, WeightPlace at) {
     vec3 n = mat3(photos[photo].cam_from_origin) * surface_normal;
     float cosine = max(abs(dot(normalize(n), normalize(p))), least_cosine);
     float texel = float(1 << at.level) * p.z / min(photos[photo].focal_center.x, photos[photo].focal_center.y);
@@ -81,15 +81,15 @@ float seen(uint photo, vec3 p, MaskPlace at) {
     return p.z > z.y + slack ? 0.0 : (p.z > z.x + slack ? beside : 1.0);
 }
 
-// Sampling rate by area, relative to the finest of all photos; the mask holds its log2 in sixths (scene/package/FORMAT.md).
-float density(vec4 masks) {
-    return (switches & depth_mask_switch) != 0u ? max(exp2((masks.g * 255.0 - 255.0) / 6.0), 1e-6) : 1.0;
+// Sampling rate by area, relative to the finest of all photos; the weight map holds its log2 in sixths (scene/package/FORMAT.md).
+float density(vec4 weight_maps) {
+    return (switches & depth_weight_switch) != 0u ? max(exp2((weight_maps.g * 255.0 - 255.0) / 6.0), 1e-6) : 1.0;
 }
 
-float static_weight(vec4 masks) {
-    float w = density(masks);
-    if ((switches & angle_mask_switch) != 0u) w *= max(masks.r, least);
-    if ((switches & border_mask_switch) != 0u) w *= max(masks.b, least);
+float static_weight(vec4 weight_maps) {
+    float w = density(weight_maps);
+    if ((switches & angle_weight_switch) != 0u) w *= max(weight_maps.r, least);
+    if ((switches & border_weight_switch) != 0u) w *= max(weight_maps.b, least);
     return w;
 }
 
@@ -107,11 +107,11 @@ float own_view(float theta) {
 
 #ifdef BACKGROUND
 // Share of the area around a photo pixel that does not show the mesh, 0 on the mesh itself.
-float beyond_mesh(uint photo, vec2 pixel, float lod, MaskPlace at) {
+float beyond_mesh(uint photo, vec2 pixel, float lod, WeightPlace at) {
     vec2 fine = depths_at(at);
     if (!isinf(fine.x)) return isinf(fine.y) ? background_least * 0.1 : 0.0;
     float level = log2(background_margin * photos[photo].size_weight.x / reference_width);
-    MaskPlace coarse = mask_place(photo, pixel, max(lod, level));
+    WeightPlace coarse = weight_place(photo, pixel, max(lod, level));
     vec4 z = textureGather(depth_tiles, coarse.coordinate);
     vec2 share = fract(coarse.coordinate.xy * tile_size - 0.5);
     vec4 clear = vec4(isinf(z));
@@ -151,10 +151,10 @@ Footprint footprint_of(uint photo, vec3 p, vec3 along_x, vec3 along_y) {
 // A photo that has less than a pixel for a sample of the picture counts less, and none counts more for having more than the
 // picture can show.
 float sampling(Footprint footprint) {
-    return (switches & depth_mask_switch) != 0u ? clamp(footprint.shorter, 0.001, 1.0) : 1.0;
+    return (switches & depth_weight_switch) != 0u ? clamp(footprint.shorter, 0.001, 1.0) : 1.0;
 }
 
-float weight_of(uint photo, vec2 pixel, vec4 masks, float theta, Footprint footprint) {
+float weight_of(uint photo, vec2 pixel, vec4 weight_maps, float theta, Footprint footprint) {
 #ifdef BLEND_BEST
     // [P] eq. 2.8, with the sign for which a frontal photo wins, divided by the squared angle: from a photo's own
     // viewpoint that photo wins wherever it sees the surface.
@@ -164,12 +164,12 @@ float weight_of(uint photo, vec2 pixel, vec4 masks, float theta, Footprint footp
     return p / ((theta + 1e-4) * (theta + 1e-4));
 #elif defined(BLEND_LUMIGRAPH)
     float w = angle_weight(theta) * own_view(theta) * sampling(footprint);
-    if ((switches & border_mask_switch) == 0u) return w;
+    if ((switches & border_weight_switch) == 0u) return w;
     vec2 size = photos[photo].size_weight.xy, inside = min(pixel, size - pixel);
-    float frame = min(inside.x, inside.y) * reference_width / size.x, edge = masks.b * border_width;
+    float frame = min(inside.x, inside.y) * reference_width / size.x, edge = weight_maps.b * border_width;
     return w * clamp(frame / frame_ramp, frame_least, 1.0) * clamp(edge / edge_ramp, edge_least, 1.0);
 #else
-    return static_weight(masks) * photos[photo].size_weight.w * angle_weight(theta);
+    return static_weight(weight_maps) * photos[photo].size_weight.w * angle_weight(theta);
 #endif
 }
 
@@ -286,7 +286,7 @@ void main() {
 #endif
         if (!(p.z > 0.0) || !inside(photo, pixel)) continue;
         Footprint footprint = footprint_of(photo, p, along_x, along_y);
-        MaskPlace at = mask_place(photo, pixel, footprint.lod);
+        WeightPlace at = weight_place(photo, pixel, footprint.lod);
         if (at.level < 0) continue;
         float w = 1.0;
 #ifdef BACKGROUND
@@ -295,19 +295,19 @@ void main() {
         w *= seen(photo, p, at);
 #endif
         if (!(w > 0.0)) continue;
-        vec4 masks = masks_at(at);
+        vec4 weight_maps = weights_at(at);
         float theta = ray_angle(photo);
 #ifdef BACKGROUND
         if (surrounds()) {
             w *= max(beyond_mesh(photo, pixel, footprint.lod, at), own_share(theta) - 0.5);
-            masks = vec4(1.0);  // those of the photo are the mesh's
+            weight_maps = vec4(1.0);  // those of the photo are the mesh's
             if (!(w > 0.0)) continue;
         }
 #endif
-        w *= weight_of(photo, pixel, masks, theta, footprint);
+        w *= weight_of(photo, pixel, weight_maps, theta, footprint);
 #ifdef PHOTO_TRANSIENTS
         // 1 of 255: visible, but contradicted by other photos.
-        if ((switches & transient_mask_switch) != 0u) w *= mix((max(masks.a * 255.0, 1.0) - 1.0) / 254.0, 1.0, own_share(theta));
+        if ((switches & transient_weight_switch) != 0u) w *= mix((max(weight_maps.a * 255.0, 1.0) - 1.0) / 254.0, 1.0, own_share(theta));
 #endif
         if (!(w > 0.0)) continue;
 #ifdef TAKES_ONE

@@ -38,7 +38,7 @@ const int blend_buffers = 9;  // that a blending program reads, at most
 
 // Texture units. Units 0 to 3 hold the photos; 4 and 5 hold the other inputs of a program.
 const int color_tiles_unit = 0;
-const int mask_tiles_unit = 1;
+const int weight_tiles_unit = 1;
 const int depth_tiles_unit = 2;
 const int thumbnails_unit = 3;
 const int best_so_far_unit = 4;  // blend
@@ -237,11 +237,11 @@ const int improved_seeds_image = 1;
 const int flood_group_texels = 16;  // per side
 
 // Bits of the uniform `switches`.
-const uint angle_mask_switch = 1u;
-const uint depth_mask_switch = 2u;
-const uint border_mask_switch = 4u;
+const uint angle_weight_switch = 1u;
+const uint depth_weight_switch = 2u;
+const uint border_weight_switch = 4u;
 const uint angle_switch = 8u;
-const uint transient_mask_switch = 16u;
+const uint transient_weight_switch = 16u;
 
 // What the bare surface shows at a pixel, in alpha; 1: the mesh.
 const float shows_background = 2.0f;
@@ -282,7 +282,7 @@ const uint image_sets_swipe = 3u;
 const int tile_texels = 256;
 const int tile_border_texels = 4;
 const int tile_content_texels = 248;
-const int first_mask_level = 1;  // masks and depth have no finer level
+const int first_weight_level = 1;  // weight maps and depth have no finer level
 const int lens_cells = 64;       // of a lens table, per side
 
 // The lumigraph's weight (docs/method.md), computed by shaders/blend.frag and by pipeline/refine.
@@ -294,7 +294,7 @@ const float frame_least = 0.001f;
 const float edge_ramp = 24.0f;  // from the nearest depth discontinuity, where pose and mesh errors show most
 const float edge_least = 0.2f;  // at a discontinuity itself: other photos may not see the surface at all
 // Within about this angle of a photo's own camera, in radians, the picture becomes that photo (the epipole consistency of
-// Buehler et al. 2001): ramps and masks that prefer other photos must not apply there.
+// Buehler et al. 2001): ramps and weight maps that prefer other photos must not apply there.
 const float own_angle = 0.01f;
 const float own_least = 0.00001f;  // smaller angles count as this one; bounds the factor at 10^6
 // Where all channels of a photo are at least this, in linear light, it is taken for overexposed, gradually: adjusting its
@@ -327,7 +327,7 @@ struct Photo {
     vec4 gain;                // factors to the mean photo's exposure, linear light; 2 / diagonal, 1/pixels
     vec4 vignetting;             // of the lens: ln of its loss, times r^2, r^4, r^6; square of its range (scene/package/contents/lens_table.h)
     uint color_base[level_count];  // index in `pages` of each level's first tile
-    uint mask_base[level_count];
+    uint weight_base[level_count];
 };
 
 // A node of a point cloud that is drawn: which of its children are (bit i: the eighth i), the number of the first of these

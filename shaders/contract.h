@@ -20,6 +20,6 @@ static_assert(sizeof(TransparentFragment) == 20);
 static_assert(sizeof(Photo) == 192 + 2 * 4 * level_count && sizeof(Photo) % 16 == 0);
 
 static_assert(tile_texels == tile_size && tile_border_texels == tile_border &&
-              tile_content_texels == tile_content && first_mask_level == mask_level);
+              tile_content_texels == tile_content && first_weight_level == weight_map_level);
 
 }  // namespace vantage::shader

@@ -1,20 +1,20 @@
-// The photos of a pass, and access to their pixels, masks and depth.
+// The photos of a pass, and access to their pixels, weight maps and depth.
 #include "contract.glsl"
 
 layout(std430, binding = photos_buffer) readonly buffer Photos { Photo photos[]; };
 // Per tile: layer in the low 16 bits, above them how far the tile has faded in, 0 to 255; or not_resident.
 layout(std430, binding = pages_buffer) readonly buffer Pages { uint pages[]; };
 layout(binding = color_tiles_unit) uniform sampler2DArray color_tiles;
-layout(binding = mask_tiles_unit) uniform sampler2DArray mask_tiles;
+layout(binding = weight_tiles_unit) uniform sampler2DArray weight_tiles;
 layout(binding = depth_tiles_unit) uniform sampler2DArray depth_tiles;
 layout(binding = thumbnails_unit) uniform sampler2DArray thumbnails;
 
 const float tile_size = float(tile_texels), tile_border = float(tile_border_texels), tile_content = float(tile_content_texels);
 
 #ifdef TRACE_TEXELS
-// One bit per texel of all color layers, then all mask layers, then all depth layers: set if the picture reads it.
+// One bit per texel of all color layers, then all weight map layers, then all depth layers: set if the picture reads it.
 layout(std430, binding = touched_buffer) buffer Touched { uint touched[]; };
-layout(location = first_layers_uniform) uniform uvec2 first_layers;  // of masks and of depth
+layout(location = first_layers_uniform) uniform uvec2 first_layers;  // of weight maps and of depth
 void touch(uint first_layer, vec3 at) {
     ivec2 texel = ivec2(floor(at.xy * tile_size - 0.5));
     for (int i = 0; i < 4; ++i) {
@@ -120,31 +120,31 @@ vec4 color_at(uint photo, vec2 pixel, float lod) {
     return mix_in > 0.0 ? mix(c, color_at_level(photo, fine + 1, pixel), mix_in) : c;
 }
 
-// Masks and depth at a photo pixel, on the level given by `lod` or the next coarser resident one.
-struct MaskPlace {
+// Weight maps and depth at a photo pixel, on the level given by `lod` or the next coarser resident one.
+struct WeightPlace {
     vec3 coordinate;
     int level;  // -1: none is resident
 };
-MaskPlace mask_place(uint photo, vec2 pixel, float lod) {
-    int end = max(int(photos[photo].size_weight.z), first_mask_level + 1);
-    for (int l = clamp(int(lod), first_mask_level, end - 1); l < end; ++l) {
-        TilePlace p = tile_place(photos[photo].size_weight.xy, l, pixel / float(1 << l), photos[photo].mask_base[l]);
+WeightPlace weight_place(uint photo, vec2 pixel, float lod) {
+    int end = max(int(photos[photo].size_weight.z), first_weight_level + 1);
+    for (int l = clamp(int(lod), first_weight_level, end - 1); l < end; ++l) {
+        TilePlace p = tile_place(photos[photo].size_weight.xy, l, pixel / float(1 << l), photos[photo].weight_base[l]);
         uint entry = pages[p.page];
         if (entry == not_resident) continue;
 #ifdef TRACE_TEXELS
         touch(first_layers.x, vec3(p.coordinate, float(entry & 0xffffu)));
         touch(first_layers.y, vec3(p.coordinate, float(entry & 0xffffu)));
 #endif
-        return MaskPlace(vec3(p.coordinate, float(entry & 0xffffu)), l);
+        return WeightPlace(vec3(p.coordinate, float(entry & 0xffffu)), l);
     }
-    return MaskPlace(vec3(0.0), -1);
+    return WeightPlace(vec3(0.0), -1);
 }
 
 // Angle, depth, border and transient mask.
-vec4 masks_at(MaskPlace at) { return textureLod(mask_tiles, at.coordinate, 0.0); }
+vec4 weights_at(WeightPlace at) { return textureLod(weight_tiles, at.coordinate, 0.0); }
 
 // The smallest and the largest of the four depths around a photo pixel; +inf if the photo shows no surface.
-vec2 depths_at(MaskPlace at) {
+vec2 depths_at(WeightPlace at) {
     vec4 z = textureGather(depth_tiles, at.coordinate);
     return vec2(min(min(z.x, z.y), min(z.z, z.w)), max(max(z.x, z.y), max(z.z, z.w)));
 }

@@ -9,7 +9,7 @@ inline constexpr int tile_size = 256;                             ///< texels al
 inline constexpr int tile_border = 4;                             ///< texels repeated from the neighbors
 inline constexpr int tile_content = tile_size - 2 * tile_border;  ///< texels without the border
 
-/// Bytes of a stored tile of 4-byte texels (RGBA8 color, RGBA8 masks, R32F depth alike).
+/// Bytes of a stored tile of 4-byte texels (RGBA8 color, RGBA8 weight maps, R32F depth alike).
 inline constexpr std::size_t tile_bytes = std::size_t(tile_size) * tile_size * 4;
 
 /// One level of a pyramid. Level l is ceil(width / 2^l) by ceil(height / 2^l) texels, so that a full-size
@@ -53,10 +53,12 @@ inline int level_count(int width, int height) {
     return n;
 }
 
-/// Masks and depth are stored from this pyramid level (half size) to the coarsest.
-inline constexpr int mask_level = 1;
+/// Weight maps and depth are stored from this pyramid level (half size) to the coarsest.
+inline constexpr int weight_map_level = 1;
 
-/// One past the coarsest level of masks and depth of a photo with `levels` levels.
-inline int mask_levels_end(int levels) { return levels > mask_level ? levels : mask_level + 1; }
+/// One past the coarsest level of weight maps and depth of a photo with `levels` levels.
+inline int weight_map_levels_end(int levels) {
+    return levels > weight_map_level ? levels : weight_map_level + 1;
+}
 
 }  // namespace vantage

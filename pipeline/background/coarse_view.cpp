@@ -46,9 +46,9 @@ CoarseView read_view(const PackageReader& package, const package::PhotoRecord& r
 
 std::vector<std::uint8_t> gaps_in(const CoarseView& v, const PackageReader& package,
                                   const package::PhotoRecord& r) {
-    const Level size = level_size(int(r.width), int(r.height), mask_level);
-    const auto depth = read_level(package, r, v.photo, package::Type::depth, mask_level);
-    const int shift = coarse_level(r, long_side) - mask_level;
+    const Level size = level_size(int(r.width), int(r.height), weight_map_level);
+    const auto depth = read_level(package, r, v.photo, package::Type::depth, weight_map_level);
+    const int shift = coarse_level(r, long_side) - weight_map_level;
     std::vector<std::uint8_t> out(v.z.size(), 0);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {

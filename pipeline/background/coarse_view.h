@@ -45,7 +45,7 @@ std::vector<CoarseView> read_coarse_views(const PackageReader& package,
                                           std::span<const std::uint32_t> of, const PhotoColors& colors,
                                           unsigned threads);
 
-/// Per texel of the view, 1 where something within `gap_reach` texels is open at `mask_level`. Throws
+/// Per texel of the view, 1 where something within `gap_reach` texels is open at `weight_map_level`. Throws
 /// Error(damaged).
 std::vector<std::uint8_t> gaps_in(const CoarseView& view, const PackageReader& package,
                                   const package::PhotoRecord& record);

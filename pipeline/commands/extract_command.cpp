@@ -16,13 +16,14 @@ struct ExtractOptions {
 void add_extract(const Command& program) {
     auto o = std::make_shared<ExtractOptions>();
     const Command c = program.verb(
-        "extract", "Write a package's photos, cameras, masks, depth, mesh and points as ordinary files");
+        "extract",
+        "Write a package's photos, cameras, weight maps, depth, mesh and points as ordinary files");
     c.notes(
         "Examples:\n  vantage extract chapel.vantage -o chapel-files\n"
         "  vantage extract chapel.vantage -o chapel-files --photo 0003\n"
         "In the folder: photos/ as they were taken; sparse/, their cameras and lenses as COLMAP text, in "
         "the\n"
-        "input's coordinates and with the poses as corrected; masks/ (RGBA: angle, depth, border, "
+        "input's coordinates and with the poses as corrected; weights/ (RGBA: angle, depth, border, "
         "transient masking) and\n"
         "depth/ (EXR, along the optical axis), without lens distortion; mesh.ply and points.ply. COLMAP, "
         "or\n"

@@ -346,7 +346,7 @@ void add_prepare(const Command& program) {
              "how the distance from depth borders is computed: exactly, or by jump flooding with OpenGL; "
              "auto: by jump flooding on a GPU");
     c.real("--border-width", settings.border_width, 1, 4096,
-           "distance at which the border mask reaches 1, in px of a photo 3072 px wide");
+           "distance at which the border weight reaches 1, in px of a photo 3072 px wide");
     c.real("--border-threshold", settings.border_threshold, 1e-6, 10,
            "relative depth step that makes a border");
     c.integer("--thumbnail-size", settings.thumbnail, 16, 4096, "long side of the thumbnails in px");

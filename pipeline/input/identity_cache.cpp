@@ -123,8 +123,8 @@ void IdentityCache::remember_valid(const fs::path& file, const std::string& stam
     added_[valid_prefix + stamp] = {};
 }
 
-FileIdentity stencil_identity(const PhotoInput& photo, IdentityCache& identities) {
-    return photo.stencil.empty() ? FileIdentity{} : identities.of(photo.stencil);
+FileIdentity mask_identity(const PhotoInput& photo, IdentityCache& identities) {
+    return photo.mask.empty() ? FileIdentity{} : identities.of(photo.mask);
 }
 
 }  // namespace vantage

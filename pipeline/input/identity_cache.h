@@ -55,7 +55,7 @@ class IdentityCache {
     std::map<std::string, FileIdentity> added_;   ///< by stamp: new in this run
 };
 
-/// The identity of a photo's stencil; all 0 if it has none. Throws Error(input).
-FileIdentity stencil_identity(const PhotoInput& photo, IdentityCache& identities);
+/// The identity of a photo's mask; all 0 if it has none. Throws Error(input).
+FileIdentity mask_identity(const PhotoInput& photo, IdentityCache& identities);
 
 }  // namespace vantage

@@ -4,8 +4,8 @@
 #include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/image_set_groups.h"
+#include "pipeline/input/masks.h"
 #include "pipeline/input/photo_matches.h"
-#include "pipeline/input/stencils.h"
 #include "pipeline/run/files_below.h"
 
 namespace vantage {
@@ -27,11 +27,11 @@ std::vector<fs::path> input_paths(const InputFiles& files) {
                 out.push_back(file);
     if (!fs::is_directory(files.photos)) return out;  // read_scene will say so
     // Cameras may name photos in subfolders.
-    Stencils stencils;
+    Masks masks;
     for (const fs::path& file : files_below(files.photos, 2)) {
         if (!is_photo(file)) continue;
         out.push_back(file);
-        if (fs::path stencil = stencils.of(file); !stencil.empty()) out.push_back(std::move(stencil));
+        if (fs::path mask = masks.of(file); !mask.empty()) out.push_back(std::move(mask));
     }
     return out;
 }

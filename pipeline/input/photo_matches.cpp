@@ -141,10 +141,10 @@ bool is_photo(const fs::path& file) {
 bool is_derived(const fs::path& folder) {
     const std::string name = comparable_name(folder.filename().string());
     return std::ranges::any_of(
-        std::initializer_list<const char*>{"mask", "masks", "depth", "depths", "depth_map", "depth_maps",
-                                           "depthmaps", "normal", "normals", "normal_map", "normal_maps",
-                                           "thumbnail", "thumbnails", "thumbs", "stereo", "segmentation",
-                                           "semantics"},
+        std::initializer_list<const char*>{"mask", "masks", "weights", "depth", "depths", "depth_map",
+                                           "depth_maps", "depthmaps", "normal", "normals", "normal_map",
+                                           "normal_maps", "thumbnail", "thumbnails", "thumbs", "stereo",
+                                           "segmentation", "semantics"},
         [&](const char* n) { return name == n; });
 }
 

@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// Whether the file's extension is that of a photo. False for stencils (NAME.mask.png) and hidden files.
+/// Whether the file's extension is that of a photo. False for masks (NAME.mask.png) and hidden files.
 bool is_photo(const std::filesystem::path& file);
 
 /// Whether a folder of this name holds what is computed from photos: masks, depth, normals, thumbnails.

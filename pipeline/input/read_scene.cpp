@@ -15,8 +15,8 @@
 #include "pipeline/formats/meshes/read_mesh.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/image_set_groups.h"
+#include "pipeline/input/masks.h"
 #include "pipeline/input/photo_matches.h"
-#include "pipeline/input/stencils.h"
 #include "pipeline/photos/image_files.h"
 #include "pipeline/photos/photos.h"
 #include "pipeline/run/read_file.h"
@@ -107,11 +107,11 @@ std::map<fs::path, std::string> package_names(const fs::path& folder, const std:
 
 /// A photo with its camera, both checked. Throws Error(input) if they cannot be used.
 PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file, const std::string& name,
-                            Stencils& stencils, SceneInput& scene) {
+                            Masks& masks, SceneInput& scene) {
     PhotoInput photo{name, file, entry.camera};
-    photo.stencil = stencils.of(file);
+    photo.mask = masks.of(file);
     photo.read.push_back(stamped(file));
-    if (!photo.stencil.empty()) photo.read.push_back(stamped(photo.stencil));
+    if (!photo.mask.empty()) photo.read.push_back(stamped(photo.mask));
     fit_to_photo(photo, entry.unit, scene);
     photo.decoded = {photo.camera.intrinsics.width, photo.camera.intrinsics.height};
     validate(photo.camera, photo.name);
@@ -244,7 +244,7 @@ void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
     const auto leave_out = [&](const fs::path& file, const std::string& why) {
         scene.left_out.push_back({name_below(folder, file), why});
     };
-    Stencils stencils;
+    Masks masks;
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (files[i].empty()) {
             scene.left_out.push_back({utf8_name(name_of(set.entries[i])), why_not[i]});
@@ -253,7 +253,7 @@ void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
         const StampedFile before = stamped(files[i]);
         try {
             scene.photos.push_back(
-                read_photo_input(set.entries[i], files[i], names.at(files[i]), stencils, scene));
+                read_photo_input(set.entries[i], files[i], names.at(files[i]), masks, scene));
         } catch (const UnreadableFile& e) {
             // Not identified by its content: the next run tries again.
             leave_out(files[i], reason_of(e, files[i]));

@@ -19,10 +19,10 @@ struct PhotoInput {
     std::filesystem::path file;
     Camera camera;
     PhotoSize decoded{};  ///< in the camera's orientation; larger than the camera's if photos are reduced
-    std::filesystem::path stencil{};  ///< image, black where the photo must not be shown; empty: none
+    std::filesystem::path mask{};     ///< image, black where the photo must not be shown; empty: none
     bool linear = false;              ///< its file holds linear light
     ProfileUse profile{};             ///< of its file's ICC profile
-    std::vector<StampedFile> read{};  ///< photo and stencil, stamped before the photo's header was read
+    std::vector<StampedFile> read{};  ///< photo and mask, stamped before the photo's header was read
     std::uint32_t image_set = 0;      ///< index in SceneInput::image sets
     int orientation = 1;              ///< EXIF
     int open_turn = 0;  ///< EXIF orientation that the pixels may still lack to fit their camera; 0: none

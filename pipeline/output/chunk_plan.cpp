@@ -76,7 +76,7 @@ std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const Layo
         else if (const auto bytes = scene_bytes(row, scene, sizes, share.shares > 0))
             plan.push_back({row.type, package::scene_wide, 0, *bytes});
     }
-    for (int level = mask_levels_end(top); level-- > 0;)
+    for (int level = weight_map_levels_end(top); level-- > 0;)
         for (const ChunkRow& row : chunk_table()) {
             if (row.levels == ChunkLevels::single) continue;
             each([&](std::uint32_t i, const package::PhotoRecord& p, int levels) {

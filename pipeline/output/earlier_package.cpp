@@ -91,7 +91,7 @@ bool EarlierPackage::reuse(Stage stage, std::uint32_t from, std::uint32_t to, in
         reader_.forget(reader_.raw(*e));
     }
     wanted.stages[std::size_t(stage)].content = had;
-    if (stage == Stage::masks) wanted.transients = states_[from].transients;
+    if (stage == Stage::weight_maps) wanted.transients = states_[from].transients;
     return true;
 }
 

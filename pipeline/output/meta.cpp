@@ -114,9 +114,9 @@ json inputs_json(const SceneInput& scene, IdentityCache& identities) {
     for (const PhotoInput& photo : scene.photos)
         inputs["photos"].push_back(
             utf8_name(photo.file.lexically_relative(scene.files.photos).generic_string()));
-    inputs["stencils"] = json::object();
+    inputs["masks"] = json::object();
     for (const PhotoInput& photo : scene.photos)
-        if (!photo.stencil.empty()) inputs["stencils"][photo.name] = input_json(photo.stencil, identities);
+        if (!photo.mask.empty()) inputs["masks"][photo.name] = input_json(photo.mask, identities);
     return inputs;
 }
 

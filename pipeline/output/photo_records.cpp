@@ -28,11 +28,11 @@ package::PhotoRecord photo_record(const PhotoInput& photo, const Eigen::Vector3d
     r.flags = held_out ? std::uint32_t(package::photo_held_out) : 0;
     r.levels = held_out ? 0 : std::uint32_t(level_count(k.width, k.height));
     const Level small = thumbnail_size(k.width, k.height, thumbnail),
-                half = level_size(k.width, k.height, mask_level);
+                half = level_size(k.width, k.height, weight_map_level);
     r.thumbnail_width = std::uint32_t(small.width);
     r.thumbnail_height = std::uint32_t(small.height);
-    r.mask_width = std::uint32_t(half.width);
-    r.mask_height = std::uint32_t(half.height);
+    r.weight_map_width = std::uint32_t(half.width);
+    r.weight_map_height = std::uint32_t(half.height);
     r.fx = k.fx, r.fy = k.fy, r.cx = k.cx, r.cy = k.cy;
     set_pose(photo.camera.cam_from_world.relative_to(origin), r);
     for (double& g : r.gain) g = 1;

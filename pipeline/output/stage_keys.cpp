@@ -49,10 +49,9 @@ std::uint64_t model_checksum(const PackedModel& model, const std::vector<Eigen::
 std::uint64_t pose_checksum(const Pose& pose) { return Fingerprint().add(pose.R).add(pose.t).value(); }
 
 PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Pose& pose,
-                      const FileIdentity& file, const FileIdentity& stencil) {
+                      const FileIdentity& file, const FileIdentity& mask) {
     PhotoState s{};
-    s.photo =
-        Fingerprint().add(file.bytes).add(file.checksum).add(stencil.bytes).add(stencil.checksum).value();
+    s.photo = Fingerprint().add(file.bytes).add(file.checksum).add(mask.bytes).add(mask.checksum).value();
     Fingerprint camera;
     camera.add(photo.camera.intrinsics);
     if (scene.undistortion && photo.camera.lens.distorts()) camera.add(photo.camera.lens);

@@ -4,8 +4,8 @@
 
 #include "pipeline/stages/coordinates.h"
 #include "pipeline/stages/coverage.h"
-#include "pipeline/stages/masks.h"
 #include "pipeline/stages/surface_samples.h"
+#include "pipeline/stages/weight_maps.h"
 
 namespace vantage {
 namespace {
@@ -15,10 +15,10 @@ using package::Stage;
 
 void key_thumbnail(Fingerprint& f, const SceneKey& scene) { f.add(scene.settings.thumbnail); }
 
-/// The methods of distances in the keys of masks.
+/// The methods of distances in the keys of weight maps.
 constexpr int exact_distances = 1, flooded_distances = 5;
 
-void key_masks(Fingerprint& f, const SceneKey& scene) {
+void key_weight_maps(Fingerprint& f, const SceneKey& scene) {
     f.add(scene.distance == DistanceMethod::exact ? exact_distances : flooded_distances)
         .add(scene.settings.border_width)
         .add(scene.settings.border_threshold)
@@ -64,16 +64,16 @@ std::span<const StageRow> stage_table() {
          .key = nullptr,
          .adopt = adopt_tiles,
          .make = nullptr},
-        {.stage = Stage::masks,
-         .name = "masks",
+        {.stage = Stage::weight_maps,
+         .name = "weight maps",
          .version = 5,
          .pixels = PixelInput::alpha,
          .model = true,
          .held_out = false,
          .settings = {"photo_size", "distance", "render_by", "border_width", "border_threshold"},
-         .key = key_masks,
+         .key = key_weight_maps,
          .adopt = nullptr,
-         .make = make_masks},
+         .make = make_weight_maps},
         {.stage = Stage::coordinates,
          .name = "coordinates",
          .version = 4,

@@ -27,7 +27,7 @@ struct SceneKey {
     bool undistortion;             ///< the effect is on
     bool compact;                  ///< the effect is on
     std::uint64_t model;           ///< XXH3-64 of geometry and clusters, see model_checksum
-    double reference_density = 1;  ///< of the depth mask
+    double reference_density = 1;  ///< of the depth weight
 };
 
 /// A per-photo stage: a row of the stage table.

@@ -13,8 +13,8 @@
 #include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/image_set_groups.h"
+#include "pipeline/input/masks.h"
 #include "pipeline/input/photo_matches.h"
-#include "pipeline/input/stencils.h"
 #include "pipeline/output/meta.h"
 #include "scene/package/mismatches.h"
 
@@ -152,21 +152,21 @@ void compare_photos(const PackageReader& package, const json& meta, const fs::pa
     }
 }
 
-void compare_stencils(const PackageReader& package, const json& meta, const fs::path& folder,
-                      IdentityCache& identities, Changes& out) {
+void compare_masks(const PackageReader& package, const json& meta, const fs::path& folder,
+                   IdentityCache& identities, Changes& out) {
     const auto photos = package.photos();
     const json& files = meta.at("inputs").at("photos");
-    const json stencils = meta.at("inputs").value("stencils", json::object());
-    Stencils found;
+    const json masks = meta.at("inputs").value("masks", json::object());
+    Masks found;
     for (std::size_t i = 0; i < photos.size() && i < files.size(); ++i) {
-        const fs::path stencil = found.of(file_named(folder, files[i].get<std::string>()));
-        const json was = stencils.value(photos[i].name, json{});
-        if (was.is_object() && stencil.empty())
+        const fs::path mask = found.of(file_named(folder, files[i].get<std::string>()));
+        const json was = masks.value(photos[i].name, json{});
+        if (was.is_object() && mask.empty())
             add_missing(was.at("name").get<std::string>(), out);
         else if (was.is_object())
-            compare(stencil, was, identities, out);
-        else if (!stencil.empty())
-            add_new(stencil, out);
+            compare(mask, was, identities, out);
+        else if (!mask.empty())
+            add_new(mask, out);
     }
 }
 
@@ -214,7 +214,7 @@ Changes changed_inputs(const PackageReader& package, const InputFiles& files, Id
         compare_image_sets(meta, files, identities, out);
         if (files.photos.empty()) return without_photos(package, std::move(out));
         compare_photos(package, meta, files.photos, identities, out);
-        compare_stencils(package, meta, files.photos, identities, out);
+        compare_masks(package, meta, files.photos, identities, out);
         compare_left_out(meta, files.photos, identities, out);
         add_new_photos(meta, files.photos, out);
         return out;

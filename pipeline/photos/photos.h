@@ -31,7 +31,7 @@ struct ReducedPhoto {
 };
 ReducedPhoto read_reduced_photo(const std::filesystem::path& file, PhotoSize expected, int longest);
 
-/// The same of an image whose values are not colors, such as a stencil: its color profile is ignored.
+/// The same of an image whose values are not colors, such as a mask: its color profile is ignored.
 RgbaImage read_unprofiled(const std::filesystem::path& file, PhotoSize expected);
 
 /// Whether these are the bytes of a JPEG of this size, which decode_photo does not transpose.

@@ -111,7 +111,7 @@ std::optional<PoseRefinement> earlier_pose_refinement(const SceneKey& key, const
         const PhotoInput& photo = scene.photos[i];
         if (!std::filesystem::exists(photo.file)) return {};
         states.push_back(
-            stage_keys(key, photo, given[i], identities.of(photo.file), stencil_identity(photo, identities)));
+            stage_keys(key, photo, given[i], identities.of(photo.file), mask_identity(photo, identities)));
         if (records[i].flags & package::photo_held_out) states.back().stages[std::size_t(Stage::tiles)] = {};
     }
     const EffectChoice choice = choice_of(key.settings.effects, Effect::pose_refinement);

@@ -34,8 +34,8 @@ double spread(const Mesh& mesh, const package::SceneRecord& model) {
 }
 
 /// The finest density, rounded up to a power of two so that adding or removing a photo does not change every
-/// mask: an octave is twelve steps of the depth mask. The powers are relative to the model's size: in input
-/// units, rounding would depend on the unit.
+/// weight map: an octave is twelve steps of the depth weight. The powers are relative to the model's size: in
+/// input units, rounding would depend on the unit.
 double reference_density(const SceneInput& scene, const package::SceneRecord& model) {
     const double size = spread(scene.mesh, model);
     return std::exp2(std::ceil(std::log2(finest_density(scene) * size))) / size;

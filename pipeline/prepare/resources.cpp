@@ -141,9 +141,9 @@ std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& 
     double most = 0;
     for (const PhotoInput& photo : scene.photos) {
         // Bytes per pixel: RGBA and its pyramid 6, and the file; a copy and the source position of each
-        // pixel; a stencil. Maps, distances and masks take 28 at a quarter of the pixels.
+        // pixel; a mask. Maps, distances and weight maps take 28 at a quarter of the pixels.
         const double texels =
-            6 + file_bytes(photo) + (photo.camera.lens.distorts() ? 12 : 0) + (photo.stencil.empty() ? 0 : 4);
+            6 + file_bytes(photo) + (photo.camera.lens.distorts() ? 12 : 0) + (photo.mask.empty() ? 0 : 4);
         constexpr double maps = 7;
         most = std::max(most, pixels(photo) * (spare_cores ? texels + maps : std::max(texels, maps)));
     }

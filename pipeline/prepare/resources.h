@@ -34,8 +34,8 @@ ResourceEstimate estimate_resources(const SceneInput& scene, const PrepareSettin
                                     const package::SceneRecord& model, const PackageLayout& layout,
                                     const RunConditions& run);
 
-/// Memory per photo in flight, in bytes: its pixels, and the rendered maps of the model with masks; both at
-/// once if it may use a spare core.
+/// Memory per photo in flight, in bytes: its pixels, and the rendered maps of the model with weight maps;
+/// both at once if it may use a spare core.
 std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& model, bool spare_cores);
 
 /// Whether a photo may use two cores while others are idle: not if memory is limited to one photo.

@@ -23,14 +23,15 @@ namespace {
 using package::PhotoRecord;
 using package::Type;
 
-/// Writes the masks' fourth channel at all levels: 255 without a map; never 0 where the photo sees the model.
+/// Writes the weight maps' fourth channel at all levels: 255 without a map; never 0 where the photo sees the
+/// model.
 void write_weights(const PackageReader& part, PackageWriter& writer, std::uint32_t photo,
                    const PhotoRecord& r, const TransientMap* map) {
-    for (int l = mask_level; l < mask_levels_end(int(r.levels)); ++l) {
+    for (int l = weight_map_level; l < weight_map_levels_end(int(r.levels)); ++l) {
         const Level size = level_size(int(r.width), int(r.height), l);
-        std::vector<std::byte> masks = read_level(part, r, photo, Type::masks, l);
-        set_weights(map, size, {masks.data(), 4 * size.width, size.height}, 0, 0);
-        write_tiles(writer, Type::masks, photo, std::uint32_t(l), {masks, size});
+        std::vector<std::byte> weight_maps = read_level(part, r, photo, Type::weight_maps, l);
+        set_weights(map, size, {weight_maps.data(), 4 * size.width, size.height}, 0, 0);
+        write_tiles(writer, Type::weight_maps, photo, std::uint32_t(l), {weight_maps, size});
     }
 }
 
@@ -40,16 +41,16 @@ std::uint64_t key_of(const TransientMap& map) {
     return checksum(bytes_of(map.weight));
 }
 
-void update_masks(const FinishInput& in, const PackageReader& part, std::uint32_t i, const TransientMap& map,
-                  const PhotoRecord& r, package::PhotoState& state) {
+void update_weight_maps(const FinishInput& in, const PackageReader& part, std::uint32_t i,
+                        const TransientMap& map, const PhotoRecord& r, package::PhotoState& state) {
     const std::uint64_t key = key_of(map);
     if (r.levels == 0 || state.transients == key) return;
     const Traced traced(in.geometry.trace, "transient masks", r.name);
     PackageWriter& writer = in.geometry.writer;
     write_weights(part, writer, i, r, key ? &map : nullptr);
     state.transients = key;
-    state.stages[std::size_t(package::Stage::masks)].content =
-        content_of(package::Stage::masks, i, int(r.levels), writer);
+    state.stages[std::size_t(package::Stage::weight_maps)].content =
+        content_of(package::Stage::weight_maps, i, int(r.levels), writer);
     seal(state, r);
     writer.note(Type::states, i, bytes_of_one(state));
 }
@@ -76,7 +77,7 @@ void confirm(const FinishInput& in, const Folds& folds, const TransientViews& vi
     confirm(decision, validated);
 }
 
-/// Masks are twice as fine as the evidence.
+/// Weight maps are twice as fine as the evidence.
 TransientViews finer_views(const PackageReader& part, std::span<const PhotoRecord> photos) {
     return {cached_views, [&part, photos](std::uint32_t i) {
                 TransientView view = read_transient_view(part, photos[i], i, transient_level(photos[i]));
@@ -86,9 +87,9 @@ TransientViews finer_views(const PackageReader& part, std::span<const PhotoRecor
 }
 
 /// The decision, the evidence per photo in `out`, and the maps to apply: empty if the effect is off.
-std::vector<TransientMap> decide_masks(const FinishInput& in, const PackageReader& part, const Folds& folds,
-                                       const ColorRefinement& colors, std::span<const PhotoRecord> photos,
-                                       TransientMasks& out) {
+std::vector<TransientMap> decide_weights(const FinishInput& in, const PackageReader& part, const Folds& folds,
+                                         const ColorRefinement& colors, std::span<const PhotoRecord> photos,
+                                         TransientMasks& out) {
     const TransientPartners partners(folds.shared());
     const PhotoColors all = colors_of(colors.fit, colors.lens);
     const TransientViews views(cached_views,
@@ -113,9 +114,9 @@ TransientMasks find_transients(const FinishInput& in, const PackageReader& part,
     if (choice_of(in.choices, Effect::transients) == EffectChoice::off)
         out.decision = decide(Effect::transients, EffectChoice::off, 0, "not measured");
     else
-        maps = decide_masks(in, part, folds, colors, photos.records, out);
+        maps = decide_weights(in, part, folds, colors, photos.records, out);
     for_each_photo(n, in.threads, [&](std::size_t i) {
-        update_masks(in, part, std::uint32_t(i), maps[i], photos.records[i], photos.states[i]);
+        update_weight_maps(in, part, std::uint32_t(i), maps[i], photos.records[i], photos.states[i]);
     });
     return out;
 }

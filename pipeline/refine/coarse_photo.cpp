@@ -87,7 +87,7 @@ CoarsePhoto read_coarse_photo(const PackageReader& package, const package::Photo
     out.pose = cam_from_origin(r);
     out.focal = r.fx;
     const auto colors = read_linear_colors(package, r, photo, level);
-    const auto masks = read_level(package, r, photo, Type::masks, level),
+    const auto weight_maps = read_level(package, r, photo, Type::weight_maps, level),
                z = read_level(package, r, photo, Type::depth, level);
     const float texel = std::ldexp(1.0f, level), ramp = shader::reference_width / float(r.width);
     out.texels.resize(out.grid().size());
@@ -99,7 +99,8 @@ CoarsePhoto read_coarse_photo(const PackageReader& package, const package::Photo
             std::ranges::copy(colors[at], t.linear);
             const float px = (float(x) + 0.5f) * texel, py = (float(y) + 0.5f) * texel,
                         inside = std::min({px, py, float(r.width) - px, float(r.height) - py}),
-                        edge = float(std::to_integer<int>(masks[4 * at + 2])) / 255 * float(border_width);
+                        edge =
+                            float(std::to_integer<int>(weight_maps[4 * at + 2])) / 255 * float(border_width);
             t.weight = std::clamp(inside * ramp / shader::frame_ramp, shader::frame_least, 1.0f) *
                        std::clamp(edge / shader::edge_ramp, shader::edge_least, 1.0f);
         }

@@ -50,7 +50,7 @@ struct CoarsePhoto {
 /// Every second texel in x and in y: the same photo, seen by a quarter of its rays. Without `means`.
 CoarsePhoto every_second_texel(const CoarsePhoto& photo);
 
-/// Reads a photo's tiles, masks and depth at a level. Throws Error(damaged).
+/// Reads a photo's tiles, weight maps and depth at a level. Throws Error(damaged).
 CoarsePhoto read_coarse_photo(const PackageReader& package, const package::PhotoRecord& record,
                               std::uint32_t photo, int level, double border_width);
 

@@ -18,7 +18,7 @@ inline constexpr std::size_t max_others = 8;  ///< that a photo is predicted fro
 
 /// Where Folds reads photos from. The spans must outlive it.
 struct FoldsInput {
-    const PackageReader& package;                  ///< with tiles, masks and depth
+    const PackageReader& package;                  ///< with tiles, weight maps and depth
     std::span<const package::PhotoRecord> photos;  ///< with their poses
     Samples samples;
     std::span<const SurfaceDisc> discs;  ///< one per sample of a photo

@@ -68,26 +68,26 @@ void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std
         add(out, Finding::chunk_length, fmt::format("{}: SAMP is missing", p.name));
 }
 
-/// Depth is positive or +inf, and a texel of the mask is valid exactly if its depth is finite.
-void check_mask_meaning(const PackageReader& reader, std::uint32_t i, std::uint32_t level, Issues& out) {
+/// Depth is positive or +inf, and a texel of the weight map is valid exactly if its depth is finite.
+void check_weight_meaning(const PackageReader& reader, std::uint32_t i, std::uint32_t level, Issues& out) {
     const package::PhotoRecord& p = reader.photos()[i];
     const Level size = level_size(int(p.width), int(p.height), int(level));
-    const auto* masks = reader.find(Type::masks, i, level);
+    const auto* weight_maps = reader.find(Type::weight_maps, i, level);
     const auto* depth = reader.find(Type::depth, i, level);
-    if (!masks || !depth) return;
+    if (!weight_maps || !depth) return;
     std::vector<std::byte> m(tile_bytes), d(tile_bytes);
     for (std::size_t b = 0; b < std::size_t(size.tiles()); ++b) {
-        if (!read_tile(reader, *masks, size, b, m) || !read_tile(reader, *depth, size, b, d)) {
-            add(out, Finding::mask_depth_mismatch,
-                describe(*masks, reader) + fmt::format(": tile {} cannot be decoded", b));
+        if (!read_tile(reader, *weight_maps, size, b, m) || !read_tile(reader, *depth, size, b, d)) {
+            add(out, Finding::weight_depth_mismatch,
+                describe(*weight_maps, reader) + fmt::format(": tile {} cannot be decoded", b));
             return;
         }
         for (std::size_t t = 0; t < tile_bytes; t += 4) {
             float z;
             std::memcpy(&z, d.data() + t, 4);
             if (!(z > 0) || (std::isfinite(z) != (std::to_integer<int>(m[t + 3]) > 0))) {
-                add(out, Finding::mask_depth_mismatch,
-                    describe(*masks, reader) + fmt::format(": tile {} disagrees with the depth", b));
+                add(out, Finding::weight_depth_mismatch,
+                    describe(*weight_maps, reader) + fmt::format(": tile {} disagrees with the depth", b));
                 return;
             }
         }
@@ -131,8 +131,8 @@ void check_structure(const PackageReader& reader, bool deep, Issues& out) {
     const auto photos = reader.photos();
     for (std::uint32_t i = 0; i < photos.size(); ++i) {
         check_photo(reader, photos[i], i, out);
-        for (int l = mask_level; deep && l < mask_levels_end(int(photos[i].levels)); ++l)
-            check_mask_meaning(reader, i, std::uint32_t(l), out);
+        for (int l = weight_map_level; deep && l < weight_map_levels_end(int(photos[i].levels)); ++l)
+            check_weight_meaning(reader, i, std::uint32_t(l), out);
     }
 }
 

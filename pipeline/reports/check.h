@@ -24,7 +24,7 @@ Exit worst(const std::vector<Issue>& issues);
 
 /// How much a check covers.
 struct CheckDepth {
-    bool deep = false;                    ///< also verify every tile's checksum and the masks' meaning
+    bool deep = false;                    ///< also verify every tile's checksum and the weight maps' meaning
     std::filesystem::path against{};      ///< compare with this input folder, unless empty
     IdentityCache* identities = nullptr;  ///< checksums of input files; null: the user's default cache
 };

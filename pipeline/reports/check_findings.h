@@ -27,7 +27,7 @@ enum class Finding {
     level_flag_mismatch,
     coordinate_range,
     chunk_length,
-    mask_depth_mismatch,
+    weight_depth_mismatch,
     state_record_mismatch,
     input_unreadable,
     input_changed,

@@ -23,8 +23,8 @@ void expect_replaceable(const PackageReader& a, const PackageReader& b, const st
                         bool force);
 
 /// Writes index.html: what was compared, `all` differences as a table or that there are none, and pictures of
-/// the photos that differ (tiles and each mask), PNG files with A, B and the difference side by side. Returns
-/// the page's path. Throws Error(storage).
+/// the photos that differ (tiles and each weight map), PNG files with A, B and the difference side by side.
+/// Returns the page's path. Throws Error(storage).
 std::filesystem::path write_difference_page(const PackageReader& a, const PackageReader& b,
                                             const std::vector<Difference>& all,
                                             const std::filesystem::path& folder);

@@ -36,9 +36,9 @@ body { max-width: 90rem; } img { width: 100%; } figure { margin-bottom: 2rem; } 
 
 /// The finest level that fits on the page.
 int shown_level(const PhotoRecord& p, Type type) {
-    int l = type == Type::masks ? mask_level : 0;
+    int l = type == Type::weight_maps ? weight_map_level : 0;
     while (std::max(p.width, p.height) >> l > unsigned(longest)) ++l;
-    return std::min(l, mask_levels_end(int(p.levels)) - 1);
+    return std::min(l, weight_map_levels_end(int(p.levels)) - 1);
 }
 
 constexpr const char* page_name = "index.html";
@@ -46,13 +46,13 @@ constexpr const char* page_name = "index.html";
 struct Artifact {
     Type type;
     const char* name;
-    std::optional<std::size_t> mask;  ///< channel
+    std::optional<std::size_t> weights;  ///< channel
 };
 constexpr Artifact artifacts[] = {{Type::tiles, "tiles", {}},
-                                  {Type::masks, "angle", 0},
-                                  {Type::masks, "depth", 1},
-                                  {Type::masks, "border", 2},
-                                  {Type::masks, "transients", 3}};
+                                  {Type::weight_maps, "angle", 0},
+                                  {Type::weight_maps, "depth", 1},
+                                  {Type::weight_maps, "border", 2},
+                                  {Type::weight_maps, "transients", 3}};
 
 fs::path picture_of(const fs::path& folder, const std::string& stem, const Artifact& artifact) {
     return folder / (stem + "-" + artifact.name + ".png");
@@ -63,12 +63,12 @@ struct Pair {
     std::vector<std::byte> a, b;
 };
 
-/// The opaque color of RGBA8 texels, or one of their channels (a mask) as gray.
-std::vector<std::uint8_t> shown(std::span<const std::byte> texels, std::optional<std::size_t> mask) {
+/// The opaque color of RGBA8 texels, or one of their channels (a weight map) as gray.
+std::vector<std::uint8_t> shown(std::span<const std::byte> texels, std::optional<std::size_t> weights) {
     std::vector<std::uint8_t> out(texels.size(), 255);
     for (std::size_t p = 0; p < texels.size(); p += 4)
         for (std::size_t c = 0; c < 3; ++c)
-            out[p + c] = std::to_integer<std::uint8_t>(texels[p + mask.value_or(c)]);
+            out[p + c] = std::to_integer<std::uint8_t>(texels[p + weights.value_or(c)]);
     return out;
 }
 
@@ -110,7 +110,8 @@ void write_differences(std::ostream& out, const std::vector<Difference>& all) {
     const Column columns[] = {
         {"in", "a photo, or the part of the package: settings, inputs, model"},
         {"what",
-         "the setting, or what was made from the photo. Tiles: its pixels; masks: how much it counts where; "
+         "the setting, or what was made from the photo. Tiles: its pixels; weight maps: how much it counts "
+         "where; "
          "coordinates: where vertices lie in it"},
         {"difference",
          "A vs. B. Levels are those of the photo's pyramid: 0 is full size, each further one half of it"}};
@@ -124,7 +125,8 @@ void write_differences(std::ostream& out, const std::vector<Difference>& all) {
 void write_pictures(std::ostream& out, const Pictures& pictures) {
     out << "<h2>Pictures</h2>\n";
     if (pictures.empty()) {
-        out << "<p>None: no photo and no mask differs at the size shown here, " << longest << " px.</p>\n";
+        out << "<p>None: no photo and no weight map differs at the size shown here, " << longest
+            << " px.</p>\n";
         return;
     }
     out << "<p>Left: A. Middle: B. Right: the difference, multiplied by " << shown_gain
@@ -181,12 +183,12 @@ fs::path write_difference_page(const PackageReader& a, const PackageReader& b,
         const auto j = b.photo_index(photos[i].name);
         if (!j) continue;
         const std::string name = photos[i].name;
-        for (const auto& [type, what, mask] : artifacts) {
+        for (const auto& [type, what, weights] : artifacts) {
             const auto pair = differing(a, b, i, *j, type, std::uint32_t(shown_level(photos[i], type)));
             if (!pair) continue;
-            const fs::path file = picture_of(folder, stems[i], {type, what, mask});
+            const fs::path file = picture_of(folder, stems[i], {type, what, weights});
             const auto picture =
-                side_by_side(shown(pair->a, mask), shown(pair->b, mask), std::size_t(pair->size.width));
+                side_by_side(shown(pair->a, weights), shown(pair->b, weights), std::size_t(pair->size.width));
             image_files().write(file, 3 * pair->size.width, pair->size.height, 4, Sample::u8,
                                 std::as_bytes(std::span(picture)));
             pictures.push_back({name + ": " + what, file.filename().string()});

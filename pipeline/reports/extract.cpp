@@ -34,9 +34,9 @@ namespace fs = std::filesystem;
 constexpr const char *mesh_name = "mesh.ply", *points_name = "points.ply", *cameras_name = "sparse",
                      *photos_name = "photos";
 
-/// The files made from a photo. The masks' name is not one by which `prepare` would find a stencil.
+/// The files made from a photo.
 struct PhotoFiles {
-    fs::path photo, masks, depth;
+    fs::path photo, weight_maps, depth;
     Product photo_format;
 };
 /// What is extracted, and where.
@@ -58,9 +58,8 @@ struct Extraction {
         const bool as_taken = lens(photo).distorts() == lens_of(reader, photo).distorts(),
                    own = finest && finest->form == package::Form::cells && as_taken;
         const std::string& stem = stems[photo];
-        return {folder / photos_name / (stem + (own ? ".jpg" : ".png")),
-                folder / "masks" / (stem + ".weights.png"), folder / "depth" / (stem + ".exr"),
-                own ? Product::jpeg : Product::png};
+        return {folder / photos_name / (stem + (own ? ".jpg" : ".png")), folder / "weights" / (stem + ".png"),
+                folder / "depth" / (stem + ".exr"), own ? Product::jpeg : Product::png};
     }
     /// The first line of the cameras' files: folders extracted in one way take no photos of the other.
     std::string comment() const {
@@ -141,7 +140,8 @@ void write_photo(const Extraction& to, std::uint32_t i) {
         image_files().write(file, size.width, size.height, channels, format, join_tiles(reader, *e, size));
     };
     const PhotoFiles files = to.files(i);
-    for (const fs::path& file : {files.photo, files.masks, files.depth}) make_folder(file.parent_path());
+    for (const fs::path& file : {files.photo, files.weight_maps, files.depth})
+        make_folder(file.parent_path());
     if (files.photo_format == Product::jpeg)
         write_jpeg(reader, *reader.find(Type::tiles, i), level_size(int(p.width), int(p.height), 0),
                    files.photo);
@@ -149,8 +149,8 @@ void write_photo(const Extraction& to, std::uint32_t i) {
         image(Type::tiles, 0, files.photo, 4, Sample::u8);
     else
         write_pinhole(reader, i, files.photo);
-    image(Type::masks, mask_level, files.masks, 4, Sample::u8);
-    image(Type::depth, mask_level, files.depth, 1, Sample::f32);
+    image(Type::weight_maps, weight_map_level, files.weight_maps, 4, Sample::u8);
+    image(Type::depth, weight_map_level, files.depth, 1, Sample::f32);
 }
 
 /// The cameras of all photos that are in the folder now, in the input's coordinates: those just written and
@@ -191,7 +191,7 @@ void expect_replaceable(const Extraction& to, const std::vector<std::uint32_t>& 
     for (const std::uint32_t i : wanted) {
         const PhotoFiles files = to.files(i);
         output_file(files.photo, files.photo_format, inputs, force);
-        output_file(files.masks, Product::png, inputs, force);
+        output_file(files.weight_maps, Product::png, inputs, force);
         output_file(files.depth, Product::exr, inputs, force);
     }
 }

@@ -7,7 +7,7 @@ namespace vantage {
 
 /// Writes a package's contents as ordinary files to `folder`, which prepare() can read again: photos/NAME.png
 /// or .jpg (level 0, as taken; with `undistorted`, as a pinhole camera would have taken it),
-/// masks/NAME.weights.png (angle, depth, border, transient masking at half size, of the pinhole camera),
+/// weights/NAME.png (angle, depth, border, transient masking at half size, of the pinhole camera),
 /// depth/NAME.exr (likewise; linear z, +inf: unseen), mesh.ply and points.ply (input coordinates, doubles),
 /// and the cameras of these photos as COLMAP text in sparse/ (poses as refined, input coordinates, doubles).
 /// Photos whose lens COLMAP cannot express are undistorted. NAME is without extension, unless other photos

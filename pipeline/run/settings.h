@@ -26,13 +26,14 @@ DistanceMethod distance_method(const std::string& name);
 struct PrepareSettings {
     DistanceMethod distance = DistanceMethod::automatic;
     RenderBy render_by = RenderBy::automatic;
-    double border_width = 64;           ///< distance at which the mask reaches 1, px in a photo 3072 px wide
-    double border_threshold = 0.01;     ///< depth step that makes a border, relative to depth, per mask pixel
-    int thumbnail = 512;                ///< longer side, in px
-    int photo_size = 0;                 ///< longer side to which photos are reduced, in px; 0: full size
-    unsigned threads = 0;               ///< also the number of photos in flight; 0: one per core
-    std::uint64_t memory = 0;           ///< bytes; limits the number of photos in flight; 0: no limit
-    std::vector<std::string> hold_out;  ///< photos whose pixels stay out of the package
+    double border_width = 64;  ///< distance at which the weight map reaches 1, px in a photo 3072 px wide
+    double border_threshold =
+        0.01;                  ///< depth step that makes a border, relative to depth, per weight map pixel
+    int thumbnail = 512;       ///< longer side, in px
+    int photo_size = 0;        ///< longer side to which photos are reduced, in px; 0: full size
+    unsigned threads = 0;      ///< also the number of photos in flight; 0: one per core
+    std::uint64_t memory = 0;  ///< bytes; limits the number of photos in flight; 0: no limit
+    std::vector<std::string> hold_out;        ///< photos whose pixels stay out of the package
     std::vector<std::string> deviation_from;  ///< files of meshes or clouds to compare the mesh with
     std::vector<std::string> points;          ///< files of point clouds to show with the mesh
     std::string image_sets = "auto";  ///< how photos are grouped into image sets, see group_image_sets

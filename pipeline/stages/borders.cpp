@@ -57,15 +57,15 @@ std::vector<std::uint8_t> find_borders(const DepthMap& d, float threshold) {
     return borders;
 }
 
-std::vector<std::uint8_t> border_mask(const std::vector<float>& distance, int width, int height,
-                                      float full_width) {
-    std::vector<std::uint8_t> mask(distance.size());
+std::vector<std::uint8_t> border_weights(const std::vector<float>& distance, int width, int height,
+                                         float full_width) {
+    std::vector<std::uint8_t> weights(distance.size());
     const float scale = 255 / std::max(full_width, 1e-3f);
     const Grid<const float> from{distance.data(), width, height};
-    const Grid<std::uint8_t> to{mask.data(), width, height};
+    const Grid<std::uint8_t> to{weights.data(), width, height};
     for (int y = 0; y < height; ++y)
         border_row(from.row(y).data(), width, std::min(y, height - 1 - y), scale, to.row(y).data());
-    return mask;
+    return weights;
 }
 
 }  // namespace vantage

@@ -68,7 +68,7 @@ void add_vertices(const std::vector<std::uint32_t>& indices, const PhotoGeometry
                   const std::vector<FrameTriangles::Source>& sources, Found& found) {
     const Eigen::Vector2f size(float(k.width), float(k.height));
     const auto add = [&](std::uint32_t cluster, const Eigen::Vector2f& uv) {
-        const Eigen::Vector2i p = uv.cwiseProduct(size).cast<int>() / (1 << mask_level);
+        const Eigen::Vector2i p = uv.cwiseProduct(size).cast<int>() / (1 << weight_map_level);
         found.extents[cluster].add(std::clamp(p.x(), 0, g.width - 1), std::clamp(p.y(), 0, g.height - 1));
     };
     for (std::size_t i = 0; i < sources.size();) {
@@ -106,7 +106,8 @@ package::CoverageRecord record(const package::ClusterRecord& c, const Extent& e,
     for (std::uint32_t t = c.first_triangle; t < c.first_triangle + c.triangles; ++t) seen += part.at(t);
     r.seen = std::max<std::uint16_t>(1, clamped_u16(65535.0 * seen / c.triangles));
     // A margin of two pixels covers what falls between pixels and what the player's depth test lets through.
-    const double w = 65535.0 * (1 << mask_level) / k.width, h = 65535.0 * (1 << mask_level) / k.height;
+    const double w = 65535.0 * (1 << weight_map_level) / k.width,
+                 h = 65535.0 * (1 << weight_map_level) / k.height;
     r.u0 = clamped_u16(std::floor((e.x0 - 2) * w));
     r.v0 = clamped_u16(std::floor((e.y0 - 2) * h));
     r.u1 = clamped_u16(std::ceil((e.x1 + 3) * w));

@@ -204,10 +204,11 @@ Measured raw_length(const SceneInput& scene) {
         reduced |= decoded > kept;
     }
     if (bytes == 0) return {0, "there are no photos"};
-    // A third more for coarser levels; masks and depth, of twice as many bytes, begin at half size.
+    // A third more for coarser levels; weight maps and depth, of twice as many bytes, begin at half size.
     const double raw = pixels * 4 * (1 + 1 / 3.0) * 1.5;
-    return {raw / bytes, fmt::format("raw, {:.1f} MB of photos{} become {:.1f} MB of tiles, masks and depth",
-                                     bytes / 1e6, reduced ? " at this size" : "", raw / 1e6)};
+    return {raw / bytes,
+            fmt::format("raw, {:.1f} MB of photos{} become {:.1f} MB of tiles, weight maps and depth",
+                        bytes / 1e6, reduced ? " at this size" : "", raw / 1e6)};
 }
 
 /// Triangles with a vertex whose alpha is below 255, and those whose three vertices have alpha 0.

@@ -20,7 +20,7 @@ struct GeometryContext {
     const PackedModel& model;
     const std::vector<SurfaceDisc>& discs;
     GeometryRenderer& renderer;
-    double reference_density;               ///< of the depth mask
+    double reference_density;               ///< of the depth weight
     double border_width, border_threshold;  ///< as in PrepareSettings
     PackageWriter& writer;
     Trace* trace = nullptr;  ///< may be null
@@ -37,7 +37,8 @@ struct PosedPhoto {
 
 /// The pixel data that these stages read, as of a pinhole camera.
 struct CoarsePixels {
-    /// At `mask_level`, one byte per texel; empty if the photo is opaque: valid where the lens images it.
+    /// At `weight_map_level`, one byte per texel; empty if the photo is opaque: valid where the lens images
+    /// it.
     std::vector<std::uint8_t> valid;
     RgbaImage samples;  ///< at `sample_level`
 };

@@ -77,7 +77,7 @@ class DiscSampler {
         const auto level = std::size_t(std::clamp(std::lround(texel), 0l, long(levels_.size()) - 1));
         const Eigen::Vector3d along = n.unitOrthogonal() * double(disc.radius), across = n.cross(along);
         // The depth map may be off by one of its pixels.
-        const double pixel_size = (1 << mask_level) * center.z() / std::min(k_.fx, k_.fy);
+        const double pixel_size = (1 << weight_map_level) * center.z() / std::min(k_.fx, k_.fy);
         const auto slack = float(std::max(0.004 * center.z(), pixel_size / cosine));
         const ProjectedDisc in_camera{center.cast<float>(),
                                       along.cast<float>(),
@@ -126,7 +126,7 @@ class DiscSampler {
         const float inverse = 1 / p.z();
         const Eigen::Vector2f at(fx_ * p.x() * inverse + cx_, fy_ * p.y() * inverse + cy_);
         if (!(at.x() >= 0 && at.y() >= 0 && at.x() < width_ && at.y() < height_)) return {};
-        const float seen_z = depth_(int(at.x()) >> mask_level, int(at.y()) >> mask_level);
+        const float seen_z = depth_(int(at.x()) >> weight_map_level, int(at.y()) >> weight_map_level);
         if (!(std::abs(seen_z - p.z()) <= disc.slack)) return {};
         const Eigen::Vector2f in_photo = at + disc.displaced * Eigen::Vector3f(1, d.x(), d.y());
         if (!(in_photo.minCoeff() >= 0 && in_photo.x() < width_ && in_photo.y() < height_)) return {};

@@ -20,8 +20,8 @@ inline constexpr int sample_level = 2;
 
 /// The mean color of each disc in a photo, in linear light. A record is zero if less than five sixths of the
 /// disc is seen, the cosine of the viewing angle is at most 0.2, the foreshortened radius is below 6 px, or a
-/// channel is below sRGB 15 or above 240. `photo`: its pixels at `sample_level`; `geometry`: at `mask_level`.
-/// `lens`: null without one.
+/// channel is below sRGB 15 or above 240. `photo`: its pixels at `sample_level`; `geometry`: at
+/// `weight_map_level`. `lens`: null without one.
 std::vector<package::SampleRecord> sample_discs(std::span<const SurfaceDisc> discs, RgbaImage photo,
                                                 const PhotoGeometry& geometry, const Intrinsics& intrinsics,
                                                 const Pose& cam_from_origin, const LensTable* lens = nullptr);

@@ -25,7 +25,7 @@ struct LevelTexels {
 };
 
 /// Cuts a level into tiles and writes them to the package; in a shorter form, if the chunk
-/// is compact: opaque color as JPEG, depth rounded, masks and other color without loss.
+/// is compact: opaque color as JPEG, depth rounded, weight maps and other color without loss.
 void write_tiles(PackageWriter& writer, package::Type type, std::uint32_t photo, std::uint32_t level,
                  const LevelTexels& of, int quality = color_quality);
 

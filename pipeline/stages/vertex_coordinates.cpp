@@ -219,7 +219,7 @@ std::vector<Eigen::Vector2f> vertex_coordinates(const PhotoProjection& projectio
     if (tests) *tests = count;
     std::vector<Eigen::Vector2f> out(projection.vertices.size(), Eigen::Vector2f(-1, -1));
     // Fixed-point positions are finer than single-precision texture coordinates.
-    const double pixel = double(1 << mask_level) / (1 << position_bits), x = pixel / photo.width,
+    const double pixel = double(1 << weight_map_level) / (1 << position_bits), x = pixel / photo.width,
                  y = pixel / photo.height;
     for (std::size_t i = 0; i < binned.first.back(); ++i)
         if (const Eigen::Vector2d at(binned.x[i] * x, binned.y[i] * y);

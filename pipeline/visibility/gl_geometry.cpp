@@ -38,7 +38,7 @@ void draw(const ModelBuffers& model, const Triangles& triangles, const gl::Frame
 void render_maps(const ModelBuffers& model, const Triangles& triangles, const Intrinsics& k, const Pose& pose,
                  Eigen::Vector2d near_far, PhotoGeometry& out) {
     const gl::Texture z = gl::make_texture_2d("linear depth", GL_R32F, out.width, out.height),
-                      angle = gl::make_texture_2d("angle mask", GL_R8, out.width, out.height),
+                      angle = gl::make_texture_2d("angle weight", GL_R8, out.width, out.height),
                       triangle = gl::make_texture_2d("triangles", GL_R32UI, out.width, out.height),
                       depth = gl::make_texture_2d("depth", GL_DEPTH_COMPONENT32F, out.width, out.height);
     static_assert(shader::linear_z_output == 0 && shader::angle_output == 1 && shader::triangle_output == 2);

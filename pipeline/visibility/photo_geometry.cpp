@@ -19,10 +19,10 @@ Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Po
     return clip_range(nearest, farthest, reach);
 }
 
-Intrinsics map_intrinsics(const Intrinsics& k) { return k.at_level(mask_level); }
+Intrinsics map_intrinsics(const Intrinsics& k) { return k.at_level(weight_map_level); }
 
 PhotoGeometry empty_geometry(const Intrinsics& k) {
-    const Level half = level_size(k.width, k.height, mask_level);
+    const Level half = level_size(k.width, k.height, weight_map_level);
     const std::size_t pixels = std::size_t(half.width) * std::size_t(half.height);
     return {half.width, half.height, std::vector<float>(pixels, std::numeric_limits<float>::infinity()),
             std::vector<std::uint8_t>(pixels, 0), std::vector<std::uint32_t>(pixels, ~0u)};

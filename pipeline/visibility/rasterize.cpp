@@ -51,7 +51,7 @@ VANTAGE_SIMD void to_bytes(const float* value, const float* inverse_depth, std::
     }
 }
 
-/// The angle mask [C]. Large triangles, across which the direction to the camera varies, are shaded per
+/// The angle weight [C]. Large triangles, across which the direction to the camera varies, are shaded per
 /// pixel; for small ones the cosines are interpolated from the vertices.
 std::vector<std::uint8_t> shade(TriangleMap& map, const PhotoProjection& p,
                                 std::span<const Eigen::Vector3f> normals,

@@ -49,7 +49,7 @@ bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d
 
 /// Assigns each cluster to the chosen photos that see it. With `worth`, omits photos whose weight relative to
 /// a photo that sees the whole cluster is below 1/1024, less than one color code: they would show only where
-/// the other photo's masks are 0. A reduced plan has only photos that weigh much.
+/// the other photo's weight maps are 0. A reduced plan has only photos that weigh much.
 void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
                      std::vector<PlannedPhoto>& photos) {
     const double least = !(settings.worth > 0) ? 0 : settings.reduced ? 0.3 : 1.0 / 1024;

@@ -17,7 +17,7 @@ PackagePages number_pages(std::span<const package::PhotoRecord> photos) {
                                            " levels, expected at most " + std::to_string(max_levels));
         PhotoPages pages;
         pages.color_first = out.color;
-        pages.mask_first = out.masks;
+        pages.weight_map_first = out.weight_maps;
         const auto tiles = [&](int level) {
             return std::uint32_t(level_size(int(p.width), int(p.height), level).tiles());
         };
@@ -25,12 +25,12 @@ PackagePages number_pages(std::span<const package::PhotoRecord> photos) {
             pages.color[l] = out.color;
             out.color += tiles(int(l));
         }
-        for (int l = mask_level; p.levels && l < mask_levels_end(int(p.levels)); ++l) {
-            pages.masks[std::size_t(l)] = out.masks;
-            out.masks += tiles(l);
+        for (int l = weight_map_level; p.levels && l < weight_map_levels_end(int(p.levels)); ++l) {
+            pages.weight_maps[std::size_t(l)] = out.weight_maps;
+            out.weight_maps += tiles(l);
         }
         pages.color_count = out.color - pages.color_first;
-        pages.mask_count = out.masks - pages.mask_first;
+        pages.weight_map_count = out.weight_maps - pages.weight_map_first;
         out.photos.push_back(pages);
     }
     return out;
@@ -42,10 +42,10 @@ StreamRequest color_request(const PackageReader& package, const PackagePages& pa
             tile};
 }
 
-StreamRequest mask_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,
-                           std::uint32_t level, std::uint32_t tile) {
-    StreamRequest r{Resource::masks, pages.photos[photo].masks[level] + tile,
-                    package.find(Type::masks, photo, level), tile};
+StreamRequest weight_map_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,
+                                 std::uint32_t level, std::uint32_t tile) {
+    StreamRequest r{Resource::weight_maps, pages.photos[photo].weight_maps[level] + tile,
+                    package.find(Type::weight_maps, photo, level), tile};
     r.second = package.find(Type::depth, photo, level);
     return r;
 }

@@ -12,20 +12,20 @@ namespace vantage {
 
 /// Page numbers of all tiles of a package; those of a photo are consecutive, level by level.
 struct PhotoPages {
-    std::array<std::uint32_t, max_levels> color{}, masks{};  ///< first page of each level
-    std::uint32_t color_first = 0, color_count = 0, mask_first = 0, mask_count = 0;
+    std::array<std::uint32_t, max_levels> color{}, weight_maps{};  ///< first page of each level
+    std::uint32_t color_first = 0, color_count = 0, weight_map_first = 0, weight_map_count = 0;
 };
 struct PackagePages {
     std::vector<PhotoPages> photos;
-    std::uint32_t color = 0, masks = 0;  ///< pages in total
+    std::uint32_t color = 0, weight_maps = 0;  ///< pages in total
 };
 /// Throws Error(damaged) for a photo with more levels than the shaders support.
 PackagePages number_pages(std::span<const package::PhotoRecord> photos);
 
 StreamRequest color_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,
                             std::uint32_t level, std::uint32_t tile);
-StreamRequest mask_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,
-                           std::uint32_t level, std::uint32_t tile);
+StreamRequest weight_map_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,
+                                 std::uint32_t level, std::uint32_t tile);
 StreamRequest thumbnail_request(const PackageReader& package, std::uint32_t photo);
 
 }  // namespace vantage

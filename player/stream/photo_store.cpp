@@ -21,8 +21,8 @@ std::size_t largest_piece(const PackageReader& package) {
     return largest;
 }
 
-std::uint32_t coarsest_masks(const package::PhotoRecord& p) {
-    return std::uint32_t(mask_levels_end(int(p.levels)) - 1);
+std::uint32_t coarsest_weight_maps(const package::PhotoRecord& p) {
+    return std::uint32_t(weight_map_levels_end(int(p.levels)) - 1);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ void PhotoStore::fit(std::uint64_t bytes, bool with_coordinates) {
 
 void PhotoStore::use_weights(std::function<const TransientMap*(std::uint32_t photo)> weights) {
     weights_ = std::move(weights);
-    if (residency_) residency_->evict_masks();
+    if (residency_) residency_->evict_weight_maps();
 }
 
 void PhotoStore::begin_frame(double now, bool fade) {
@@ -57,7 +57,7 @@ void PhotoStore::begin_frame(double now, bool fade) {
 
 void PhotoStore::want(StreamRequest request, Urgency urgency, std::uint32_t level) {
     missing_.clear();
-    if (weights_ && request.resource == Resource::masks && !residency_->holds(request)) {
+    if (weights_ && request.resource == Resource::weight_maps && !residency_->holds(request)) {
         request.reweighted = true;
         request.weights = weights_(request.chunk->photo);
     }
@@ -68,7 +68,8 @@ void PhotoStore::want(StreamRequest request, Urgency urgency, std::uint32_t leve
 
 void PhotoStore::need_base(std::uint32_t photo, bool coordinates) {
     want(thumbnail_request(*package_, photo), Urgency::base);
-    want(mask_request(*package_, pages_, photo, coarsest_masks(photos_[photo]), 0), Urgency::base);
+    want(weight_map_request(*package_, pages_, photo, coarsest_weight_maps(photos_[photo]), 0),
+         Urgency::base);
     if (!coordinates) return;
     missing_.clear();
     residency_->need_coordinates(photo, missing_);
@@ -90,8 +91,8 @@ void PhotoStore::prefetch(std::uint32_t photo, const TileNeeds& needs) {
 std::size_t PhotoStore::want(std::uint32_t photo, const TileNeeds& needs, Urgency urgency) {
     const std::size_t before = wanted_.size();
     for (std::uint32_t l = 0; l < max_levels; ++l) {
-        for (const std::uint32_t t : needs.masks[l])
-            want(mask_request(*package_, pages_, photo, l, t), urgency, l);
+        for (const std::uint32_t t : needs.weight_maps[l])
+            want(weight_map_request(*package_, pages_, photo, l, t), urgency, l);
         for (const std::uint32_t t : needs.color[l])
             want(color_request(*package_, pages_, photo, l, t), urgency, l);
     }
@@ -101,8 +102,8 @@ std::size_t PhotoStore::want(std::uint32_t photo, const TileNeeds& needs, Urgenc
 std::size_t PhotoStore::missing(std::uint32_t photo, const TileNeeds& needs) const {
     std::size_t n = 0;
     for (std::uint32_t l = 0; l < max_levels; ++l) {
-        for (const std::uint32_t t : needs.masks[l])
-            n += !residency_->holds(mask_request(*package_, pages_, photo, l, t));
+        for (const std::uint32_t t : needs.weight_maps[l])
+            n += !residency_->holds(weight_map_request(*package_, pages_, photo, l, t));
         for (const std::uint32_t t : needs.color[l])
             n += !residency_->holds(color_request(*package_, pages_, photo, l, t));
     }
@@ -169,13 +170,14 @@ std::size_t PhotoStore::load_whole(std::uint32_t photo) {
 
 bool PhotoStore::base_resident(std::uint32_t photo, bool coordinates) const {
     const StreamRequest thumbnail = thumbnail_request(*package_, photo),
-                        masks = mask_request(*package_, pages_, photo, coarsest_masks(photos_[photo]), 0);
-    return (residency_->holds(thumbnail) || residency_->failed(thumbnail)) && residency_->holds(masks) &&
-           (!coordinates || residency_->coordinate_slot(photo));
+                        weight_maps = weight_map_request(*package_, pages_, photo,
+                                                         coarsest_weight_maps(photos_[photo]), 0);
+    return (residency_->holds(thumbnail) || residency_->failed(thumbnail)) &&
+           residency_->holds(weight_maps) && (!coordinates || residency_->coordinate_slot(photo));
 }
 
 std::size_t PhotoStore::table_words(std::uint32_t photo) const {
-    return pages_.photos[photo].color_count + pages_.photos[photo].mask_count;
+    return pages_.photos[photo].color_count + pages_.photos[photo].weight_map_count;
 }
 
 void PhotoStore::write_pages(std::uint32_t photo, PhotoBlock& block, std::byte* table,
@@ -189,17 +191,18 @@ void PhotoStore::write_pages(std::uint32_t photo, PhotoBlock& block, std::byte* 
     }
     for (std::size_t l = 0; l < max_levels; ++l) {
         block.color_base[l] = next + pages.color[l] - pages.color_first;
-        block.mask_base[l] = next + pages.color_count + pages.masks[l] - pages.mask_first;
+        block.weight_base[l] = next + pages.color_count + pages.weight_maps[l] - pages.weight_map_first;
     }
     const auto write = [&](std::uint32_t entry) { std::memcpy(table + std::size_t(next++) * 4, &entry, 4); };
     for (std::uint32_t i = 0; i < pages.color_count; ++i)
         write(residency_->color_entry(pages.color_first + i));
-    for (std::uint32_t i = 0; i < pages.mask_count; ++i) write(residency_->mask_entry(pages.mask_first + i));
+    for (std::uint32_t i = 0; i < pages.weight_map_count; ++i)
+        write(residency_->weight_map_entry(pages.weight_map_first + i));
 }
 
 void PhotoStore::bind() const {
     glBindTextureUnit(shader::color_tiles_unit, residency_->colors());
-    glBindTextureUnit(shader::mask_tiles_unit, residency_->masks());
+    glBindTextureUnit(shader::weight_tiles_unit, residency_->weight_maps());
     glBindTextureUnit(shader::depth_tiles_unit, residency_->depths());
     glBindTextureUnit(shader::thumbnails_unit, residency_->thumbnails());
 }

@@ -27,14 +27,14 @@ class PhotoStore {
     std::uint64_t bytes() const { return residency_ ? residency_->bytes() : 0; }
     bool has_coordinates() const { return residency_ && residency_->layout().coordinates > 0; }
 
-    /// Shows masks with other transient weights than those stored: `weights` gives a photo's map, see
-    /// set_weights; it is called when a tile of its masks is to be fetched, and must remain valid. Evicts all
-    /// masks. Requires that nothing is in flight. Empty: the stored weights.
+    /// Shows weight maps with other transient weights than those stored: `weights` gives a photo's map, see
+    /// set_weights; it is called when a tile of its weight maps is to be fetched, and must remain valid.
+    /// Evicts all weight maps. Requires that nothing is in flight. Empty: the stored weights.
     void use_weights(std::function<const TransientMap*(std::uint32_t photo)> weights);
 
     /// Begins a frame at `now` seconds; without `fade`, tiles are shown in full as soon as they arrive.
     void begin_frame(double now, bool fade);
-    /// Requests the minimum for showing a photo: thumbnail, coarsest masks, and texture coordinates if
+    /// Requests the minimum for showing a photo: thumbnail, coarsest weight maps, and texture coordinates if
     /// `coordinates`.
     void need_base(std::uint32_t photo, bool coordinates);
     /// Requests tiles. Returns how many are not resident (damaged ones excepted).

@@ -28,7 +28,7 @@ std::uint32_t max_layers() {
 }  // namespace
 
 std::uint64_t ResidencyLayout::bytes() const {
-    return std::uint64_t(color + 2 * masks) * tile_bytes +
+    return std::uint64_t(color + 2 * weight_maps) * tile_bytes +
            std::uint64_t(thumbnails) * std::uint64_t(thumbnail_width) * std::uint64_t(thumbnail_height) * 4 +
            std::uint64_t(coordinates) * vertices * 8;
 }
@@ -55,8 +55,8 @@ ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& 
     if (with_coordinates)
         out.coordinates = std::max(1u, std::min(photos, fit(std::uint64_t(out.vertices) * 8, max_slots)));
     const std::uint64_t fixed = out.bytes(), left = bytes > fixed ? bytes - fixed : 0;
-    // A distant view needs as many tiles of masks (two layers each: with depth) as of color, a close one more
-    // of color. Between them: 0.6 tiles of masks (1.2 layers) per tile of color.
+    // A distant view needs as many tiles of weight maps (two layers each: with depth) as of color, a close
+    // one more of color. Between them: 0.6 tiles of weight maps (1.2 layers) per tile of color.
     const double unit = double(left) / double(tile_bytes) / 2.2;
     const auto layers = [](double wanted, std::uint32_t most) {
         return std::uint32_t(std::clamp(wanted, 0.0, double(std::min(most, max_layers()))));
@@ -64,9 +64,10 @@ ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& 
     const auto at_least = [least_tiles](std::uint32_t fitting, std::uint32_t most) {
         return std::max(fitting, std::min(least_tiles, most));
     };
-    out.masks = at_least(layers(std::floor(unit * 0.6), pages.masks), pages.masks);
-    out.color = at_least(layers(std::floor(double(left) / double(tile_bytes) - 2.0 * out.masks), pages.color),
-                         pages.color);
+    out.weight_maps = at_least(layers(std::floor(unit * 0.6), pages.weight_maps), pages.weight_maps);
+    out.color =
+        at_least(layers(std::floor(double(left) / double(tile_bytes) - 2.0 * out.weight_maps), pages.color),
+                 pages.color);
     return out;
 }
 
@@ -75,14 +76,14 @@ Residency::Residency(const PackageReader& package, const PackagePages& pages, co
       layout_(layout),
       pages_(&pages),
       color_pool_(layout.color, pages.color),
-      mask_pool_(layout.masks, pages.masks),
+      weight_map_pool_(layout.weight_maps, pages.weight_maps),
       thumbnail_pool_(layout.thumbnails, std::uint32_t(package.photos().size())),
       slot_pool_(layout.coordinates, std::uint32_t(package.photos().size())),
       color_arrivals_(layout.color, 0),
-      mask_arrivals_(layout.masks, 0),
+      weight_map_arrivals_(layout.weight_maps, 0),
       color_("color tiles", GL_SRGB8_ALPHA8, GL_LINEAR, layout.color),
-      masks_("mask tiles", GL_RGBA8, GL_LINEAR, layout.masks),
-      depths_("depth tiles", GL_R32F, GL_NEAREST, layout.masks),
+      weight_maps_("weight map tiles", GL_RGBA8, GL_LINEAR, layout.weight_maps),
+      depths_("depth tiles", GL_R32F, GL_NEAREST, layout.weight_maps),
       slots_(layout.coordinates) {
     thumbnails_ = gl::make_texture_array("thumbnails", GL_SRGB8_ALPHA8, layout.thumbnail_width,
                                          layout.thumbnail_height, int(layout.thumbnails), GL_LINEAR);
@@ -94,7 +95,7 @@ Residency::Residency(const PackageReader& package, const PackagePages& pages, co
 
 std::uint64_t Residency::bytes() const {
     ResidencyLayout held = layout_;
-    held.color = color_.layers(), held.masks = masks_.layers();
+    held.color = color_.layers(), held.weight_maps = weight_maps_.layers();
     return held.bytes();
 }
 
@@ -113,8 +114,8 @@ const LayerPool& Residency::pool_of(Resource resource) const {
     switch (resource) {
         case Resource::color:
             return color_pool_;
-        case Resource::masks:
-            return mask_pool_;
+        case Resource::weight_maps:
+            return weight_map_pool_;
         case Resource::thumbnail:
             return thumbnail_pool_;
         case Resource::coordinates:
@@ -185,7 +186,9 @@ std::size_t Residency::upload(TileStream& stream, std::size_t budget) {
     return uploaded;
 }
 
-void Residency::evict_masks() { mask_pool_ = LayerPool(layout_.masks, pages_->masks); }
+void Residency::evict_weight_maps() {
+    weight_map_pool_ = LayerPool(layout_.weight_maps, pages_->weight_maps);
+}
 
 std::size_t Residency::upload_whole(std::uint32_t photo, std::uint32_t levels) {
     std::size_t uploaded = 0;
@@ -201,7 +204,7 @@ std::size_t Residency::upload_whole(std::uint32_t photo, std::uint32_t levels) {
     };
     for (std::uint32_t l = levels; l-- > 0;) {
         all(Type::tiles, l, color_request);
-        if (int(l) >= mask_level) all(Type::masks, l, mask_request);
+        if (int(l) >= weight_map_level) all(Type::weight_maps, l, weight_map_request);
     }
     std::vector<std::byte> both(2 * tile_bytes);
     for (const StreamRequest& r : missing) {
@@ -245,16 +248,16 @@ bool Residency::store(const StreamRequest& r, std::uintptr_t source, GLuint unpa
         return true;
     }
     const bool is_color = r.resource == Resource::color;
-    const auto layer = (is_color ? color_pool_ : mask_pool_).place(r.key, frame_);
+    const auto layer = (is_color ? color_pool_ : weight_map_pool_).place(r.key, frame_);
     if (!layer) return false;
-    (is_color ? color_arrivals_ : mask_arrivals_)[*layer] = last_arrival_ = now_;
+    (is_color ? color_arrivals_ : weight_map_arrivals_)[*layer] = last_arrival_ = now_;
     if (is_color) {
         color_.make_room(*layer);
         tile(color_, *layer, GL_RGBA, GL_UNSIGNED_BYTE, source);
     } else {
-        masks_.make_room(*layer);
+        weight_maps_.make_room(*layer);
         depths_.make_room(*layer);
-        tile(masks_, *layer, GL_RGBA, GL_UNSIGNED_BYTE, source);
+        tile(weight_maps_, *layer, GL_RGBA, GL_UNSIGNED_BYTE, source);
         tile(depths_, *layer, GL_RED, GL_FLOAT, source + tile_bytes);
     }
     return true;

@@ -13,8 +13,8 @@ namespace vantage {
 
 /// How many of each resource fit into graphics memory.
 struct ResidencyLayout {
-    std::uint32_t color = 0, masks = 0, thumbnails = 0;  ///< layers of the array textures
-    std::uint32_t coordinates = 0;                       ///< photos with texture coordinates per vertex
+    std::uint32_t color = 0, weight_maps = 0, thumbnails = 0;  ///< layers of the array textures
+    std::uint32_t coordinates = 0;                             ///< photos with texture coordinates per vertex
     int thumbnail_width = 1, thumbnail_height = 1;
     std::uint32_t vertices = 0;
 
@@ -23,8 +23,8 @@ struct ResidencyLayout {
 };
 
 /// Divides `bytes` of graphics memory: first thumbnails and coordinates (if `with_coordinates`), at most an
-/// eighth each, then tiles; never more than the package has, and never fewer than 16 of color and of masks,
-/// even if these do not fit.
+/// eighth each, then tiles; never more than the package has, and never fewer than 16 of color and of weight
+/// maps, even if these do not fit.
 ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& pages, std::uint64_t bytes,
                               bool with_coordinates);
 
@@ -50,15 +50,17 @@ class Residency {
     bool need_coordinates(std::uint32_t photo, std::vector<StreamRequest>& missing);
     /// Uploads what has been fetched, at most `budget` bytes or one larger piece. Returns the bytes uploaded.
     std::size_t upload(TileStream& stream, std::size_t budget);
-    /// Forgets all masks and depth.
-    void evict_masks();
+    /// Forgets all weight maps and depth.
+    void evict_weight_maps();
     /// Uploads all tiles of a photo at once, straight from the mapped package. Returns the bytes uploaded.
     std::size_t upload_whole(std::uint32_t photo, std::uint32_t levels);
 
     /// A page's entry for the shaders: the layer in the low 16 bits, above them how far it has faded in (0
     /// to 255); or shader::not_resident.
     std::uint32_t color_entry(std::uint32_t page) const { return entry(color_pool_, color_arrivals_, page); }
-    std::uint32_t mask_entry(std::uint32_t page) const { return entry(mask_pool_, mask_arrivals_, page); }
+    std::uint32_t weight_map_entry(std::uint32_t page) const {
+        return entry(weight_map_pool_, weight_map_arrivals_, page);
+    }
     std::optional<std::uint32_t> thumbnail_layer(std::uint32_t photo) const {
         return thumbnail_pool_.layer_of(photo);
     }
@@ -80,9 +82,9 @@ class Residency {
     /// Graphics memory held, bytes: less than layout().bytes() until many tiles have arrived.
     std::uint64_t bytes() const;
     std::uint32_t color_held() const { return color_pool_.held(); }
-    std::uint32_t masks_held() const { return mask_pool_.held(); }
+    std::uint32_t weight_maps_held() const { return weight_map_pool_.held(); }
     GLuint colors() const { return color_.id(); }
-    GLuint masks() const { return masks_.id(); }
+    GLuint weight_maps() const { return weight_maps_.id(); }
     GLuint depths() const { return depths_.id(); }
     GLuint thumbnails() const { return thumbnails_.id(); }
     GLuint coordinates() const { return coordinates_.id(); }
@@ -104,9 +106,9 @@ class Residency {
     const PackageReader* package_;
     ResidencyLayout layout_;
     const PackagePages* pages_;
-    LayerPool color_pool_, mask_pool_, thumbnail_pool_, slot_pool_;
-    std::vector<double> color_arrivals_, mask_arrivals_;  ///< per layer, seconds
-    TileArray color_, masks_, depths_;
+    LayerPool color_pool_, weight_map_pool_, thumbnail_pool_, slot_pool_;
+    std::vector<double> color_arrivals_, weight_map_arrivals_;  ///< per layer, seconds
+    TileArray color_, weight_maps_, depths_;
     gl::Texture thumbnails_;
     gl::Buffer coordinates_;
     struct Slot {

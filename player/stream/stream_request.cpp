@@ -11,7 +11,7 @@ std::uint64_t StreamRequest::size() const {
 }
 
 std::vector<TilePlace> tiles_of(const PackageReader& package, const StreamRequest& r) {
-    if (r.resource != Resource::color && r.resource != Resource::masks) return {};
+    if (r.resource != Resource::color && r.resource != Resource::weight_maps) return {};
     const package::PhotoRecord& p = package.photos()[r.chunk->photo];
     const Level level = level_size(int(p.width), int(p.height), int(r.chunk->level));
     std::vector<TilePlace> out{{r.chunk, level, r.block}};

@@ -12,7 +12,7 @@ namespace vantage {
 /// Units of upload.
 enum class Resource : std::uint32_t {
     color,        ///< a tile of color
-    masks,        ///< a tile of masks, followed by that of depth
+    weight_maps,  ///< a tile of weight maps, followed by that of depth
     thumbnail,    ///< a photo's thumbnail
     coordinates,  ///< a piece of a photo's texture coordinates
     points,       ///< a block of points
@@ -27,15 +27,15 @@ struct StreamRequest {
     std::uint32_t block = 0;                          ///< in a chunk with blocks
     std::uint64_t first = 0, bytes = 0;               ///< in a chunk without blocks
     const package::DirectoryEntry* second = nullptr;  ///< chunk whose block of the same number follows
-    bool reweighted = false;                          ///< of masks: with the transient weights of `weights`
-    const TransientMap* weights = nullptr;            ///< see set_weights
+    bool reweighted = false;                ///< of weight maps: with the transient weights of `weights`
+    const TransientMap* weights = nullptr;  ///< see set_weights
 
     /// Bytes in the ring: of tiles, decoded.
     std::uint64_t size() const;
     std::uint64_t identity() const { return std::uint64_t(resource) << 32 | key; }
 };
 
-/// The tiles that a request reads; none unless it is of color or masks.
+/// The tiles that a request reads; none unless it is of color or weight maps.
 std::vector<TilePlace> tiles_of(const PackageReader& package, const StreamRequest& request);
 
 }  // namespace vantage

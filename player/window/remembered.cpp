@@ -30,9 +30,9 @@ void for_fields(R& r, const Field& field) {
     field("distance", w.distance);
     field("angle", w.angle);
     field("angle_per_photo", w.angle_per_photo);
-    field("angle_mask", w.angle_mask);
-    field("depth_mask", w.depth_mask);
-    field("border_mask", w.border_mask);
+    field("angle_weight", w.angle_weight);
+    field("depth_weight", w.depth_weight);
+    field("border_weight", w.border_weight);
     field("transient_mask", w.transient_mask);
     field("corrected_directions", w.corrected_directions);
     field("exponent", w.exponent);

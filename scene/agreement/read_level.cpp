@@ -12,7 +12,7 @@
 namespace vantage {
 
 int coarse_level(const package::PhotoRecord& r, int long_side) {
-    int l = mask_level;
+    int l = weight_map_level;
     while (l + 1 < int(r.levels) && int(std::max(r.width, r.height)) >> l > long_side) ++l;
     return l;
 }

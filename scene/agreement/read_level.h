@@ -11,7 +11,7 @@
 
 namespace vantage {
 
-/// The finest level with at most `long_side` texels on its longer side that has masks, or the coarsest.
+/// The finest level with at most `long_side` texels on its longer side that has weight maps, or the coarsest.
 int coarse_level(const package::PhotoRecord& record, int long_side);
 
 /// Copies what a tile adds to its level, which is all but its border, to the level's `out`, width * height
@@ -37,9 +37,9 @@ RgbaImage read_level_image(const PackageReader& reader, const package::PhotoReco
 RgbaImage read_pinhole_level(const PackageReader& reader, const package::PhotoRecord& record,
                              std::uint32_t photo, int level);
 
-/// Linear light, 0 to 1, of a photo as a pinhole camera takes it at a level of tiles or of masks; NaN where
-/// it has no opaque pixel. A photo of a single level, whose masks are half its size, gives every second
-/// pixel. Throws like read_level.
+/// Linear light, 0 to 1, of a photo as a pinhole camera takes it at a level of tiles or of weight maps; NaN
+/// where it has no opaque pixel. A photo of a single level, whose weight maps are half its size, gives every
+/// second pixel. Throws like read_level.
 std::vector<std::array<float, 3>> read_linear_colors(const PackageReader& reader,
                                                      const package::PhotoRecord& record, std::uint32_t photo,
                                                      int level);

@@ -39,7 +39,9 @@ void find_ranges(TransientView& v) {
             }
 }
 
-int transient_level(const package::PhotoRecord& r) { return std::max(coarse_level(r, 256) - 1, mask_level); }
+int transient_level(const package::PhotoRecord& r) {
+    return std::max(coarse_level(r, 256) - 1, weight_map_level);
+}
 
 TransientView read_transient_view(const PackageReader& package, const package::PhotoRecord& r,
                                   std::uint32_t photo, int level) {

@@ -32,7 +32,7 @@ void find_ranges(TransientView& view);
 
 /// The level of the evidence for transient masks: with at most 512 texels on the longer side.
 int transient_level(const package::PhotoRecord& record);
-/// A photo's pixels at a level that has masks, colors as exposed. Throws Error(damaged).
+/// A photo's pixels at a level that has weight maps, colors as exposed. Throws Error(damaged).
 TransientView read_transient_view(const PackageReader& package, const package::PhotoRecord& record,
                                   std::uint32_t photo, int level);
 

@@ -21,7 +21,7 @@ class TransientWithout {
     /// Chooses the photo that does not exist. `colors`: fitted without it; `photos`: the package's records,
     /// with poses found without it.
     void leave_out(std::uint32_t photo, PhotoColors colors, std::span<const package::PhotoRecord> photos);
-    /// What `prepare --hold-out` writes to the masks of another photo; null if it has fewer than two
+    /// What `prepare --hold-out` writes to the weight maps of another photo; null if it has fewer than two
     /// partners. Valid until leave_out. Throws Error(damaged).
     const TransientMap* of(std::uint32_t photo);
 

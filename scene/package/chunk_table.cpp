@@ -67,8 +67,8 @@ std::span<const ChunkRow> chunk_table() {
         ChunkRow{Type::coordinates, "coordinates", Stage::coordinates, single, true, 8, per_vertex,
                  "one entry per vertex"},
         ChunkRow{Type::tiles, "tiles", Stage::tiles, tiles, true},
-        ChunkRow{Type::masks, "masks", Stage::masks, masks, true},
-        ChunkRow{Type::depth, "depth", Stage::masks, masks, true},
+        ChunkRow{Type::weight_maps, "weight maps", Stage::weight_maps, weight_maps, true},
+        ChunkRow{Type::depth, "depth", Stage::weight_maps, weight_maps, true},
         ChunkRow{Type::points, "points", none, single, false, sizeof(package::PackedPoint)},
         // Appended, because they depend on all photos.
         ChunkRow{Type::background, "background"},
@@ -91,13 +91,14 @@ const ChunkRow& chunk_row(package::Type type) {
 
 bool has_chunk(const ChunkRow& row, int level, int levels) {
     if (row.levels == ChunkLevels::single) return level == 0;
-    return row.levels == ChunkLevels::tiles ? level < levels
-                                            : level >= mask_level && level < mask_levels_end(levels);
+    return row.levels == ChunkLevels::tiles
+               ? level < levels
+               : level >= weight_map_level && level < weight_map_levels_end(levels);
 }
 
 std::vector<LeveledChunk> chunks_of_photo(int levels) {
     std::vector<LeveledChunk> out;
-    for (int level = 0; level < mask_levels_end(levels); ++level)
+    for (int level = 0; level < weight_map_levels_end(levels); ++level)
         for (const ChunkRow& row : chunk_table())
             if (row.per_photo() && has_chunk(row, level, levels)) out.push_back({&row, std::uint32_t(level)});
     return out;

@@ -39,17 +39,18 @@ enum class Type : std::uint32_t {
     samples = fourcc("SAMP"),      ///< per photo: SampleRecord[discs of the surface]
     coordinates = fourcc("TEXC"),  ///< per photo: float[2][vertices]; (-1,-1) where not visible
     tiles = fourcc("TILE"),        ///< per photo and level: blocks of RGBA8 tiles
-    masks = fourcc("MASK"),  ///< per photo and level: RGBA8 tiles: angle, depth, border, transient masking
+    weight_maps =
+        fourcc("MASK"),      ///< per photo and level: RGBA8 tiles: angle, depth, border, transient masking
     depth = fourcc("DPTH"),  ///< per photo and level: R32F tiles: linear z, +inf where nothing is seen
 };
 
 /// The stages that produce a photo's artifacts.
-enum class Stage : std::uint32_t { thumbnail, tiles, masks, coordinates, coverage, samples, count };
+enum class Stage : std::uint32_t { thumbnail, tiles, weight_maps, coordinates, coverage, samples, count };
 
 }  // namespace package
 
 /// The levels of a photo's pyramid at which it has chunks of a type.
-enum class ChunkLevels { single, tiles, masks };
+enum class ChunkLevels { single, tiles, weight_maps };
 
 /// A type of chunk: a row of the chunk table.
 struct ChunkRow {

@@ -11,7 +11,7 @@ namespace vantage::package {
 
 inline constexpr char magic[8] = {'V', 'A', 'N', 'T', 'A', 'G', 'E', '\n'};
 inline constexpr char part_magic[8] = {'V', 'N', 'T', 'G', 'P', 'A', 'R', 'T'};  ///< while in preparation
-inline constexpr std::uint32_t version = 7;
+inline constexpr std::uint32_t version = 8;
 inline constexpr std::uint64_t alignment = 4096;  ///< of every raw chunk and its blocks
 constexpr std::uint64_t aligned(std::uint64_t n) { return (n + alignment - 1) / alignment * alignment; }
 inline constexpr std::uint64_t coded_alignment = 8;  ///< of every other chunk
@@ -68,8 +68,8 @@ struct SceneRecord {
     double bounds_min[3],
         bounds_max[3];  ///< of the input, in its units, without strays (base/values/main_box.h)
     std::uint64_t vertices, triangles, clusters, photos;
-    double reference_density;  ///< pixels per unit at which the depth mask is 255
-    double border_width;       ///< pixels of a photo 3072 wide at which the border mask is 255
+    double reference_density;  ///< pixels per unit at which the depth weight is 255
+    double border_width;       ///< pixels of a photo 3072 wide at which the border weight is 255
     std::uint64_t effects;     ///< bit i: Effect i is on
     std::uint64_t scalar_fields;
     double up[3]{0, 0, 1};  ///< unit vector
@@ -95,7 +95,7 @@ struct PhotoRecord {
     std::uint32_t flags;
     std::uint32_t levels;  ///< of the tile pyramid; 0 if the photo is held out or left out
     std::uint32_t thumbnail_width, thumbnail_height;
-    std::uint32_t mask_width, mask_height;  ///< at pyramid level `mask_level`
+    std::uint32_t weight_map_width, weight_map_height;  ///< at pyramid level `weight_map_level`
     double fx, fy, cx, cy;
     double R[9];                    ///< row-major, cam_from_world
     double t[3];                    ///< applies to positions relative to the origin

@@ -42,7 +42,7 @@ for n in "$@"; do
   prepare "$scene"
   line="$n\t$(grep -oP '^package .*, \K[0-9.]+(?= s\))' <<<"$printed")\t$(grep -oP '^needs .*about \K[0-9]+' <<<"$printed")"
   line+="\t$(megabytes)\t$(grep -oP '^needs .*at most \K[0-9]+' <<<"$printed")"
-  for spans in register "transients|transients masks" colors; do line+="\t$(seconds "$folder/trace.json" "$spans")"; done
+  for spans in register "transients|transients weight maps" colors; do line+="\t$(seconds "$folder/trace.json" "$spans")"; done
   line+="\t$unvalidated"
   if [ "$n" -le 320 ]; then
     prepare "$scene" --effect pose-refinement=on

@@ -65,7 +65,7 @@ Package read_package(const char* path) try {
     const Bytes file = map_file(path), header = slice(file, 0, 64);
     const std::string_view magic = "VANTAGE\n";
     require(std::equal(magic.begin(), magic.end(), header.begin()), "not a finished package");
-    require(number_at<uint32_t>(header, 8) == 7, "not of version 7");
+    require(number_at<uint32_t>(header, 8) == 8, "not of version 8");
     require(number_at<uint64_t>(header, 56) == checksum(header.first(56)), "the header is damaged");
     require(number_at<uint64_t>(header, 24) == file.size(), "the file does not have its size");
     const Bytes directory =

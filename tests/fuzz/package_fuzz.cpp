@@ -72,8 +72,8 @@ void play(const PackageReader& package) {
                     const StreamRequest r = color_request(package, pages, p.photo, l, t);
                     touch(package.block(*r.chunk, r.block));
                 }
-                for (const std::uint32_t t : p.needs.masks[l]) {
-                    const StreamRequest r = mask_request(package, pages, p.photo, l, t);
+                for (const std::uint32_t t : p.needs.weight_maps[l]) {
+                    const StreamRequest r = weight_map_request(package, pages, p.photo, l, t);
                     touch(package.block(*r.chunk, r.block));
                     touch(package.block(*r.second, r.block));
                 }

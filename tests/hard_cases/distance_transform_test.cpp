@@ -141,12 +141,12 @@ TEST_F(DistanceTransform, FloodingErrorsAreRareAndSmall) {
     EXPECT_LT(double(wrong), 0.005 * double(pixels));
 }
 
-TEST_F(DistanceTransform, MaskIsNearlyZeroOnTheOutlineAtAllSizes) {
+TEST_F(DistanceTransform, WeightIsNearlyZeroOnTheOutlineAtAllSizes) {
     for (const Size s : sizes) {
-        const auto mask =
-            border_mask(exact_distance(std::vector<std::uint8_t>(s.pixels(), 0), s.width, s.height), s.width,
-                        s.height, 64);
-        for (int x = 0; x < s.width; ++x) EXPECT_LE(mask[std::size_t(x)], 2) << "half a pixel of 64";
+        const auto weights =
+            border_weights(exact_distance(std::vector<std::uint8_t>(s.pixels(), 0), s.width, s.height),
+                           s.width, s.height, 64);
+        for (int x = 0; x < s.width; ++x) EXPECT_LE(weights[std::size_t(x)], 2) << "half a pixel of 64";
         const auto near = near_distance(std::vector<std::uint8_t>(s.pixels(), 0), s.width, s.height, 16);
         for (const float d : near) EXPECT_TRUE(std::isinf(d));
     }

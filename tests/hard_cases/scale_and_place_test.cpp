@@ -1,4 +1,5 @@
-// A scene in other units, rotated or far from the origin gives the same masks, coordinates and pictures.
+// A scene in other units, rotated or far from the origin gives the same weight maps, coordinates and
+// pictures.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -145,17 +146,17 @@ class ScaleAndPlace : public TemporaryFolder {
         EXPECT_LE(double(flipped), 1e-4 * double(all)) << "vertices seen in one and not in the other";
     }
 
-    /// Angle and border masks agree; depth and the density in the depth mask agree after scaling. Corners
+    /// Angle and border weights agree; depth and the density in the depth weight agree after scaling. Corners
     /// snap to 1/256 px, so rounding may put a texel on an edge onto the other surface.
-    void expect_same_masks(const Opened& other, double scale) const {
+    void expect_same_weight_maps(const Opened& other, double scale) const {
         const double reference = given->package.scene().reference_density,
                      theirs = other.package.scene().reference_density * scale;
         std::size_t differ = 0, all = 0;
         for (const std::uint32_t photo : given->photos) {
-            const auto a = given->texels(Type::masks, photo, mask_level),
-                       b = other.texels(Type::masks, photo, mask_level);
-            const auto z = given->texels(Type::depth, photo, mask_level),
-                       far = other.texels(Type::depth, photo, mask_level);
+            const auto a = given->texels(Type::weight_maps, photo, weight_map_level),
+                       b = other.texels(Type::weight_maps, photo, weight_map_level);
+            const auto z = given->texels(Type::depth, photo, weight_map_level),
+                       far = other.texels(Type::depth, photo, weight_map_level);
             ASSERT_EQ(a.size(), b.size());
             for (std::size_t t = 0; t < a.size(); t += 4, ++all) {
                 bool same = a[t + 3] == b[t + 3];
@@ -206,7 +207,7 @@ class ScaleAndPlace : public TemporaryFolder {
         const auto other = opened(by, "other");
         EXPECT_EQ(given->package.scene().effects, other->package.scene().effects);
         expect_same_coordinates(*other);
-        expect_same_masks(*other, by.scale);
+        expect_same_weight_maps(*other, by.scale);
         expect_same_pictures(*other, by);
     }
 };
@@ -257,8 +258,8 @@ TEST_F(ScaleAndPlace, UnitsPositionAndOrientationDoNotMatter) {
 TEST_F(ScaleAndPlace, ScalingByAPowerOfTwoIsBitExact) {
     const auto other = opened(OtherFrame{.scale = 0x1p13}, "other");
     for (const std::uint32_t photo : given->photos) {
-        EXPECT_EQ(given->texels(Type::masks, photo, mask_level),
-                  other->texels(Type::masks, photo, mask_level));
+        EXPECT_EQ(given->texels(Type::weight_maps, photo, weight_map_level),
+                  other->texels(Type::weight_maps, photo, weight_map_level));
         EXPECT_EQ(given->coordinates(photo), other->coordinates(photo));
     }
     const View a = view_of_photo(given->package.photos()[1], 1),

@@ -122,7 +122,7 @@ class Geometry : public TemporaryFolder {
                 EXPECT_TRUE(std::isfinite(v)) << p.name;
             EXPECT_NEAR(Eigen::Map<const Eigen::Vector3d>(p.corrected_direction).norm(), 1, 1e-6);
             expect_all_finite(reader.records<float>(Type::coordinates, i), "coordinates");
-            const auto depth = read_level(reader, p, i, Type::depth, mask_level);
+            const auto depth = read_level(reader, p, i, Type::depth, weight_map_level);
             for (std::size_t t = 0; t < depth.size(); t += 4) {
                 float z;
                 std::memcpy(&z, &depth[t], 4);

@@ -247,7 +247,7 @@ std::vector<Extreme> extremes() {
         s.weights.exponent = 0;
         out.push_back({"exponent 0, sharpness 3", s});
         WeightSettings& w = s.weights;
-        w.angle_mask = w.depth_mask = w.border_mask = w.transient_mask = w.distance = w.angle = false;
+        w.angle_weight = w.depth_weight = w.border_weight = w.transient_mask = w.distance = w.angle = false;
         out.push_back({"all weights off", s});
     }
     return out;

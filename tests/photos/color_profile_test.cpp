@@ -192,10 +192,10 @@ TEST_F(ColorProfiles, AlphaAndOrientationAreKept) {
             ASSERT_EQ(upright.rgba[4 * (16 * x + 15) + c], stored.rgba[4 * x + c]);
 }
 
-TEST_F(ColorProfiles, AreIgnoredInStencils) {
+TEST_F(ColorProfiles, AreIgnoredInMasks) {
     const auto bytes = colors<std::uint8_t>(1);
-    const fs::path stencil = write("s.png", 1, bytes, gray_profile(1.8));
-    EXPECT_TRUE(use_of(stencil).converts);
-    const RgbaImage values = read_unprofiled(stencil, size);
+    const fs::path mask = write("s.png", 1, bytes, gray_profile(1.8));
+    EXPECT_TRUE(use_of(mask).converts);
+    const RgbaImage values = read_unprofiled(mask, size);
     for (std::size_t i = 0; i < bytes.size(); ++i) ASSERT_EQ(values.rgba[4 * i], bytes[i]);
 }

@@ -108,7 +108,7 @@ TEST_F(ProfiledPhotos, MakeThePackageOfTheSamePhotosInSrgb) {
     }
 }
 
-TEST_F(ProfiledPhotos, StencilsKeepTheirThreshold) {
+TEST_F(ProfiledPhotos, MasksKeepTheirThreshold) {
     // Half of it is dark, but bright in the light that its profile claims.
     std::vector<float> values;
     for (int i = 0; i < size_.width * size_.height; ++i)

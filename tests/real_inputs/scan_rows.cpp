@@ -116,7 +116,7 @@ std::vector<Row> scan_rows() {
         {"folders", "--photos is a file", nothing(), Exit::input, Says{"not a folder"}, no_package, Command{with("--photos {scan}/mesh.ply")}},
         {"folders", "--mesh is a folder", nothing(), Exit::input, Says{"expected a file, found a folder"}, no_package, Command{with("--mesh {scan}/images")}},
         {"folders", "--photos does not exist", nothing(), Exit::input, Says{"does not exist"}, no_package, Command{with("--photos {scan}/none")}},
-        {"folders", "masks in other case, and composed otherwise", [](Scan& s) { named("Ku\xcc\x88" "che.jpg", "Ku\xcc\x88" "che.jpg")(s); s["Masks/K\xc3\xbc" "che.PNG"] = s["Masks/b.jpg.png"] = photo(".png", 1, 1, 1); }, Says{"2 of them with a stencil"}, no_package, Command{"vantage inspect {scan}"}},
+        {"folders", "masks in other case, and composed otherwise", [](Scan& s) { named("Ku\xcc\x88" "che.jpg", "Ku\xcc\x88" "che.jpg")(s); s["Masks/K\xc3\xbc" "che.PNG"] = s["Masks/b.jpg.png"] = photo(".png", 1, 1, 1); }, Says{"2 of them with a mask"}, no_package, Command{"vantage inspect {scan}"}},
         {"folders", "a link to a folder of the scan that comes first", [](Scan& s) { s.move("images", "images/cam"); s.links["a/photos"] = "../images"; }, Says{"images/cam (3)"}},
         {"folders", "a mask beside each photo", [](Scan& s) { for (const char* n : {"A", "B", "C"}) s[std::string("images/") + n + ".mask.png"] = photo(".png", 1, 1, 1); }, Never{"left out"}},
 

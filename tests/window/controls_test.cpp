@@ -70,7 +70,7 @@ TEST_F(WindowControls, OfBlending) {
     };
     grayed("Prefer near", weights.exponent, 0.3);
     grayed("Near photos", weights.distance, 0.5);
-    grayed("Facing photos", weights.angle_mask, 0.5);
+    grayed("Facing photos", weights.angle_weight, 0.5);
     w.press("Average");
     changes(w, "Prefer near", weights.exponent, 0.3);
     EXPECT_GT(weights.exponent, 5);
@@ -78,11 +78,11 @@ TEST_F(WindowControls, OfBlending) {
     toggles(w, "Reject outliers", s.transients);
     toggles(w, "Fill holes", s.fill_holes);
     toggles(w, "Near photos", weights.distance);
-    toggles(w, "Facing photos", weights.angle_mask);
+    toggles(w, "Facing photos", weights.angle_weight);
     toggles(w, "Similar rays", weights.angle);
     toggles(w, "One ray per photo", weights.angle_per_photo);
-    toggles(w, "Occlusion", weights.depth_mask);
-    toggles(w, "Soft borders", weights.border_mask);
+    toggles(w, "Occlusion", weights.depth_weight);
+    toggles(w, "Soft borders", weights.border_weight);
     toggles(w, "Field of view", weights.fov_normalization);
     toggles(w, "Aim at what is seen", weights.corrected_directions);
     grayed("Passers-by", weights.transient_mask, 0.5);

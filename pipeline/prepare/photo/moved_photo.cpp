@@ -33,8 +33,8 @@ void move_photo(const GeometryContext& c, const PackageReader& part, std::uint32
     const StageSet missing = stages_on_model();
     CoarsePixels coarse{{}, tiles_at(part, i, r, sample_level)};
     if (r.flags & package::photo_has_alpha) {
-        const RgbaImage level = tiles_at(part, i, r, mask_level);
-        coarse.valid = validity(photo.lens ? pinhole_image(level, *photo.lens, mask_level) : level);
+        const RgbaImage level = tiles_at(part, i, r, weight_map_level);
+        coarse.valid = validity(photo.lens ? pinhole_image(level, *photo.lens, weight_map_level) : level);
     }
     std::promise<CoarsePixels> pixels;
     pixels.set_value(std::move(coarse));

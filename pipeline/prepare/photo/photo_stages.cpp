@@ -143,7 +143,7 @@ std::vector<Stage> run_photo(const PhotoContext& c, std::uint32_t i, bool spare_
     r.source_checksum = file->identity().checksum;
     if (!r.levels) file.reset();  // held out: identified, so that no program overwrites it
     state = stage_keys(c.key, photo, c.poses[i], file ? file->identity() : FileIdentity{},
-                       stencil_identity(photo, c.identities));
+                       mask_identity(photo, c.identities));
     const package::PhotoRecord planned = r;
     std::vector<Stage> made;
     if (!known_unreadable(c, r.name, state)) made = make_missing(job, file, r, state);

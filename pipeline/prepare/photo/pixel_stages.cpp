@@ -24,18 +24,18 @@ RgbaImage decoded(const PhotoJob& job, PhotoFile& file) {
 }
 
 /// Throws Error(input) if its size is not the photo's.
-RgbaImage read_stencil(const std::filesystem::path& file, const RgbaImage& photo) {
+RgbaImage read_mask(const std::filesystem::path& file, const RgbaImage& photo) {
     try {
         return read_unprofiled(file, {photo.width, photo.height});
     } catch (const Error& e) {
-        throw Error(e.code(), "its stencil " + file.filename().string() + ": " + reason_of(e, file));
+        throw Error(e.code(), "its mask " + file.filename().string() + ": " + reason_of(e, file));
     }
 }
 
-/// Makes the photo transparent where the stencil is dark (below 128) or transparent.
-void cut_out(RgbaImage& image, const RgbaImage& stencil) {
+/// Makes the photo transparent where the mask is dark (below 128) or transparent.
+void cut_out(RgbaImage& image, const RgbaImage& mask) {
     for (std::size_t p = 0; p < image.rgba.size(); p += 4)
-        if (stencil.rgba[p] < 128 || stencil.rgba[p + 3] < 128) image.rgba[p + 3] = 0;
+        if (mask.rgba[p] < 128 || mask.rgba[p + 3] < 128) image.rgba[p + 3] = 0;
     image.opaque = false;
 }
 
@@ -47,8 +47,8 @@ struct Pixels {
 
 Pixels decode_pixels(const PhotoJob& job, PhotoFile& file, const package::PhotoRecord& r) {
     RgbaImage image = decoded(job, file);
-    const bool whole = job.photo.stencil.empty();
-    if (!whole) cut_out(image, read_stencil(job.photo.stencil, image));
+    const bool whole = job.photo.mask.empty();
+    if (!whole) cut_out(image, read_mask(job.photo.mask, image));
     const bool full_size = image.width == int(r.width) && image.height == int(r.height);
     const bool own = whole && full_size && !job.photo.profile.converts;
     const int longest = int(std::max(r.width, r.height));
@@ -57,11 +57,11 @@ Pixels decode_pixels(const PhotoJob& job, PhotoFile& file, const package::PhotoR
     return {std::move(image), own};
 }
 
-/// At `mask_level`, of a photo that is not opaque.
+/// At `weight_map_level`, of a photo that is not opaque.
 std::vector<std::uint8_t> valid_texels(const PhotoJob& job, const RgbaImage& level) {
     if (!job.at.lens) return validity(level);
     const Traced traced(job.context.trace, "lens", job.photo.name);
-    return validity(pinhole_image(level, *job.at.lens, mask_level));
+    return validity(pinhole_image(level, *job.at.lens, weight_map_level));
 }
 
 /// Writes thumbnail and tile pyramid. `jpeg`: the photo's file, if level 0 can be taken from it, else empty.
@@ -79,7 +79,7 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
     bool thumbnail_missing = missing[Stage::thumbnail];
     const std::uint32_t last = std::max(r.levels, std::uint32_t(sample_level) + 1);
     for (std::uint32_t l = 0; l < last; ++l) {
-        if (l == std::uint32_t(mask_level) && !opaque) coarse.valid = valid_texels(job, level);
+        if (l == std::uint32_t(weight_map_level) && !opaque) coarse.valid = valid_texels(job, level);
         const bool own = l == 0 && !jpeg.empty();
         if (l == sampled)
             coarse.samples = own ? level : as_stored(writer, i, l, level, level_quality(jpeg, l));

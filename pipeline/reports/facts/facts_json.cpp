@@ -91,7 +91,7 @@ json photos_json(const InputFacts& facts) {
             {"megapixels", facts.photos->pixels() / 1e6},
             {"bytes", facts.photos->bytes()},
             {"groups", groups},
-            {"stencils", facts.photos->stencils}};
+            {"masks", facts.photos->masks}};
 }
 
 json image_sets_json(const InputFacts& facts) {

@@ -160,7 +160,7 @@ void add_photos(const InputFacts& facts, Lines& out) {
         out.add("photos", "{}", in_words(group));
     if (photos.groups.size() > max_lines)
         out.add("photos", "and {} more sizes or formats", photos.groups.size() - max_lines);
-    if (photos.stencils > 0) out.add("photos", "{} of them with a stencil", photos.stencils);
+    if (photos.masks > 0) out.add("photos", "{} of them with a mask", photos.masks);
 }
 
 void add_scale(const ScaleFacts& scale, Lines& out) {

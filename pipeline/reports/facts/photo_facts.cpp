@@ -8,8 +8,8 @@
 #include "base/text/error.h"
 #include "base/text/file_name.h"
 #include "pipeline/input/discover.h"
+#include "pipeline/input/masks.h"
 #include "pipeline/input/photo_matches.h"
-#include "pipeline/input/stencils.h"
 #include "pipeline/photos/photos.h"
 #include "pipeline/reports/facts/file_facts.h"
 
@@ -35,7 +35,7 @@ double PhotoFacts::pixels() const {
 
 PhotoFacts photo_facts(const std::filesystem::path& folder) {
     PhotoFacts facts;
-    Stencils stencils;
+    Masks masks;
     std::map<std::tuple<std::string, int, int>, PhotoGroup> groups;
     for (const std::filesystem::path& file : photos_below(folder)) {
         PhotoSize size;
@@ -47,7 +47,7 @@ PhotoFacts photo_facts(const std::filesystem::path& folder) {
         const std::string format = format_of(file);
         PhotoGroup& group = groups[{format, size.width, size.height}];
         group = {format, size, group.photos + 1, group.bytes + length_of(file)};
-        facts.stencils += !stencils.of(file).empty();
+        facts.masks += !masks.of(file).empty();
     }
     for (const auto& [key, group] : groups) facts.groups.push_back(group);
     std::ranges::stable_sort(facts.groups, std::greater{}, &PhotoGroup::photos);

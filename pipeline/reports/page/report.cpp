@@ -22,10 +22,10 @@
 #include "pipeline/reports/page/colors_part.h"
 #include "pipeline/reports/page/coverage_pictures.h"
 #include "pipeline/reports/page/embedded_picture.h"
-#include "pipeline/reports/page/mask_picture.h"
 #include "pipeline/reports/page/pose_refinement_part.h"
 #include "pipeline/reports/page/timeline.h"
 #include "pipeline/reports/page/transient_part.h"
+#include "pipeline/reports/page/weight_picture.h"
 #include "pipeline/run/for_each_photo.h"
 #include "scene/package/contents/image_sets.h"
 #include "scene/package/contents/point_cloud.h"
@@ -161,7 +161,7 @@ std::string coverage_part(const PackageReader& package) {
     return out + "</div>\n";
 }
 
-constexpr int shown_side = 320;  ///< px: the longer side of photos and masks
+constexpr int shown_side = 320;  ///< px: the longer side of photos and weight maps
 
 RgbaImage thumbnail(const PackageReader& package, std::uint32_t i, const PhotoRecord& p) {
     RgbaImage image = blank_image(int(p.thumbnail_width), int(p.thumbnail_height));
@@ -178,7 +178,8 @@ std::string photo_figure(const PackageReader& package, std::uint32_t i, const Ph
         flags += ", lens: " + std::string(name(lens.model));
     if (p.flags & package::photo_has_alpha) flags += ", partly transparent";
     return "<figure>" + embedded_picture(thumbnail(package, i, p), p.name) +
-           embedded_picture(mask_picture(package, i, best, shown_side), std::string("weight of ") + p.name) +
+           embedded_picture(weight_picture(package, i, best, shown_side),
+                            std::string("weight of ") + p.name) +
            fmt::format(
                "<figcaption><b>{}</b><br>{} x {} px{}; sees {:.1f} % of the {}{}</figcaption></figure>\n",
                escaped(p.name), p.width, p.height, flags, 100 * p.visible_vertices,
@@ -186,9 +187,9 @@ std::string photo_figure(const PackageReader& package, std::uint32_t i, const Ph
                p.z_max > 0 ? fmt::format(", {:.3g} to {:.3g} away", p.z_min, p.z_max) : "");
 }
 
-std::string mask_legend() {
+std::string weight_legend() {
     std::string out = "<ul class=legend>\n";
-    for (const MaskColor& c : mask_colors)
+    for (const WeightColor& c : weight_colors)
         out += fmt::format("<li><i style=\"background:{}\"></i><b>{}</b>: {}\n", css(c.color), c.name,
                            c.meaning);
     return out + "</ul>\n";
@@ -199,7 +200,7 @@ void write_photos_part(std::ostream& out, const PackageReader& package) {
     out << "<h2>Photos</h2>\n<p>Below each photo, the weight it has when photos are blended, whatever the "
            "view: white for full weight, otherwise the color of what lowers it most; the deeper the color, "
            "the lower the weight. Distances are along the optical axis, in the input's unit.</p>\n"
-        << mask_legend() << "<div class=grid>\n";
+        << weight_legend() << "<div class=grid>\n";
     const double best = best_density(photos);
     constexpr std::size_t batch = 16;  // bounds the memory for encoded pictures
     for (std::size_t first = 0; first < photos.size(); first += batch) {

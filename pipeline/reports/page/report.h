@@ -17,7 +17,7 @@ struct ReportRun {
 };
 
 /// Writes a self-contained HTML page about a package: whether it is complete, warnings, the effects with
-/// their evidence, coverage of the model, each photo with its masks, and for a run the stages and their
+/// their evidence, coverage of the model, each photo with its weight maps, and for a run the stages and their
 /// times. Throws Error(storage), and Error(damaged) if META cannot be parsed.
 void write_report(const std::filesystem::path& file, const PackageReader& package,
                   const std::optional<ReportRun>& run);

@@ -42,7 +42,7 @@ void weights_of_average(Controls& c, WeightSettings& w, bool average) {
     c.explain("Prefers photos taken close to your position. For Average.");
     in_second_column("Facing photos");
     ImGui::BeginDisabled(!average);
-    c.checkbox("Facing photos", &w.angle_mask);
+    c.checkbox("Facing photos", &w.angle_weight);
     ImGui::EndDisabled();
     c.explain("Prefers photos that face the surface. For Average.");
 }
@@ -55,10 +55,10 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
     in_second_column("One ray per photo");
     c.checkbox("One ray per photo", &w.angle_per_photo);
     c.explain("Compares one ray per photo, instead of one for each point.");
-    c.checkbox("Occlusion", &w.depth_mask);
+    c.checkbox("Occlusion", &w.depth_weight);
     c.explain("Leaves out what is hidden from a photo.");
     in_second_column("Soft borders");
-    c.checkbox("Soft borders", &w.border_mask);
+    c.checkbox("Soft borders", &w.border_weight);
     c.explain("Fades photos out towards their edges and towards silhouettes.");
     ImGui::BeginDisabled(!effect_on(renderer.package().scene(), Effect::transients));
     c.checkbox("Passers-by", &w.transient_mask);

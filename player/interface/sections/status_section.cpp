@@ -60,7 +60,7 @@ void status_section(Controls& c, const DrawnFrames& frames, const Renderer& rend
     const Residency& held = renderer.resources().store.residency();
     ImGui::Text(tr("graphics memory: %.0f of %.0f MiB"), double(gl::memory_held()) / double(MiB),
                 double(graphics_budget) / double(MiB));
-    budget_bar(c, marked("tiles"), double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,
+    budget_bar(c, marked("tiles"), double(held.color_held() + 2 * held.weight_maps_held()) * 256 * 1024,
                double(held.layout().bytes()));
     transfer_lines(renderer);
     if (r.tiles_damaged)

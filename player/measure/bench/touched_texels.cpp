@@ -10,7 +10,7 @@ namespace vantage {
 std::uint64_t touched_bytes(Renderer& renderer, const View& view, const RenderSettings& settings,
                             std::span<const std::uint32_t> photos, double now) {
     const ResidencyLayout& layout = renderer.resources().store.residency().layout();
-    const std::size_t words = std::size_t(layout.color + 2 * layout.masks) * tile_size * tile_size / 32;
+    const std::size_t words = std::size_t(layout.color + 2 * layout.weight_maps) * tile_size * tile_size / 32;
     const std::vector<std::uint32_t> zero(words, 0);
     const gl::Buffer touched = gl::make_buffer("touched texels", words * 4, zero.data());
     renderer.resources().photos.trace_texels(touched.id());

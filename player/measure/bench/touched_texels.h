@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// Repeats the last renderer.draw() and returns the size in bytes of the distinct texels of color, masks and
-/// depth that it reads.
+/// Repeats the last renderer.draw() and returns the size in bytes of the distinct texels of color, weight
+/// maps and depth that it reads.
 std::uint64_t touched_bytes(Renderer& renderer, const View& view, const RenderSettings& settings,
                             std::span<const std::uint32_t> photos, double now);
 

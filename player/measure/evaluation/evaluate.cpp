@@ -172,7 +172,7 @@ class SceneWithout {
         if (transient_masks && effect_on(package.scene(), Effect::transients))
             transient_.emplace(package, colors_.samples());
     }
-    /// Shows the others' masks as they are without the photo. Returns the records.
+    /// Shows the others' weight maps as they are without the photo. Returns the records.
     std::vector<package::PhotoRecord> leave_out(std::uint32_t photo, Renderer& renderer) {
         const PhotoColors colors = fits_colors_ ? colors_.colors(photo) : PhotoColors{};
         std::vector<package::PhotoRecord> out = colors_.records(colors, photo);

@@ -16,20 +16,20 @@ constexpr int samples = 2;  ///< per side of a pixel
 /// Gray levels, over all scored pixels, above which an odd photo is worth a remark.
 constexpr double odd_rms = 12;
 
-/// The level's pixels that show a surface, by the photo's own masks.
+/// The level's pixels that show a surface, by the photo's own weight maps.
 std::vector<bool> surface_pixels(const PackageReader& package, std::uint32_t photo, int level,
                                  const Picture& like) {
-    const int last = mask_levels_end(int(package.photos()[photo].levels)) - 1;
-    const int from = std::clamp(level, mask_level, last);
-    const Picture masks = masks_at_level(package, photo, from);
-    const Grid<const std::uint8_t> texels{masks.rgba.data(), 4 * masks.width, masks.height};
+    const int last = weight_map_levels_end(int(package.photos()[photo].levels)) - 1;
+    const int from = std::clamp(level, weight_map_level, last);
+    const Picture weight_maps = weight_maps_at_level(package, photo, from);
+    const Grid<const std::uint8_t> texels{weight_maps.rgba.data(), 4 * weight_maps.width, weight_maps.height};
     std::vector<bool> out;
     out.reserve(like.rgba.size() / 4);
     for (int y = 0; y < like.height; ++y)
         for (int x = 0; x < like.width; ++x) {
             const int shift = from - level;
-            const int u = std::min(shift >= 0 ? x >> shift : x << -shift, masks.width - 1),
-                      v = std::min(shift >= 0 ? y >> shift : y << -shift, masks.height - 1);
+            const int u = std::min(shift >= 0 ? x >> shift : x << -shift, weight_maps.width - 1),
+                      v = std::min(shift >= 0 ? y >> shift : y << -shift, weight_maps.height - 1);
             out.push_back(texels(4 * u + 3, v) > 0);
         }
     return out;

@@ -28,9 +28,10 @@ Picture photo_at_level(const PackageReader& package, std::uint32_t photo, int le
     return picture_of(std::move(image));
 }
 
-Picture masks_at_level(const PackageReader& package, std::uint32_t photo, int level) {
-    expect_level(package, package::Type::masks, photo, level);
-    return picture_of(read_level_image(package, package.photos()[photo], photo, package::Type::masks, level));
+Picture weight_maps_at_level(const PackageReader& package, std::uint32_t photo, int level) {
+    expect_level(package, package::Type::weight_maps, photo, level);
+    return picture_of(
+        read_level_image(package, package.photos()[photo], photo, package::Type::weight_maps, level));
 }
 
 View view_of_level(const package::PhotoRecord& photo, int level) {

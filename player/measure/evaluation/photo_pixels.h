@@ -10,8 +10,8 @@ namespace vantage {
 /// std::invalid_argument if the photo has no such level.
 Picture photo_at_level(const PackageReader& package, std::uint32_t photo, int level);
 
-/// One level of a photo's masks, assembled from its tiles. Throws like photo_at_level().
-Picture masks_at_level(const PackageReader& package, std::uint32_t photo, int level);
+/// One level of a photo's weight maps, assembled from its tiles. Throws like photo_at_level().
+Picture weight_maps_at_level(const PackageReader& package, std::uint32_t photo, int level);
 
 /// The photo's own camera, with the texels of that level as pixels.
 View view_of_level(const package::PhotoRecord& photo, int level);

@@ -60,7 +60,8 @@ TileNeeds shown_tiles(const package::PhotoRecord& photo, const LensTable* lens, 
                       std::span<const SurfaceSample> samples, double pixels, double worth) {
     const Intrinsics k = intrinsics(photo);
     constexpr double slight = 0.25;  // a level with a smaller share of the trilinear mix is not loaded
-    Shown color(photo, 0, int(photo.levels)), masks(photo, mask_level, mask_levels_end(int(photo.levels)));
+    Shown color(photo, 0, int(photo.levels)),
+        weight_maps(photo, weight_map_level, weight_map_levels_end(int(photo.levels)));
     for (const SurfaceSample& s : samples) {
         const auto seen = project(k, pose, s.position);
         if (!seen || !in_frame(k, seen->pixel)) continue;
@@ -74,11 +75,11 @@ TileNeeds shown_tiles(const package::PhotoRecord& photo, const LensTable* lens, 
         };
         const int finest = add(color, taken, std::floor(lod + slight));
         if (std::ceil(lod - slight) > finest) add(color, taken, std::ceil(lod - slight));
-        add(masks, seen->pixel, std::floor(lod));
+        add(weight_maps, seen->pixel, std::floor(lod));
     }
     TileNeeds needs;
     color.list(worth, needs.color);
-    masks.list(2 * worth, needs.masks);  // they come with depth: twice the bytes
+    weight_maps.list(2 * worth, needs.weight_maps);  // they come with depth: twice the bytes
     return needs;
 }
 

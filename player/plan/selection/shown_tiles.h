@@ -8,9 +8,9 @@
 namespace vantage {
 
 /// The tiles of one photo worth loading to show these samples, each of which stands for `pixels` samples of
-/// the picture: those with at least the share `worth` of their texels shown (twice that for masks, which come
-/// with depth). `lens`: null if the photo has none. A tile below that is replaced by the next coarser one; on
-/// the coarsest level all tiles count.
+/// the picture: those with at least the share `worth` of their texels shown (twice that for weight maps,
+/// which come with depth). `lens`: null if the photo has none. A tile below that is replaced by the next
+/// coarser one; on the coarsest level all tiles count.
 TileNeeds shown_tiles(const package::PhotoRecord& photo, const LensTable* lens, const Pose& photo_from_origin,
                       std::span<const SurfaceSample> samples, double pixels, double worth);
 

@@ -15,30 +15,31 @@ using Rect = Eigen::AlignedBox2d;
 class Marks {
   public:
     explicit Marks(const package::PhotoRecord& photo) : levels_(int(photo.levels)) {
-        for (int l = 0; l < std::max(levels_, mask_levels_end(levels_)); ++l) {
+        for (int l = 0; l < std::max(levels_, weight_map_levels_end(levels_)); ++l) {
             sizes_.push_back(level_size(int(photo.width), int(photo.height), l));
             color_.emplace_back(std::size_t(sizes_.back().tiles()), false);
         }
-        masks_ = color_;
+        weight_maps_ = color_;
     }
-    /// Marks the tiles of color under `rect`, and of masks under `rect_of_masks`, on all levels that
-    /// trilinear sampling reads.
-    void add(const Rect& rect, const Rect& rect_of_masks, const LevelRange& range) {
+    /// Marks the tiles of color under `rect`, and of weight maps under `rect_of_weight_maps`, on all levels
+    /// that trilinear sampling reads.
+    void add(const Rect& rect, const Rect& rect_of_weight_maps, const LevelRange& range) {
         // A level with a smaller share of the trilinear mix is not loaded.
         constexpr double slight = 0.25;
         const int finest = int(std::clamp(range.finest + slight, 0.0, levels_ - 1.0));
         const int coarsest =
             int(std::clamp(std::ceil(range.coarsest - slight), double(finest), levels_ - 1.0));
         for (int l = finest; l <= coarsest; ++l) mark(color_, rect, l);
-        const int end = mask_levels_end(levels_) - 1;
-        for (int l = std::clamp(finest, mask_level, end); l <= std::clamp(coarsest, mask_level, end); ++l)
-            mark(masks_, rect_of_masks, l);
+        const int end = weight_map_levels_end(levels_) - 1;
+        for (int l = std::clamp(finest, weight_map_level, end);
+             l <= std::clamp(coarsest, weight_map_level, end); ++l)
+            mark(weight_maps_, rect_of_weight_maps, l);
     }
     TileNeeds needs() const {
         TileNeeds out;
         for (std::size_t l = 0; l < color_.size(); ++l) {
             if (int(l) < levels_) out.color[l] = listed(color_[l]);
-            out.masks[l] = listed(masks_[l]);
+            out.weight_maps[l] = listed(weight_maps_[l]);
         }
         return out;
     }
@@ -67,14 +68,14 @@ class Marks {
 
     int levels_;
     std::vector<Level> sizes_;
-    std::vector<std::vector<bool>> color_, masks_;
+    std::vector<std::vector<bool>> color_, weight_maps_;
 };
 
 }  // namespace
 
 std::size_t TileNeeds::tiles() const {
     std::size_t n = 0;
-    for (std::size_t l = 0; l < max_levels; ++l) n += color[l].size() + masks[l].size();
+    for (std::size_t l = 0; l < max_levels; ++l) n += color[l].size() + weight_maps[l].size();
     return n;
 }
 
@@ -98,7 +99,7 @@ TileNeeds whole_photo_needs(const package::PhotoRecord& photo, double density) {
     const Rect all(Eigen::Vector2d(0, 0), Eigen::Vector2d(photo.width, photo.height));
     marks.add(all, all, {lod, lod});
     TileNeeds needs = marks.needs();
-    for (auto& level : needs.masks) level.clear();
+    for (auto& level : needs.weight_maps) level.clear();
     return needs;
 }
 

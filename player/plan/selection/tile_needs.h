@@ -12,10 +12,11 @@ namespace vantage {
 
 inline constexpr std::uint32_t max_levels = 12;
 
-/// Tiles of one photo, by level; each list ascending, without duplicates. Depth has the tiles of the masks.
+/// Tiles of one photo, by level; each list ascending, without duplicates. Depth has the tiles of the weight
+/// maps.
 struct TileNeeds {
-    std::array<std::vector<std::uint32_t>, max_levels> color, masks;
-    std::size_t tiles() const;  ///< number; a tile of masks and its depth count as one
+    std::array<std::vector<std::uint32_t>, max_levels> color, weight_maps;
+    std::size_t tiles() const;  ///< number; a tile of weight maps and its depth count as one
 };
 
 /// A cluster and the levels on which its fragments sample the photo.

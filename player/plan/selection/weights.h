@@ -12,7 +12,7 @@ struct WeightSettings {
     bool distance = true;  ///< [M]: from viewpoint to camera center, relative to the other photos
     bool angle = true;  ///< between rays at the surface; with `angle_per_photo`, between viewing directions
     bool angle_per_photo = false;
-    bool angle_mask = true, depth_mask = true, border_mask = true, transient_mask = true;
+    bool angle_weight = true, depth_weight = true, border_weight = true, transient_mask = true;
     bool fov_normalization = false;  ///< compare distances as if all fields of view were equal [M] 4.1 to 4.3
     bool corrected_directions = false;  ///< [P]: a photo's direction is toward the middle of what it sees
     double exponent = 2;                ///< of the distance and per-photo angle weights

@@ -12,7 +12,7 @@ constexpr std::array table{
     BlendRow{Blend::lumigraph, "lumigraph", marked("Lumigraph"),
              marked("by the angle between the rays to viewer and photo, fading at borders"),
              "BLEND_LUMIGRAPH", false},
-    BlendRow{Blend::average, "average", marked("Average"), marked("by distance, angle and all masks"), "",
+    BlendRow{Blend::average, "average", marked("Average"), marked("by distance, angle and all weights"), "",
              false},
     BlendRow{Blend::best, "best", marked("Best photo"), marked("each point from one photo"), "BLEND_BEST",
              true},

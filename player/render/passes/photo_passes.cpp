@@ -24,10 +24,10 @@ Eigen::Vector3d overall_direction(const View& view, const package::SceneRecord& 
 }
 
 GLuint switches(const WeightSettings& w) {
-    return w.angle_mask * shader::angle_mask_switch | w.depth_mask * shader::depth_mask_switch |
-           w.border_mask * shader::border_mask_switch |
+    return w.angle_weight * shader::angle_weight_switch | w.depth_weight * shader::depth_weight_switch |
+           w.border_weight * shader::border_weight_switch |
            (w.angle && !w.angle_per_photo) * shader::angle_switch |
-           w.transient_mask * shader::transient_mask_switch;
+           w.transient_mask * shader::transient_weight_switch;
 }
 
 static_assert(GLuint(Show::colors) == shader::show_colors && GLuint(Show::sources) == shader::show_sources &&
@@ -60,7 +60,7 @@ void write_lens(const LensTable& lens, PhotoBlock& block, std::byte* table, std:
 std::size_t photo_bytes(const PackagePages& pages, std::size_t clusters, bool lenses) {
     std::size_t largest = 0;
     for (const PhotoPages& p : pages.photos)
-        largest = std::max<std::size_t>(largest, p.color_count + p.mask_count);
+        largest = std::max<std::size_t>(largest, p.color_count + p.weight_map_count);
     if (lenses) largest += lens_words;
     return std::size_t(max_photos_per_pass) * (sizeof(PhotoBlock) + 4 * largest) + clusters * 4 + 4096;
 }
@@ -228,7 +228,7 @@ void PhotoPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const 
         glUniform1f(shader::background_distance_uniform, float(2 * scene_->spread));
     if (trace_) {
         const ResidencyLayout& layout = store_->residency().layout();
-        glUniform2ui(shader::first_layers_uniform, layout.color, layout.color + layout.masks);
+        glUniform2ui(shader::first_layers_uniform, layout.color, layout.color + layout.weight_maps);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shader::touched_buffer, trace_);
     }
     if (on != BlendOn::model || per_fragment(settings)) return;

@@ -45,7 +45,7 @@ class PhotoPasses {
     void with_photo(std::uint32_t photo, const std::function<void()>& draw);
 
     /// Makes passes set a bit in this buffer for each texel that they read, ordered by the layers of color,
-    /// masks and depth; 0 turns this off.
+    /// weight maps and depth; 0 turns this off.
     void trace_texels(GLuint buffer) { trace_ = buffer; }
 
   private:

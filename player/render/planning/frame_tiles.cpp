@@ -86,17 +86,17 @@ std::size_t FrameTiles::pass_length(Pass rest, const RenderSettings& settings) c
     const std::size_t most = std::min(rest.size(), std::size_t(settings.photos_per_pass));
     if (!is_complete(settings.loading)) return most;
     const ResidencyLayout& layout = resources_->store.residency().layout();
-    std::size_t n = 0, color = 0, masks = 0;
+    std::size_t n = 0, color = 0, weight_maps = 0;
     while (n < most) {
         for (const auto& level : rest[n]->needs.color) color += level.size();
-        for (const auto& level : rest[n]->needs.masks) masks += level.size();
+        for (const auto& level : rest[n]->needs.weight_maps) weight_maps += level.size();
         // Sums do not depend on the split into passes, so a pass ends when graphics memory is full.
         const auto exceeds = [](std::size_t wanted, std::size_t held, std::size_t all) {
             return wanted > held && held < all;
         };
         const bool full =
             exceeds(color, layout.color, resources_->store.pages().color) ||
-            exceeds(masks + n + 1, layout.masks, resources_->store.pages().masks) ||
+            exceeds(weight_maps + n + 1, layout.weight_maps, resources_->store.pages().weight_maps) ||
             exceeds(n + 1, layout.thumbnails, resources_->scene.photos.size()) ||
             (coordinates(settings) && exceeds(n + 1, layout.coordinates, resources_->scene.photos.size()));
         if (n > 0 && full) break;

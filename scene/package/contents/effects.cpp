@@ -47,7 +47,7 @@ constexpr std::array table{
     EffectRow{Effect::transparency, "transparency", "transparency",
               "share of the triangles that are not opaque", "", 0, Basis::scene, "resolve", "TRANSPARENCY"},
     EffectRow{Effect::compact, "compact", "compact",
-              "raw tiles, masks and depth, relative to the photos' files", "", 1, Basis::scene, "", ""},
+              "raw tiles, weight maps and depth, relative to the photos' files", "", 1, Basis::scene, "", ""},
 };
 static_assert(table.size() == std::size_t(Effect::count));
 static_assert(std::ranges::is_sorted(table, {}, &EffectRow::effect), "rows are in the order of Effect");

@@ -35,7 +35,7 @@ struct Exhibit {
 struct Measurement {
     std::string sweep;    ///< "border"
     std::string scene;    ///< "sceaux"
-    std::string curve;    ///< the fixed settings along a line: "masks at 1/2"
+    std::string curve;    ///< the fixed settings along a line: "weight maps at 1/2"
     std::string setting;  ///< of the knob at this point: "jfa^2"
     bool exact = false;   ///< the exact end of the knob
     bool chosen = false;  ///< the default of the program

@@ -28,7 +28,7 @@ struct Comparison {
 };
 Comparison compare(std::span<const Measurement> now, std::span<const Measurement> before);
 
-/// The full name of a row: "border, hall, masks at 1/2, jfa".
+/// The full name of a row: "border, hall, weight maps at 1/2, jfa".
 std::string full_name(const Measurement& m);
 
 }  // namespace vantage::bench

@@ -63,7 +63,7 @@ class ValidPackage {
         package::PhotoRecord p{};
         std::strcpy(p.name, "a.jpg");
         p.width = 40, p.height = 30, p.levels = 1, p.thumbnail_width = 4, p.thumbnail_height = 3;
-        p.mask_width = 20, p.mask_height = 15;
+        p.weight_map_width = 20, p.weight_map_height = 15;
         p.fx = p.fy = 40, p.cx = 20, p.cy = 15, p.t[2] = 3, p.corrected_direction[2] = 1, p.hull_area = 0.5;
         p.R[0] = p.R[4] = p.R[8] = 1, p.seen_distance = 3, p.z_min = 2, p.z_max = 4;
         for (double& g : p.gain) g = 1;
@@ -98,7 +98,7 @@ class ValidPackage {
         add(Type::point_nodes, package::scene_wide, 0, bytes_of(nodes));
         add_points();
         add_tile(Type::tiles, 0);
-        add_tile(Type::masks, 1);
+        add_tile(Type::weight_maps, 1);
         add_tile(Type::depth, 1);
         package::ImageSetRecord image_sets[2]{{"visible", s.effects}, {"infrared", 0}};
         add(Type::image_sets, package::scene_wide, 0, std::as_bytes(std::span(image_sets)));

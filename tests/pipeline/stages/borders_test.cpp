@@ -19,11 +19,11 @@ TEST(Borders, SlantedPlaneHasNoneAndStepHasOne) {
     EXPECT_FALSE(found[15 * 40 + 17] || found[15 * 40 + 22]);
 }
 
-TEST(Borders, MaskIsZeroOnABorderAndBesideIt) {
+TEST(Borders, WeightIsZeroOnABorderAndBesideIt) {
     std::vector<std::uint8_t> borders(64 * 64, 0);
     for (std::size_t y = 0; y < 64; ++y) borders[y * 64 + 20] = 1;
-    const auto mask = border_mask(exact_distance(borders, 64, 64), 64, 64, 8);
-    const auto at = [&](std::size_t x) { return int(mask[32 * 64 + x]); };
+    const auto weights = border_weights(exact_distance(borders, 64, 64), 64, 64, 8);
+    const auto at = [&](std::size_t x) { return int(weights[32 * 64 + x]); };
     EXPECT_EQ(at(20), 0);
     EXPECT_EQ(at(21), 0);
     EXPECT_EQ(at(22), 32);

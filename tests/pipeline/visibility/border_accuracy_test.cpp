@@ -24,7 +24,7 @@ namespace {
 
 struct Borders {
     int width, height;
-    float full_width;  ///< width of the border mask's ramp, in map pixels
+    float full_width;  ///< width of the border weight's ramp, in map pixels
     std::vector<std::uint8_t> pixels;
 };
 
@@ -52,7 +52,7 @@ std::vector<Borders> borders_of(const std::filesystem::path& input) {
 struct Accuracy {
     std::size_t wrong = 0, pixels = 0;
     double worst = 0, seconds = 0;
-    int worst_in_mask = 0;
+    int worst_weight = 0;
 };
 
 Accuracy measure(const std::vector<Borders>& all) {
@@ -63,13 +63,13 @@ Accuracy measure(const std::vector<Borders>& all) {
         const auto start = std::chrono::steady_clock::now();
         const auto found = flood_distance(jump_flood, b.pixels, b.width, b.height);
         a.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        const auto mask_truth = border_mask(truth, b.width, b.height, b.full_width),
-                   mask = border_mask(found, b.width, b.height, b.full_width);
+        const auto weight_truth = border_weights(truth, b.width, b.height, b.full_width),
+                   weights = border_weights(found, b.width, b.height, b.full_width);
         for (std::size_t i = 0; i < truth.size(); ++i) {
             const double error = std::abs(double(found[i]) - double(truth[i]));
             a.wrong += error > 1e-3;
             a.worst = std::max(a.worst, error);
-            a.worst_in_mask = std::max(a.worst_in_mask, std::abs(int(mask[i]) - int(mask_truth[i])));
+            a.worst_weight = std::max(a.worst_weight, std::abs(int(weights[i]) - int(weight_truth[i])));
         }
         a.pixels += truth.size();
     }
@@ -81,11 +81,11 @@ void compare_on(const char* set) {
     const gl::HeadlessContext context(gl::Debug::on);
     const std::vector<Borders> all = borders_of(input);
     const Accuracy a = measure(all);
-    std::printf("%-12s wrong %.5f %%, worst %.3f px, worst in the border mask %d/255, %.0f ms per photo\n",
-                set, 100 * double(a.wrong) / double(a.pixels), a.worst, a.worst_in_mask,
+    std::printf("%-12s wrong %.5f %%, worst %.3f px, worst in the border weight %d/255, %.0f ms per photo\n",
+                set, 100 * double(a.wrong) / double(a.pixels), a.worst, a.worst_weight,
                 1000 * a.seconds / double(all.size()));
     EXPECT_LT(double(a.wrong), 0.01 * double(a.pixels));
-    EXPECT_LE(a.worst_in_mask, 2);
+    EXPECT_LE(a.worst_weight, 2);
 }
 
 }  // namespace

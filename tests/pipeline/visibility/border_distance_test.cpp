@@ -82,7 +82,7 @@ TEST(BorderDistance, NoBorderAndOnlyBorderAreDefined) {
     for (const float d : flood_distance(jump_flood, none, 8, 8)) EXPECT_TRUE(std::isinf(d));
     for (const float d : exact_distance(all, 8, 8)) EXPECT_EQ(d, 0);
     for (const float d : flood_distance(jump_flood, all, 8, 8)) EXPECT_EQ(d, 0);
-    const auto mask = border_mask(exact_distance(none, 8, 8), 8, 8, 2);
-    EXPECT_EQ(mask[0], std::lround(255 * 0.25));  // half a pixel from the outline
-    EXPECT_EQ(mask[3 * 8 + 3], 255);
+    const auto weights = border_weights(exact_distance(none, 8, 8), 8, 8, 2);
+    EXPECT_EQ(weights[0], std::lround(255 * 0.25));  // half a pixel from the outline
+    EXPECT_EQ(weights[3 * 8 + 3], 255);
 }

@@ -48,7 +48,7 @@ TEST(ShaderContract, PhotosHaveTheSameLayoutInCppAndGlsl) {
                             Member{"photos[0].gain", offsetof(PhotoBlock, gain)},
                             Member{"photos[0].vignetting", offsetof(PhotoBlock, vignetting)},
                             Member{"photos[0].color_base[0]", offsetof(PhotoBlock, color_base)},
-                            Member{"photos[0].mask_base[0]", offsetof(PhotoBlock, mask_base)}}) {
+                            Member{"photos[0].weight_base[0]", offsetof(PhotoBlock, weight_base)}}) {
         EXPECT_EQ(property_of(program, m.name, GL_OFFSET), GLint(m.offset)) << m.name;
         EXPECT_EQ(property_of(program, m.name, GL_TOP_LEVEL_ARRAY_STRIDE), GLint(sizeof(PhotoBlock)));
     }

@@ -83,8 +83,8 @@ TEST_F(CompactPackages, ShowThePhotosOwnPixelsAndTheSameMasks) {
         EXPECT_EQ(level(raw, Type::tiles, i, 0), level(compact, Type::tiles, i, 0)) << i;
         for (int l = 1; l < levels; ++l)
             EXPECT_GT(psnr(level(raw, Type::tiles, i, l), level(compact, Type::tiles, i, l)), 42) << i;
-        for (int l = mask_level; l < mask_levels_end(levels); ++l) {
-            EXPECT_EQ(level(raw, Type::masks, i, l), level(compact, Type::masks, i, l)) << i;
+        for (int l = weight_map_level; l < weight_map_levels_end(levels); ++l) {
+            EXPECT_EQ(level(raw, Type::weight_maps, i, l), level(compact, Type::weight_maps, i, l)) << i;
             const auto x = level(raw, Type::depth, i, l), y = level(compact, Type::depth, i, l);
             for (std::size_t at = 0; at < x.size(); at += 4) {
                 float exact, kept;
@@ -163,8 +163,8 @@ TEST_F(CompactPackages, AreRepackedFromRawAndBack) {
     for (std::uint32_t i = 0; i < raw.photos().size(); ++i) {
         EXPECT_EQ(level(raw, Type::tiles, i, 0), level(compact, Type::tiles, i, 0));
         EXPECT_GT(psnr(level(raw, Type::tiles, i, 0), level(again, Type::tiles, i, 0)), 40);
-        for (const Type type : {Type::masks, Type::depth})
-            EXPECT_EQ(level(again, type, i, mask_level), level(compact, type, i, mask_level));
+        for (const Type type : {Type::weight_maps, Type::depth})
+            EXPECT_EQ(level(again, type, i, weight_map_level), level(compact, type, i, weight_map_level));
     }
 }
 

@@ -78,5 +78,5 @@ TEST_F(Diff, PageShowsPhotosThatDiffer) {
     EXPECT_EQ(diff("b"), int(Exit::different));
     EXPECT_TRUE(says("<td>0003.jpg<td>tiles<td>"));
     EXPECT_FALSE(says("<td>0002.jpg<td>tiles<td>"));
-    EXPECT_EQ(pictures(), 1u) << "of the photo; its masks are the same";
+    EXPECT_EQ(pictures(), 1u) << "of the photo; its weight maps are the same";
 }

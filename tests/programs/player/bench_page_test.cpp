@@ -23,7 +23,7 @@ namespace {
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 Measurement row(std::string setting, std::map<std::string, double> values) {
-    return {"border", "hall", "masks at 1/2", std::move(setting), false, false, std::move(values), {}};
+    return {"border", "hall", "weight maps at 1/2", std::move(setting), false, false, std::move(values), {}};
 }
 
 /// Coarse values, so that many are equal; some are missing or not finite.
@@ -144,8 +144,8 @@ TEST_F(BenchTables, CsvHasOneLinePerValue) {
     write_csv(dir / "run.csv", std::vector{row("a, \"b\"", {{"psnr", 34.5}, {"photo_ms", nan_value}})});
     EXPECT_EQ(slurp(dir / "run.csv"),
               "sweep,scene,curve,setting,exact,chosen,metric,unit,value\r\n"
-              "border,hall,masks at 1/2,\"a, \"\"b\"\"\",0,0,photo_ms,ms,\r\n"
-              "border,hall,masks at 1/2,\"a, \"\"b\"\"\",0,0,psnr,dB,34.5\r\n");
+              "border,hall,weight maps at 1/2,\"a, \"\"b\"\"\",0,0,photo_ms,ms,\r\n"
+              "border,hall,weight maps at 1/2,\"a, \"\"b\"\"\",0,0,psnr,dB,34.5\r\n");
 }
 
 TEST(Quantity, IsPrintedWithASuitableUnit) {
@@ -170,7 +170,7 @@ PlotSpec plot_of(std::vector<PlotPoint> points) {
     return {"a plot",
             {"preparing", "ms", true, true},
             {"error", "of 255", true, true},
-            {PlotCurve{"masks", std::move(points)}}};
+            {PlotCurve{"weight maps", std::move(points)}}};
 }
 
 /// A complete SVG without anything that SVG does not allow.
@@ -348,7 +348,7 @@ TEST_F(BenchPage, ListsOnlyWhatMoved) {
         html.substr(html.find("<section id=moved>"),
                     html.find("<section id=defaults>") - html.find("<section id=moved>"));
     EXPECT_EQ(section.find("Nothing moved"), std::string::npos);
-    EXPECT_NE(section.find("<tr class=\"worse\"><td>border<td>hall<td>masks at 1/2<td>setting "
+    EXPECT_NE(section.find("<tr class=\"worse\"><td>border<td>hall<td>weight maps at 1/2<td>setting "
                            "3<td>PSNR<td>35.00 dB<td>33.00 dB"),
               std::string::npos)
         << section;
@@ -362,8 +362,10 @@ TEST_F(BenchPage, NonFiniteValuesAreDashes) {
     for (const char* odd : {">nan", ">inf", "NaN", "-nan"})
         EXPECT_EQ(html.find(odd), std::string::npos) << odd;
     EXPECT_NE(html.find("<td>–"), std::string::npos);
-    EXPECT_NE(html.find("Not drawn (no finite value): masks at 1/2, setting 2; masks at 1/2, setting 3"),
-              std::string::npos);
+    EXPECT_NE(
+        html.find(
+            "Not drawn (no finite value): weight maps at 1/2, setting 2; weight maps at 1/2, setting 3"),
+        std::string::npos);
 }
 
 TEST_F(BenchPage, ReportsHowFarPresetsAreFromTheFront) {

@@ -25,7 +25,7 @@ struct Bound {
 };
 // As described by Sweep::precision.
 constexpr Bound precisions[] = {
-    {"border", "mask_worst", 0, 0},        {"border", "distance_worst", 0, 0},
+    {"border", "weight_worst", 0, 0},      {"border", "distance_worst", 0, 0},
     {"depth", "false_hidden", 0, 0.05},    {"depth", "false_visible", 0, 0.05},
     {"coordinates", "px_worst", 0, 0.001}, {"tile-format", "psnr", 100, 100},
     {"tile-border", "psnr", 100, 100},     {"blending", "uncoloured", 0, 0.2},
@@ -83,8 +83,8 @@ TEST_F(VantageBench, ExactSettingsReproduceTheReference) {
     const auto value = [&](const char* sweep, const char* curve, const char* setting, const char* metric) {
         return row(all, sweep, curve, setting).values.at(metric);
     };
-    EXPECT_GT(value("border", "masks at 1/8", "exact", "mask_mean"),
-              value("border", "masks at 1/2", "exact", "mask_mean"));
+    EXPECT_GT(value("border", "weight maps at 1/8", "exact", "weight_mean"),
+              value("border", "weight maps at 1/2", "exact", "weight_mean"));
     EXPECT_LT(value("filtering", "samples", "1x1", "psnr_exact"),
               value("filtering", "samples", "2x2", "psnr_exact"));
     EXPECT_LT(value("loading", "tiles", "3 levels coarser", "psnr"),
@@ -119,8 +119,8 @@ TEST_F(VantageBench, ReportsUsageErrors) {
 }
 
 TEST_F(VantageBench, LogOfAnotherRunIsDiscarded) {
-    Measurement m{"border", "tiny", "masks at 1/2",        "jfa",
-                  true,     false,  {{"mask_mean", 0.25}}, {{"a", "b.jpg"}}};
+    Measurement m{"border", "tiny", "weight maps at 1/2",    "jfa",
+                  true,     false,  {{"weight_mean", 0.25}}, {{"a", "b.jpg"}}};
     {
         Log log(dir / "log", "one");
         log.add("job", 1.5, {m, m});

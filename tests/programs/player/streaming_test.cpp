@@ -65,7 +65,7 @@ TEST_F(Streaming, FetchedBytesMatchThePackage) {
         TileStream stream(package, ring, 3);
         std::vector<StreamRequest> wanted;
         for (std::uint32_t t = 0; t < 20; ++t) wanted.push_back(color_request(package, pages, 1, 0, t));
-        for (std::uint32_t t = 0; t < 6; ++t) wanted.push_back(mask_request(package, pages, 2, 1, t));
+        for (std::uint32_t t = 0; t < 6; ++t) wanted.push_back(weight_map_request(package, pages, 2, 1, t));
         wanted.push_back(thumbnail_request(package, 3));
         stream.want(wanted);
         std::set<std::uint64_t> arrived;

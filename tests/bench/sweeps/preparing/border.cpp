@@ -1,4 +1,4 @@
-// The border mask's distances: how they are computed, and at which size.
+// The border weight's distances: how they are computed, and at which size.
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -36,7 +36,9 @@ struct Map {
 Map depth_map(const BenchModel& model, const Camera& camera, double scale) {
     // Maps are rendered at half the size in the intrinsics.
     const Intrinsics& k = camera.intrinsics;
-    const auto times = [&](int n) { return std::max(2, int(std::lround(n * scale * (1 << mask_level)))); };
+    const auto times = [&](int n) {
+        return std::max(2, int(std::lround(n * scale * (1 << weight_map_level))));
+    };
     PhotoGeometry g = model.geometry(k.scaled(times(k.width), times(k.height)), camera.cam_from_world);
     return {{g.width, g.height, std::move(g.z), {}},
             float(PrepareSettings{}.border_width * k.width / 3072 * scale)};
@@ -57,11 +59,11 @@ std::vector<float> distances(const std::string& method, const std::vector<std::u
     return flood_distance(jump_flood, borders, w, h);
 }
 
-/// The mask as the player samples it, bilinearly.
-float bilinear(const std::vector<std::uint8_t>& mask, int w, int h, double x, double y) {
+/// The weight map as the player samples it, bilinearly.
+float bilinear(const std::vector<std::uint8_t>& weights, int w, int h, double x, double y) {
     const double u = std::clamp(x - 0.5, 0.0, w - 1.0), v = std::clamp(y - 0.5, 0.0, h - 1.0);
     const int i = std::min(int(u), std::max(0, w - 2)), j = std::min(int(v), std::max(0, h - 2));
-    const Grid<const std::uint8_t> texels{mask.data(), w, h};
+    const Grid<const std::uint8_t> texels{weights.data(), w, h};
     const auto at = [&](int a, int b) { return double(texels(std::min(a, w - 1), std::min(b, h - 1))); };
     const double s = u - i, t = v - j;
     return float((1 - t) * ((1 - s) * at(i, j) + s * at(i + 1, j)) +
@@ -69,20 +71,20 @@ float bilinear(const std::vector<std::uint8_t>& mask, int w, int h, double x, do
 }
 
 struct Errors {
-    std::vector<float> mask;  ///< absolute, per pixel of the full photo
-    double distance = 0;      ///< largest, pixels of the full photo
+    std::vector<float> weights;  ///< absolute, per pixel of the full photo
+    double distance = 0;         ///< largest, pixels of the full photo
     double bytes = 0;
 };
 
-void add_errors(const std::vector<std::uint8_t>& mask, const Map& map, const std::vector<std::uint8_t>& truth,
-                const Map& full, Errors& e) {
+void add_errors(const std::vector<std::uint8_t>& weights, const Map& map,
+                const std::vector<std::uint8_t>& truth, const Map& full, Errors& e) {
     const int w = map.depth.width, h = map.depth.height;
     const double sx = double(w) / full.depth.width, sy = double(h) / full.depth.height;
     const Grid<const std::uint8_t> expected{truth.data(), full.depth.width, full.depth.height};
     for (int y = 0; y < expected.height; ++y)
         for (int x = 0; x < expected.width; ++x)
-            e.mask.push_back(
-                std::abs(bilinear(mask, w, h, (x + 0.5) * sx, (y + 0.5) * sy) - float(expected(x, y))));
+            e.weights.push_back(
+                std::abs(bilinear(weights, w, h, (x + 0.5) * sx, (y + 0.5) * sy) - float(expected(x, y))));
 }
 
 /// All methods at one scale, on the same photos.
@@ -99,21 +101,21 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, 
     for (const Camera& camera : model.some_cameras(effort.photos)) {
         const Map full = depth_map(model, camera, 1), map = level ? depth_map(model, camera, scale) : full;
         const int fw = full.depth.width, fh = full.depth.height, w = map.depth.width, h = map.depth.height;
-        const auto truth =
-            border_mask(exact_distance(find_borders(full.depth, threshold), fw, fh), fw, fh, full.full_width);
+        const auto truth = border_weights(exact_distance(find_borders(full.depth, threshold), fw, fh), fw, fh,
+                                          full.full_width);
         const auto exact = exact_distance(find_borders(map.depth, threshold), w, h);
-        std::vector<std::vector<std::uint8_t>> masks(std::size(methods));
+        std::vector<std::vector<std::uint8_t>> weight_maps(std::size(methods));
         std::vector<std::vector<float>> found(std::size(methods));
         const auto time = [&](std::size_t m) {
             return milliseconds([&] {
                 found[m] = distances(methods[m], find_borders(map.depth, threshold), map, jump_flood);
-                masks[m] = border_mask(found[m], w, h, map.full_width);
+                weight_maps[m] = border_weights(found[m], w, h, map.full_width);
             });
         };
         const std::vector<double> medians =
             medians_in_turn(std::size(methods), level > 1 ? effort.repeats : 1, time);
         for (std::size_t m = 0; m < std::size(methods); ++m) {
-            add_errors(masks[m], map, truth, full, errors[m]);
+            add_errors(weight_maps[m], map, truth, full, errors[m]);
             for (std::size_t i = 0; i < exact.size(); ++i)
                 if (std::isfinite(exact[i]))
                     errors[m].distance =
@@ -121,21 +123,21 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, 
             errors[m].bytes = 4.0 * w * h;
             ms[m].push_back(medians[m]);
             if (!out[m].exhibits.empty()) continue;
-            const Picture right = gray_picture(truth, fw, fh), wrong = gray_picture(masks[m], w, h);
+            const Picture right = gray_picture(truth, fw, fh), wrong = gray_picture(weight_maps[m], w, h);
             const Picture scaled = enlarged(wrong, fw, fh);
             out[m].exhibits.push_back(keep_exhibit(
                 folder, scene.name + "-border-" + std::to_string(level) + "-" + std::to_string(m),
-                std::string(methods[m]) + ", masks at 1/" + std::to_string(1 << level), scaled,
+                std::string(methods[m]) + ", weight maps at 1/" + std::to_string(1 << level), scaled,
                 worst_window(right, scaled)));
         }
     }
     for (std::size_t m = 0; m < std::size(methods); ++m) {
-        out[m].curve = "masks at 1/" + std::to_string(1 << level);
+        out[m].curve = "weight maps at 1/" + std::to_string(1 << level);
         out[m].setting = methods[m];
         out[m].exact = level == 0 && m == 0;
-        out[m].chosen = level == mask_level && m == 0;
-        out[m].values = {{"mask_mean", mean(errors[m].mask)},
-                         {"mask_worst", quantile(errors[m].mask, 0.999)},
+        out[m].chosen = level == weight_map_level && m == 0;
+        out[m].values = {{"weight_mean", mean(errors[m].weights)},
+                         {"weight_worst", quantile(errors[m].weights, 0.999)},
                          {"distance_worst", errors[m].distance},
                          {"photo_ms", mean(ms[m])},
                          {"photo_bytes", errors[m].bytes}};
@@ -154,13 +156,14 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::
 }  // namespace
 
 extern const Sweep border_sweep;
-const Sweep border_sweep{"border",
-                         "Distance to the nearest border",
-                         "Jump flooding is fast on a graphics card but slightly inexact, and masks at half "
-                         "the size cost a quarter. How large are the errors in the border mask?",
-                         "the exact distance transform at full size",
-                         "0 of 255",
-                         {{"photo_ms", "mask_mean"}, {"photo_bytes", "mask_worst"}},
-                         jobs};
+const Sweep border_sweep{
+    "border",
+    "Distance to the nearest border",
+    "Jump flooding is fast on a graphics card but slightly inexact, and weight maps at half "
+    "the size cost a quarter. How large are the errors in the border weight?",
+    "the exact distance transform at full size",
+    "0 of 255",
+    {{"photo_ms", "weight_mean"}, {"photo_bytes", "weight_worst"}},
+    jobs};
 
 }  // namespace vantage::bench

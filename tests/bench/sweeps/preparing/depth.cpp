@@ -73,9 +73,10 @@ struct Map {
 Map render_map(const BenchModel& model, const Camera& camera, int level) {
     // Maps are rendered at half the size in the intrinsics, with angles and texture coordinates.
     const Level size = level_size(camera.intrinsics.width, camera.intrinsics.height, level);
-    const Intrinsics k = camera.intrinsics.scaled(size.width << mask_level, size.height << mask_level);
+    const Intrinsics k =
+        camera.intrinsics.scaled(size.width << weight_map_level, size.height << weight_map_level);
     PhotoGeometry g = model.geometry(k, camera.cam_from_world);
-    const double s = 1.0 / (1 << mask_level);
+    const double s = 1.0 / (1 << weight_map_level);
     return {g.width,
             g.height,
             std::move(g.z),

@@ -43,12 +43,12 @@ TEST(ShownTiles, ContainTilesWithEnoughVisiblePixels) {
     n = needs(plane_samples(own, 4, 0, 280), 16);
     EXPECT_EQ(n.color[0].size(), 11u)
         << "32 of 248 columns are more than a tenth, except in the partial last row";
-    // At four times the distance, colors and masks are two levels coarser.
+    // At four times the distance, colors and weight maps are two levels coarser.
     const View far = view_of_photo(photo_at({0, 0, -40}, Eigen::Matrix3d::Identity()), 1);
     n = needs(plane_samples(far, 4, 0, 1700), 16);
-    EXPECT_TRUE(n.color[0].empty() && n.color[1].empty() && n.masks[1].empty());
+    EXPECT_TRUE(n.color[0].empty() && n.color[1].empty() && n.weight_maps[1].empty());
     EXPECT_EQ(n.color[2].size(), 4u) << "425 x 325 texels";
-    EXPECT_EQ(n.masks[2].size(), 4u);
+    EXPECT_EQ(n.weight_maps[2].size(), 4u);
     EXPECT_EQ(needs({}, 16).tiles(), 0u);
 }
 
@@ -77,7 +77,7 @@ TEST(ShownTiles, EverySampleHasItsLevelOrACoarserOne) {
                 }
                 return false;
             };
-            EXPECT_TRUE(finds(n.color) && finds(n.masks));
+            EXPECT_TRUE(finds(n.color) && finds(n.weight_maps));
         }
     }
 }

@@ -25,8 +25,8 @@ TEST(TileNeeds, CoverTheRecordedExtent) {
     };
     TileNeeds needs = needed(same);
     EXPECT_EQ(needs.color[0], (std::vector<std::uint32_t>{1, 2})) << "columns of 248 px";
-    EXPECT_EQ(needs.masks[1], (std::vector<std::uint32_t>{0, 1}));
-    EXPECT_TRUE(needs.masks[0].empty());
+    EXPECT_EQ(needs.weight_maps[1], (std::vector<std::uint32_t>{0, 1}));
+    EXPECT_TRUE(needs.weight_maps[0].empty());
     const View far = view_towards({0, 0, -160}, {0, 0, 0}, {0, -1, 0}, 45, 640, 480);
     needs = needed(far);
     EXPECT_TRUE(needs.color[0].empty());

@@ -58,9 +58,9 @@ void vantage::Contracts::expect_damage_found(std::initializer_list<package::Type
     const fs::path valid = dir / "valid.vantage", files = dir / "files";
     fs::copy_file(file, valid);
     for (const package::Type type : types) {
-        const bool whole = type == package::Type::positions, mask = type == package::Type::masks;
-        const bool extracted = whole || mask || type == package::Type::tiles;
-        if (mask) {
+        const bool whole = type == package::Type::positions, weights = type == package::Type::weight_maps;
+        const bool extracted = whole || weights || type == package::Type::tiles;
+        if (weights) {
             std::uint64_t at;
             {
                 const PackageReader reader(file);
@@ -98,11 +98,11 @@ void vantage::Contracts::expect_damage_found(std::initializer_list<package::Type
 }
 
 TEST_F(Contracts, DamagedPackagesAreFoundByAllThatReadThem) {
-    expect_damage_found({package::Type::tiles, package::Type::masks});
+    expect_damage_found({package::Type::tiles, package::Type::weight_maps});
 }
 
 TEST_F(ContractsAtLength, DamagedPackagesAreFoundByAllThatReadThem) {
-    expect_damage_found({package::Type::tiles, package::Type::masks, package::Type::thumbnail,
+    expect_damage_found({package::Type::tiles, package::Type::weight_maps, package::Type::thumbnail,
                          package::Type::coordinates, package::Type::positions});
 }
 

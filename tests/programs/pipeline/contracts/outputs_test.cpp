@@ -23,10 +23,9 @@ TEST_F(Contracts, PhotosOfEqualStemKeepTheirOwnFiles) {
                                      " --photo 0000.jpg,0000.png");
     ASSERT_EQ(evaluated.code, 0) << evaluated.err;
     for (const std::string photo : {"0000.jpg", "0000.png"})
-        for (const fs::path& made :
-             {files / "photos" / (photo + photo.substr(4)), files / "masks" / (photo + ".weights.png"),
-              files / "depth" / (photo + ".exr"), pictures / (photo + ".png"),
-              evaluation / (photo + "-photo.png")})
+        for (const fs::path& made : {files / "photos" / (photo + photo.substr(4)),
+                                     files / "weights" / (photo + ".png"), files / "depth" / (photo + ".exr"),
+                                     pictures / (photo + ".png"), evaluation / (photo + "-photo.png")})
             EXPECT_TRUE(fs::exists(made)) << made;
     EXPECT_NE(slurp(files / "photos" / "0000.jpg.jpg"), slurp(files / "photos" / "0000.png.png"));
     EXPECT_TRUE(fs::exists(files / "photos" / "0002.jpg")) << "unique names stay short";
@@ -131,7 +130,7 @@ TEST_F(Contracts, OtherCommandsReplaceOnlyTheirOwnFiles) {
     }
     write(files / "sparse" / "images.txt", "mine");
     expect_refused("extract " + package() + " -o " + files.string(), files / "sparse" / "images.txt");
-    // The input mesh and a stencil, by content; --force does not help.
+    // The input mesh and a mask, by content; --force does not help.
     for (const std::string force : {"", " --force"})
         expect_refused("extract " + package() + " -o " + scene.string() + force, mesh);
     fs::remove_all(scene / "truth");

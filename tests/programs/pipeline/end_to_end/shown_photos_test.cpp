@@ -1,4 +1,4 @@
-// What becomes of photos in pictures: exposures, sizes, lenses, stencils, passers-by and the background.
+// What becomes of photos in pictures: exposures, sizes, lenses, masks, passers-by and the background.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -101,16 +101,16 @@ TEST_F(EndToEnd, PhotosCoarserThanThePictureCountLess) {
     Prepared p(std::move(input), dir / "scene.vantage");
     const auto photo = read_photo(p.scene.photos[2].file, {662, 500}).rgba;
     std::erase(p.photos, 2u);
-    const auto gain_of_mask = [&](double scale, const std::vector<std::uint8_t>& truth) {
+    const auto gain_of_weights = [&](double scale, const std::vector<std::uint8_t>& truth) {
         RenderSettings settings;
         const View view = view_of_photo(p.package->photos()[2], scale);
         const double with = psnr(p.picture(view, settings), truth);
-        settings.weights.depth_mask = false;
+        settings.weights.depth_weight = false;
         return with - psnr(p.picture(view, settings), truth);
     };
-    EXPECT_GT(gain_of_mask(1, photo), 0.05);
+    EXPECT_GT(gain_of_weights(1, photo), 0.05);
     const RgbaImage whole{662, 500, photo}, small = reduced(whole, {82, 62});
-    EXPECT_NEAR(gain_of_mask(0.124, small.rgba), 0, 0.02) << "where every photo shows enough";
+    EXPECT_NEAR(gain_of_weights(0.124, small.rgba), 0, 0.02) << "where every photo shows enough";
 }
 
 TEST_F(EndToEnd, PhotosAreReducedToTheRequestedSize) {
@@ -173,8 +173,8 @@ TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
         Prepared clean(folder, dir / "clean.vantage"), off(folder, dir / "off.vantage", never);
         EXPECT_FALSE(effect_on(clean.package->scene(), Effect::transients));
         for (std::uint32_t i = 0; i < clean.photos.size(); ++i)
-            EXPECT_EQ(clean.package->find(package::Type::masks, i, mask_level)->checksum,
-                      off.package->find(package::Type::masks, i, mask_level)->checksum)
+            EXPECT_EQ(clean.package->find(package::Type::weight_maps, i, weight_map_level)->checksum,
+                      off.package->find(package::Type::weight_maps, i, weight_map_level)->checksum)
                 << "a consistent scene is not changed";
     }
     // A person in front of the wall, and the reflection of a flash.
@@ -208,17 +208,17 @@ TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
     EXPECT_LT(int(own.rgba[middle]) - int(own.rgba[middle + 1]), 100);
 }
 
-TEST_F(EndToEnd, StencilExcludesCoveredPixels) {
+TEST_F(EndToEnd, MaskExcludesCoveredPixels) {
     SynthSpec spec = tiny();
     const fs::path folder = make(spec);
     const PhotoInput photo = read_scene(discover(folder)).photos[2];
-    std::vector<std::uint8_t> stencil(331 * 250, 255);
+    std::vector<std::uint8_t> mask(331 * 250, 255);
     for (std::size_t y = 100; y < 150; ++y)
-        for (std::size_t x = 120; x < 200; ++x) stencil[y * 331 + x] = 0;
+        for (std::size_t x = 120; x < 200; ++x) mask[y * 331 + x] = 0;
     const fs::path file = folder / "images" / "0002.mask.png";
-    image_files().write(file, 331, 250, 1, Sample::u8, std::as_bytes(std::span(stencil)));
+    image_files().write(file, 331, 250, 1, Sample::u8, std::as_bytes(std::span(mask)));
     Prepared p = prepared(folder);
-    EXPECT_EQ(p.photos.size(), 5u) << "the stencil is not listed as a photo";
+    EXPECT_EQ(p.photos.size(), 5u) << "the mask is not listed as a photo";
     EXPECT_TRUE(p.package->photos()[2].flags & package::photo_has_alpha);
     const View view = view_of_photo(p.package->photos()[2], 1);
     const Picture alone = take_picture(*p.renderer, view, {}, std::array{2u}, 1);
@@ -227,19 +227,19 @@ TEST_F(EndToEnd, StencilExcludesCoveredPixels) {
     };
     EXPECT_FALSE(colored(160, 125));
     EXPECT_TRUE(colored(160, 90));
-    // A changed stencil is a changed input; a stencil of the wrong size is rejected.
-    stencil.assign(stencil.size(), 255);
-    image_files().write(file, 331, 250, 1, Sample::u8, std::as_bytes(std::span(stencil)));
+    // A changed mask is a changed input; a mask of the wrong size is rejected.
+    mask.assign(mask.size(), 255);
+    image_files().write(file, 331, 250, 1, Sample::u8, std::as_bytes(std::span(mask)));
     PrepareSettings settings;
     settings.vertex_coordinates = true;
     const PrepareResult again =
         prepare(read_scene(discover(folder)), settings, p.file, [](const Progress&) {});
     EXPECT_EQ(again.stages[std::size_t(package::Stage::tiles)].made, 1u);
-    image_files().write(file, 33, 25, 1, Sample::u8, std::as_bytes(std::span(stencil).first(33 * 25)));
+    image_files().write(file, 33, 25, 1, Sample::u8, std::as_bytes(std::span(mask).first(33 * 25)));
     const PrepareResult small =
         prepare(read_scene(discover(folder)), settings, p.file, [](const Progress&) {});
     ASSERT_EQ(small.left_out.size(), 1u);
-    EXPECT_NE(small.left_out[0].why.find("its stencil 0002.mask.png"), std::string::npos)
+    EXPECT_NE(small.left_out[0].why.find("its mask 0002.mask.png"), std::string::npos)
         << small.left_out[0].why;
 }
 

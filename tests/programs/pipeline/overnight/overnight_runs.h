@@ -16,7 +16,7 @@ namespace vantage {
 inline std::size_t made(const PrepareResult& p, package::Stage s) { return p.stages[std::size_t(s)].made; }
 inline std::size_t kept(const PrepareResult& p, package::Stage s) { return p.stages[std::size_t(s)].kept; }
 inline constexpr package::Stage every_stage[] = {package::Stage::thumbnail, package::Stage::tiles,
-                                                 package::Stage::masks, package::Stage::coordinates,
+                                                 package::Stage::weight_maps, package::Stage::coordinates,
                                                  package::Stage::coverage};
 
 class OvernightRuns : public Overnight {

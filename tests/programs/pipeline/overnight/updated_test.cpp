@@ -94,7 +94,7 @@ TEST_F(Overnight, ChangedPhotoIsRedoneAlone) {
     copy_package(scene, {}, file);
     fs::copy_file(photos()[1], photos()[4], fs::copy_options::overwrite_existing);
     const PrepareResult next = prepare_here();
-    for (const Stage s : {Stage::thumbnail, Stage::tiles, Stage::masks}) {
+    for (const Stage s : {Stage::thumbnail, Stage::tiles, Stage::weight_maps}) {
         EXPECT_EQ(made(next, s), 1u) << int(s);
         EXPECT_EQ(kept(next, s), 5u) << int(s);
     }
@@ -125,17 +125,17 @@ TEST_F(Overnight, ChangedSettingRerunsOnlyItsStages) {
     copy_package(scene, {}, file);
     PrepareSettings settings;
     settings.border_threshold = 0.02;
-    const PrepareResult masks = prepare_here(settings);
-    EXPECT_EQ(made(masks, Stage::masks), 6u);
+    const PrepareResult weight_maps = prepare_here(settings);
+    EXPECT_EQ(made(weight_maps, Stage::weight_maps), 6u);
     for (const Stage s : {Stage::thumbnail, Stage::tiles, Stage::coordinates, Stage::coverage})
-        EXPECT_EQ(made(masks, s), 0u) << int(s);
-    EXPECT_EQ(masks.stages[std::size_t(Stage::masks)].why.begin()->first,
+        EXPECT_EQ(made(weight_maps, s), 0u) << int(s);
+    EXPECT_EQ(weight_maps.stages[std::size_t(Stage::weight_maps)].why.begin()->first,
               "the setting border_threshold has changed");
     expect_whole(undisturbed(settings), "another border");
     settings.thumbnail = 128;
     const PrepareResult small = prepare_here(settings);
     EXPECT_EQ(made(small, Stage::thumbnail), 6u);
-    for (const Stage s : {Stage::tiles, Stage::masks, Stage::coordinates, Stage::coverage})
+    for (const Stage s : {Stage::tiles, Stage::weight_maps, Stage::coordinates, Stage::coverage})
         EXPECT_EQ(made(small, s), 0u) << int(s);
     expect_whole(undisturbed(settings), "smaller thumbnails");
 }

@@ -209,7 +209,7 @@ TEST_F(Evaluate, PictureIsThatOfAPackagePreparedWithoutThePhoto) {
     const Picture evaluated = read_png(options.folder / "0002-rendered.png");
     EXPECT_EQ(evaluated.rgba, picture(without, true).rgba);
     EXPECT_NE(evaluated.rgba, picture(without, false).rgba) << "the passer-by is masked";
-    EXPECT_NE(evaluated.rgba, picture(file, true).rgba) << "on whose masks the photo has voted";
+    EXPECT_NE(evaluated.rgba, picture(file, true).rgba) << "on whose weight maps the photo has voted";
 }
 
 TEST_F(EvaluateAtLength, CamerasAreRegisteredWithoutTheLeftOutPhoto) {

@@ -1,4 +1,4 @@
-#include "pipeline/reports/page/mask_picture.h"
+#include "pipeline/reports/page/weight_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace vantage {
 
 // From Okabe and Ito's palette, which color-blind readers can tell apart.
-const std::array<MaskColor, 6> mask_colors{{
+const std::array<WeightColor, 6> weight_colors{{
     {"full weight", "seen from the front, as near as by any photo, away from edges", {255, 255, 255}},
     {"at a slant", "the surface is turned away from the camera", {0, 114, 178}},
     {"from afar", "other photos are nearer, or have a longer lens, and show finer detail", {0, 158, 115}},
@@ -29,20 +29,21 @@ enum Color : std::size_t { full, slant, far, edge, contradicted, nothing };
 double focal(const PhotoRecord& p) { return std::sqrt(p.fx * p.fy); }
 
 std::array<std::uint8_t, 3> mixed(Color color, double share) {
-    std::array<std::uint8_t, 3> out = mask_colors[full].color;
+    std::array<std::uint8_t, 3> out = weight_colors[full].color;
     for (std::size_t c = 0; c < 3; ++c)
-        out[c] = std::uint8_t(std::lround(out[c] + share * (mask_colors[color].color[c] - out[c])));
+        out[c] = std::uint8_t(std::lround(out[c] + share * (weight_colors[color].color[c] - out[c])));
     return out;
 }
 
 /// `fullest`: the depth code of the finest density of the scene.
-std::array<std::uint8_t, 3> shown(const std::uint8_t* masks, double fullest) {
-    if (masks[0] == 0 && masks[1] == 0 && masks[2] == 0 && masks[3] == 0) return mask_colors[nothing].color;
-    const double density = std::exp2((masks[1] - fullest) / 12);
-    const std::array<std::pair<double, Color>, 4> factors{{{masks[0] / 255.0, slant},
+std::array<std::uint8_t, 3> shown(const std::uint8_t* weight_maps, double fullest) {
+    if (weight_maps[0] == 0 && weight_maps[1] == 0 && weight_maps[2] == 0 && weight_maps[3] == 0)
+        return weight_colors[nothing].color;
+    const double density = std::exp2((weight_maps[1] - fullest) / 12);
+    const std::array<std::pair<double, Color>, 4> factors{{{weight_maps[0] / 255.0, slant},
                                                            {std::min(1.0, density), far},
-                                                           {masks[2] / 255.0, edge},
-                                                           {masks[3] / 255.0, contradicted}}};
+                                                           {weight_maps[2] / 255.0, edge},
+                                                           {weight_maps[3] / 255.0, contradicted}}};
     const auto [least, color] = *std::ranges::min_element(factors, {}, &std::pair<double, Color>::first);
     return mixed(color, 1 - least);
 }
@@ -56,16 +57,17 @@ double best_density(std::span<const PhotoRecord> photos) {
     return finest;
 }
 
-RgbaImage mask_picture(const PackageReader& package, std::uint32_t photo, double finest, int longest) {
+RgbaImage weight_picture(const PackageReader& package, std::uint32_t photo, double finest, int longest) {
     const PhotoRecord& p = package.photos()[photo];
-    int level = mask_level;
-    while (level + 1 < mask_levels_end(int(p.levels)) && int(std::max(p.width, p.height)) >> level > longest)
+    int level = weight_map_level;
+    while (level + 1 < weight_map_levels_end(int(p.levels)) &&
+           int(std::max(p.width, p.height)) >> level > longest)
         ++level;
     RgbaImage out{1, 1, {200, 200, 200, 255}, true};
-    if (!package.find(Type::masks, photo, std::uint32_t(level))) return out;
+    if (!package.find(Type::weight_maps, photo, std::uint32_t(level))) return out;
     const double reference = package.scene().reference_density;
     const double fullest = finest > 0 && reference > 0 ? 255 + 12 * std::log2(finest / reference) : 255;
-    out = read_level_image(package, p, photo, Type::masks, level);
+    out = read_level_image(package, p, photo, Type::weight_maps, level);
     for (std::size_t i = 0; i < out.rgba.size(); i += 4) {
         const auto color = shown(&out.rgba[i], fullest);
         std::ranges::copy(color, out.rgba.begin() + std::ptrdiff_t(i));

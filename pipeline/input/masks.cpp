@@ -1,4 +1,4 @@
-#include "pipeline/input/stencils.h"
+#include "pipeline/input/masks.h"
 
 #include "base/text/file_name.h"
 
@@ -6,7 +6,7 @@ namespace vantage {
 
 namespace fs = std::filesystem;
 
-fs::path Stencils::of(const fs::path& photo) {
+fs::path Masks::of(const fs::path& photo) {
     const fs::path folder = photo.parent_path(), above = folder.parent_path();
     const fs::path beside = find(above, "masks"), higher = find(above.parent_path(), "masks");
     const fs::path in_higher = higher.empty() ? fs::path() : find(higher, folder.filename().string());
@@ -20,7 +20,7 @@ fs::path Stencils::of(const fs::path& photo) {
 }
 
 /// The file or folder itself if it is there, else one that is called alike.
-fs::path Stencils::find(const fs::path& folder, const std::string& name) {
+fs::path Masks::find(const fs::path& folder, const std::string& name) {
     std::error_code error;
     const auto [listed, is_new] = folders_.try_emplace(folder);
     if (is_new)

@@ -5,11 +5,11 @@
 
 namespace vantage {
 
-/// Finds photos' stencils, pictures that are dark where a photo is not to be shown: NAME.mask.png beside the
+/// Finds photos' masks, pictures that are dark where a photo is not to be shown: NAME.mask.png beside the
 /// photo, or NAME.png in `masks` beside the photos' folder or, in a folder of the same name as the photo's,
 /// above it. NAME is the photo's, with or without its extension; names are compared as by comparable_name().
 /// Lists each folder once.
-class Stencils {
+class Masks {
   public:
     /// Empty: the photo has none.
     std::filesystem::path of(const std::filesystem::path& photo);

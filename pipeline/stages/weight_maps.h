@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/stages/stage_input.h"
+
+namespace vantage {
+
+/// RGBA8 weight maps at `weight_map_level`: angle, depth, border, transient masking; all 0 if the photo does
+/// not see the model there. Depth: 255 + 12 log2(density / reference_density), clamped to [1, 255], with
+/// density = focal / z in pixels per unit; its square is the sampling rate of [C], and the logarithm keeps a
+/// distant photo from becoming 0. Transient masking: 255, as no photos have been compared yet.
+std::vector<std::uint8_t> combine_weights(const std::vector<float>& z, const std::vector<std::uint8_t>& angle,
+                                          const std::vector<std::uint8_t>& border, double focal,
+                                          double reference_density);
+
+/// Weight maps and depth at one level.
+struct WeightMapLevel {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> weights;  ///< RGBA8
+    std::vector<float> z;
+};
+
+/// The next coarser level. Weight maps are the mean of the valid texels among 2x2; depth is the farthest
+/// finite one, so that what any of them sees stays seen. Odd edges repeat the last texel.
+WeightMapLevel halve(const WeightMapLevel& level);
+
+/// The stage of weight maps: writes the levels of weight maps and depth.
+void make_weight_maps(StageInput& in);
+
+}  // namespace vantage
