@@ -7,8 +7,8 @@
 #include "base/text/json_text.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/shared/input_options.h"
-#include "pipeline/reports/facts/facts_json.h"
-#include "pipeline/reports/facts/facts_text.h"
+#include "pipeline/reports/inspect/facts_json.h"
+#include "pipeline/reports/inspect/facts_text.h"
 
 namespace vantage {
 namespace {

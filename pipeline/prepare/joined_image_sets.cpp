@@ -29,7 +29,7 @@ std::vector<Value> own_values(const std::vector<Result>& image_sets, std::vector
     return out;
 }
 
-bool is_of(const PoseWithout& p, std::uint32_t image_set, std::span<const package::PhotoRecord> photos) {
+bool is_of(const LeaveOneOutPose& p, std::uint32_t image_set, std::span<const package::PhotoRecord> photos) {
     return photos[p.without].image_set == image_set && photos[p.photo].image_set == image_set;
 }
 
@@ -74,12 +74,12 @@ PoseRefinement joined(std::vector<PoseRefinement> image_sets, std::span<const pa
     out.photos = own_values(image_sets, &PoseRefinement::photos, photos);
     for (std::uint32_t b = 0; b < image_sets.size(); ++b) {
         out.pairs.insert(out.pairs.end(), image_sets[b].pairs.begin(), image_sets[b].pairs.end());
-        for (const PoseWithout& p : image_sets[b].without)
+        for (const LeaveOneOutPose& p : image_sets[b].without)
             if (is_of(p, b, photos)) out.without.push_back(p);
         for (const std::string& w : image_sets[b].warnings) out.warnings.push_back(names[b] + ": " + w);
     }
     std::ranges::sort(out.pairs, {}, [](const package::PairRecord& p) { return std::pair(p.a, p.b); });
-    std::ranges::sort(out.without, {}, [](const PoseWithout& p) { return std::pair(p.without, p.photo); });
+    std::ranges::sort(out.without, {}, [](const LeaveOneOutPose& p) { return std::pair(p.without, p.photo); });
     return out;
 }
 

@@ -75,10 +75,10 @@ std::optional<PoseRefinement> pose_refinement_of(const PackageReader& package, s
     // Packages of earlier versions lack the poses without each photo.
     if (out.decision.on && !package.find(Type::pose_refinement_without)) return {};
     out.pairs = pairs_of(package);
-    for (const auto& r : valid_records<package::PoseWithoutRecord>(package, Type::pose_refinement_without))
+    for (const auto& r : valid_records<package::LeaveOneOutPoseRecord>(package, Type::pose_refinement_without))
         out.without.push_back({r.without, r.photo, cam_from_origin(r)});
     for (std::size_t i = 0; i < records.size(); ++i) {
-        out.photos.push_back({{}, records[i].by, records[i].before, records[i].after});
+        out.photos.push_back({{}, records[i].motion_px, records[i].before, records[i].after});
         if (photos[i].flags & package::photo_registered) out.photos.back().pose = cam_from_origin(photos[i]);
     }
     return out;
@@ -130,7 +130,7 @@ void write_pose_refinement(PackageWriter& writer, const PoseRefinement& found, s
         PoseRefinementRecord& r = records.emplace_back();
         set_pose(given[i], r);
         const PhotoPoseRefinement& p = found.photos[i];
-        r.by = p.by;
+        r.motion_px = p.motion_px;
         r.before = p.before;
         r.after = p.after;
         r.key = key;
@@ -139,9 +139,9 @@ void write_pose_refinement(PackageWriter& writer, const PoseRefinement& found, s
     std::copy_n(found.pairs.begin(), std::min(pairs.size(), found.pairs.size()), pairs.begin());
     writer.write(Type::pose_refinement, package::scene_wide, bytes_of(records));
     writer.write(Type::pairs, package::scene_wide, bytes_of(pairs));
-    std::vector<package::PoseWithoutRecord> without;
-    for (const PoseWithout& p : found.without) {
-        package::PoseWithoutRecord& r = without.emplace_back();
+    std::vector<package::LeaveOneOutPoseRecord> without;
+    for (const LeaveOneOutPose& p : found.without) {
+        package::LeaveOneOutPoseRecord& r = without.emplace_back();
         r.without = p.without;
         r.photo = p.photo;
         set_pose(p.pose, r);

@@ -37,7 +37,7 @@ void use_poses_without(const PackageReader& package, std::uint32_t photo,
     if (!is_pose(given[photo]))
         damaged("REGI: the pose given for photo " + std::to_string(photo) + " is not finite");
     use_pose(given[photo], records[photo]);
-    for (const auto& r : package.records<package::PoseWithoutRecord>(Type::pose_refinement_without,
+    for (const auto& r : package.records<package::LeaveOneOutPoseRecord>(Type::pose_refinement_without,
                                                                      package::scene_wide, false)) {
         if (r.without >= records.size() || r.photo >= records.size() || !is_pose(r))
             damaged("REGW: a pose of photo " + std::to_string(r.photo) + " without photo " +

@@ -20,7 +20,7 @@ enum class Type : std::uint32_t {
     photos = fourcc("PHOT"),           ///< PhotoRecord[photos]
     states = fourcc("STAT"),           ///< PhotoState[photos]: what each photo's artifacts were made from
     pose_refinement = fourcc("REGI"),  ///< PoseRefinementRecord[photos]: poses as given, and residuals
-    pose_refinement_without = fourcc("REGW"),  ///< PoseWithoutRecord[]: poses without a photo; optional
+    pose_refinement_without = fourcc("REGW"),  ///< LeaveOneOutPoseRecord[]: poses without a photo; optional
     pairs = fourcc("PAIR"),                    ///< PairRecord[]: how well overlapping photos agree
     positions = fourcc("VPOS"),                ///< float[3][vertices], relative to the origin
     normals = fourcc("VNRM"),                  ///< float[3][vertices], unit length

@@ -191,13 +191,13 @@ struct SampleRecord {
 /// What pose refinement did to a photo.
 struct PoseRefinementRecord {
     double R[9], t[3];     ///< the pose as given, like PhotoRecord's
-    double by;             ///< median displacement of the photo's content, px; 0 if its pose was kept
+    double motion_px;      ///< median displacement of the photo's content, px; 0 if its pose was kept
     double before, after;  ///< median residual of corners held out of the fit, px
     std::uint64_t key;     ///< XXH3-64 of all inputs, the same for all photos
 };
 
 /// The pose of a registered camera, fitted again as if another photo were not in the scene.
-struct PoseWithoutRecord {
+struct LeaveOneOutPoseRecord {
     std::uint32_t without;  ///< the photo that has no say in it
     std::uint32_t photo;    ///< of the camera
     double R[9], t[3];      ///< like PhotoRecord's
@@ -238,7 +238,7 @@ static_assert(sizeof(PhotoState) == 344 && std::is_trivially_copyable_v<PhotoSta
 static_assert(sizeof(ImageSetRecord) == 64 && sizeof(LensRecord) == 104);
 static_assert(sizeof(CoverageRecord) == 12 && sizeof(SampleRecord) == 8 && sizeof(SceneRecord) == 232 &&
               sizeof(PhotoRecord) % 8 == 0);
-static_assert(sizeof(PoseRefinementRecord) == 128 && sizeof(PoseWithoutRecord) == 104 &&
+static_assert(sizeof(PoseRefinementRecord) == 128 && sizeof(LeaveOneOutPoseRecord) == 104 &&
               sizeof(PairRecord) == 56 + 6 * pair_columns * pair_rows);
 static_assert(std::is_trivially_copyable_v<PhotoRecord> && std::numeric_limits<float>::is_iec559);
 

@@ -9,7 +9,7 @@
 
 #include "base/values/quantile.h"
 #include "pipeline/refine/color_agreement.h"
-#include "pipeline/refine/poses/poses_without.h"
+#include "pipeline/refine/poses/leave_one_out_poses.h"
 #include "pipeline/refine/prediction.h"
 #include "pipeline/refine/verdict.h"
 
@@ -145,7 +145,7 @@ void keep_uncertain(const PoseRounds& rounds, const Folds& folds, Candidate& c) 
         PhotoPoseRefinement& p = c.solution.photos[i];
         if (!p.pose) continue;
         p.uncertainty = std::max(p.uncertainty, uncertainty(rounds, folds, c, i));
-        if (p.by <= p.uncertainty) p.pose.reset();
+        if (p.motion_px <= p.uncertainty) p.pose.reset();
     }
 }
 
@@ -157,7 +157,7 @@ std::size_t moved(const PoseSolution& s) {
 std::string outcome(const PoseSolution& s) {
     std::vector<double> by, uncertainty;
     for (const PhotoPoseRefinement& p : s.photos)
-        if (p.pose) by.push_back(p.by), uncertainty.push_back(p.uncertainty);
+        if (p.pose) by.push_back(p.motion_px), uncertainty.push_back(p.uncertainty);
     return fmt::format(
         "{} by {:.2f} px (median; uncertainty {:.2f} px), which reduced the error of holdout corners from "
         "{:.2f} to {:.2f} px",
@@ -226,7 +226,7 @@ class PoseChoice {
     void finish() {
         if (taken_) out_.photos = taken_->solution.photos;
         if (taken_ && taken_->which != Moved::together)
-            out_.without = poses_without_each(rounds(), taken_->solution, *folds_);
+            out_.without = leave_one_out_poses(rounds(), taken_->solution, *folds_);
         out_.decision.on = any();
         if (!any()) out_.decision.evidence += "; no camera was moved";
     }

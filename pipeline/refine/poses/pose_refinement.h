@@ -29,13 +29,13 @@ struct PoseRefinementInput {
 /// Pose refinement of one photo's camera.
 struct PhotoPoseRefinement {
     std::optional<Pose> pose;      ///< relative to the origin; nullopt: the given pose is kept
-    double by = 0;                 ///< median motion of the surface in the photo, px
+    double motion_px = 0;          ///< median motion of the surface in the photo
     double before = 0, after = 0;  ///< median displacement of holdout corners, px
     double uncertainty = 0;        ///< standard error of the motion, px
 };
 
 /// The pose of a camera that pose refinement moved, without what one photo shows.
-struct PoseWithout {
+struct LeaveOneOutPose {
     std::uint32_t without, photo;
     Pose pose;
 };
@@ -45,7 +45,7 @@ struct PoseRefinement {
     EffectDecision decision;
     std::vector<PhotoPoseRefinement> photos;
     std::vector<package::PairRecord> pairs;  ///< under the given cameras
-    std::vector<PoseWithout> without;        ///< see poses_without_each; empty if no camera moved on its own
+    std::vector<LeaveOneOutPose> without;        ///< see leave_one_out_poses; empty if no camera moved on its own
     std::vector<std::string> warnings;       ///< one line each: misplaced photos, swapped cameras
 };
 

@@ -64,7 +64,7 @@ std::string photo_row(const PhotoRecord& photo, const PoseRefinement& r, std::si
     const double displacement = median_displacement(r.pairs, std::uint32_t(i));
     const PhotoPoseRefinement& p = r.photos[i];
     const std::string moved = p.pose ? fmt::format("<td class=n>{:.2f} px<td class=n>{:.2f} &rarr; {:.2f} px",
-                                                   p.by, p.before, p.after)
+                                                   p.motion_px, p.before, p.after)
                                      : "<td class=n>as given<td>";
     return fmt::format("<tr><td>{}<td class=n>{}{}</tr>\n", escaped(photo.name),
                        displacement > 0 ? fmt::format("{:.2f} px", displacement) : "not compared", moved);

@@ -36,7 +36,7 @@ constexpr std::array table{
               "largest share of a photo that others contradict", "", 0.005, Basis::pixels, "blend",
               "PHOTO_TRANSIENTS"},
     EffectRow{Effect::background, "background", "background",
-              "share of the photos that the mesh does not cover", "", 0.005, Basis::beside, "blend",
+              "share of the photos that the mesh does not cover", "", 0.005, Basis::background, "blend",
               "BACKGROUND"},
     EffectRow{Effect::scalar_fields, "scalar-fields", "scalar-fields",
               "layers of the mesh with more than one value", "", 0, Basis::scene, "", ""},

@@ -35,7 +35,7 @@ enum class Basis {
     scene,   ///< cameras and mesh, before any photo is prepared
     colors,  ///< surface colors of all photos, after each is prepared
     pixels,  ///< the surface as matched between all photos, after each is prepared
-    beside   ///< what all photos show beside the mesh, after each is prepared
+    background  ///< what all photos show beside the mesh, after each is prepared
 };
 
 /// The constant part of the table.

@@ -16,7 +16,7 @@ bool same_name(const std::string& a, const std::string& b) {
 }  // namespace
 
 EffectSet effects_of_image_sets() {
-    return effects_from(Basis::colors) | effects_from(Basis::pixels) | effects_from(Basis::beside);
+    return effects_from(Basis::colors) | effects_from(Basis::pixels) | effects_from(Basis::background);
 }
 
 std::vector<ImageSet> read_image_sets(const PackageReader& package) {

@@ -43,7 +43,7 @@ Pose pose_of(const Record& r) {
 
 Pose cam_from_origin(const package::PhotoRecord& photo) { return pose_of(photo); }
 Pose cam_from_origin(const package::PoseRefinementRecord& given) { return pose_of(given); }
-Pose cam_from_origin(const package::PoseWithoutRecord& without) { return pose_of(without); }
+Pose cam_from_origin(const package::LeaveOneOutPoseRecord& without) { return pose_of(without); }
 
 Eigen::AlignedBox3d bounds_from_origin(const package::SceneRecord& s) {
     const Eigen::Map<const Eigen::Vector3d> origin(s.origin), low(s.bounds_min), high(s.bounds_max);

@@ -18,7 +18,7 @@ Intrinsics intrinsics(const package::PhotoRecord& photo);
 Lens lens_of(const PackageReader& package, std::uint32_t photo);
 Pose cam_from_origin(const package::PhotoRecord& photo);
 Pose cam_from_origin(const package::PoseRefinementRecord& given);
-Pose cam_from_origin(const package::PoseWithoutRecord& without);
+Pose cam_from_origin(const package::LeaveOneOutPoseRecord& without);
 /// The bounds of the model without strays, relative to the origin.
 Eigen::AlignedBox3d bounds_from_origin(const package::SceneRecord& scene);
 /// No part of the model within its bounds is farther from the camera.

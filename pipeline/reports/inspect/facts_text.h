@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "pipeline/reports/facts/input_facts.h"
+#include "pipeline/reports/inspect/input_facts.h"
 
 namespace vantage {
 

@@ -1,10 +1,10 @@
-#include "pipeline/reports/facts/facts_json.h"
+#include "pipeline/reports/inspect/facts_json.h"
 
 #include <nlohmann/json.hpp>
 
 #include "base/text/file_name.h"
 #include "pipeline/output/disk_space.h"
-#include "pipeline/reports/facts/file_facts.h"
+#include "pipeline/reports/inspect/file_facts.h"
 
 namespace vantage {
 namespace {

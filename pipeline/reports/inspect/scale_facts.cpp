@@ -1,4 +1,4 @@
-#include "pipeline/reports/facts/scale_facts.h"
+#include "pipeline/reports/inspect/scale_facts.h"
 
 #include <algorithm>
 #include <cmath>

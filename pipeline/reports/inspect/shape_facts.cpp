@@ -1,4 +1,4 @@
-#include "pipeline/reports/facts/shape_facts.h"
+#include "pipeline/reports/inspect/shape_facts.h"
 
 #include "base/text/file_name.h"
 #include "base/values/main_box.h"

@@ -1,4 +1,4 @@
-#include "pipeline/reports/facts/input_facts.h"
+#include "pipeline/reports/inspect/input_facts.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
-#include "pipeline/reports/facts/camera_facts.h"
+#include "pipeline/reports/inspect/camera_facts.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <numbers>
 
-#include "pipeline/reports/facts/scale_facts.h"
+#include "pipeline/reports/inspect/scale_facts.h"
 
 namespace vantage {
 namespace {

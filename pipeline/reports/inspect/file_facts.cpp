@@ -1,4 +1,4 @@
-#include "pipeline/reports/facts/file_facts.h"
+#include "pipeline/reports/inspect/file_facts.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "pipeline/refine/poses/poses_without.h"
+#include "pipeline/refine/poses/leave_one_out_poses.h"
 
 #include <algorithm>
 
@@ -21,10 +21,10 @@ std::vector<std::uint32_t> moved_near(const PoseSolution& s, const SharedSurface
 
 }  // namespace
 
-std::vector<PoseWithout> poses_without_each(const PoseRounds& rounds, const PoseSolution& s,
+std::vector<LeaveOneOutPose> leave_one_out_poses(const PoseRounds& rounds, const PoseSolution& s,
                                             const Folds& folds) {
     const FoldsInput& in = folds.input();
-    std::vector<std::vector<PoseWithout>> of(in.photos.size());
+    std::vector<std::vector<LeaveOneOutPose>> of(in.photos.size());
     for_each_photo(of.size(), in.threads, [&](std::size_t i) {
         const auto photo = std::uint32_t(i);
         if (in.photos[i].levels == 0) return;
@@ -33,7 +33,7 @@ std::vector<PoseWithout> poses_without_each(const PoseRounds& rounds, const Pose
         if (poses.empty()) return;
         for (const std::uint32_t camera : fitted) of[i].push_back({photo, camera, poses[camera]});
     });
-    std::vector<PoseWithout> out;
+    std::vector<LeaveOneOutPose> out;
     for (const auto& poses : of) out.insert(out.end(), poses.begin(), poses.end());
     return out;
 }

@@ -1,4 +1,4 @@
-#include "pipeline/reports/facts/camera_facts.h"
+#include "pipeline/reports/inspect/camera_facts.h"
 
 #include <algorithm>
 #include <array>

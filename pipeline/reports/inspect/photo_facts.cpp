@@ -1,4 +1,4 @@
-#include "pipeline/reports/facts/photo_facts.h"
+#include "pipeline/reports/inspect/photo_facts.h"
 
 #include <algorithm>
 #include <functional>
@@ -11,7 +11,7 @@
 #include "pipeline/input/masks.h"
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/photos/photos.h"
-#include "pipeline/reports/facts/file_facts.h"
+#include "pipeline/reports/inspect/file_facts.h"
 
 namespace vantage {
 

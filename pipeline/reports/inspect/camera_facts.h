@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pipeline/formats/cameras/cameras.h"
-#include "pipeline/reports/facts/range.h"
+#include "pipeline/reports/inspect/range.h"
 
 namespace vantage {
 

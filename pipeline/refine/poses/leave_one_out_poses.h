@@ -10,7 +10,7 @@ namespace vantage {
 /// without those of the photo: of those cameras on which it had a say, the package::poses_without_photo that
 /// share the most surface with it; other cameras stay. Sorted by the photo, then by the camera. The matches
 /// are those found under the solution's poses.
-std::vector<PoseWithout> poses_without_each(const PoseRounds& rounds, const PoseSolution& solution,
+std::vector<LeaveOneOutPose> leave_one_out_poses(const PoseRounds& rounds, const PoseSolution& solution,
                                             const Folds& folds);
 
 }  // namespace vantage

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pipeline/input/scene_input.h"
-#include "pipeline/reports/facts/range.h"
+#include "pipeline/reports/inspect/range.h"
 
 namespace vantage {
 

@@ -1,4 +1,4 @@
-#include "pipeline/reports/facts/facts_text.h"
+#include "pipeline/reports/inspect/facts_text.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "pipeline/formats/cameras/cameras.h"
-#include "pipeline/reports/facts/file_facts.h"
+#include "pipeline/reports/inspect/file_facts.h"
 #include "pipeline/stages/mesh_in_view.h"
 
 namespace vantage {

@@ -1,7 +1,7 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 
-#include "pipeline/reports/facts/input_facts.h"
+#include "pipeline/reports/inspect/input_facts.h"
 
 namespace vantage {
 
