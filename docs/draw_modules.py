@@ -4,7 +4,7 @@
 usage: draw_modules.py BUILD/modules.txt [OUT.svg]        default: modules.svg beside this script
 
 A module stands above those that it uses. Arrows join modules of one frame; small letters name those of lower frames. What follows
-from other arrows is left out: a module that uses `refine` may also use all below `refine`. Fails if modules use each other in a circle, or one uses a module of a higher folder."""
+from other arrows is not drawn: a module that uses `refine` may also use all below `refine`. Fails if modules use each other in a circle, or one uses a module of a higher folder."""
 import pathlib
 import sys
 

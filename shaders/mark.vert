@@ -30,10 +30,10 @@ float pixel_at(vec3 point) { return max(clip_of(point).w, nearest) / focal; }  /
 
 vec2 pixel_of(vec4 clip) { return clip.xy / clip.w * half_frame; }
 
-// The end `a` of a line to `b`, moved along it to where it is seen; what of the line is left out, as a share.
-vec4 seen_end(vec4 a, vec4 b, out float left_out) {
-    left_out = a.w < nearest ? (nearest - a.w) / (b.w - a.w) : 0.0;
-    return mix(a, b, left_out);
+// The end `a` of a line to `b`, moved along it to where it is seen; the share of the line that is cut off.
+vec4 seen_end(vec4 a, vec4 b, out float cut_off) {
+    cut_off = a.w < nearest ? (nearest - a.w) / (b.w - a.w) : 0.0;
+    return mix(a, b, cut_off);
 }
 
 vec2 direction(vec2 from, vec2 to) {
@@ -45,17 +45,17 @@ vec2 direction(vec2 from, vec2 to) {
 // round end, which has none.
 vec2 bisector(vec2 along, vec4 end, vec3 neighbor, bool is_round) {
     vec4 clip = clip_of(neighbor);
-    float left_out;
+    float cut_off;
     if (is_round || end.w <= nearest) return vec2(0.0);
-    vec2 sum = along + direction(pixel_of(seen_end(clip, end, left_out)), pixel_of(end));
+    vec2 sum = along + direction(pixel_of(seen_end(clip, end, cut_off)), pixel_of(end));
     return length(sum) > 0.5 ? normalize(sum) : along;
 }
 
 vec4 line_corner(vec2 corner) {
     vec4 first = clip_of(points[0]), second = clip_of(points[1]);
     if (max(first.w, second.w) <= nearest) return nowhere;
-    vec2 left_out;
-    vec4 a = seen_end(first, second, left_out.x), b = seen_end(second, first, left_out.y);
+    vec2 cut_off;
+    vec4 a = seen_end(first, second, cut_off.x), b = seen_end(second, first, cut_off.y);
     vec2 begin = pixel_of(a), end = pixel_of(b), along = direction(begin, end);
     if (along == vec2(0.0)) along = vec2(1.0, 0.0);
     vec2 before = bisector(along, a, points[2], sizes.z > 0.0), after = -bisector(-along, b, points[3], sizes.w > 0.0);
@@ -71,7 +71,7 @@ vec4 line_corner(vec2 corner) {
     on_line = vec2(far, corner.y * high);
     float z = at_end ? b.w : a.w;
     within = vec2(before == vec2(0.0) ? 1.0 : dot(pixel - begin, before), after == vec2(0.0) ? 1.0 : dot(end - pixel, after));
-    tint = mix(colors[0], colors[1], at_end ? 1.0 - left_out.y : left_out.x);
+    tint = mix(colors[0], colors[1], at_end ? 1.0 - cut_off.y : cut_off.x);
     return vec4(pixel / half_frame * z, at_end ? b.z : a.z, z);
 }
 

@@ -14,7 +14,7 @@ enum class Exit : int {
     storage = 6,      ///< the disk is full, or a file cannot be read or written
     graphics = 7,     ///< no usable OpenGL 4.5, or it failed
     interrupted = 8,  ///< stopped by a signal
-    incomplete = 9,   ///< a package is valid, but some photos were left out
+    incomplete = 9,   ///< a package is valid, but some photos were skipped
     different = 10,   ///< packages or pictures differ
     internal = 11,    ///< a bug
     memory = 12,      ///< out of memory

@@ -18,7 +18,7 @@ mkdir -p "$logs"
 quoted() { printf ' %q' "$@"; }
 out=$(printf '%q' "$package")
 
-# A share with photos left out (exit code 9) is still merged; the merge then exits with code 9.
+# A share with photos skipped (exit code 9) is still merged; the merge then exits with code 9.
 share="$(quoted "$vantage" prepare "$input" --progress lines "$@") --shard \$SLURM_ARRAY_TASK_ID/$shares"
 share+=" -o $out.\$SLURM_ARRAY_TASK_ID.shard || [ \$? = 9 ]"
 # shellcheck disable=SC2086

@@ -48,7 +48,7 @@ std::array<double, 3> shade_beside(std::span<const CoarseView> views) {
     return out;
 }
 
-/// The decision before any photo is left out.
+/// The decision before any photo is held out.
 EffectDecision first_decision(const BackgroundInput& in, std::span<const CoarseView> views) {
     const double share = open_share(views);
     EffectDecision d = decide(Effect::background, in.choice, share,
@@ -59,7 +59,7 @@ EffectDecision first_decision(const BackgroundInput& in, std::span<const CoarseV
     return d;
 }
 
-/// Lets left-out photos confirm it.
+/// Lets held-out photos confirm it.
 EffectDecision validated(const BackgroundInput& in, const CoarseViews& some, const MeshPlanes& mesh,
                          EffectDecision d) {
     const BackgroundVerdict j =

@@ -13,7 +13,7 @@
 
 namespace vantage {
 
-/// What background is worth, from photos that are left out and predicted where the mesh leaves them open.
+/// What background is worth, from photos that are held out and predicted where the mesh leaves them open.
 struct BackgroundVerdict {
     Judgment gain;  ///< over one plain color
     /// Share of the compared pixels in photos that the same pixels of others predict to 25 dB, better than

@@ -53,7 +53,7 @@ int inspect_one(const InspectOptions& o) {
 }
 
 /// Each of a scene file's objects. The exit code is that of the first error; otherwise incomplete if photos
-/// of any object would be left out.
+/// of any object would be skipped.
 int inspect_objects(const InspectOptions& o) {
     nlohmann::json all = nlohmann::json::array();
     int code = int(Exit::ok);
@@ -79,12 +79,12 @@ int inspect_objects(const InspectOptions& o) {
 void add_inspect(const Command& program) {
     auto o = std::make_shared<InspectOptions>();
     const Command c = program.verb(
-        "inspect", "Show what an input holds, what would be left out, and what preparing it would need");
+        "inspect", "Show what an input holds, what would be skipped, and what preparing it would need");
     c.notes(
         "Reads the mesh, the cameras and the headers of the photos, decodes no photo and writes nothing.\n"
         "Examples:\n  vantage inspect scans/chapel\n"
         "  vantage inspect --mesh m.ply --cameras bundle.out --photos images --json\n"
-        "Exit code: as 'vantage prepare' would end: 0 with all photos, 9 if photos would be left out, or "
+        "Exit code: as 'vantage prepare' would end: 0 with all photos, 9 if photos would be skipped, or "
         "that "
         "of\nthe error, which is printed after what was found.");
     add_input_options(c, o->input, o->settings);

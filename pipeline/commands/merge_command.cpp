@@ -38,7 +38,7 @@ int run_merge(MergeOptions o) {
         for (const std::string& share : o.shares) std::filesystem::remove(share);
     fmt::print("package  {} ({:.1f} MB of {} shares)\n", o.out,
                double(std::filesystem::file_size(o.out)) / 1e6, o.shares.size());
-    return int(report_left_out(left_out_of(PackageReader(o.out))));
+    return int(report_skipped(skipped_of(PackageReader(o.out))));
 }
 
 }  // namespace

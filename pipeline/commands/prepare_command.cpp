@@ -95,7 +95,7 @@ std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const
             fmt::print("package  {} is damaged and is repaired: {}\n", o.out, damage);
             return {};
         }
-        return left_out_of(package);
+        return skipped_of(package);
     } catch (const DamagedPackage& e) {
         if (e.defect() == Defect::newer_format)
             throw Error(Exit::input, std::string(e.what()) + "; not overwritten");
@@ -263,7 +263,7 @@ int run_prepare(PrepareOptions o) {
     publish_interrupted(o.out);
     if (const auto lacking = current(o, files, identities)) {
         fmt::print("package  {} is current, nothing to do\n", o.out);
-        return int(report_left_out(*lacking));
+        return int(report_skipped(*lacking));
     }
     Trace trace;
     SceneInput scene = read_traced(files, trace);
@@ -282,7 +282,7 @@ int run_prepare(PrepareOptions o) {
                s);
     fmt::print("memory   {:.0f} MB peak\n", double(memory_peak()) / 1e6);
     if (o.writes_report()) fmt::print("report   {}\n", o.report);
-    return int(report_left_out(done.left_out));
+    return int(report_skipped(done.skipped));
 }
 
 /// The scene file's objects, with the same settings, into packages in the output folder.
@@ -359,7 +359,7 @@ void add_prepare(const Command& program) {
              "full: correct cameras and colors and mask moving objects where photos disagree; color: correct "
              "colors only; off: change nothing");
     c.choice("--validate", settings.validate, {{"on", true}, {"off", false}},
-             "on: left-out photos must confirm what --refine corrects; off: faster, thresholds alone decide");
+             "on: held-out photos must confirm what --refine corrects; off: faster, thresholds alone decide");
     c.choice("--renderer", settings.render_by,
              named({RenderBy::automatic, RenderBy::opengl, RenderBy::processor}),
              "renderer of the model as seen from the photos; auto: a GPU if there is one");

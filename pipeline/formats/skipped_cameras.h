@@ -10,8 +10,8 @@
 
 namespace vantage {
 
-/// The cameras of a file that are left out, by the reason: one line for each reason.
-class LeftOut {
+/// The cameras of a file that are skipped, by the reason: one line for each reason.
+class SkippedCameras {
   public:
     void add(const std::string& photo, const std::string& why) {
         auto& [first, count] = by_reason_[why];
@@ -23,7 +23,7 @@ class LeftOut {
             const std::string others = count == 1   ? ""
                                        : count == 2 ? " and another photo"
                                                     : " and " + std::to_string(count - 1) + " other photos";
-            warnings.push_back(first + others + ": left out, " + why);
+            warnings.push_back(first + others + ": skipped, " + why);
         }
     }
     /// Throws NoCamera, of a file without any other camera. A missing pose is the last reason to be named.
@@ -31,7 +31,7 @@ class LeftOut {
         std::vector<std::string> lines;
         tell(lines);
         const auto flaw = std::ranges::find_if(
-            lines, [](const std::string& line) { return !line.ends_with(": left out, no pose"); });
+            lines, [](const std::string& line) { return !line.ends_with(": skipped, no pose"); });
         if (flaw != lines.end()) throw NoCamera(file.string() + ": no camera can be used: " + *flaw);
         throw NoCamera(file.string() + ": expected a camera with a pose, found none" +
                        (lines.empty() ? "" : " (" + lines.front() + ")"));

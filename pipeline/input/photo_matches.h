@@ -14,7 +14,7 @@ bool is_photo(const std::filesystem::path& file);
 /// Whether a folder of this name holds what is computed from photos: masks, depth, normals, thumbnails.
 bool is_derived(const std::filesystem::path& folder);
 
-/// The photos in a folder and two levels below it, sorted; subfolders of derived pictures are left out.
+/// The photos in a folder and two levels below it, sorted; subfolders of derived pictures are skipped.
 std::vector<std::filesystem::path> photos_below(const std::filesystem::path& folder);
 
 /// The path of a file whose path in `folder` has this utf8_name(). A file that does not exist is taken to

@@ -241,13 +241,13 @@ void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
     std::set<fs::path> used(files.begin(), files.end());
     used.erase(fs::path());
     const std::map<fs::path, std::string> names = package_names(folder, used);
-    const auto leave_out = [&](const fs::path& file, const std::string& why) {
-        scene.left_out.push_back({name_below(folder, file), why});
+    const auto skip = [&](const fs::path& file, const std::string& why) {
+        scene.skipped.push_back({name_below(folder, file), why});
     };
     Masks masks;
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (files[i].empty()) {
-            scene.left_out.push_back({utf8_name(name_of(set.entries[i])), why_not[i]});
+            scene.skipped.push_back({utf8_name(name_of(set.entries[i])), why_not[i]});
             continue;
         }
         const StampedFile before = stamped(files[i]);
@@ -256,18 +256,18 @@ void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
                 read_photo_input(set.entries[i], files[i], names.at(files[i]), masks, scene));
         } catch (const UnreadableFile& e) {
             // Not identified by its content: the next run tries again.
-            leave_out(files[i], reason_of(e, files[i]));
+            skip(files[i], reason_of(e, files[i]));
         } catch (const Error& e) {
-            leave_out(files[i], reason_of(e, files[i]));
-            scene.left_out.back().file = files[i];
+            skip(files[i], reason_of(e, files[i]));
+            scene.skipped.back().file = files[i];
             scene.read.push_back(before);
         }
     }
     for (const fs::path& file : unused_photos(folder, photos, {used.begin(), used.end()}))
-        leave_out(file, without_camera);
+        skip(file, without_camera);
     std::ranges::sort(scene.photos, {}, &PhotoInput::name);
     warn_of_colors(scene);
-    std::ranges::sort(scene.left_out, {}, &UnusablePhoto::photo);
+    std::ranges::sort(scene.skipped, {}, &UnusablePhoto::photo);
     std::ranges::sort(scene.warnings);
 }
 
@@ -316,15 +316,15 @@ void read_clouds(SceneInput& scene) {
 /// No photo is left: says why, if they are there but cannot be used.
 [[noreturn]] void fail_without_photos(const SceneInput& scene) {
     const std::string folder = scene.files.photos.string(), cameras = scene.files.cameras.string();
-    const auto unusable = std::ranges::find_if(scene.left_out, [](const UnusablePhoto& l) {
+    const auto unusable = std::ranges::find_if(scene.skipped, [](const UnusablePhoto& l) {
         return l.why != without_camera && l.why != without_photo;
     });
-    if (unusable != scene.left_out.end())
+    if (unusable != scene.skipped.end())
         throw Error(Exit::input,
                     folder + ": no photo can be used; " + unusable->photo + ": " + unusable->why);
     const auto first = [&](const char* why) {
-        const auto it = std::ranges::find(scene.left_out, why, &UnusablePhoto::why);
-        return it == scene.left_out.end() ? std::string("none") : "'" + it->photo + "'";
+        const auto it = std::ranges::find(scene.skipped, why, &UnusablePhoto::why);
+        return it == scene.skipped.end() ? std::string("none") : "'" + it->photo + "'";
     };
     throw Error(Exit::input, folder + ": no photo has a camera in " + cameras + "; the first photo is " +
                                  first(without_camera) + ", the first camera's photo " +

@@ -52,7 +52,7 @@ inline std::vector<std::filesystem::path> companions_of(const std::filesystem::p
     return found == files.companions.end() ? std::vector<std::filesystem::path>() : found->second;
 }
 
-/// The reason to leave out a photo that no camera belongs to.
+/// The reason to skip a photo that no camera belongs to.
 inline constexpr const char* without_camera = "has no camera";
 
 /// A photo that cannot be used, and the reason.
@@ -68,12 +68,12 @@ struct SceneInput {
     std::string convention = "as-read";  ///< see apply_conventions(): what was changed in all cameras
     Similarity transform{};  ///< from the camera file's frame to the mesh's, by that file; identity: none
     Mesh mesh;
-    std::vector<Mesh> compared;           ///< of files.compared
-    Mesh points;                          ///< of all files.points; without triangles
-    std::vector<PhotoInput> photos;       ///< sorted by name
-    std::vector<UnusablePhoto> left_out;  ///< sorted by name; found unusable before decoding
+    std::vector<Mesh> compared;          ///< of files.compared
+    Mesh points;                         ///< of all files.points; without triangles
+    std::vector<PhotoInput> photos;      ///< sorted by name
+    std::vector<UnusablePhoto> skipped;  ///< sorted by name; found unusable before decoding
     std::vector<std::string> warnings;
-    std::vector<StampedFile> read{};  ///< meshes, cameras and photos left out, stamped before they were read
+    std::vector<StampedFile> read{};  ///< meshes, cameras and skipped photos, stamped before they were read
     std::vector<std::string> image_sets{
         ""};  ///< names, the default image set first; a single one may have none
 };

@@ -13,7 +13,7 @@ using package::Type;
 
 namespace {
 
-/// Levels of the tile pyramid. Photos that were left out keep theirs: they may become readable.
+/// Levels of the tile pyramid. Photos that were skipped keep theirs: they may become readable.
 int planned_levels(const package::PhotoRecord& p) {
     return p.flags & package::photo_held_out ? 0 : level_count(int(p.width), int(p.height));
 }

@@ -21,7 +21,7 @@ struct LayoutSizes {
 bool stores_coordinates(const package::SceneRecord& scene, bool asked);
 
 /// Every chunk in file order, coarse before fine; for a share, the per-photo chunks of its photos only. Space
-/// is also reserved for photos that were left out.
+/// is also reserved for photos that were skipped.
 std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const LayoutSizes& sizes,
                                    std::span<const package::PhotoRecord> photos, Share share = {});
 }  // namespace vantage

@@ -47,7 +47,7 @@ json mesh_json(const fs::path& file, const InputFiles& files, IdentityCache& ide
 }
 
 /// With the content of a file that was read, so that a repaired photo is recognized.
-json left_out_json(const UnusablePhoto& photo, const fs::path& folder, IdentityCache& identities) {
+json skipped_json(const UnusablePhoto& photo, const fs::path& folder, IdentityCache& identities) {
     const fs::path file = file_named(folder, photo.photo);
     json out{{"name", photo.photo}, {"why", utf8_name(photo.why)}, {"there", fs::exists(file)}};
     if (photo.file.empty()) return out;
@@ -191,9 +191,9 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
     if (std::ranges::any_of(
             effects, [](const EffectDecision& d) { return d.effect == Effect::scalar_fields && d.on; }))
         for (const ScalarLayer& layer : scene.mesh.scalars) meta["scalars"].push_back(utf8_name(layer.name));
-    meta["left_out"] = json::array();
-    for (const UnusablePhoto& l : scene.left_out)
-        meta["left_out"].push_back(left_out_json(l, scene.files.photos, identities));
+    meta["skipped"] = json::array();
+    for (const UnusablePhoto& l : scene.skipped)
+        meta["skipped"].push_back(skipped_json(l, scene.files.photos, identities));
     // The identities are those of the bytes that were read before.
     for (const StampedFile& file : scene.read) expect_unchanged(file);
     meta["warnings"] = json::array();

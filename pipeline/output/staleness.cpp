@@ -129,16 +129,16 @@ void compare_only_clouds(const json& meta, const std::vector<fs::path>& files, C
         if (!before.contains(utf8_name(file.filename().string()))) add_new(file, out);
 }
 
-/// Photos that the package neither has nor left out.
+/// Photos that the package neither has nor skipped.
 void add_new_photos(const json& meta, const fs::path& folder, Changes& out) {
-    std::set<fs::path> left_out;
-    for (const json& l : meta.at("left_out"))
-        left_out.insert(file_named(folder, l.at("name").get<std::string>()));
+    std::set<fs::path> skipped;
+    for (const json& l : meta.at("skipped"))
+        skipped.insert(file_named(folder, l.at("name").get<std::string>()));
     std::vector<fs::path> used;
     for (const json& file : meta.at("inputs").at("photos"))
         used.push_back(file_named(folder, file.get<std::string>()));
     for (const fs::path& photo : unused_photos(folder, photos_below(folder), used))
-        if (!left_out.contains(photo)) add_new(photo, out);
+        if (!skipped.contains(photo)) add_new(photo, out);
 }
 
 void compare_photos(const PackageReader& package, const json& meta, const fs::path& folder,
@@ -170,10 +170,10 @@ void compare_masks(const PackageReader& package, const json& meta, const fs::pat
     }
 }
 
-/// Photos that were left out and whose file has appeared, changed or disappeared. Of a photo without a camera
+/// Photos that were skipped and whose file has appeared, changed or disappeared. Of a photo without a camera
 /// only whether it is there matters.
-void compare_left_out(const json& meta, const fs::path& folder, IdentityCache& identities, Changes& out) {
-    for (const json& l : meta.at("left_out")) {
+void compare_skipped(const json& meta, const fs::path& folder, IdentityCache& identities, Changes& out) {
+    for (const json& l : meta.at("skipped")) {
         const fs::path photo = file_named(folder, l.at("name").get<std::string>());
         const bool exists = fs::exists(photo);
         if (exists != l.at("there").get<bool>()) {
@@ -215,7 +215,7 @@ Changes changed_inputs(const PackageReader& package, const InputFiles& files, Id
         if (files.photos.empty()) return without_photos(package, std::move(out));
         compare_photos(package, meta, files.photos, identities, out);
         compare_masks(package, meta, files.photos, identities, out);
-        compare_left_out(meta, files.photos, identities, out);
+        compare_skipped(meta, files.photos, identities, out);
         add_new_photos(meta, files.photos, out);
         return out;
     } catch (const json::exception& e) {
@@ -273,17 +273,17 @@ std::string damage_of(const PackageReader& package, IdentityCache& identities) {
     return found.empty() ? std::string() : found.front().text;
 }
 
-std::vector<UnusablePhoto> left_out_of(const PackageReader& package) {
+std::vector<UnusablePhoto> skipped_of(const PackageReader& package) {
     std::vector<UnusablePhoto> out;
     const json meta = parse_meta(package);
-    for (const json& l : meta.value("left_out", json::array()))
+    for (const json& l : meta.value("skipped", json::array()))
         out.push_back({l.value("name", ""), l.value("why", "")});
     const auto photos = package.photos();
     const auto states = package.records<package::PhotoState>(package::Type::states);
     for (std::size_t i = 0; i < photos.size() && i < states.size(); ++i)
-        if (photos[i].flags & package::photo_left_out)
+        if (photos[i].flags & package::photo_skipped)
             out.push_back({photos[i].name,
-                           {states[i].left_out, ::strnlen(states[i].left_out, sizeof states[i].left_out)}});
+                           {states[i].skipped, ::strnlen(states[i].skipped, sizeof states[i].skipped)}});
     std::ranges::sort(out, {}, &UnusablePhoto::photo);
     return out;
 }

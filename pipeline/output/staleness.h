@@ -37,6 +37,6 @@ std::vector<std::string> changed_settings(const PackageReader& package, const Pr
 std::string damage_of(const PackageReader& package, IdentityCache& identities);
 
 /// The photos that a package lacks: those without a camera or file, and those that could not be decoded.
-std::vector<UnusablePhoto> left_out_of(const PackageReader& package);
+std::vector<UnusablePhoto> skipped_of(const PackageReader& package);
 
 }  // namespace vantage

@@ -76,8 +76,8 @@ void merge_photo(std::uint32_t i, const EarlierPackages& parts, PackageWriter& w
     const std::uint32_t at = *(*holder)->photo(record.name);
     record = (*holder)->record(at);
     state = (*holder)->state(at);
-    if (state.left_out[0]) {
-        writer.leave_out(i);
+    if (state.skipped[0]) {
+        writer.skip(i);
     } else {
         for (const package::Stage stage : stages_of(record)) {
             const bool taken = std::ranges::any_of(parts, [&](const auto& part) {

@@ -37,7 +37,7 @@ class StageCounts {
         : scene_(scene), settings_(std::move(settings)), earlier_(earlier) {}
 
     void add(std::size_t i, const PhotoTables& photos, const std::vector<package::Stage>& made) {
-        if (photos.states[i].left_out[0]) return;
+        if (photos.states[i].skipped[0]) return;
         for (const package::Stage stage : stages_of(photos.records[i])) {
             PrepareResult::Stage& count = result.stages[std::size_t(stage)];
             if (std::ranges::count(made, stage) == 0) {
@@ -149,19 +149,19 @@ void run_photos(const PhotoContext& context, PhotoTables& photos, unsigned in_fl
                                 done, total));
 }
 
-/// Lists the photos that were left out. Throws if no photo is usable.
-void record_left_out(const SceneInput& scene, const PhotoTables& photos, PrepareResult& result) {
-    result.left_out = scene.left_out;
+/// Lists the photos that were skipped. Throws if no photo is usable.
+void record_skipped(const SceneInput& scene, const PhotoTables& photos, PrepareResult& result) {
+    result.skipped = scene.skipped;
     std::size_t usable = 0;
     for (std::size_t i = 0; i < photos.records.size(); ++i)
-        if (photos.states[i].left_out[0])
-            result.left_out.push_back({scene.photos[i].name, photos.states[i].left_out});
+        if (photos.states[i].skipped[0])
+            result.skipped.push_back({scene.photos[i].name, photos.states[i].skipped});
         else
             ++usable;
-    std::ranges::sort(result.left_out, {}, &UnusablePhoto::photo);
+    std::ranges::sort(result.skipped, {}, &UnusablePhoto::photo);
     if (usable == 0 && !has_points_only(scene))
         throw Error(Exit::input, scene.files.photos.string() + ": no photo can be used; the first: " +
-                                     result.left_out.front().photo + ": " + result.left_out.front().why);
+                                     result.skipped.front().photo + ": " + result.skipped.front().why);
 }
 
 /// Results that depend on all photos are left to the merge of the shares.
@@ -202,7 +202,7 @@ PrepareResult prepare_photos(const PhotoContext& context, PhotoTables& photos,
     run_photos(context, photos, estimate.in_flight, run, counts, progress);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     if (context.earlier.empty()) remember_speed(estimate.photo_seconds, took.count());
-    record_left_out(context.scene, photos, counts.result);
+    record_skipped(context.scene, photos, counts.result);
     return std::move(counts.result);
 }
 
@@ -211,8 +211,8 @@ PrepareResult prepare_photos(const PhotoContext& context, PhotoTables& photos,
 PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const std::filesystem::path& out,
                       const OnProgress& progress, const PrepareRun& run) {
     expect_usable(scene, settings);
-    if (run.strict && !scene.left_out.empty())
-        throw Error(Exit::input, scene.left_out.front().photo + ": " + scene.left_out.front().why);
+    if (run.strict && !scene.skipped.empty())
+        throw Error(Exit::input, scene.skipped.front().photo + ": " + scene.skipped.front().why);
     if (settings.photo_size > 0) reduce_photos(scene, settings.photo_size);
     std::optional<IdentityCache> default_cache;
     IdentityCache& identities = run.identities ? *run.identities : default_cache.emplace();

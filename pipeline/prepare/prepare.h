@@ -43,7 +43,7 @@ struct PrepareResult {
         std::map<std::string, std::vector<std::string>> why;  ///< per reason: photos that the stage ran for
     };
     std::array<Stage, std::size_t(package::Stage::count)> stages;
-    std::vector<UnusablePhoto> left_out;
+    std::vector<UnusablePhoto> skipped;
     std::shared_ptr<const Agreement> agreement;  ///< null for a share
 };
 

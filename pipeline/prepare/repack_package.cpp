@@ -74,7 +74,7 @@ void copy_tiles(const PackageReader& from, PackageWriter& to, std::uint32_t phot
 }
 
 void copy_photo(const PackageReader& from, PackageWriter& to, std::uint32_t i, const PhotoRecord& r) {
-    if (r.flags & package::photo_left_out) to.leave_out(i);
+    if (r.flags & package::photo_skipped) to.skip(i);
     if (r.levels == 0) return;
     for (const auto& [row, level] : chunks_of_photo(int(r.levels)))
         if (row->type == Type::thumbnail)

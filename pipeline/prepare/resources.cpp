@@ -64,7 +64,7 @@ constexpr double seconds_per_pixel = 17e-9, seconds_per_lens_pixel = 2e-9, secon
 constexpr double seconds_per_jpeg_pixel = 5e-9, seconds_per_other_pixel = 35e-9;
 /// Of a package on a disk, which is flushed at the end.
 constexpr double seconds_per_written_byte = 2e-9;
-/// Of comparing photos; more for each of the first, because few are left out to judge effects.
+/// Of comparing photos; more for each of the first, because few are held out to judge effects.
 constexpr double seconds_per_photo = 0.02, seconds_per_validated = 0.02;
 constexpr std::size_t max_validated = 12;
 /// Of background.

@@ -65,7 +65,7 @@ EffectDecision decide_transients(std::span<const PhotoRecord> photos, const std:
                               100 * worst->disagreeing, photos[std::size_t(worst - maps.begin())].name));
 }
 
-/// Lets left-out photos confirm the effect. Their colors are fitted without them, even if no color effect is
+/// Lets held-out photos confirm the effect. Their colors are fitted without them, even if no color effect is
 /// on.
 void confirm(const FinishInput& in, const Folds& folds, const TransientViews& views,
              const TransientPartners& partners, const ColorRefinement& colors, EffectDecision& decision) {

@@ -38,7 +38,7 @@ EffectDecision decide_vignetting(const ColorFit& fit, EffectChoice wanted) {
                       : "no lens vignetting was found");
 }
 
-/// What gains are worth to left-out photos, and what vignetting besides; `both`: with it, empty if there is
+/// What gains are worth to held-out photos, and what vignetting besides; `both`: with it, empty if there is
 /// none.
 struct ColorJudgments {
     Judgment exposure, vignetting;

@@ -23,7 +23,7 @@ struct ColorRefinement {
 
 /// Gains are needed if photos disagree by more than the effect's threshold and gains remove at least a tenth
 /// of that; vignetting above its own threshold, but not without gains. A correction that is needed is then
-/// tested on left-out photos (see is_called_for), unless `folds` is null or a choice forces it. `fit`: of
+/// tested on held-out photos (see is_called_for), unless `folds` is null or a choice forces it. `fit`: of
 /// these samples and lenses, with vignetting unless that is turned off.
 ColorRefinement refine_colors(ColorFit fit, std::vector<std::uint32_t> lens, Samples samples,
                               const std::map<Effect, EffectChoice>& choices, const Folds* folds = nullptr);

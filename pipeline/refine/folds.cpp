@@ -8,8 +8,8 @@ namespace vantage {
 namespace {
 
 /// Up to `max_folds` of the photos with pixels, evenly spread.
-std::vector<std::uint32_t> photos_to_leave_out(std::span<const package::PhotoRecord> photos,
-                                               std::size_t max_folds) {
+std::vector<std::uint32_t> photos_to_hold_out(std::span<const package::PhotoRecord> photos,
+                                              std::size_t max_folds) {
     std::vector<std::uint32_t> with_pixels, out;
     for (std::uint32_t i = 0; i < photos.size(); ++i)
         if (photos[i].levels > 0) with_pixels.push_back(i);
@@ -27,7 +27,7 @@ Folds::Folds(const FoldsInput& in)
           in_.package.forget_all();
           return read;
       }) {
-    for (const std::uint32_t photo : photos_to_leave_out(in.photos, in.max_folds)) {
+    for (const std::uint32_t photo : photos_to_hold_out(in.photos, in.max_folds)) {
         Fold fold{photo, {}};
         for (const PhotoPair& p : shared_.best_pairs(photo, max_others))
             fold.others.push_back(p.a == photo ? p.b : p.a);

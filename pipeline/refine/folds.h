@@ -25,16 +25,16 @@ struct FoldsInput {
     double border_width = 0;             ///< as in SceneRecord
     unsigned threads = 0;
     int long_side = 256;         ///< of the levels at which photos are read, texels
-    std::size_t max_folds = 24;  ///< photos left out at most
+    std::size_t max_folds = 24;  ///< photos held out at most
 };
 
-/// A photo that is left out, and those that it is predicted from.
+/// A photo that is held out, and those that it is predicted from.
 struct Fold {
     std::uint32_t photo;
     std::vector<std::uint32_t> others;  ///< up to max_others that share the most surface, ascending
 };
 
-/// Cross-validation: photos that are left out of everything in turn, spread over the scene.
+/// Cross-validation: photos that are held out of everything in turn, spread over the scene.
 /// Photos are read at the finest level with at most 256 texels on the longer side.
 class Folds {
   public:

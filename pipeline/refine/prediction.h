@@ -42,7 +42,7 @@ struct ValidationScore {
     double seams = 0;        ///< see predict
 };
 
-/// Scores predictions of one photo on the pixels that all of them color, a border of 3 pixels left out, as in
+/// Scores predictions of one photo on the pixels that all of them color, a border of 3 pixels skipped, as in
 /// player/measure.
 std::vector<ValidationScore> score(const cv::Mat& own, std::span<const Prediction> predictions);
 

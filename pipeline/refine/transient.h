@@ -22,7 +22,7 @@ inline constexpr std::size_t cached_views = 16;  ///< that are held at once, as 
 std::vector<TransientMap> transient_maps(const TransientViews& uncorrected, const PhotoColors& colors,
                                          const TransientPartners& partners, unsigned threads);
 
-/// What transient masks are worth to left-out photos, which vote neither on weight maps nor on gains.
+/// What transient masks are worth to held-out photos, which vote neither on weight maps nor on gains.
 /// `uncorrected`: at the folds' levels. `fits`: per fold, the colors fitted without its photo. `gains_on`,
 /// `vignetting_on`: whether to blend with them.
 Judgment validate_transients(const Folds& folds, const TransientViews& uncorrected,

@@ -51,8 +51,8 @@ void confirm(EffectDecision& decision, const Judgment& judgment) {
 }
 
 std::string sentence(const Judgment& j) {
-    if (j.photos < min_validated_photos) return "too few photos to leave one out";
-    std::string out = fmt::format("left-out photos {} {:.2f} dB (standard error {:.2f}; {} of {} worse)",
+    if (j.photos < min_validated_photos) return "too few photos to hold one out";
+    std::string out = fmt::format("held-out photos {} {:.2f} dB (standard error {:.2f}; {} of {} worse)",
                                   j.gain < 0 ? "lose" : "gain", std::abs(j.gain), j.error, j.worse, j.photos);
     if (j.worst < -max_loss) out += fmt::format(", {} loses {:.2f} dB", j.worst_photo, -j.worst);
     if (j.seams_before > 0)

@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// A photo left out of everything and predicted from the others: without an effect, and with it.
+/// A photo held out of everything and predicted from the others: without an effect, and with it.
 struct ValidatedPhoto {
     std::string name;
     ValidationScore without, with;
@@ -26,16 +26,16 @@ Judgment summarize(std::span<const ValidatedPhoto> photos);
 /// Fewer photos do not judge an effect.
 inline constexpr int min_validated_photos = 3;
 
-/// Whether an effect is worth having: left-out photos gain (more than twice the noise, or twice the standard
+/// Whether an effect is worth having: held-out photos gain (more than twice the noise, or twice the standard
 /// error of the mean), or lose nothing within that error while seams fall by a tenth; and no photo loses more
 /// than 0.75 dB. False for fewer than three photos.
 bool is_called_for(const Judgment& judgment);
 
-/// Lets left-out photos confirm an effect that is on: adds the judgment and its sentence to the decision, and
+/// Lets held-out photos confirm an effect that is on: adds the judgment and its sentence to the decision, and
 /// switches the effect off if it is not called for. A choice or too few photos leave it on.
 void confirm(EffectDecision& decision, const Judgment& judgment);
 
-/// One sentence about a judgment, such as "left-out photos gain 0.21 dB (+-0.05; 1 of 10 worse)".
+/// One sentence about a judgment, such as "held-out photos gain 0.21 dB (+-0.05; 1 of 10 worse)".
 std::string sentence(const Judgment& judgment);
 
 }  // namespace vantage

@@ -50,7 +50,7 @@ void check_model(const PackageReader& reader, Issues& out) {
 }
 
 void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std::uint32_t i, Issues& out) {
-    const bool without_pixels = p.flags & (package::photo_held_out | package::photo_left_out);
+    const bool without_pixels = p.flags & (package::photo_held_out | package::photo_skipped);
     if (without_pixels != (p.levels == 0))
         add(out, Finding::level_flag_mismatch, fmt::format("{}: flags and levels disagree", p.name));
     if (without_pixels) return;
@@ -211,8 +211,8 @@ Issues check_package(const std::filesystem::path& file, const CheckDepth& depth)
         check_structure(reader, depth.deep, out);
         if (!out.empty()) return out;
         if (!depth.against.empty()) check_against(reader, depth, out);
-        for (const UnusablePhoto& l : left_out_of(reader))
-            add(out, Finding::photo_left_out, l.photo + ": left out: " + l.why);
+        for (const UnusablePhoto& l : skipped_of(reader))
+            add(out, Finding::photo_skipped, l.photo + ": skipped: " + l.why);
         check_story(reader, out);
     } catch (const DamagedPackage& e) {
         add(out, finding_of(e.defect()), text_of(e, file));

@@ -33,7 +33,7 @@ enum class Finding {
     input_changed,
     input_new,
     input_missing,
-    photo_left_out,
+    photo_skipped,
     story_unreadable,
     story_reference,
     story_picture,

@@ -88,7 +88,7 @@ void diff_meta(const PackageReader& a, const PackageReader& b, Differences& out)
         out.push_back({"settings", "tool", of_a.value("tool", "") + " vs. " + of_b.value("tool", "")});
     diff_json("settings", of_a.value("config", json{}), of_b.value("config", json{}), out);
     diff_json("inputs", of_a.value("inputs", json{}), of_b.value("inputs", json{}), out);
-    for (const char* list : {"effects", "left_out", "warnings"})
+    for (const char* list : {"effects", "skipped", "warnings"})
         diff_json("inputs", of_a.value(list, json{}), of_b.value(list, json{}), out, list);
 }
 

@@ -8,7 +8,7 @@ namespace vantage {
 bool is_hidden(const std::filesystem::path& file);
 
 /// The files in a folder and in its subfolders, `levels` deep (0: in the folder itself), sorted; hidden ones
-/// are left out, symbolic links are followed. Throws Error(input).
+/// are skipped, symbolic links are followed. Throws Error(input).
 std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder, int levels);
 
 }  // namespace vantage

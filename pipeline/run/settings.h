@@ -41,7 +41,7 @@ struct PrepareSettings {
     std::optional<Similarity> align;  ///< from the cameras' frame to the mesh's, if they differ
     bool vertex_coordinates = false;  ///< stored even where the player does not use them by default
     std::map<Effect, EffectChoice> effects;
-    bool validate = true;  ///< whether left-out photos must confirm the effects that all photos decide
+    bool validate = true;  ///< whether held-out photos must confirm the effects that all photos decide
 };
 
 }  // namespace vantage

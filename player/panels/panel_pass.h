@@ -21,7 +21,7 @@ std::span<ImDrawList* const> lists_of(const ImDrawData& drawn);
 /// the OpenGL thread.
 class PanelDrawing {
   public:
-    /// Replaces what was uploaded. Callbacks among the commands are left out.
+    /// Replaces what was uploaded. Callbacks among the commands are ignored.
     void upload(std::span<ImDrawList* const> lists);
 
   private:

@@ -29,7 +29,7 @@ struct Part {
 };
 
 /// `number`: of the scene's vertices in the part, or ~0u for all; it is restored. The file may change while
-/// it is shown: triangles with vertices out of range are left out.
+/// it is shown: triangles with vertices out of range are skipped.
 Part part_of(const PlanScene& scene, std::size_t first, std::size_t count,
              std::vector<std::uint32_t>& number) {
     Part part;

@@ -14,7 +14,7 @@ namespace vantage {
 struct PointPlan {
     std::vector<std::uint32_t> nodes;
     std::uint64_t points = 0;  ///< of these nodes
-    bool whole = true;         ///< the budget left out nothing that the view could use
+    bool whole = true;         ///< no node that the view could use exceeded the budget
 };
 
 /// Maximum number of nodes in a plan.
@@ -26,7 +26,7 @@ enum class PointCulling {
     none
 };
 
-/// At most `budget` points, but always the root if it is in view. Nodes outside the frustum are left out,
+/// At most `budget` points, but always the root if it is in view. Nodes outside the frustum are skipped,
 /// never one with a point inside; and those below nodes whose points are less than a sample apart, with
 /// `side` samples along a pixel. Nodes that are not tested count as in view.
 PointPlan plan_points(const PointCloud& cloud, const View& view, std::uint64_t budget, int side,

@@ -44,7 +44,7 @@ void add_evaluate(const Command& program) {
     add_blended_option(c, o->blending);
     const std::string group = "Evaluation";
     c.integer("--level", o->level, 0, 8, "pyramid level to compare: 0 full size, 1 half size").group(group);
-    c.integer("--every", o->every, 1, 1 << 20, "leave out only every n-th photo (or those of --photo)")
+    c.integer("--every", o->every, 1, 1 << 20, "hold out only every n-th photo (or those of --photo)")
         .group(group);
     c.integer("--worst", o->worst, 0, 1 << 20, "number of worst photos to show first").group(group);
     c.file("--against", o->against,

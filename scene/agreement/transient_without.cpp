@@ -26,8 +26,8 @@ TransientWithout::TransientWithout(const PackageReader& package, const PhotoSamp
           return read_transient_view(package, r, i, transient_level(r));
       }) {}
 
-void TransientWithout::leave_out(std::uint32_t photo, PhotoColors colors,
-                                 std::span<const package::PhotoRecord> photos) {
+void TransientWithout::hold_out(std::uint32_t photo, PhotoColors colors,
+                                std::span<const package::PhotoRecord> photos) {
     without_ = photo;
     colors_ = std::move(colors);
     poses_.clear();

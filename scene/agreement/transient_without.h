@@ -20,9 +20,9 @@ class TransientWithout {
 
     /// Chooses the photo that does not exist. `colors`: fitted without it; `photos`: the package's records,
     /// with poses found without it.
-    void leave_out(std::uint32_t photo, PhotoColors colors, std::span<const package::PhotoRecord> photos);
+    void hold_out(std::uint32_t photo, PhotoColors colors, std::span<const package::PhotoRecord> photos);
     /// What `prepare --hold-out` writes to the weight maps of another photo; null if it has fewer than two
-    /// partners. Valid until leave_out. Throws Error(damaged).
+    /// partners. Valid until hold_out. Throws Error(damaged).
     const TransientMap* of(std::uint32_t photo);
 
   private:
@@ -31,7 +31,7 @@ class TransientWithout {
     std::uint32_t without_ = 0;
     PhotoColors colors_;
     std::vector<Pose> poses_;
-    std::optional<LruCache<TransientView>> corrected_;  ///< for the photo left out
+    std::optional<LruCache<TransientView>> corrected_;  ///< for the photo held out
     std::map<std::uint32_t, TransientMap> maps_;
 };
 

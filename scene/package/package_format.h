@@ -85,7 +85,7 @@ struct SceneRecord {
 enum PhotoFlags : std::uint32_t {
     photo_held_out = 1,
     photo_has_alpha = 4,
-    photo_left_out = 8,    ///< unreadable: only its camera is stored; the reason is in its PhotoState
+    photo_skipped = 8,     ///< unreadable: only its camera is stored; the reason is in its PhotoState
     photo_registered = 16  ///< its pose was refined; REGI has the one given
 };
 
@@ -93,7 +93,7 @@ struct PhotoRecord {
     char name[192];  ///< UTF-8, zero-terminated: the file name without folders
     std::uint32_t width, height;
     std::uint32_t flags;
-    std::uint32_t levels;  ///< of the tile pyramid; 0 if the photo is held out or left out
+    std::uint32_t levels;  ///< of the tile pyramid; 0 if the photo is held out or skipped
     std::uint32_t thumbnail_width, thumbnail_height;
     std::uint32_t weight_map_width, weight_map_height;  ///< at pyramid level `weight_map_level`
     double fx, fy, cx, cy;
@@ -120,7 +120,7 @@ struct PhotoState {
     std::uint64_t photo, camera, model;  ///< XXH3-64 of these inputs, to report which has changed
     std::uint64_t pose;                  ///< XXH3-64 of the pose used for visibility
     std::uint64_t transients;            ///< XXH3-64 of the transient weights; 0 if all are 255
-    char left_out[192];                  ///< why the photo could not be read, or empty
+    char skipped[192];                   ///< why the photo could not be read, or empty
     std::uint64_t record;                ///< XXH3-64 of the photo's PhotoRecord
     std::uint64_t checksum;              ///< XXH3-64 of the preceding bytes
 };

@@ -28,7 +28,7 @@ Inputs inputs_of(const PackageReader& package) {
         if (p.source_bytes) inputs.contents.push_back({p.source_bytes, p.source_checksum});
     const json meta = json_of(package.meta());
     if (!meta.is_object()) return inputs;
-    for (const char* list : {"inputs", "left_out"})
+    for (const char* list : {"inputs", "skipped"})
         if (meta.contains(list)) add_identities(meta[list], inputs.contents);
     return inputs;
 }

@@ -52,7 +52,7 @@ bool can_resume(const Header& h, const PackageLayout& layout, Share share) {
 enum class Settled : char {
     no,
     present,  ///< written, kept or copied by this run
-    left_out
+    skipped
 };
 
 }  // namespace
@@ -332,12 +332,12 @@ void PackageWriter::copy(const PackageReader& from, const DirectoryEntry& entry,
     s.file.start_flush(e.offset, e.length);
 }
 
-void PackageWriter::leave_out(std::uint32_t photo) {
+void PackageWriter::skip(std::uint32_t photo) {
     State& s = *state_;
     for (std::size_t i = 0; i < s.layout.directory.size(); ++i) {
         const DirectoryEntry& e = s.planned[i];
         if (e.photo != photo) continue;
-        s.settle(i, e, Settled::left_out);
+        s.settle(i, e, Settled::skipped);
         s.file.write(slot(i), bytes_of_one(DirectoryEntry{}));
         s.file.punch_hole(e.offset, aligned(e.length));
     }

@@ -33,7 +33,7 @@ struct CodedBlocks {
 /// writes the directory and the header, flushes, and renames. Compact chunks are shorter than their places;
 /// finish() then puts all chunks together in another file. Until then, a chunk's directory entry is
 /// written when the chunk is sealed, and everything has a checksum, so that the next writer can resume after
-/// a crash at any point. write(), write_blocks(), note(), keep(), copy() and leave_out() are thread-safe and
+/// a crash at any point. write(), write_blocks(), note(), keep(), copy() and skip() are thread-safe and
 /// throw Error(storage).
 class PackageWriter {
   public:
@@ -75,7 +75,7 @@ class PackageWriter {
     void copy(const PackageReader& from, const package::DirectoryEntry& entry, std::uint32_t photo);
     /// Drops the chunks of a photo that cannot be used; their place stays empty, and takes no space if the
     /// file system supports holes.
-    void leave_out(std::uint32_t photo);
+    void skip(std::uint32_t photo);
 
     /// Reads back a sealed chunk without blocks. Throws Error(storage).
     std::vector<std::byte> read(package::Type type, std::uint32_t photo) const;
@@ -85,7 +85,7 @@ class PackageWriter {
     /// Bytes of the finished package, or before that of its part.
     std::uint64_t size() const;
     /// Completes the package. Throws Error(storage), and std::logic_error if a planned chunk was neither
-    /// written, kept, copied nor left out.
+    /// written, kept, copied nor skipped.
     void finish();
 
   private:

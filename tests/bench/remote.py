@@ -106,7 +106,7 @@ def sharp_in_the_window(package, photo, folder, cache):
 
 
 def exact_picture(package, photo, folder, cache):
-    """Seconds for a picture for which no tile is left out."""
+    """Seconds for a picture for which no tile is skipped."""
     return run([package, "--offscreen", "--photo", photo, "--size", "1280x720", "--samples", "1", "--max-photos", "4",
                 "-o", f"{folder}/picture.png"], cache)[0]
 

@@ -37,7 +37,7 @@ class Package:
         self.photos = sorted(os.listdir(os.path.join(self.scene, 'images')))
         self.good = {p: self.content(p) for p in self.photos}
         self.lock = threading.Lock()
-        self.prepared = None  # the inputs of the package, and whether photos were left out
+        self.prepared = None  # the inputs of the package, and whether photos were skipped
         self.damaged = False
 
     def path(self, photo):

@@ -234,13 +234,13 @@ class CameraFiles : public TemporaryFolder {
 
 }  // namespace
 
-TEST_F(CameraFiles, PhotoWithInvalidCameraIsLeftOutAndListed) {
+TEST_F(CameraFiles, PhotoWithInvalidCameraIsSkippedAndListed) {
     replace("images.txt", "2 ", "2 0 0 0 0 1 2 3 2 0001.jpg");
     const SceneInput scene = read_scene(discover(dir / "scene"));
     EXPECT_EQ(scene.photos.size(), 2u);
-    ASSERT_EQ(scene.left_out.size(), 1u);
-    EXPECT_EQ(scene.left_out[0].photo, "0001.jpg");
-    EXPECT_NE(scene.left_out[0].why.find("not finite"), std::string::npos) << scene.left_out[0].why;
+    ASSERT_EQ(scene.skipped.size(), 1u);
+    EXPECT_EQ(scene.skipped[0].photo, "0001.jpg");
+    EXPECT_NE(scene.skipped[0].why.find("not finite"), std::string::npos) << scene.skipped[0].why;
 }
 
 TEST_F(CameraFiles, OutOfRangeNumbersAreReportedInOneLine) {
@@ -250,7 +250,7 @@ TEST_F(CameraFiles, OutOfRangeNumbersAreReportedInOneLine) {
         replace("cameras.txt", "1 ", camera);
         try {
             const SceneInput scene = read_scene(discover(dir / "scene"));
-            EXPECT_FALSE(scene.left_out.empty()) << camera;
+            EXPECT_FALSE(scene.skipped.empty()) << camera;
         } catch (const Error& e) {
             EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
             EXPECT_NE(std::string(e.what()).find("cameras.txt"), std::string::npos) << e.what();

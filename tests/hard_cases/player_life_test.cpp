@@ -259,7 +259,7 @@ TEST_F(PlayerLifetime, DeletingTheOpenPackageChangesNothing) {
     EXPECT_TRUE(fs::exists(dir / "pictures" / "0039.png"));
 }
 
-TEST_F(PlayerLifetime, OverwrittenTilesAreLeftOutUntilRestored) {
+TEST_F(PlayerLifetime, OverwrittenTilesAreSkippedUntilRestored) {
     const View view = own_view(2, 0.5);
     const RenderSettings s = streamed();
     ASSERT_TRUE(settle(*renderer, own_view(0, 0.1), s, 0));

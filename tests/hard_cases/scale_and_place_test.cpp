@@ -267,7 +267,7 @@ TEST_F(ScaleAndPlace, ScalingByAPowerOfTwoIsBitExact) {
     EXPECT_EQ(given->picture(a, Blend::lumigraph).rgba, other->picture(b, Blend::lumigraph).rgba);
 }
 
-// One triangle far away takes no precision from the rest: the picture of a photo that is left out is as good,
+// One triangle far away takes no precision from the rest: the picture of a photo that is held out is as good,
 // and the clusters and the extent of the scene are those of the rest.
 TEST_F(ScaleAndPlace, StrayTriangleCostsNoPrecision) {
     struct Case {
@@ -290,12 +290,12 @@ TEST_F(ScaleAndPlace, StrayTriangleCostsNoPrecision) {
         EXPECT_NEAR(double(other.triangles), double(given.triangles), 64);
         const std::vector<std::uint32_t> others{0, 2};
         const Picture own = without->picture(view_of_photo(without->package.photos()[1], 1), Blend::best);
-        const auto left_out = [&](Opened& o) {
+        const auto held_out = [&](Opened& o) {
             RenderSettings model_only;
             model_only.background = ShowBackground::off;
             return take_picture(o.renderer, view_of_photo(o.package.photos()[1], 1), model_only, others, 1);
         };
-        const Picture a = left_out(*without), b = left_out(*with);
+        const Picture a = held_out(*without), b = held_out(*with);
         EXPECT_NEAR(psnr(a, own), psnr(b, own), 0.1);
         EXPECT_GT(psnr(a, b), 45);
         const auto covered = [](const Opened& o) {

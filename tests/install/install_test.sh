@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs into a temporary prefix and uses what is there: programs, presets, manual, completion, files for the desktop.
-# What needs a program that is not installed (man, zsh, desktop-file-validate, update-mime-database) is left out.
+# What needs a program that is not installed (man, zsh, desktop-file-validate, update-mime-database) is skipped.
 # usage: install_test.sh BUILD_DIR SOURCE_DIR
 set -euo pipefail
 build=$1 source=$2

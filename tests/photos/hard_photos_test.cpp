@@ -222,7 +222,7 @@ TEST_F(HardPhotos, PreparesPhotosWiderThanAnyTexture) {
     }
 }
 
-TEST_F(HardPhotos, AspectRatioMismatchIsLeftOutAndListed) {
+TEST_F(HardPhotos, AspectRatioMismatchIsSkippedAndListed) {
     SynthSpec spec = spec_named("tiny");
     spec.photos.count = 3;
     spec.photos.samples = 1;
@@ -232,7 +232,7 @@ TEST_F(HardPhotos, AspectRatioMismatchIsLeftOutAndListed) {
     write("scene/images/0001.jpg", 50, 70, 3, noise(50, 70, 3));
     const PrepareResult result =
         prepare(read_scene(discover(dir / "scene")), {}, dir / "a.vantage", [](const Progress&) {});
-    ASSERT_EQ(result.left_out.size(), 1u);
-    EXPECT_EQ(result.left_out[0].photo, "0001.jpg");
-    EXPECT_NE(result.left_out[0].why.find("50x70"), std::string::npos) << result.left_out[0].why;
+    ASSERT_EQ(result.skipped.size(), 1u);
+    EXPECT_EQ(result.skipped[0].photo, "0001.jpg");
+    EXPECT_NE(result.skipped[0].why.find("50x70"), std::string::npos) << result.skipped[0].why;
 }

@@ -51,7 +51,7 @@ std::vector<Row> command_rows() {
         {"options", "--refine some", nothing(), Exit::usage, Says{"--refine"}, no_package, Command{with("--refine some")}},
         {"options", "--progress loud", nothing(), Exit::usage, Says{"--progress: 'loud' is none of auto, bar, lines, json, none"}, no_package, Command{with("--progress loud")}},
         {"options", "--strict and a photo without a camera", with_file("images/D.jpg", red()), Exit::input, Says{"D.jpg: has no camera"}, no_package, Command{with("--strict")}},
-        {"options", "--hold-out by stem, the rest left out", [](Scan& s) { s.remove("images/C.jpg"); }, Exit::incomplete, Holds{"-A.jpg B.jpg=green;"}, Command{with("--hold-out A")}},
+        {"options", "--hold-out by stem, the rest skipped", [](Scan& s) { s.remove("images/C.jpg"); }, Exit::incomplete, Holds{"-A.jpg B.jpg=green;"}, Command{with("--hold-out A")}},
         {"options", "neither INPUT nor --mesh", nothing(), Exit::usage, Says{"expected an INPUT folder"}, no_package, Command{"vantage prepare -o {out}.vantage"}},
         {"options", "no -o", nothing(), Exit::usage, Says{"--output"}, no_package, Command{"vantage prepare {scan}"}},
         {"options", "--mesh, --cameras and --photos without INPUT", nothing(), Command{"vantage prepare --mesh {scan}/mesh.ply --cameras {scan}/sparse --photos {scan}/images -o {out}.vantage --no-report"}},

@@ -4,9 +4,9 @@
 
 namespace vantage {
 
-Exit report_left_out(const std::vector<UnusablePhoto>& left_out) {
-    for (const UnusablePhoto& l : left_out) fmt::print("left out {}: {}\n", l.photo, l.why);
-    return left_out.empty() ? Exit::ok : Exit::incomplete;
+Exit report_skipped(const std::vector<UnusablePhoto>& skipped) {
+    for (const UnusablePhoto& l : skipped) fmt::print("skipped {}: {}\n", l.photo, l.why);
+    return skipped.empty() ? Exit::ok : Exit::incomplete;
 }
 
 }  // namespace vantage

@@ -7,6 +7,6 @@
 namespace vantage {
 
 /// Prints the photos that a package lacks, one per line. Returns `incomplete` if there are any, else `ok`.
-Exit report_left_out(const std::vector<UnusablePhoto>& left_out);
+Exit report_skipped(const std::vector<UnusablePhoto>& skipped);
 
 }  // namespace vantage

@@ -102,7 +102,7 @@ std::string geographic_system(pugi::xml_node root) {
     return {};
 }
 
-void read_photos(const XmlFile& file, pugi::xml_node group, CameraSet& set, LeftOut& left_out) {
+void read_photos(const XmlFile& file, pugi::xml_node group, CameraSet& set, SkippedCameras& skipped) {
     const Camera camera = read_group(file, group);
     const Eigen::Matrix3d axes = axes_of(file, group);
     for (const pugi::xml_node photo : group.children("Photo")) {
@@ -110,7 +110,7 @@ void read_photos(const XmlFile& file, pugi::xml_node group, CameraSet& set, Left
         const pugi::xml_node pose = photo.child("Pose"), rotation = pose.child("Rotation"),
                              center = pose.child("Center");
         if (!rotation || !center) {
-            left_out.add(name, "no pose");
+            skipped.add(name, "no pose");
             continue;
         }
         const Eigen::Matrix3d R = axes * blocks_rotation(file, rotation);
@@ -128,13 +128,13 @@ CameraSet read_blocks_exchange(const std::filesystem::path& path) {
                          groups = root.child("Block").child("Photogroups");
     if (!groups) throw NoCamera(path.string() + ": expected BlocksExchange with Photogroups, found none");
     CameraSet set{"Blocks Exchange", {}, {}};
-    LeftOut left_out;
-    for (const pugi::xml_node group : groups.children("Photogroup")) read_photos(file, group, set, left_out);
-    left_out.tell(set.warnings);
+    SkippedCameras skipped;
+    for (const pugi::xml_node group : groups.children("Photogroup")) read_photos(file, group, set, skipped);
+    skipped.tell(set.warnings);
     if (const std::string system = geographic_system(root); !system.empty())
         set.warnings.push_back("positions are longitudes and latitudes (" + system +
                                "): expected a local or projected system");
-    if (set.entries.empty()) left_out.fail(path);
+    if (set.entries.empty()) skipped.fail(path);
     return set;
 }
 

@@ -76,7 +76,7 @@ CameraSet read_bundler(const std::filesystem::path& file) {
         for (int i = 0; i < 9; ++i) R(i / 3, i % 3) = in.number<double>("a rotation");
         for (double& v : t) v = in.number<double>("a translation");
         if (f == 0) {
-            set.warnings.push_back(photo + ": not registered by Bundler; left out");
+            set.warnings.push_back(photo + ": not registered by Bundler; skipped");
             continue;
         }
         c.intrinsics.fx = c.intrinsics.fy = f;

@@ -77,7 +77,7 @@ CameraSet read_meshlab(const std::filesystem::path& file) {
             set.entries.push_back(read_raster(file, raster, set.warnings));
         else
             set.warnings.push_back(std::string(raster.attribute("label").value()) +
-                                   ": has no camera; left out");
+                                   ": has no camera; skipped");
     if (set.entries.empty()) throw NoCamera(file.string() + ": expected a raster with a camera, found none");
     return set;
 }

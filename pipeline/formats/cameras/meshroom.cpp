@@ -104,21 +104,21 @@ CameraSet read_meshroom(const std::filesystem::path& file) {
         for (const LocatedJson& p : root.at("poses").items(max_cameras))
             poses[identifier(p.at("poseId"))] = meshroom_pose(p);
     CameraSet set{"Meshroom", {}, {}};
-    LeftOut left_out;
+    SkippedCameras skipped;
     for (const LocatedJson& view : root.at("views").items(max_cameras)) {
         const std::string photo = view.at("path").text(10000);
         const auto pose = poses.find(identifier(view.at("poseId")));
         const auto intrinsic = intrinsics.find(identifier(view.at("intrinsicId")));
         if (pose == poses.end() || is_in_rig(view)) {
-            left_out.add(photo, is_in_rig(view) ? "part of a rig" : "no pose");
+            skipped.add(photo, is_in_rig(view) ? "part of a rig" : "no pose");
             continue;
         }
         if (intrinsic == intrinsics.end()) view.at("intrinsicId").fail("an intrinsic of this file");
         set.entries.push_back({photo, read_intrinsic(intrinsic->second, version), CameraSet::Unit::pixels});
         set.entries.back().camera.cam_from_world = pose->second;
     }
-    left_out.tell(set.warnings);
-    if (set.entries.empty()) left_out.fail(file);
+    skipped.tell(set.warnings);
+    if (set.entries.empty()) skipped.fail(file);
     return set;
 }
 

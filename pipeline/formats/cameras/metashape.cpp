@@ -146,7 +146,7 @@ class Chunk {
     void move_to(CameraSet& set) {
         set.entries = std::move(entries_);
         set.transform = first_;
-        left_out_.tell(set.warnings);
+        skipped_.tell(set.warnings);
         // Positions lead to geocentric coordinates then, and the mesh is exported in the projection.
         const std::string system = chunk_.child_value("reference");
         if (!system.empty() && !system.starts_with("LOCAL_CS"))
@@ -155,7 +155,7 @@ class Chunk {
                 (system.size() > 60 ? "..." : "") +
                 ": a mesh fits its cameras only if both are exported in local coordinates");
     }
-    const LeftOut& left_out() const { return left_out_; }
+    const SkippedCameras& skipped() const { return skipped_; }
     std::size_t posed() const { return entries_.size(); }
     std::string label() const { return chunk_.attribute("label").value(); }
 
@@ -169,11 +169,11 @@ class Chunk {
         }
         if (std::string_view(node.name()) != "camera") return;
         const std::string photo = node.attribute("label").value();
-        if (!is_enabled(node)) return left_out_.add(photo, "disabled");
-        if (node.attribute("master_id")) return left_out_.add(photo, "a rig's further camera");
-        if (!node.child("transform")) return left_out_.add(photo, "no pose");
+        if (!is_enabled(node)) return skipped_.add(photo, "disabled");
+        if (node.attribute("master_id")) return skipped_.add(photo, "a rig's further camera");
+        if (!node.child("transform")) return skipped_.add(photo, "no pose");
         const Sensor sensor = sensor_of(node);
-        if (!sensor.why_not.empty()) return left_out_.add(photo, sensor.why_not);
+        if (!sensor.why_not.empty()) return skipped_.add(photo, sensor.why_not);
         Camera camera = sensor.camera;
         camera.cam_from_world = pose_of(node);
         if (entries_.empty()) first_ = transform_of(node);
@@ -216,7 +216,7 @@ class Chunk {
     std::map<std::string, Similarity> components_;
     Similarity own_, first_;
     std::vector<CameraSet::Entry> entries_;
-    LeftOut left_out_;
+    SkippedCameras skipped_;
 };
 
 }  // namespace
@@ -234,7 +234,7 @@ CameraSet read_metashape(const std::filesystem::path& path) {
         if (&c != &*most && c.posed() > 0)
             set.warnings.push_back("chunk '" + c.label() + "': not used, has " + std::to_string(c.posed()) +
                                    " cameras; '" + most->label() + "' has " + std::to_string(most->posed()));
-    if (most->posed() == 0) most->left_out().fail(path);
+    if (most->posed() == 0) most->skipped().fail(path);
     most->move_to(set);
     return set;
 }

@@ -90,7 +90,7 @@ CameraSet read_openmvg(const std::filesystem::path& file) {
     for (const LocatedJson& e : root.at("extrinsics").items(max_cameras))
         poses[identifier(e.at("key"))] = openmvg_pose(e.at("value"));
     CameraSet set{"OpenMVG", {}, {}};
-    LeftOut left_out;
+    SkippedCameras skipped;
     for (const LocatedJson& v : root.at("views").items(max_cameras)) {
         const LocatedJson view = v.at("value").at("ptr_wrapper").at("data");
         const std::string folder = view.has("local_path") ? view.at("local_path").text(10000) : "",
@@ -98,15 +98,15 @@ CameraSet read_openmvg(const std::filesystem::path& file) {
         const auto pose = poses.find(identifier(view.at("id_pose")));
         const auto camera = cameras.find(identifier(view.at("id_intrinsic")));
         if (pose == poses.end() || camera == cameras.end()) {
-            left_out.add(photo, pose == poses.end() ? "no pose" : "no intrinsics");
+            skipped.add(photo, pose == poses.end() ? "no pose" : "no intrinsics");
             continue;
         }
         const auto& [intrinsic, type] = camera->second;
         set.entries.push_back({photo, read_intrinsic(intrinsic, type), CameraSet::Unit::pixels});
         set.entries.back().camera.cam_from_world = pose->second;
     }
-    left_out.tell(set.warnings);
-    if (set.entries.empty()) left_out.fail(file);
+    skipped.tell(set.warnings);
+    if (set.entries.empty()) skipped.fail(file);
     return set;
 }
 

@@ -107,7 +107,7 @@ std::vector<fs::path> realitycapture_sidecars(const fs::path& folder) {
 
 CameraSet read_realitycapture_xmp(const fs::path& folder) {
     CameraSet set{"RealityCapture XMP", {}, {}};
-    LeftOut left_out;
+    SkippedCameras skipped;
     std::size_t relative = 0;
     for (const fs::path& sidecar : realitycapture_sidecars(folder)) {
         const XmlFile file(sidecar);
@@ -116,11 +116,11 @@ CameraSet read_realitycapture_xmp(const fs::path& folder) {
         if (const auto entry = read_sidecar(file, description, photo))
             set.entries.push_back(*entry);
         else
-            left_out.add(photo, "no pose in the sidecar");
+            skipped.add(photo, "no pose in the sidecar");
         const std::string coordinates = value_of(description, "Coordinates").text;
         relative += coordinates == "relative" || coordinates == "rigid";
     }
-    left_out.tell(set.warnings);
+    skipped.tell(set.warnings);
     if (relative > 0)
         set.warnings.push_back(std::to_string(relative) + " of " + std::to_string(set.entries.size()) +
                                " sidecars have relative coordinates: the mesh may be in another frame");

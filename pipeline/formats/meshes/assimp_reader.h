@@ -18,7 +18,7 @@ struct AssimpMesh {
 /// Reads a .gltf, .glb or .fbx with assimp, in a separate process: damaged files make it crash. All meshes of
 /// the scene are joined, each where its nodes place it, as often as they do. Positions have single precision
 /// within their mesh; so do the nodes' transforms in FBX. Coordinates are those of the file: neither its axes
-/// nor its unit are converted. Polygons are triangulated; lines and points are left out, but not their
+/// nor its unit are converted. Polygons are triangulated; lines and points are skipped, but not their
 /// vertices. Colors are opaque; those of glTF, which are linear light, become sRGB. Corners that refer to no
 /// vertex become `no_vertex`; of a glTF, assimp leaves out their triangles. Throws Error(input).
 AssimpMesh read_with_assimp(const std::filesystem::path& file);

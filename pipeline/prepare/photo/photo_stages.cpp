@@ -36,8 +36,8 @@ bool known_unreadable(const PhotoContext& c, const std::string& name, PhotoState
         if (!j) continue;
         const PhotoState& had = package->state(*j);
         const std::size_t tiles = std::size_t(Stage::tiles);
-        if (!had.left_out[0] || had.stages[tiles].key != state.stages[tiles].key) continue;
-        std::memcpy(state.left_out, had.left_out, sizeof state.left_out);
+        if (!had.skipped[0] || had.stages[tiles].key != state.stages[tiles].key) continue;
+        std::memcpy(state.skipped, had.skipped, sizeof state.skipped);
         return true;
     }
     return false;
@@ -46,17 +46,17 @@ bool known_unreadable(const PhotoContext& c, const std::string& name, PhotoState
 /// Records the reason without the photo's path, which differs from machine to machine.
 void record_reason(PhotoState& state, const PhotoInput& photo, const Error& error) {
     std::string reason = reason_of(error, photo.file);
-    reason.resize(std::min(reason.size(), sizeof state.left_out - 1));
-    std::memcpy(state.left_out, reason.c_str(), reason.size() + 1);
+    reason.resize(std::min(reason.size(), sizeof state.skipped - 1));
+    std::memcpy(state.skipped, reason.c_str(), reason.size() + 1);
 }
 
 /// Keeps the photo's camera and the tiles' key, by which the next run recognizes the file.
-void leave_out(const PhotoContext& c, std::uint32_t i, const Pose& pose, package::PhotoRecord& r,
-               PhotoState& state) {
+void skip(const PhotoContext& c, std::uint32_t i, const Pose& pose, package::PhotoRecord& r,
+          PhotoState& state) {
     for (const StageRow& row : stage_table())
         if (row.stage != Stage::tiles) state.stages[std::size_t(row.stage)] = {};
-    c.writer.leave_out(i);
-    r.flags = package::photo_left_out;
+    c.writer.skip(i);
+    r.flags = package::photo_skipped;
     r.levels = 0;
     Eigen::Map<Eigen::Vector3d>(r.corrected_direction) = pose.direction();
 }
@@ -147,10 +147,10 @@ std::vector<Stage> run_photo(const PhotoContext& c, std::uint32_t i, bool spare_
     const package::PhotoRecord planned = r;
     std::vector<Stage> made;
     if (!known_unreadable(c, r.name, state)) made = make_missing(job, file, r, state);
-    if (state.left_out[0]) {
-        if (c.strict) throw Error(Exit::input, photo.file.string() + ": " + state.left_out);
+    if (state.skipped[0]) {
+        if (c.strict) throw Error(Exit::input, photo.file.string() + ": " + state.skipped);
         r = planned;
-        leave_out(c, i, job.at.pose, r, state);
+        skip(c, i, job.at.pose, r, state);
     }
     for (const StampedFile& read : photo.read) expect_unchanged(read);
     seal(state, r);

@@ -90,7 +90,7 @@ PoseRefinementInput input_of(const PoseRefinementInput& in, std::span<const std:
 /// Which cameras a solution moves.
 enum class Moved { odd_ones, all, together };
 
-/// A solution with its poses when photos are left out.
+/// A solution with its poses when photos are held out.
 struct Candidate {
     PoseSolution solution;
     Moved which;
@@ -105,11 +105,11 @@ Candidate candidate(const PoseRounds& rounds, const Folds& folds, PoseSolution s
     return c;
 }
 
-/// From where a left-out photo is predicted: its given camera tells whether the frame of the survey is kept;
+/// From where a held-out photo is predicted: its given camera tells whether the frame of the survey is kept;
 /// fitted to the others first, with the candidate and without, it tells what a viewer sees.
 enum class Own { given, fitted };
 
-/// What a candidate is worth to left-out photos, whose pixels had no part in the others' poses and gains,
+/// What a candidate is worth to held-out photos, whose pixels had no part in the others' poses and gains,
 /// compared with `before` (null: the given poses).
 Judgment validate(const PoseRounds& rounds, const Folds& folds, std::span<const PhotoColors> gains,
                   const Candidate* before, const Candidate& after, Own own) {

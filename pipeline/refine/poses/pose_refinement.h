@@ -22,7 +22,7 @@ struct PoseRefinementInput {
     std::span<const package::PairRecord> known;   ///< measured earlier, reused if their keys match
     double border_width = 0;                      ///< as in SceneRecord
     unsigned threads = 0;
-    bool validate = true;   ///< whether left-out photos must confirm that cameras move
+    bool validate = true;   ///< whether held-out photos must confirm that cameras move
     OnProgress progress{};  ///< of each round of matching; may be empty
 };
 
@@ -45,7 +45,7 @@ struct PoseRefinement {
     EffectDecision decision;
     std::vector<PhotoPoseRefinement> photos;
     std::vector<package::PairRecord> pairs;  ///< under the given cameras
-    std::vector<LeaveOneOutPose> without;        ///< see leave_one_out_poses; empty if no camera moved on its own
+    std::vector<LeaveOneOutPose> without;    ///< see leave_one_out_poses; empty if no camera moved on its own
     std::vector<std::string> warnings;       ///< one line each: misplaced photos, swapped cameras
 };
 

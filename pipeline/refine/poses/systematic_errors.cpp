@@ -27,7 +27,7 @@ constexpr double common_explains = 0.5;  ///< cost of held-out cells that is lef
 constexpr double lens_explains = 0.75;
 constexpr double pose_prior = 0.5, lens_prior = 1e-3;  ///< 1/px^2
 constexpr double weak = 0.03;   ///< prior of the common motion, relative to its best known unknown
-constexpr int max_groups = 12;  ///< of photos left out by the jackknife
+constexpr int max_groups = 12;  ///< of photos held out by the jackknife
 constexpr int iterations = 15;
 constexpr double converged_step = 1e-4;  ///< px
 

@@ -113,9 +113,9 @@ json scale_json(const InputFacts& facts) {
             {"typical_pixel", scale.pixel}};
 }
 
-json left_out_json(const InputFacts& facts) {
+json skipped_json(const InputFacts& facts) {
     json out = json::array();
-    for (const UnusablePhoto& photo : facts.left_out)
+    for (const UnusablePhoto& photo : facts.skipped)
         out.push_back({{"photo", photo.photo}, {"why", utf8_name(photo.why)}});
     return out;
 }
@@ -162,7 +162,7 @@ json facts_json(const InputFacts& facts) {
             {"image_sets", image_sets_json(facts)},
             {"scale", scale_json(facts)},
             {"usable_photos", facts.scene ? json(facts.scene->photos) : json()},
-            {"left_out", left_out_json(facts)},
+            {"skipped", skipped_json(facts)},
             {"not_seeing", facts.plan ? json(facts.plan->not_seeing) : json()},
             {"effects", effects_json(facts)},
             {"needs", needs_json(facts)},

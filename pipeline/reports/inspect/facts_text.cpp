@@ -214,16 +214,16 @@ void add_warnings(const InputFacts& facts, Lines& out) {
 }
 
 /// One line per reason.
-void add_left_out(const std::vector<UnusablePhoto>& left_out, Lines& out) {
+void add_skipped(const std::vector<UnusablePhoto>& skipped, Lines& out) {
     std::map<std::string, std::vector<std::string>> by_reason;
-    for (const UnusablePhoto& photo : left_out) by_reason[photo.why].push_back(photo.photo);
-    for (const auto& [why, names] : by_reason) out.add("left out", "{}: {}", first_of(names), why);
+    for (const UnusablePhoto& photo : skipped) by_reason[photo.why].push_back(photo.photo);
+    for (const auto& [why, names] : by_reason) out.add("skipped", "{}: {}", first_of(names), why);
 }
 
 void add_result(const InputFacts& facts, Lines& out) {
-    const std::size_t all = facts.scene->photos, left_out = facts.left_out.size();
+    const std::size_t all = facts.scene->photos, skipped = facts.skipped.size();
     out.add("result", "prepare would use {}{}", all > 0 ? counted(all, "photo") : "the points alone",
-            left_out ? fmt::format(" and leave {} out", left_out) : "");
+            skipped ? fmt::format(" and skip {}", skipped) : "");
 }
 
 }  // namespace
@@ -249,7 +249,7 @@ std::string facts_text(const InputFacts& facts) {
         add_effects(facts.plan->effects, facts.scene->photos, out);
     }
     add_warnings(facts, out);
-    add_left_out(facts.left_out, out);
+    add_skipped(facts.skipped, out);
     if (facts.plan) out.add("needs", "{}", in_words(facts.plan->needs));
     if (facts.scene && !facts.error) add_result(facts, out);
     return out.take();

@@ -37,10 +37,10 @@ void add_scene(const SceneInput& scene, InputFacts& facts) {
         for (const PhotoInput& photo : scene.photos) cameras.push_back({photo.name, photo.camera});
         facts.cameras = camera_facts(cameras);
         facts.cameras->cameras += std::size_t(std::ranges::count_if(
-            scene.left_out, [](const UnusablePhoto& photo) { return photo.why != without_camera; }));
+            scene.skipped, [](const UnusablePhoto& photo) { return photo.why != without_camera; }));
     }
     facts.warnings = scene.warnings;
-    facts.left_out = scene.left_out;
+    facts.skipped = scene.skipped;
     const auto& shape = has_points_only(scene) ? facts.points : facts.mesh;
     facts.scene = {.photos = scene.photos.size(),
                    .image_sets = {},
@@ -99,14 +99,14 @@ void add_parts(InputFacts& facts) {
         });
     if (!files.points.empty()) attempt(facts, [&] { add_points(facts); });
     if (!files.cameras.empty()) attempt(facts, [&] { add_cameras(facts); });
-    if (facts.photos) facts.left_out = facts.photos->unreadable;
+    if (facts.photos) facts.skipped = facts.photos->unreadable;
 }
 
 }  // namespace
 
 Exit InputFacts::exit() const {
     if (error) return error->code();
-    return left_out.empty() ? Exit::ok : Exit::incomplete;
+    return skipped.empty() ? Exit::ok : Exit::incomplete;
 }
 
 InputFacts input_facts(const FoundInput& found, const PrepareSettings& settings, const fs::path& out,

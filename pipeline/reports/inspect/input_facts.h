@@ -40,7 +40,7 @@ struct InputFacts {
         std::optional<ScaleFacts> scale;
     };
     std::optional<Scene> scene{};
-    std::vector<UnusablePhoto> left_out{};  ///< without a scene: photos that cannot be read
+    std::vector<UnusablePhoto> skipped{};  ///< without a scene: photos that cannot be read
 
     /// Only if the scene can be prepared, or is misplaced.
     struct Plan {
@@ -52,7 +52,7 @@ struct InputFacts {
 
     std::optional<Error> error{};  ///< with which `prepare` would end
 
-    /// How `prepare` would end: with the error, Exit::incomplete if photos are left out, or Exit::ok.
+    /// How `prepare` would end: with the error, Exit::incomplete if photos are skipped, or Exit::ok.
     Exit exit() const;
 };
 

@@ -54,16 +54,15 @@ ul.legend { list-style: none; padding: 0; font-size: 13px; }
 std::string cell(const std::string& text) { return "<td>" + escaped(text) + "</td>"; }
 std::string number(const std::string& text) { return "<td class=n>" + escaped(text) + "</td>"; }
 
-std::string heading(const PackageReader& package, const json& meta,
-                    const std::vector<UnusablePhoto>& left_out, const std::optional<ReportRun>& run) {
+std::string heading(const PackageReader& package, const json& meta, const std::vector<UnusablePhoto>& skipped,
+                    const std::optional<ReportRun>& run) {
     const package::SceneRecord& s = package.scene();
     const std::string name = escaped(package.path().filename().string());
     std::string out = "<title>" + name + "</title>\n<h1>" + name + "</h1>\n";
-    out += left_out.empty()
-               ? "<p class=well>Complete: contains every photo.</p>\n"
-               : fmt::format(
-                     "<p class=bad>Incomplete: {} left out, see below.</p>\n",
-                     left_out.size() == 1 ? "one photo is" : fmt::format("{} photos are", left_out.size()));
+    out += skipped.empty() ? "<p class=well>Complete: contains every photo.</p>\n"
+                           : fmt::format("<p class=bad>Incomplete: {} skipped, see below.</p>\n",
+                                         skipped.size() == 1 ? "one photo is"
+                                                             : fmt::format("{} photos are", skipped.size()));
     const std::string shape = points_only(s)
                                   ? fmt::format("{} points", read_point_cloud(package)->points)
                                   : fmt::format("{} vertices, {} triangles", s.vertices, s.triangles);
@@ -73,11 +72,11 @@ std::string heading(const PackageReader& package, const json& meta,
     return out + ".</p>\n";
 }
 
-std::string left_out_part(const std::vector<UnusablePhoto>& left_out) {
-    if (left_out.empty()) return {};
+std::string skipped_part(const std::vector<UnusablePhoto>& skipped) {
+    if (skipped.empty()) return {};
     const Column columns[] = {{"photo", ""}, {"reason", ""}};
-    std::string out = "<h2>Left out</h2>\n" + explained_table(columns);
-    for (const UnusablePhoto& l : left_out) out += "<tr>" + cell(l.photo) + cell(l.why) + "</tr>\n";
+    std::string out = "<h2>Skipped</h2>\n" + explained_table(columns);
+    for (const UnusablePhoto& l : skipped) out += "<tr>" + cell(l.photo) + cell(l.why) + "</tr>\n";
     return out + "</table>\n";
 }
 
@@ -96,7 +95,7 @@ const Column effect_columns[] = {
     {"measured", "the figure that decides, in the unit given", true},
     {"threshold", "the effect is considered if the measured value is above it", true},
     {"gain",
-     "how much better photos that are left out are predicted from the others with the effect than without: "
+     "how much better photos that are held out are predicted from the others with the effect than without: "
      "mean and "
      "standard error in dB (3 dB: half the squared error). Empty: not judged this way",
      true},
@@ -252,11 +251,11 @@ std::string run_part(const ReportRun& run) {
 
 void write_report(const fs::path& file, const PackageReader& package, const std::optional<ReportRun>& run) {
     const json meta = parse_meta(package);
-    const std::vector<UnusablePhoto> left_out = left_out_of(package);
+    const std::vector<UnusablePhoto> skipped = skipped_of(package);
     replace_file(file, [&](std::ostream& out) {
         out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << page_style << report_style
             << "</style>\n"
-            << heading(package, meta, left_out, run) << left_out_part(left_out) << warnings_part(meta)
+            << heading(package, meta, skipped, run) << skipped_part(skipped) << warnings_part(meta)
             << effects_part(package, meta, run);
         if (!package.photos().empty()) out << coverage_part(package);
         if (run && run->prepared.agreement) {

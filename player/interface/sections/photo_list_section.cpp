@@ -49,7 +49,7 @@ void use(std::vector<std::uint32_t>& photos, std::uint32_t photo, bool used) {
 /// What there is to know of it: at the point, or as a whole.
 std::string remark(const PhotoList& list, const package::PhotoRecord& photo, std::uint32_t number) {
     const auto at = std::ranges::find(list.showing, number, &Footprint::photo);
-    if (!photo.levels) return tr("left out");
+    if (!photo.levels) return tr("skipped");
     if (list.by_point && list.point && at != list.showing.end())
         return formatted(tr("pixels of %.3g"), at->size);
     const auto error = error_of(list, number);

@@ -9,7 +9,7 @@ namespace vantage {
 /// sharpest first. A name flies to its photo.
 void photo_list_section(Controls& controls, Session& session, const Renderer& renderer, double now);
 
-/// Uses all photos that were not left out of the package.
+/// Uses all photos of the package that were not skipped.
 void use_all(std::vector<std::uint32_t>& photos, const PlanScene& scene);
 
 /// While the list asks for it, takes clicks on the model as points, and marks the last one in the picture.

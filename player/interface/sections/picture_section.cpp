@@ -86,7 +86,7 @@ void picture_content(Controls& c, Session& s, const Renderer& renderer) {
     if (renderer.scene().has_transparency()) {
         static const char* const transparent[] = {marked("exact"), marked("approximate"), marked("hidden")};
         choice(c, "Transparency", r.transparency, transparent);
-        c.explain("Glass: sorted at each pixel, blended by weights (faster), or left out.");
+        c.explain("Glass: sorted at each pixel, blended by weights (faster), or hidden.");
     }
     if (!points_only(renderer.package().scene())) {
         light_controls(c, s);

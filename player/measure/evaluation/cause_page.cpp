@@ -26,7 +26,7 @@ std::string cell(double share, bool given = true) {
 }
 
 void write_total(std::ostream& out, const std::vector<CauseTotal>& totals,
-                 const std::vector<LeftOut>& results) {
+                 const std::vector<PhotoEvaluation>& results) {
     const Column columns[] = {
         {"cause", "what most likely makes the picture differ from the photo"},
         {"whole frame", "share of the squared error of all whole frames, after gains"},
@@ -49,7 +49,7 @@ void write_total(std::ostream& out, const std::vector<CauseTotal>& totals,
 
 /// Holes as shares of the whole frame's error, other causes as shares of the error at colored pixels.
 void write_per_photo(std::ostream& out, const std::vector<CauseTotal>& totals,
-                     const std::vector<LeftOut>& results) {
+                     const std::vector<PhotoEvaluation>& results) {
     std::vector<Column> columns{{"photo", ""}, {"frame, dB", "PSNR of the whole frame, after gains"}};
     for (const bool holes : {true, false})
         for (const CauseTotal& t : totals)
@@ -59,7 +59,7 @@ void write_per_photo(std::ostream& out, const std::vector<CauseTotal>& totals,
                                        (holes ? "of the whole frame" : "at colored pixels")});
     columns.push_back({});
     out << explained_table(columns);
-    for (const LeftOut& r : results) {
+    for (const PhotoEvaluation& r : results) {
         out << "<tr><td>" << escaped(r.name) << "<td>" << formatted("%.2f", r.frame.psnr_gain);
         for (const bool holes : {true, false})
             for (const CauseTotal& t : totals)
@@ -70,7 +70,7 @@ void write_per_photo(std::ostream& out, const std::vector<CauseTotal>& totals,
     out << "</table>\n";
 }
 
-void write_region(std::ostream& out, const LeftOut& r, const WorstRegion& w) {
+void write_region(std::ostream& out, const PhotoEvaluation& r, const WorstRegion& w) {
     const std::string name = escaped(r.name);
     out << "<figure><figcaption>" << swatch(w.cause) << "<b>" << name << "</b> " << cause_row(w.cause).name
         << ": " << formatted("%.1f %%", 100 * w.squares / r.causes.all()) << " of the frame's error";
@@ -82,14 +82,14 @@ void write_region(std::ostream& out, const LeftOut& r, const WorstRegion& w) {
 }
 
 struct PhotoRegion {
-    const LeftOut* photo;
+    const PhotoEvaluation* photo;
     const WorstRegion* region;
 };
 
 /// The regions of one cause with the largest squared error among all photos.
-std::vector<PhotoRegion> worst_of(Cause cause, const std::vector<LeftOut>& results) {
+std::vector<PhotoRegion> worst_of(Cause cause, const std::vector<PhotoEvaluation>& results) {
     std::vector<PhotoRegion> out;
-    for (const LeftOut& r : results)
+    for (const PhotoEvaluation& r : results)
         for (const WorstRegion& w : r.worst)
             if (w.cause == cause) out.push_back({&r, &w});
     std::ranges::stable_sort(out, std::ranges::greater{},
@@ -100,18 +100,18 @@ std::vector<PhotoRegion> worst_of(Cause cause, const std::vector<LeftOut>& resul
 
 }  // namespace
 
-std::string region_file(const LeftOut& r, const WorstRegion& w) {
+std::string region_file(const PhotoEvaluation& r, const WorstRegion& w) {
     return r.name + "-" + cause_row(w.cause).file + ".png";
 }
 
-void write_regions_of(std::ostream& out, const LeftOut& r) {
+void write_regions_of(std::ostream& out, const PhotoEvaluation& r) {
     if (r.worst.empty()) return;
     out << "<div class=regions>\n";
     for (const WorstRegion& w : r.worst) write_region(out, r, w);
     out << "</div>\n";
 }
 
-void write_causes(std::ostream& out, const std::vector<LeftOut>& results) {
+void write_causes(std::ostream& out, const std::vector<PhotoEvaluation>& results) {
     const std::vector<CauseTotal> totals = cause_totals(results);
     if (totals.empty()) return;
     out << "<h2>Where the error comes from</h2>\n<p>Shares of the squared error after gains: of the whole "

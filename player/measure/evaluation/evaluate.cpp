@@ -22,7 +22,8 @@
 namespace vantage {
 namespace {
 
-void write_pictures(const std::filesystem::path& folder, const LeftOut& r, const LeftOutPictures& p) {
+void write_pictures(const std::filesystem::path& folder, const PhotoEvaluation& r,
+                    const EvaluationPictures& p) {
     write_png(folder / (r.name + "-photo.png"), p.photo);
     write_png(folder / (r.name + "-rendered.png"), p.rendered);
     write_png(folder / (r.name + "-difference.png"), p.difference);
@@ -32,7 +33,7 @@ void write_pictures(const std::filesystem::path& folder, const LeftOut& r, const
 }
 
 /// The change since an earlier evaluation, if it contains the photo.
-void compare(const EvaluateOptions& o, LeftOut& r, const LeftOutPictures& p) {
+void compare(const EvaluateOptions& o, PhotoEvaluation& r, const EvaluationPictures& p) {
     const std::filesystem::path file = o.against / (r.name + "-rendered.png");
     if (!std::filesystem::exists(file)) return;
     const Picture before = read_png(file);
@@ -98,7 +99,7 @@ void write_model(const std::filesystem::path& file, const PackageReader& package
     replace_file(file, out.view());
 }
 
-void print_changes(const std::filesystem::path& against, const std::vector<LeftOut>& results) {
+void print_changes(const std::filesystem::path& against, const std::vector<PhotoEvaluation>& results) {
     double decibels = 0, ssim = 0, sharp_before = 0, sharp_after = 0, n = 0;
     std::printf("\n%-20s %7s %7s %7s %8s %7s %7s\n", "against", "gain", "now", "change", "SSIM", "sharp",
                 "now");
@@ -120,7 +121,7 @@ void print_changes(const std::filesystem::path& against, const std::vector<LeftO
                     sharp_after / n);
 }
 
-void print_remarks(const std::vector<LeftOut>& results) {
+void print_remarks(const std::vector<PhotoEvaluation>& results) {
     for (const std::size_t i : worst_first(results))
         for (const std::string& s : results[i].remarks)
             std::printf("%s: %s\n", results[i].name.c_str(), s.c_str());
@@ -134,9 +135,9 @@ int name_width(const PackageReader& package, const std::vector<std::uint32_t>& p
     return int(width);
 }
 
-/// The photos to leave out: those of --photo, or every n-th. Photos without pixels are skipped.
-std::vector<std::uint32_t> photos_to_leave_out(const PackageReader& package, const EvaluateOptions& o,
-                                               const std::vector<std::uint32_t>& in_use) {
+/// The photos to hold out: those of --photo, or every n-th. Photos without pixels are skipped.
+std::vector<std::uint32_t> photos_to_hold_out(const PackageReader& package, const EvaluateOptions& o,
+                                              const std::vector<std::uint32_t>& in_use) {
     std::vector<std::uint32_t> out = named_photos(package, o.package.photos);
     if (out.empty())
         for (std::size_t i = 0; i < in_use.size(); i += std::size_t(o.every)) out.push_back(in_use[i]);
@@ -155,16 +156,16 @@ void expect_earlier(const EvaluateOptions& o) {
                     o.against.string() + ": would be overwritten, expected another folder for -o");
 }
 
-/// Cameras that were moved together, on which the photos left out had a say.
+/// Cameras that were moved together, on which the held-out photos had a say.
 void report_pose_refinement(const PackageReader& package) {
     if (effect_on(package.scene(), Effect::pose_refinement) &&
         !package.find(package::Type::pose_refinement_without))
         std::printf(
-            "the cameras were moved together, with the photos left out; for figures without them, use "
+            "the cameras were moved together, with the photos held out; for figures without them, use "
             "vantage prepare --hold-out\n");
 }
 
-/// The package's results without a photo that is left out.
+/// The package's results without a photo that is held out.
 class SceneWithout {
   public:
     SceneWithout(const PackageReader& package, bool transient_masks)
@@ -173,13 +174,13 @@ class SceneWithout {
             transient_.emplace(package, colors_.samples());
     }
     /// Shows the others' weight maps as they are without the photo. Returns the records.
-    std::vector<package::PhotoRecord> leave_out(std::uint32_t photo, Renderer& renderer) {
+    std::vector<package::PhotoRecord> hold_out(std::uint32_t photo, Renderer& renderer) {
         const PhotoColors colors = fits_colors_ ? colors_.colors(photo) : PhotoColors{};
         std::vector<package::PhotoRecord> out = colors_.records(colors, photo);
         if (effect_on(renderer.package().scene(), Effect::pose_refinement))
             use_poses_without(renderer.package(), photo, out);
         if (transient_) {
-            transient_->leave_out(photo, colors, out);
+            transient_->hold_out(photo, colors, out);
             renderer.resources().store.use_weights(
                 [this](std::uint32_t other) { return transient_->of(other); });
         }
@@ -201,12 +202,12 @@ class SceneWithout {
 
 int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
     const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
-    const std::vector<std::uint32_t> left_out = photos_to_leave_out(
+    const std::vector<std::uint32_t> held_out = photos_to_hold_out(
         package, o,
         o.blending.image_sets.image_set.empty()
             ? photos
             : photos_in_use(package, o.package, image_set_settings(package, o.blending.image_sets).shown));
-    if (left_out.empty()) throw Error(Exit::input, package.path().string() + ": no photos to leave out");
+    if (held_out.empty()) throw Error(Exit::input, package.path().string() + ": no photos to hold out");
     expect_earlier(o);
     make_folder(o.folder);
     RenderSettings settings = render_settings(package, o.blending, Purpose::pictures);
@@ -217,17 +218,18 @@ int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
     const gl::HeadlessContext context;
     Renderer renderer(package, memory_budget(o.memory));
     SceneWithout without(package, settings.weights.transient_mask);
-    std::vector<LeftOut> results;
+    std::vector<PhotoEvaluation> results;
     std::vector<RegionError> regions(renderer.scene().clusters.size());
-    const int names = name_width(package, left_out);
+    const int names = name_width(package, held_out);
     print_heading(names);
-    for (const std::uint32_t p : left_out) {
-        LeftOutPictures pictures;
+    for (const std::uint32_t p : held_out) {
+        EvaluationPictures pictures;
         settings.image_sets = {.shown =
                                    package.photos()[p].image_set};  // the others of its image set predict it
         const int level = std::min(o.level, int(package.photos()[p].levels) - 1);
-        const auto records = without.leave_out(p, renderer);
-        results.push_back(leave_out(renderer, settings, {p, level, photos, records}, regions, pictures));
+        const auto records = without.hold_out(p, renderer);
+        results.push_back(
+            evaluate_held_out(renderer, settings, {p, level, photos, records}, regions, pictures));
         write_pictures(o.folder, results.back(), pictures);
         if (!o.against.empty()) compare(o, results.back(), pictures);
         print_row(results.back(), names);
@@ -240,7 +242,7 @@ int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
     write_photos(o.folder / "photos.csv", results);
     write_regions(o.folder / "regions.csv", package, regions);
     write_model(o.folder / "regions.ply", package, regions);
-    write_evaluation_page(o.folder, package.path().filename().string() + ": each photo left out", results,
+    write_evaluation_page(o.folder, package.path().filename().string() + ": each photo held out", results,
                           o.worst);
     std::printf("%s\n", (o.folder / "index.html").c_str());
     return int(Exit::ok);

@@ -16,7 +16,7 @@ struct EvaluateOptions {
     MemoryOptions memory;
     OutputOptions output;
     int level = 1;  ///< of the photos' pyramids: 0 is full size, 1 half size
-    int every = 1;  ///< every n-th photo is left out
+    int every = 1;  ///< every n-th photo is held out
     int worst = 3;  ///< number of photos that the page shows first
     std::filesystem::path folder = "evaluation";
     std::filesystem::path against;  ///< folder of an earlier evaluation, or empty

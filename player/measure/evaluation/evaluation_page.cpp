@@ -32,20 +32,20 @@ img.map { image-rendering: pixelated; }
 .swatch { display: inline-block; width: .8em; height: .8em; margin-right: .4em; }
 )";
 
-std::string remarks(const LeftOut& r) {
+std::string remarks(const PhotoEvaluation& r) {
     std::string out;
     for (const std::string& s : r.remarks) out += (out.empty() ? "" : "; ") + s;
     return escaped(out);
 }
 
-void row(std::ostream& out, const LeftOut& r, std::initializer_list<std::string> cells,
+void row(std::ostream& out, const PhotoEvaluation& r, std::initializer_list<std::string> cells,
          const std::string& last) {
     out << "<tr><td>" << escaped(r.name) << "</td>";
     for (const std::string& cell : cells) out << "<td>" << cell << "</td>";
     out << "<td>" << last << "</td></tr>\n";
 }
 
-void row(std::ostream& out, const LeftOut& r) {
+void row(std::ostream& out, const PhotoEvaluation& r) {
     row(out, r,
         {formatted("%.2f", r.score.psnr), formatted("%.2f", r.score.psnr_gain),
          formatted("%.4f", r.score.ssim), formatted("%.4f", r.score.ssim_gain),
@@ -57,8 +57,8 @@ void row(std::ostream& out, const LeftOut& r) {
 }
 
 /// What is likely wrong, photo by photo, worst first.
-void write_remarks(std::ostream& out, const std::vector<LeftOut>& results) {
-    if (std::ranges::all_of(results, [](const LeftOut& r) { return r.remarks.empty(); })) return;
+void write_remarks(std::ostream& out, const std::vector<PhotoEvaluation>& results) {
+    if (std::ranges::all_of(results, [](const PhotoEvaluation& r) { return r.remarks.empty(); })) return;
     out << "<h2>Remarks</h2>\n<ul>\n";
     for (const std::size_t i : worst_first(results))
         if (!results[i].remarks.empty())
@@ -66,7 +66,7 @@ void write_remarks(std::ostream& out, const std::vector<LeftOut>& results) {
     out << "</ul>\n";
 }
 
-void figure(std::ostream& out, const LeftOut& r) {
+void figure(std::ostream& out, const PhotoEvaluation& r) {
     const std::string name = escaped(r.name);
     out << "<figure><figcaption><b>" << name << "</b> " << formatted("%.2f dB", r.score.psnr_gain)
         << ", SSIM " << formatted("%.4f", r.score.ssim) << (r.remarks.empty() ? "" : ": ") << remarks(r)
@@ -116,7 +116,7 @@ void crop(std::ostream& out, const std::string& name, const char* kind, const ch
 }
 
 /// The changes since an earlier evaluation, if there is one.
-void changes(std::ostream& out, const std::vector<LeftOut>& results) {
+void changes(std::ostream& out, const std::vector<PhotoEvaluation>& results) {
     const std::vector<std::size_t> order = by_change(results);
     if (order.empty()) return;
     out << "<h2>Against the earlier evaluation</h2>\n<p>After gains, over the pixels that both color; the "
@@ -143,7 +143,7 @@ void changes(std::ostream& out, const std::vector<LeftOut>& results) {
 
 }  // namespace
 
-std::vector<std::size_t> by_change(const std::vector<LeftOut>& results) {
+std::vector<std::size_t> by_change(const std::vector<PhotoEvaluation>& results) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < results.size(); ++i)
         if (results[i].change && results[i].change->after.pixels > 0) order.push_back(i);
@@ -153,7 +153,7 @@ std::vector<std::size_t> by_change(const std::vector<LeftOut>& results) {
     return order;
 }
 
-std::vector<std::size_t> worst_first(const std::vector<LeftOut>& results) {
+std::vector<std::size_t> worst_first(const std::vector<PhotoEvaluation>& results) {
     std::vector<std::size_t> order(results.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return results[i].score.ssim; });
@@ -161,17 +161,17 @@ std::vector<std::size_t> worst_first(const std::vector<LeftOut>& results) {
 }
 
 void write_evaluation_page(const std::filesystem::path& folder, const std::string& title,
-                           const std::vector<LeftOut>& results, int worst) {
+                           const std::vector<PhotoEvaluation>& results, int worst) {
     std::ostringstream out;
     out << "<!doctype html><html lang=en><meta charset=utf-8><title>" << escaped(title) << "</title>\n<style>"
         << page_style << evaluation_style << "</style>\n<h1>" << escaped(title)
-        << "</h1>\n<p>Each photo was left out, its view rendered from the others, and compared with the "
+        << "</h1>\n<p>Each photo was held out, its view rendered from the others, and compared with the "
            "photo. "
            "The last lines show for each photo: the photo, the picture, their difference after the best gain "
            "(black: none, white: a quarter of the range, gray: nothing shown), and the causes of the "
            "error.</p>\n"
         << explained_table(photo_columns);
-    for (const LeftOut& r : results) row(out, r);
+    for (const PhotoEvaluation& r : results) row(out, r);
     out << "</table>\n";
     write_remarks(out, results);
     write_causes(out, results);

@@ -12,12 +12,12 @@ namespace vantage {
 /// NAME-difference.png and NAME-causes.png, the `worst` photos (by SSIM) first and larger. Throws
 /// Error(storage).
 void write_evaluation_page(const std::filesystem::path& folder, const std::string& title,
-                           const std::vector<LeftOut>& results, int worst);
+                           const std::vector<PhotoEvaluation>& results, int worst);
 
 /// Indices of the photos that an earlier evaluation also contains, largest loss first (dB after gains).
-std::vector<std::size_t> by_change(const std::vector<LeftOut>& results);
+std::vector<std::size_t> by_change(const std::vector<PhotoEvaluation>& results);
 
 /// Indices by increasing SSIM; photos without any colored pixel come first.
-std::vector<std::size_t> worst_first(const std::vector<LeftOut>& results);
+std::vector<std::size_t> worst_first(const std::vector<PhotoEvaluation>& results);
 
 }  // namespace vantage

@@ -17,7 +17,7 @@ double decibels_without(double share) {
     return share < 1 ? std::min(max_decibels, -10 * std::log10(1 - share)) : max_decibels;
 }
 
-CauseTotal cause_total(Cause cause, const std::vector<LeftOut>& results, const CauseSquares& all) {
+CauseTotal cause_total(Cause cause, const std::vector<PhotoEvaluation>& results, const CauseSquares& all) {
     CauseTotal t{cause, all.share(cause), all.colored_share(cause)};
     for (std::size_t i = 0; i < results.size(); ++i) {
         const CauseSquares& own = results[i].causes;
@@ -30,9 +30,9 @@ CauseTotal cause_total(Cause cause, const std::vector<LeftOut>& results, const C
 
 }  // namespace
 
-std::vector<CauseTotal> cause_totals(const std::vector<LeftOut>& results) {
+std::vector<CauseTotal> cause_totals(const std::vector<PhotoEvaluation>& results) {
     CauseSquares all{};
-    for (const LeftOut& r : results)
+    for (const PhotoEvaluation& r : results)
         for (std::size_t c = 0; c < cause_count; ++c) all[c] += r.causes[c];
     std::vector<CauseTotal> out;
     for (const CauseRow& row : cause_table())
@@ -46,7 +46,7 @@ void print_heading(int names) {
                 "SSIM", "gain", "frame", "SSIM", "nearest", "color%", "stops", "right", "down", "sharp");
 }
 
-void print_row(const LeftOut& r, int names) {
+void print_row(const PhotoEvaluation& r, int names) {
     std::printf("%-*s %5.2f %5.2f %6.4f %6.4f %5.2f %6.4f %+7.2f %6.1f %+5.2f %+5.2f %+5.2f %5.2f\n", names,
                 r.name.c_str(), r.score.psnr, r.score.psnr_gain, r.score.ssim, r.score.ssim_gain,
                 r.frame.psnr_gain, r.frame.ssim_gain, r.over_nearest, 100 * r.colored, r.brightness.stops,
@@ -54,12 +54,12 @@ void print_row(const LeftOut& r, int names) {
     std::fflush(stdout);
 }
 
-void print_means(const std::vector<LeftOut>& results, int names) {
+void print_means(const std::vector<PhotoEvaluation>& results, int names) {
     const double n = double(std::ranges::count_if(results, [](auto& r) { return r.score.pixels > 0; }));
     if (n == 0) return;
     const auto mean = [&](const auto& value) {
         double sum = 0;
-        for (const LeftOut& r : results) sum += r.score.pixels > 0 ? value(r) : 0;
+        for (const PhotoEvaluation& r : results) sum += r.score.pixels > 0 ? value(r) : 0;
         return sum / n;
     };
     std::printf("%-*s %5.2f %5.2f %6.4f %6.4f %5.2f %6.4f %+7.2f %6.1f %23.2f\n", names, "mean",
@@ -71,7 +71,7 @@ void print_means(const std::vector<LeftOut>& results, int names) {
                 mean([](auto& r) { return r.score.sharpness; }));
 }
 
-void print_causes(const std::vector<LeftOut>& results) {
+void print_causes(const std::vector<PhotoEvaluation>& results) {
     const std::vector<CauseTotal> totals = cause_totals(results);
     if (totals.empty()) return;
     std::printf("\n%-12s %7s %6s %7s %6s\n", "error", "frame", "dB", "colored", "dB");
@@ -86,14 +86,14 @@ void print_causes(const std::vector<LeftOut>& results) {
     std::printf("\n");
 }
 
-void write_photos(const std::filesystem::path& file, const std::vector<LeftOut>& results) {
+void write_photos(const std::filesystem::path& file, const std::vector<PhotoEvaluation>& results) {
     std::ostringstream out;
     out << "photo,pixels,psnr,psnr_gain,ssim,ssim_gain,frame_pixels,frame_psnr,frame_psnr_gain,frame_ssim,"
            "frame_ssim_gain,over_nearest,coloured,gain_red,gain_green,gain_blue,shift_right,shift_down,"
            "sharpness";
     for (const CauseRow& row : cause_table()) out << ",error_" << row.file;
     out << '\n';
-    for (const LeftOut& r : results) {
+    for (const PhotoEvaluation& r : results) {
         out << r.name << ',' << r.score.pixels << ',' << r.score.psnr << ',' << r.score.psnr_gain << ','
             << r.score.ssim << ',' << r.score.ssim_gain << ',' << r.frame.pixels << ',' << r.frame.psnr << ','
             << r.frame.psnr_gain << ',' << r.frame.ssim << ',' << r.frame.ssim_gain << ',' << r.over_nearest

@@ -17,17 +17,17 @@ struct CauseTotal {
 };
 
 /// One per cause that has any error, largest share first.
-std::vector<CauseTotal> cause_totals(const std::vector<LeftOut>& results);
+std::vector<CauseTotal> cause_totals(const std::vector<PhotoEvaluation>& results);
 
 /// Prints the heading of the table of photos. `names`: width of the first column.
 void print_heading(int names);
-void print_row(const LeftOut& result, int names);
+void print_row(const PhotoEvaluation& result, int names);
 /// Prints the means over photos with a colored pixel, if there are any.
-void print_means(const std::vector<LeftOut>& results, int names);
+void print_means(const std::vector<PhotoEvaluation>& results, int names);
 /// Prints one line per cause that has any error.
-void print_causes(const std::vector<LeftOut>& results);
+void print_causes(const std::vector<PhotoEvaluation>& results);
 
 /// Writes one line per photo, with the same values and more, as CSV. Throws Error(storage).
-void write_photos(const std::filesystem::path& file, const std::vector<LeftOut>& results);
+void write_photos(const std::filesystem::path& file, const std::vector<PhotoEvaluation>& results);
 
 }  // namespace vantage

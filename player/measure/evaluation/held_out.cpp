@@ -44,8 +44,8 @@ double colored_share(const Picture& p, const std::vector<bool>& surface) {
     return all ? double(colored) / double(all) : 0;
 }
 
-void add_regions(const PlanScene& scene, std::span<const std::uint32_t> triangles, const LeftOutPictures& p,
-                 const PictureScore& s, std::vector<RegionError>& regions) {
+void add_regions(const PlanScene& scene, std::span<const std::uint32_t> triangles,
+                 const EvaluationPictures& p, const PictureScore& s, std::vector<RegionError>& regions) {
     regions.resize(scene.clusters.size());
     const std::vector<std::uint32_t> clusters = clusters_of(scene, triangles);
     for (std::size_t i = 0; i < clusters.size(); ++i) {
@@ -78,7 +78,7 @@ std::vector<Picture> pictures_alone(Renderer& renderer, RenderSettings settings,
 
 /// Fills in everything that is rendered from the other photos. Returns the triangle at each pixel.
 std::vector<std::uint32_t> render_view(Renderer& renderer, const View& view, const RenderSettings& settings,
-                                       std::span<const std::uint32_t> others, LeftOutPictures& p) {
+                                       std::span<const std::uint32_t> others, EvaluationPictures& p) {
     p.rendered = take_picture(renderer, view, settings, others, samples);
     std::vector<std::uint32_t> plan;
     for (const PlannedPhoto& planned : renderer.planner().frame().plan().photos)
@@ -92,7 +92,7 @@ std::vector<std::uint32_t> render_view(Renderer& renderer, const View& view, con
     return read_triangles(renderer.resources().targets);
 }
 
-double over_nearest(const LeftOutPictures& p) {
+double over_nearest(const EvaluationPictures& p) {
     if (p.alone.empty()) return 0;
     std::vector<bool> both = scored_pixels(p.alone.front());
     for (std::size_t i = 0; i < both.size(); ++i) both[i] = both[i] && p.scored[i];
@@ -109,7 +109,7 @@ std::vector<bool> surface_of(std::span<const std::uint32_t> triangles) {
 }
 
 /// Scores the whole frame and finds the causes of its error; applies the gains to the pictures.
-void judge_frame(LeftOutPictures& p, std::span<const std::uint32_t> triangles, LeftOut& out) {
+void judge_frame(EvaluationPictures& p, std::span<const std::uint32_t> triangles, PhotoEvaluation& out) {
     const std::vector<bool> taken = scored_pixels(p.photo, 0), colored = scored_pixels(p.rendered, 0);
     const Plane errors = squared_errors(p.photo, p.shown, taken, colored, out.score.gain);
     out.frame = score_frame(p.photo, p.shown, taken, colored, out.score.gain, errors);
@@ -131,8 +131,8 @@ double RegionError::rms() const {
     return pixels > uncolored ? std::sqrt(squares / (3.0 * double(pixels - uncolored))) : 0;
 }
 
-LeftOut leave_out(Renderer& renderer, RenderSettings settings, const HeldOut& held_out,
-                  std::vector<RegionError>& regions, LeftOutPictures& p) {
+PhotoEvaluation evaluate_held_out(Renderer& renderer, RenderSettings settings, const HeldOut& held_out,
+                                  std::vector<RegionError>& regions, EvaluationPictures& p) {
     const auto [photo, level, photos, records] = held_out;
     const PackageReader& package = renderer.package();
     renderer.resources().photos.use_records(records);
@@ -141,7 +141,7 @@ LeftOut leave_out(Renderer& renderer, RenderSettings settings, const HeldOut& he
     std::erase(others, photo);
     p.photo = photo_at_level(package, photo, level);
     const auto triangles = render_view(renderer, view_of_level(records[photo], level), settings, others, p);
-    LeftOut out;
+    PhotoEvaluation out;
     out.photo = photo;
     out.name = package.photo_stems()[photo];
     out.score = score(p.photo, p.rendered, p.scored);
@@ -158,13 +158,13 @@ LeftOut leave_out(Renderer& renderer, RenderSettings settings, const HeldOut& he
     return out;
 }
 
-void remark(std::vector<LeftOut>& results) {
+void remark(std::vector<PhotoEvaluation>& results) {
     std::vector<double> ssim, deviations;
-    for (const LeftOut& r : results) ssim.push_back(r.score.ssim);
+    for (const PhotoEvaluation& r : results) ssim.push_back(r.score.ssim);
     const double middle = upper_median(std::span(ssim));
     for (const double s : ssim) deviations.push_back(std::abs(s - middle));
     const double usual = 1.4826 * upper_median(std::span(deviations));
-    for (LeftOut& r : results) {
+    for (PhotoEvaluation& r : results) {
         if (r.score.pixels == 0) {
             r.remarks.emplace_back("no other photo sees this surface");
             continue;

@@ -13,7 +13,7 @@
 namespace vantage {
 
 /// A photo compared with its view rendered from the other photos.
-struct LeftOut {
+struct PhotoEvaluation {
     std::uint32_t photo = 0;
     std::string name;                ///< without extension
     PictureScore score;              ///< over the colored pixels
@@ -35,17 +35,17 @@ struct RegionError {
     double rms() const;  ///< gray levels of 255; 0 if nothing is colored
 };
 
-struct LeftOutPictures {
+struct EvaluationPictures {
     Picture photo, rendered, difference;
     Picture shown;   ///< the whole frame, see as_in_window; gains applied
     Picture causes;  ///< see cause_picture
     std::vector<Picture>
         alone;  ///< from single photos, gains applied: the nearest, and those that agree best
-    std::vector<Picture> worst;  ///< of LeftOut::worst, see region_picture
+    std::vector<Picture> worst;  ///< of PhotoEvaluation::worst, see region_picture
     std::vector<bool> scored;    ///< one flag per pixel: both photo and rendered picture show it
 };
 
-/// A photo to leave out.
+/// A photo to hold out.
 struct HeldOut {
     std::uint32_t photo;
     int level;                                      ///< of the pyramid, at which pictures are compared
@@ -55,10 +55,10 @@ struct HeldOut {
 
 /// Compares a photo with its view rendered from the others, with 2x2 samples per pixel. Adds the errors to
 /// `regions`, one per cluster.
-LeftOut leave_out(Renderer& renderer, RenderSettings settings, const HeldOut& held_out,
-                  std::vector<RegionError>& regions, LeftOutPictures& pictures);
+PhotoEvaluation evaluate_held_out(Renderer& renderer, RenderSettings settings, const HeldOut& held_out,
+                                  std::vector<RegionError>& regions, EvaluationPictures& pictures);
 
 /// Adds remarks to photos with likely problems; an unusually low SSIM is judged against all results.
-void remark(std::vector<LeftOut>& results);
+void remark(std::vector<PhotoEvaluation>& results);
 
 }  // namespace vantage

@@ -17,7 +17,7 @@ void add_exclude_option(const Command& c, PackageOptions& o) {
 }
 
 void add_photo_option(const Command& c, PackageOptions& o) {
-    c.list("--photo", o.photos, "photos to look from or to leave out, or 'all'").type("PHOTO").commas();
+    c.list("--photo", o.photos, "photos to look from or to hold out, or 'all'").type("PHOTO").commas();
 }
 
 std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& o) {

@@ -13,7 +13,7 @@ class Option;
 struct PackageOptions {
     std::string file;
     std::vector<std::string> exclude;  ///< photos that are not blended
-    std::vector<std::string> photos;   ///< to look from, or to leave out
+    std::vector<std::string> photos;   ///< to look from, or to hold out
 };
 /// FILE, whose help ends in `more`.
 Option add_package_argument(const Command& command, PackageOptions& options, const std::string& more = {});

@@ -32,9 +32,9 @@ enum class Effect : int {
 
 /// What an effect is decided from.
 enum class Basis {
-    scene,   ///< cameras and mesh, before any photo is prepared
-    colors,  ///< surface colors of all photos, after each is prepared
-    pixels,  ///< the surface as matched between all photos, after each is prepared
+    scene,      ///< cameras and mesh, before any photo is prepared
+    colors,     ///< surface colors of all photos, after each is prepared
+    pixels,     ///< the surface as matched between all photos, after each is prepared
     background  ///< what all photos show beside the mesh, after each is prepared
 };
 
@@ -59,7 +59,7 @@ const EffectRow& effect_row(Effect effect);
 /// True if the effect is decided from all photos together, after each is prepared.
 inline bool from_all_photos(const EffectRow& row) { return row.basis != Basis::scene; }
 
-/// What an effect is worth to photos that are left out of everything and predicted from the others.
+/// What an effect is worth to photos that are held out of everything and predicted from the others.
 struct Judgment {
     int photos = 0;              ///< judged
     double gain = 0, error = 0;  ///< dB after the best gain per channel: mean, and its standard error
@@ -87,7 +87,7 @@ struct EffectDecision {
     bool forced = false;                 ///< by --effect NAME=on|off
     double measured = 0;                 ///< in the row's unit
     std::string evidence;                ///< one human-readable sentence
-    std::optional<Judgment> judgment{};  ///< if photos were left out to decide
+    std::optional<Judgment> judgment{};  ///< if photos were held out to decide
     std::vector<ImageSetDecision>
         image_sets{};  ///< if each image set decided for itself; on if it is on for any
 };

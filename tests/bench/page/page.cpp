@@ -162,7 +162,7 @@ void write_rest(std::ostream& out, const PageContent& page, std::size_t rows) {
         out << "<p class=note>Not measured in this run: " << escaped(unmeasured) << ".</p>\n";
     if (rows)
         out << "<p class=note>" << rows
-            << " measurements of sweeps unknown to this program are left out.</p>\n";
+            << " measurements of sweeps unknown to this program are skipped.</p>\n";
 }
 
 void write_body(std::ostream& out, const PageContent& page) {

@@ -22,7 +22,7 @@ struct PaintedPolygon {
 class BspTree {
   public:
     using Triangle = std::array<Eigen::Vector3d, 3>;
-    /// Planes are taken in random order. Degenerate triangles are left out. Stops splitting when there are
+    /// Planes are taken in random order. Degenerate triangles are skipped. Stops splitting when there are
     /// `most` polygons: then complete() is false and the order is not right.
     explicit BspTree(std::span<const Triangle> triangles, std::uint32_t seed = 1,
                      std::size_t most = std::numeric_limits<std::size_t>::max());

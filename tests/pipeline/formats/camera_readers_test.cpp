@@ -97,8 +97,8 @@ TEST_F(CameraReaders, FilesWithoutCamerasOfAllFormatsAreTold) {
     const std::string rig = sfm + ", \"rigId\": 1, \"subPoseId\": 0}]}", unposed = sfm + "}]}";
     const Case cases[] = {
         {"init.sfm", unposed.c_str(),
-         "init.sfm: expected a camera with a pose, found none (a.jpg: left out, no pose)"},
-        {"rig.sfm", rig.c_str(), "rig.sfm: no camera can be used: a.jpg: left out, part of a rig"},
+         "init.sfm: expected a camera with a pose, found none (a.jpg: skipped, no pose)"},
+        {"rig.sfm", rig.c_str(), "rig.sfm: no camera can be used: a.jpg: skipped, part of a rig"},
         {"sfm_data.json",
          "{\"sfm_data_version\": \"0.3\", \"views\": [], \"intrinsics\": [], \"extrinsics\": []}",
          "expected a camera with a pose, found none"},

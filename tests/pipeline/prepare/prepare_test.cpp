@@ -196,7 +196,7 @@ TEST_F(Prepare, DamageAndTruncationAreReportedForEveryChunk) {
     }
 }
 
-/// On this scene, thresholds ask for transient masks, which left-out photos refute.
+/// On this scene, thresholds ask for transient masks, which held-out photos refute.
 TEST_F(PrepareAtLength, WithoutTheJudgeThresholdsDecide) {
     VANTAGE_DATASET(input, "sceaux");
     PrepareSettings settings;
@@ -222,7 +222,7 @@ TEST_F(PrepareAtLength, WithoutTheJudgeThresholdsDecide) {
     const EffectDecision by_threshold = decided();
     EXPECT_TRUE(by_threshold.on) << by_threshold.evidence;
     EXPECT_FALSE(by_threshold.judgment);
-    EXPECT_EQ(by_threshold.evidence.find("left-out"), std::string::npos) << by_threshold.evidence;
+    EXPECT_EQ(by_threshold.evidence.find("held-out"), std::string::npos) << by_threshold.evidence;
     fs::remove(dir / "a.vantage");
     prepare(read_scene(discover(input)), settings, dir / "a.vantage", quiet);
     const std::string fresh = slurp(dir / "a.vantage");

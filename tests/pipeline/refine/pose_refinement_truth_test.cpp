@@ -184,7 +184,7 @@ TEST_F(PoseRefinementTruthAtLength, CamerasOffTogetherAreFoundAndSaid) {
     EXPECT_GT(said, 2);
     EXPECT_LT(said, 5.5);
     EXPECT_TRUE(found.says("moving them together")) << found.evidence();
-    EXPECT_TRUE(found.says("left-out photos")) << found.evidence();
+    EXPECT_TRUE(found.says("held-out photos")) << found.evidence();
     EXPECT_EQ(found.most_moved(), 0) << found.evidence();
 
     const Registered nothing = outcome("nothing wrong", exact);
@@ -211,7 +211,7 @@ void roll(const fs::path& from, const fs::path& to, const Intrinsics& k, double 
     image_files().write(to, k.width, k.height, 3, Sample::u8, std::as_bytes(std::span(rgb)));
 }
 
-/// Even if pose refinement is forced, which skips the judgment by left-out photos.
+/// Even if pose refinement is forced, which skips the judgment by held-out photos.
 TEST_F(PoseRefinementTruthAtLength, RollingShutterIsNamedAndNotHiddenInPoses) {
     constexpr double pixels = 3.5;
     SceneInput input = exact;

@@ -79,7 +79,7 @@ TEST(Prediction, PaintedSeamIsMeasuredAndMendedByGains) {
     EXPECT_GT(with.psnr, without.psnr + 10);
 }
 
-TEST(Prediction, ContradictedTexelsAreLeftOut) {
+TEST(Prediction, ContradictedTexelsAreSkipped) {
     PhotosBesideTarget two;
     // A passer-by in the left photo.
     std::vector<std::uint8_t> weights(two.left.texels.size(), 255);

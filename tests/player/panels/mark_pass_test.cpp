@@ -191,7 +191,7 @@ TEST(MarkPass, WhatIsBehindTheModelIsFaint) {
     EXPECT_NEAR(picture.at(50, 63)[0], 1, 1e-5f);
 }
 
-TEST(MarkPass, MarksWithoutAPlaceAreLeftOut) {
+TEST(MarkPass, MarksWithoutAPlaceAreSkipped) {
     const gl::HeadlessContext context;
     EyeTarget picture(50, 50);
     const double nan = std::numeric_limits<double>::quiet_NaN();

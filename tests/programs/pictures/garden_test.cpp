@@ -83,7 +83,7 @@ TEST_F(Garden, BackgroundHaveItsDepth) {
     EXPECT_GT(median(sky), 200) << "from cameras at most 16 m apart";
 }
 
-TEST_F(Garden, FillsTheFrameOfALeftOutPhoto) {
+TEST_F(Garden, FillsTheFrameOfAHeldOutPhoto) {
     const std::uint32_t photo = 4;
     const PackageReader package = prepared({cameras[photo].photo});
     const gl::HeadlessContext context;

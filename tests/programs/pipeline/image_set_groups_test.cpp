@@ -120,7 +120,7 @@ TEST_F(ImageSetGroupsTest, EachImageSetMayHaveItsOwnCameraFile) {
     EXPECT_EQ(scene.files.more_cameras.size(), 1u);
     EXPECT_EQ(scene.image_sets, (std::vector<std::string>{"visible", "infrared"}));
     ASSERT_EQ(scene.photos.size(), whole.photos.size());
-    EXPECT_TRUE(scene.left_out.empty());
+    EXPECT_TRUE(scene.skipped.empty());
     for (const PhotoInput& p : scene.photos) {
         const bool infrared = p.file.string().find("infrared") != std::string::npos;
         EXPECT_EQ(p.image_set, infrared ? 1u : 0u) << p.file;

@@ -172,7 +172,7 @@ TEST_F(Inspect, TextAndJsonAgree) {
     fs::remove(photo(4));
     const json j = facts();
     const std::string text = inspect().out;
-    ASSERT_EQ(j["left_out"].size(), 1u);
+    ASSERT_EQ(j["skipped"].size(), 1u);
     const auto expect = [&](const std::string& part) {
         EXPECT_NE(text.find(part), text.npos) << part << " is not in\n" << text;
     };
@@ -181,9 +181,9 @@ TEST_F(Inspect, TextAndJsonAgree) {
     expect(number(j["cameras"]["count"]) + " cameras\n");
     expect(number(j["photos"]["count"]) + " photos, ");
     expect("4 JPEG of 331x250");
-    expect("left out " + j["left_out"][0]["photo"].get<std::string>() + ": " +
-           j["left_out"][0]["why"].get<std::string>());
-    expect("prepare would use 4 photos and leave 1 out");
+    expect("skipped  " + j["skipped"][0]["photo"].get<std::string>() + ": " +
+           j["skipped"][0]["why"].get<std::string>());
+    expect("prepare would use 4 photos and skip 1");
     for (const json& e : j["effects"])
         if (!e["on"].is_null()) expect(e["evidence"]);
     expect(
@@ -209,7 +209,7 @@ TEST_F(Inspect, CoefficientsOfTheLensAreNamed) {
               std::string::npos);
 }
 
-TEST_F(Inspect, PhotosLeftOutAreThoseOfPrepareForTheSameReasons) {
+TEST_F(Inspect, PhotosSkippedAreThoseOfPrepareForTheSameReasons) {
     const std::string gone = photo(0).filename().string(), broken = photo(1).filename().string();
     fs::copy_file(photo(2), scan / "images" / "extra.jpg");
     fs::remove(photo(0));
@@ -218,7 +218,7 @@ TEST_F(Inspect, PhotosLeftOutAreThoseOfPrepareForTheSameReasons) {
     EXPECT_EQ(j["exit_code"], 9);
     EXPECT_EQ(j["usable_photos"], 3);
     std::map<std::string, std::string> why;
-    for (const json& l : j["left_out"]) why[l["photo"]] = l["why"];
+    for (const json& l : j["skipped"]) why[l["photo"]] = l["why"];
     ASSERT_EQ(why.size(), 3u);
     EXPECT_EQ(why.at(gone), "has a camera but no photo");
     EXPECT_EQ(why.at("extra.jpg"), "has no camera");
@@ -229,7 +229,7 @@ TEST_F(Inspect, PhotosLeftOutAreThoseOfPrepareForTheSameReasons) {
     const Outcome prepared = prepare();
     EXPECT_EQ(prepared.code, 9);
     for (const auto& [name, reason] : why)
-        EXPECT_NE(prepared.out.find("left out " + name + ": " + reason + "\n"), std::string::npos) << name;
+        EXPECT_NE(prepared.out.find("skipped " + name + ": " + reason + "\n"), std::string::npos) << name;
 }
 
 TEST_F(Inspect, NeedsAreThoseThatPreparePrints) {

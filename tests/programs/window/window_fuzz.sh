@@ -15,7 +15,7 @@ head -c 5000 one.vantage >cut.vantage
 printf '[[object]]\npackage = "one.vantage"\n' >scene.toml
 dropped=(one.vantage junk.vantage cut.vantage scene.toml missing.vantage scene)
 
-# random_events N SEED: commands for xdotool. Ctrl+Q and O, which end the window or type into a dialog, are left out.
+# random_events N SEED: commands for xdotool. Ctrl+Q and O, which end the window or type into a dialog, are skipped.
 random_events() {
   awk -v n="$1" -v seed="$2" -v window="$window" 'BEGIN {
     srand(seed)

@@ -102,17 +102,17 @@ TEST_F(Metashape, SizeIsThatOfTheSensorIfTheCalibrationHasNone) {
     }
 }
 
-TEST_F(Metashape, LensOfAnotherTypeIsLeftOutWhereverItIsSaid) {
+TEST_F(Metashape, LensOfAnotherTypeIsSkippedWhereverItIsSaid) {
     const std::string size = "<resolution width=\"400\" height=\"300\"/>",
                       fisheye =
                           "<calibration type=\"equisolid_fisheye\">" + size + "<f>350</f></calibration>";
     std::string own = camera("A", 0);
     own.insert(own.find("<transform>"), size + fisheye);
     expect_no_camera("<sensor id=\"0\">" + fisheye + "</sensor>", camera("A", 0),
-                     "A: left out, its sensor 0 has a lens of type 'equisolid_fisheye', expected 'frame'");
+                     "A: skipped, its sensor 0 has a lens of type 'equisolid_fisheye', expected 'frame'");
     expect_no_camera("<sensor id=\"0\" type=\"spherical\">" + size + "</sensor>", camera("A", 0),
-                     "A: left out, its sensor 0 has a lens of type 'spherical', expected 'frame'");
-    expect_no_camera(calibrated, own, "A: left out, its calibration has a lens of type 'equisolid_fisheye'");
+                     "A: skipped, its sensor 0 has a lens of type 'spherical', expected 'frame'");
+    expect_no_camera(calibrated, own, "A: skipped, its calibration has a lens of type 'equisolid_fisheye'");
 }
 
 TEST_F(Metashape, ExportOfMarkersIsNotTakenForCameras) {

@@ -201,7 +201,7 @@ TEST_F(GltfMesh, ColorsAreLinearLightAndOpaque) {
     EXPECT_EQ(colors[8], (Color{255, 255, 255, 255})) << "of a mesh without";
 }
 
-TEST_F(GltfMesh, LinesAndPointsAreLeftOut) {
+TEST_F(GltfMesh, LinesAndPointsAreSkipped) {
     GltfFile file = mesh_of(four_corners);
     const std::string position = "\"attributes\": {\"POSITION\": " + file.add(four_corners) + "}";
     file.add_mesh(position + ", \"mode\": 0");

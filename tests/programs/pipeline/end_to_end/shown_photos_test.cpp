@@ -238,9 +238,8 @@ TEST_F(EndToEnd, MaskExcludesCoveredPixels) {
     image_files().write(file, 33, 25, 1, Sample::u8, std::as_bytes(std::span(mask).first(33 * 25)));
     const PrepareResult small =
         prepare(read_scene(discover(folder)), settings, p.file, [](const Progress&) {});
-    ASSERT_EQ(small.left_out.size(), 1u);
-    EXPECT_NE(small.left_out[0].why.find("its mask 0002.mask.png"), std::string::npos)
-        << small.left_out[0].why;
+    ASSERT_EQ(small.skipped.size(), 1u);
+    EXPECT_NE(small.skipped[0].why.find("its mask 0002.mask.png"), std::string::npos) << small.skipped[0].why;
 }
 
 TEST_F(EndToEnd, LensDistortionIsRemoved) {

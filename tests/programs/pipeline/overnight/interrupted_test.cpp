@@ -201,7 +201,7 @@ TEST_F(Overnight, InputThatVanishesMidwayStopsAndNothingIsLost) {
     one_by_one.threads = 1;
     try {
         prepare(known, one_by_one, file, [](const Progress&) {});
-        FAIL() << "a vanished photo must not be left out silently";
+        FAIL() << "a vanished photo must not be skipped silently";
     } catch (const Error& e) {
         EXPECT_EQ(e.code(), Exit::input);
         EXPECT_NE(std::string(e.what()).find("0005.jpg: cannot open"), std::string::npos) << e.what();

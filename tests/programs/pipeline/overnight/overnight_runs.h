@@ -74,7 +74,7 @@ class OvernightRuns : public Overnight {
         }
     }
     void expect_shares_merge(const std::vector<unsigned>& numbers) const {
-        fs::resize_file(photos()[4], 1000);  // one photo is left out
+        fs::resize_file(photos()[4], 1000);  // one photo is skipped
         const std::string bytes = undisturbed();
         for (const unsigned n : numbers) {
             std::vector<fs::path> shares;

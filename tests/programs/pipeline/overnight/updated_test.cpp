@@ -140,7 +140,7 @@ TEST_F(Overnight, ChangedSettingRerunsOnlyItsStages) {
     expect_whole(undisturbed(settings), "smaller thumbnails");
 }
 
-TEST_F(Overnight, UnusablePhotosAreLeftOutAndListed) {
+TEST_F(Overnight, UnusablePhotosAreSkippedAndListed) {
     const std::vector<fs::path> all = photos();
     fs::resize_file(all[0], fs::file_size(all[0]) / 2);             // truncated
     fs::remove(all[1]);                                             // missing
@@ -155,11 +155,10 @@ TEST_F(Overnight, UnusablePhotosAreLeftOutAndListed) {
     const Outcome done = prepare_program();
     EXPECT_EQ(done.code, int(Exit::incomplete)) << done.err;
     for (const std::string& line :
-         {"left out " + all[0].filename().string() + ": JPEG is corrupt or truncated",
-          "left out " + all[1].filename().string() + ": has a camera but no photo",
-          std::string("left out passer-by.jpg: has no camera"),
-          "left out " + all[3].filename().string() + ": ",
-          "left out " + all[4].filename().string() + ": is 120x110, but its camera expects "})
+         {"skipped " + all[0].filename().string() + ": JPEG is corrupt or truncated",
+          "skipped " + all[1].filename().string() + ": has a camera but no photo",
+          std::string("skipped passer-by.jpg: has no camera"), "skipped " + all[3].filename().string() + ": ",
+          "skipped " + all[4].filename().string() + ": is 120x110, but its camera expects "})
         EXPECT_NE(done.out.find(line), std::string::npos) << line << "\n" << done.out;
     std::printf("%s", done.out.c_str());
     const std::vector<Issue> issues = check_package(file, {.deep = true, .against = scene});
@@ -186,10 +185,10 @@ TEST_F(Overnight, RepairedPhotoIsIncludedAgain) {
     const fs::path bad = photos()[2];
     const std::string picture = slurp(bad);
     fs::resize_file(bad, picture.size() / 2);
-    EXPECT_EQ(prepare_here().left_out.size(), 1u);
+    EXPECT_EQ(prepare_here().skipped.size(), 1u);
     std::ofstream(bad, std::ios::binary) << picture;
     const PrepareResult next = prepare_here();
-    EXPECT_TRUE(next.left_out.empty());
+    EXPECT_TRUE(next.skipped.empty());
     for (const Stage s : every_stage) EXPECT_EQ(made(next, s), 1u) << int(s);
     expect_whole(bytes, "repair");
 }

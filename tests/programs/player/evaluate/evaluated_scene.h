@@ -37,7 +37,8 @@ class Evaluate : public TemporaryFolder {
         for (PhotoInput& photo : scene.photos) photo.read.clear();  // tests repaint photos on purpose
     }
     /// Of every photo, or of one.
-    std::vector<LeftOut> evaluate(bool corrects_exposure = true, std::optional<std::uint32_t> only = {}) {
+    std::vector<PhotoEvaluation> evaluate(bool corrects_exposure = true,
+                                          std::optional<std::uint32_t> only = {}) {
         PrepareSettings as_given;
         as_given.effects[Effect::pose_refinement] = EffectChoice::off;
         if (!corrects_exposure) as_given.effects[Effect::exposure] = EffectChoice::off;
@@ -47,19 +48,19 @@ class Evaluate : public TemporaryFolder {
         Renderer renderer(package, {});
         std::vector<std::uint32_t> photos(package.photos().size());
         std::iota(photos.begin(), photos.end(), 0u);
-        std::vector<LeftOut> out;
+        std::vector<PhotoEvaluation> out;
         std::vector<RegionError> regions;
-        LeftOutPictures pictures;
+        EvaluationPictures pictures;
         RenderSettings settings;
         settings.weights.transient_mask = false;  // as in run_evaluate
         for (const std::uint32_t p : photos)
             if (!only || p == *only)
-                out.push_back(
-                    leave_out(renderer, settings, {p, 1, photos, package.photos()}, regions, pictures));
+                out.push_back(evaluate_held_out(renderer, settings, {p, 1, photos, package.photos()}, regions,
+                                                pictures));
         remark(out);
         return out;
     }
-    LeftOut evaluate_photo(std::uint32_t photo, bool corrects_exposure = true) {
+    PhotoEvaluation evaluate_photo(std::uint32_t photo, bool corrects_exposure = true) {
         return evaluate(corrects_exposure, photo).front();
     }
 };

@@ -21,18 +21,18 @@ Cause largest_at_colored(const CauseSquares& s) {
     return most;
 }
 
-bool remarks_on(const LeftOut& r, const std::string& what) {
+bool remarks_on(const PhotoEvaluation& r, const std::string& what) {
     return std::ranges::any_of(r.remarks, [&](const std::string& s) { return s.find(what) != s.npos; });
 }
 
-bool reports_offset(const LeftOut& r) {
+bool reports_offset(const PhotoEvaluation& r) {
     return std::ranges::any_of(r.remarks, [](const std::string& s) { return s.starts_with("offset by"); });
 }
 
 }  // namespace
 
 TEST_F(EvaluateAtLength, GoodSceneGetsNoRemarks) {
-    for (const LeftOut& r : evaluate()) {
+    for (const PhotoEvaluation& r : evaluate()) {
         EXPECT_GT(r.score.psnr_gain, 22) << r.name;
         EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), 0.5) << r.name;
         EXPECT_LT(std::abs(r.brightness.stops), 0.1) << r.name << ": equal exposures";
@@ -48,19 +48,19 @@ TEST_F(EvaluateAtLength, WrongCameraIsDetectedWithItsOffset) {
         Eigen::AngleAxisd(off / camera.intrinsics.fx, Eigen::Vector3d::UnitY()).toRotationMatrix();
     pose.R = turn * pose.R;
     pose.t = turn * pose.t;
-    const std::vector<LeftOut> results = evaluate();
+    const std::vector<PhotoEvaluation> results = evaluate();
     // Points project farther to the right in the rotated camera, so its photo's content is to the left of
     // them.
     EXPECT_NEAR(std::abs(results[2].shift[0]), off, 0.8);
     EXPECT_LT(std::abs(results[2].shift[1]), 0.5);
     EXPECT_TRUE(reports_offset(results[2]));
-    for (const LeftOut& r : results)  // the others are blended with it, too, so they are slightly off
+    for (const PhotoEvaluation& r : results)  // the others are blended with it, too, so they are slightly off
         EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), r.photo == 2 ? 2 * off : 0.7 * off) << r.name;
 }
 
-TEST_F(EvaluateAtLength, PasserByInTheLeftOutPhotoMakesItOdd) {
+TEST_F(EvaluateAtLength, PasserByInTheHeldOutPhotoMakesItOdd) {
     repaint(scene.photos[2].file, paint_passer_by);
-    const LeftOut r = evaluate_photo(2);
+    const PhotoEvaluation r = evaluate_photo(2);
     EXPECT_EQ(largest_at_colored(r.causes), Cause::odd_photo);
     const auto region = std::ranges::find(r.worst, Cause::odd_photo, &WorstRegion::cause);
     ASSERT_NE(region, r.worst.end());
@@ -72,7 +72,7 @@ TEST_F(EvaluateAtLength, DarkThingInFrontIsNotCalledExposure) {
     repaint(scene.photos[2].file, [](std::array<std::uint8_t, 3>& color, int x, int) {
         if (x < 360) color = {20, 40, 15};
     });
-    const LeftOut r = evaluate_photo(2);
+    const PhotoEvaluation r = evaluate_photo(2);
     EXPECT_LT(std::abs(r.brightness.stops), 0.15);
     EXPECT_FALSE(remarks_on(r, "darker"));
     EXPECT_TRUE(remarks_on(r, "something in front of it"));
@@ -84,7 +84,7 @@ TEST_F(Evaluate, DarkerPhotoIsReportedWithItsStops) {
             v = std::uint8_t(
                 std::lround(255 * srgb_from_linear(linear_from_srgb(v / 255.0) * std::exp2(-0.5))));
     });
-    const LeftOut r = evaluate_photo(2, false);
+    const PhotoEvaluation r = evaluate_photo(2, false);
     EXPECT_NEAR(r.brightness.stops, -0.5, 0.1);
     EXPECT_TRUE(remarks_on(r, "stops darker than the others"));
     EXPECT_FALSE(remarks_on(r, "something in front of it"));
@@ -92,7 +92,7 @@ TEST_F(Evaluate, DarkerPhotoIsReportedWithItsStops) {
 
 TEST_F(EvaluateAtLength, PasserByInAnotherPhotoIsADisagreement) {
     repaint(scene.photos[1].file, paint_passer_by);
-    const std::vector<LeftOut> results = evaluate();
+    const std::vector<PhotoEvaluation> results = evaluate();
     EXPECT_EQ(largest_at_colored(results[1].causes), Cause::odd_photo);
     EXPECT_EQ(largest_at_colored(results[2].causes), Cause::disagreement);
 }
@@ -103,7 +103,7 @@ TEST_F(EvaluateAtLength, WrongCameraDisplacesContent) {
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).toRotationMatrix();
     pose.R = turn * pose.R;
     pose.t = turn * pose.t;
-    const LeftOut r = evaluate_photo(2);
+    const PhotoEvaluation r = evaluate_photo(2);
     EXPECT_EQ(largest_at_colored(r.causes), Cause::displaced);
     EXPECT_GT(r.causes.colored_share(Cause::displaced), 0.5);
 }

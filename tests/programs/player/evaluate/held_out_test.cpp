@@ -1,4 +1,6 @@
 // Pictures without the photo that they are compared with, their scores, and what evaluate writes.
+#include "player/measure/evaluation/held_out.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -15,7 +17,6 @@
 #include "pipeline/run/settings.h"
 #include "player/measure/evaluation/colors_without.h"
 #include "player/measure/evaluation/evaluate.h"
-#include "player/measure/evaluation/held_out.h"
 #include "player/measure/evaluation/photo_pixels.h"
 #include "scene/agreement/registered_without.h"
 #include "tests/made_scenes.h"
@@ -55,13 +56,13 @@ TEST_F(EvaluateAtLength, ComparesWithThePhotoItselfWhateverTheFormOfTiles) {
 }
 
 TEST_F(Evaluate, HolesAreWhereTheMeshEndsOrNoOtherPhotoLooks) {
-    const LeftOut whole = evaluate_photo(2);
+    const PhotoEvaluation whole = evaluate_photo(2);
     const auto& positions = scene.mesh.positions;
     std::erase_if(scene.mesh.triangles, [&](const auto& t) {  // the upper floor and the roof
         return std::max({positions[t[0]].z(), positions[t[1]].z(), positions[t[2]].z()}) > 3.5;
     });
     fs::remove(file);
-    const LeftOut holed = evaluate_photo(2);
+    const PhotoEvaluation holed = evaluate_photo(2);
     EXPECT_GT(holed.causes.of(Cause::no_surface), 1.2 * whole.causes.of(Cause::no_surface));
     EXPECT_LT(holed.frame.psnr_gain, whole.frame.psnr_gain - 0.5) << "the whole frame counts";
 
@@ -69,9 +70,9 @@ TEST_F(Evaluate, HolesAreWhereTheMeshEndsOrNoOtherPhotoLooks) {
     const gl::HeadlessContext context(gl::Debug::on);
     Renderer renderer(package, {});
     std::vector<RegionError> regions;
-    LeftOutPictures pictures;
-    const LeftOut alone =
-        leave_out(renderer, {}, {2, 2, std::array{2u}, package.photos()}, regions, pictures);
+    EvaluationPictures pictures;
+    const PhotoEvaluation alone =
+        evaluate_held_out(renderer, {}, {2, 2, std::array{2u}, package.photos()}, regions, pictures);
     EXPECT_GT(alone.causes.of(Cause::unseen), 0);
     EXPECT_EQ(alone.causes.colored(), 0);
     EXPECT_EQ(alone.score.pixels, 0u);
@@ -166,7 +167,7 @@ TEST_F(EvaluateAtLength, ComparesWithAnEarlierEvaluation) {
     EXPECT_THROW(run_evaluate(package, options), Error);
 }
 
-TEST_F(Evaluate, LeftOutPhotoHasNoPartInItsPicture) {
+TEST_F(Evaluate, HeldOutPhotoHasNoPartInItsPicture) {
     repaint(scene.photos[1].file, paint_passer_by);
     EvaluateOptions options;
     options.level = 2;
@@ -212,8 +213,8 @@ TEST_F(Evaluate, PictureIsThatOfAPackagePreparedWithoutThePhoto) {
     EXPECT_NE(evaluated.rgba, picture(file, true).rgba) << "on whose weight maps the photo has voted";
 }
 
-TEST_F(EvaluateAtLength, CamerasAreRegisteredWithoutTheLeftOutPhoto) {
-    // A wrong camera, which moves; the photo left out has a say in it.
+TEST_F(EvaluateAtLength, CamerasAreRegisteredWithoutTheHeldOutPhoto) {
+    // A wrong camera, which moves; the photo held out has a say in it.
     Pose& wrong = scene.photos[3].camera.cam_from_world;
     const Intrinsics k = scene.photos[3].camera.intrinsics;
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(4 / k.fx, Eigen::Vector3d::UnitY()).toRotationMatrix();
@@ -263,13 +264,13 @@ TEST_F(EvaluateAtLength, JudgeFindsTheGainsThatThePlayerShows) {
     std::vector<std::uint32_t> photos(package.photos().size());
     std::iota(photos.begin(), photos.end(), 0u);
     std::vector<RegionError> regions;
-    LeftOutPictures pictures;
+    EvaluationPictures pictures;
     double gain = 0;
     for (const std::uint32_t p : photos) {
         const auto psnr = [&](bool refined) {
             RenderSettings settings;
             settings.refined_colors = refined;
-            return leave_out(renderer, settings, {p, 2, photos, colors.records(p)}, regions, pictures)
+            return evaluate_held_out(renderer, settings, {p, 2, photos, colors.records(p)}, regions, pictures)
                 .score.psnr_gain;
         };
         gain += (psnr(true) - psnr(false)) / double(photos.size());

@@ -126,7 +126,7 @@ def judgment(effect):
     """The validate's gain and its error. A pose_refinement that was refused has them only in the evidence, the last attempt last."""
     if effect['validated']:
         return '%+.2f ± %.2f dB' % (effect['validated']['gain'], effect['validated']['error'])
-    found = re.findall(r'left-out photos (gain|lose) ([0-9.]+) dB \(standard error ([0-9.]+)', effect['evidence'])
+    found = re.findall(r'held-out photos (gain|lose) ([0-9.]+) dB \(standard error ([0-9.]+)', effect['evidence'])
     return '%s%s ± %s dB' % ('-' if found[-1][0] == 'lose' else '+', *found[-1][1:]) if found else '—'
 
 
@@ -146,7 +146,7 @@ def main():
     parser.add_argument('--build', required=True, help='build folder of Vantage')
     parser.add_argument('--kit', required=True, help='folder of the measuring kit')
     parser.add_argument('--every', type=int, default=1, help='hold out only every n-th photo')
-    parser.add_argument('--results', default='left_out_results',
+    parser.add_argument('--results', default='held_out_results',
                         help='folder for one JSON file per scene; those there are not measured again')
     a = parser.parse_args()
     os.makedirs(a.results, exist_ok=True)
