@@ -34,8 +34,8 @@ layout(location = hole_weight_uniform) uniform float hole_weight;
 layout(location = plain_background_weight_uniform) uniform float plain_background_weight;
 #endif
 
-#ifdef SCALAR_LAYER
-layout(location = layer_share_uniform) uniform float layer_share;  // of the layer's color, beside the photos'
+#ifdef SCALAR_FIELD
+layout(location = field_share_uniform) uniform float field_share;  // of the field's color, beside the photos'
 #endif
 
 #ifdef LIGHT
@@ -204,7 +204,7 @@ void main() {
         accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(takes_one ? s.rgb : mean_light(s)), 1.0);
     if (progress < 1.0) accumulated = mixed(texelFetch(before, at, 0), accumulated);
     bool hole = accumulated.a == 0.0;
-#if defined(BACKGROUND) || defined(SCALAR_LAYER) || defined(LIGHT)
+#if defined(BACKGROUND) || defined(SCALAR_FIELD) || defined(LIGHT)
     const bool looks = true;
 #else
     bool looks = hole && fill;
@@ -218,9 +218,9 @@ void main() {
         hole = hole && light_on_photos && !fill;
     }
 #endif
-#ifdef SCALAR_LAYER
-    if (bare.a == shows_value && layer_share > 0.0) {
-        vec3 root = mix(sqrt(max(accumulated.rgb, 0.0)), sqrt(bare.rgb), hole ? 1.0 : layer_share);
+#ifdef SCALAR_FIELD
+    if (bare.a == shows_value && field_share > 0.0) {
+        vec3 root = mix(sqrt(max(accumulated.rgb, 0.0)), sqrt(bare.rgb), hole ? 1.0 : field_share);
         accumulated = vec4(root * root, 1.0);
         hole = false;
     }

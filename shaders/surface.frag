@@ -30,21 +30,21 @@ const int eye_number = 0;
 #endif
 layout(location = surface_eye_uniform) uniform vec3 eye[EYES];
 
-#ifdef SCALAR_LAYER
+#ifdef SCALAR_FIELD
 in vec2 surface_value;
 layout(binding = color_map_unit) uniform sampler2D color_map;
-layout(location = layer_scale_uniform) uniform vec3 layer_scale;  // value at the map's begin; 1 / (end - begin), 0: no layer;
+layout(location = field_scale_uniform) uniform vec3 field_scale;  // value at the map's begin; 1 / (end - begin), 0: no field;
                                                                   // not 0: of logarithms
 layout(location = isolines_uniform) uniform float isolines;       // intervals between lines; 0: no lines
 
 // Alpha 0: no value.
-vec4 layer_color() {
-    bool logarithmic = layer_scale.z != 0.0;
+vec4 field_color() {
+    bool logarithmic = field_scale.z != 0.0;
     float v = logarithmic ? log(max(surface_value.x, 1e-38)) : surface_value.x;
-    float t = (v - layer_scale.x) * layer_scale.y, lines = t * isolines;
+    float t = (v - field_scale.x) * field_scale.y, lines = t * isolines;
     float pixels = abs(fract(lines - 0.5) - 0.5) / max(fwidth(lines), 1e-6);  // to the nearest line
     bool known = surface_value.y > 0.9999 && (surface_value.x > 0.0 || !logarithmic);  // of all corners
-    if (layer_scale.y == 0.0 || !known) return vec4(0.0);
+    if (field_scale.y == 0.0 || !known) return vec4(0.0);
     vec3 color = texture(color_map, vec2((clamp(t, 0.0, 1.0) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
     bool inside = t > -1e-4 && t < 1.0001;
     return vec4(isolines > 0.0 && inside ? color * smoothstep(0.3, 1.0, pixels) : color, 1.0);
@@ -73,16 +73,16 @@ vec3 lit(vec3 n, vec3 v) {
 #endif
 
 #ifdef TRANSPARENT
-// The surface's own color, shaded as the bare surface is; lit and colored by a layer as the opaque surface with its photos.
+// The surface's own color, shaded as the bare surface is; lit and colored by a field as the opaque surface with its photos.
 vec3 own_color(vec3 n, vec3 v) {
     vec3 base = pow(max(surface_color.rgb, vec3(0.0)), vec3(2.2)), color = base * (0.12 + 0.35 * abs(dot(n, v)));
 #ifdef LIGHT
     color = lit(n, v) * (light_on_photos ? base * bare_gray : vec3(light_scale));
 #endif
-#ifdef SCALAR_LAYER
-    vec4 layer = layer_share > 0.0 ? layer_color() : vec4(0.0);
-    if (layer.a > 0.0) {
-        vec3 root = mix(sqrt(max(color, vec3(0.0))), sqrt(layer.rgb), layer_share);
+#ifdef SCALAR_FIELD
+    vec4 field = field_share > 0.0 ? field_color() : vec4(0.0);
+    if (field.a > 0.0) {
+        vec3 root = mix(sqrt(max(color, vec3(0.0))), sqrt(field.rgb), field_share);
         color = root * root;
     }
 #endif
@@ -111,9 +111,9 @@ void main() {
 #ifdef LIGHT
     shaded = vec4(lit(n, v), shows_light);
 #endif
-#ifdef SCALAR_LAYER
-    vec4 layer = layer_color();
-    if (layer.a > 0.0) shaded = vec4(layer.rgb, shows_value);
+#ifdef SCALAR_FIELD
+    vec4 field = field_color();
+    if (field.a > 0.0) shaded = vec4(field.rgb, shows_value);
 #endif
 #ifdef BACKGROUND
     if ((draw_bits & background_bit) != 0u)

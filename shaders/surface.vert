@@ -19,7 +19,7 @@ flat out int eye_number;
 layout(location = color_attribute) in vec4 color;
 out vec4 surface_color;
 #endif
-#ifdef SCALAR_LAYER
+#ifdef SCALAR_FIELD
 layout(location = value_attribute) in vec2 value;
 out vec2 surface_value;
 #endif
@@ -49,7 +49,7 @@ void main() {
 #if defined(VERTEX_COLORS) || defined(BACKGROUND)
     surface_color = color;
 #endif
-#ifdef SCALAR_LAYER
+#ifdef SCALAR_FIELD
     surface_value = value;
 #endif
 #ifdef SECTION

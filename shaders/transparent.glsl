@@ -14,7 +14,7 @@ layout(location = capacity_uniform) uniform uint capacity;
 layout(location = 0) out vec4 weighted;    // summed
 layout(location = 1) out float absorbed;   // multiplies what is transmitted by 1 - this
 layout(location = nearness_uniform) uniform vec2 nearness;  // place in the depth range: x + y * distance, 0 to 1
-layout(location = own_layer_share_uniform) uniform float layer_share;
+layout(location = own_field_share_uniform) uniform float field_share;
 layout(location = own_light_on_photos_uniform) uniform bool light_on_photos;
 layout(location = own_light_scale_uniform) uniform float light_scale;
 

@@ -29,7 +29,7 @@ std::string key_of(const SynthSpec& s) {
     std::ostringstream out;
     out << std::hexfloat;
     const auto add = [&](const auto&... values) { ((out << values << ' '), ...); };
-    add(s.seed, s.height_layer);
+    add(s.seed, s.height_field);
     add(s.building.width, s.building.height, s.building.depth, s.building.recess, s.building.bays,
         s.building.floors, s.building.max_edge);
     add(s.object.size, s.object.triangles, s.object.distance);

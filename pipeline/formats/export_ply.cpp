@@ -10,10 +10,10 @@
 namespace vantage {
 namespace {
 
-std::string properties(std::span<const PlyLayer> layers) {
+std::string properties(std::span<const PlyField> fields) {
     std::string out;
-    for (const PlyLayer& layer : layers) {
-        std::string name = layer.name.empty() ? "_" : layer.name;
+    for (const PlyField& field : fields) {
+        std::string name = field.name.empty() ? "_" : field.name;
         for (char& c : name)
             if (!(c > ' ' && c <= '~')) c = '_';
         out += "property float " + name + "\n";
@@ -35,14 +35,14 @@ void write_ply(const std::filesystem::path& file, const PlyMesh& mesh) {
             "property double z\nproperty float nx\nproperty float ny\nproperty float nz\n{}{}element face "
             "{}\n"
             "property list uchar int vertex_indices\nend_header\n",
-            ply_mark, mesh.positions.size(), color_properties, properties(mesh.layers),
+            ply_mark, mesh.positions.size(), color_properties, properties(mesh.fields),
             mesh.triangles.size());
         const auto put = [&](const auto& v) { out.write(reinterpret_cast<const char*>(&v), sizeof v); };
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
             put(Eigen::Vector3d(mesh.origin + mesh.positions[i].cast<double>()));
             put(mesh.normals[i]);
             if (!mesh.colors.empty()) put(mesh.colors[i]);
-            for (const PlyLayer& layer : mesh.layers) put(layer.values[i]);
+            for (const PlyField& field : mesh.fields) put(field.values[i]);
         }
         for (const auto& t : mesh.triangles) {
             put(std::uint8_t(3));

@@ -10,7 +10,7 @@
 namespace vantage {
 
 /// A scalar property of the vertices.
-struct PlyLayer {
+struct PlyField {
     std::string name;
     std::span<const float> values;  ///< one per vertex
 };
@@ -20,12 +20,12 @@ struct PlyMesh {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of the positions
     std::span<const Eigen::Vector3f> positions, normals;
     std::span<const std::array<std::uint32_t, 3>> triangles;
-    std::span<const PlyLayer> layers{};
+    std::span<const PlyField> fields{};
     std::span<const std::array<std::uint8_t, 4>> colors{};
 };
 
 /// Writes a binary little-endian PLY file: `origin` + position in double precision, a float normal, red,
-/// green, blue and alpha if there are `colors`, and a float per layer for each vertex, and the triangles.
+/// green, blue and alpha if there are `colors`, and a float per field for each vertex, and the triangles.
 /// In names, what is not printable ASCII becomes '_'. Throws Error(storage).
 void write_ply(const std::filesystem::path& file, const PlyMesh& mesh);
 

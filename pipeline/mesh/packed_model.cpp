@@ -39,7 +39,7 @@ void order_vertices(PackedModel& m, Mesh& mesh) {
     permute(mesh.positions, order);
     permute(mesh.normals, order);
     permute(mesh.colors, order);
-    for (ScalarLayer& layer : mesh.scalars) permute(layer.values, order);
+    for (VertexField& field : mesh.scalars) permute(field.values, order);
     for (std::uint32_t& v : m.indices) v = order[v];
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         std::copy_n(m.indices.begin() + std::ptrdiff_t(3 * t), 3, mesh.triangles[t].begin());
@@ -104,8 +104,8 @@ void write_model(PackageWriter& writer, const PackedModel& m, const Mesh& mesh) 
     if (!mesh.colors.empty()) put(Type::colors, bytes_of(mesh.colors));
     if (mesh.scalars.empty()) return;
     std::vector<float> all;
-    for (const ScalarLayer& layer : mesh.scalars)
-        all.insert(all.end(), layer.values.begin(), layer.values.end());
+    for (const VertexField& field : mesh.scalars)
+        all.insert(all.end(), field.values.begin(), field.values.end());
     put(Type::scalars, bytes_of(all));
 }
 

@@ -24,7 +24,7 @@ std::uint32_t add_midpoint(Mesh& m, std::uint32_t a, std::uint32_t b) {
         for (std::size_t i = 0; i < 4; ++i) c[i] = std::uint8_t((m.colors[a][i] + m.colors[b][i] + 1) / 2);
         m.colors.push_back(c);
     }
-    for (ScalarLayer& layer : m.scalars) layer.values.push_back((layer.values[a] + layer.values[b]) / 2);
+    for (VertexField& field : m.scalars) field.values.push_back((field.values[a] + field.values[b]) / 2);
     return std::uint32_t(m.positions.size() - 1);
 }
 

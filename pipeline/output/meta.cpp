@@ -190,7 +190,7 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
     meta["scalars"] = json::array();
     if (std::ranges::any_of(
             effects, [](const EffectDecision& d) { return d.effect == Effect::scalar_fields && d.on; }))
-        for (const ScalarLayer& layer : scene.mesh.scalars) meta["scalars"].push_back(utf8_name(layer.name));
+        for (const VertexField& field : scene.mesh.scalars) meta["scalars"].push_back(utf8_name(field.name));
     meta["skipped"] = json::array();
     for (const UnusablePhoto& l : scene.skipped)
         meta["skipped"].push_back(skipped_json(l, scene.files.photos, identities));

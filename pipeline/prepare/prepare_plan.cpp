@@ -61,12 +61,12 @@ std::string name_of_deviation(const std::filesystem::path& from, const std::file
     return "deviation-from-" + (same ? folder.filename() : from.stem()).string();
 }
 
-/// One layer per mesh to compare with; their memory is released.
+/// One field per mesh to compare with; their memory is released.
 void add_deviations(SceneInput& scene, Trace* trace) {
     for (std::size_t i = 0; i < scene.compared.size(); ++i) {
         const Traced traced(trace, "deviation");
         std::string name = name_of_deviation(scene.files.compared[i], scene.files.mesh);
-        while (std::ranges::count(scene.mesh.scalars, name, &ScalarLayer::name) > 0) name += "-2";
+        while (std::ranges::count(scene.mesh.scalars, name, &VertexField::name) > 0) name += "-2";
         scene.mesh.scalars.push_back({name, deviation(scene.mesh, scene.compared[i])});
     }
     scene.compared.clear();

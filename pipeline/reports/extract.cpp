@@ -79,8 +79,8 @@ std::vector<std::string> stems_of(const PackageReader& reader, const std::vector
 
 void write_mesh(const PackageReader& reader, const fs::path& file) {
     const package::SceneRecord& s = reader.scene();
-    std::vector<PlyLayer> layers;
-    for (const ScalarField& layer : read_fields(reader)) layers.push_back({layer.name, layer.values});
+    std::vector<PlyField> fields;
+    for (const ScalarField& field : read_fields(reader)) fields.push_back({field.name, field.values});
     std::span<const std::array<std::uint8_t, 4>> colors;
     if (effect_on(s, Effect::transparency))
         colors = reader.records<std::array<std::uint8_t, 4>>(Type::colors);
@@ -88,7 +88,7 @@ void write_mesh(const PackageReader& reader, const fs::path& file) {
                      .positions = reader.records<Eigen::Vector3f>(Type::positions),
                      .normals = reader.records<Eigen::Vector3f>(Type::normals),
                      .triangles = reader.records<std::array<std::uint32_t, 3>>(Type::indices),
-                     .layers = layers,
+                     .fields = fields,
                      .colors = colors});
 }
 

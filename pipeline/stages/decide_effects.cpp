@@ -140,31 +140,31 @@ Measured unseen_colors(const SceneInput& scene) {
                                100 * share)};
 }
 
-/// One layer: its range and the share of vertices without value. Sets `varies`.
-std::string describe(const ScalarLayer& layer, bool& varies) {
+/// One field: its range and the share of vertices without value. Sets `varies`.
+std::string describe(const VertexField& field, bool& varies) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     std::size_t without = 0;
-    for (const float v : layer.values)
+    for (const float v : field.values)
         if (std::isfinite(v))
             low = std::min(low, double(v)), high = std::max(high, double(v));
         else
             ++without;
     varies = low < high;
-    std::string out = without == layer.values.size()
-                          ? utf8_name(layer.name) + " has no values"
-                          : fmt::format("{} from {:.4g} to {:.4g}", utf8_name(layer.name), low, high);
+    std::string out = without == field.values.size()
+                          ? utf8_name(field.name) + " has no values"
+                          : fmt::format("{} from {:.4g} to {:.4g}", utf8_name(field.name), low, high);
     if (without > 0 && low <= high)
-        out += fmt::format(", {:.1f} % without value", 100 * double(without) / double(layer.values.size()));
+        out += fmt::format(", {:.1f} % without value", 100 * double(without) / double(field.values.size()));
     return out;
 }
 
-Measured varying_layers(std::span<const ScalarLayer> layers) {
-    if (layers.empty()) return {0, "the mesh has no scalar fields"};
+Measured varying_fields(std::span<const VertexField> fields) {
+    if (fields.empty()) return {0, "the mesh has no scalar fields"};
     double varying = 0;
     std::string evidence;
-    for (const ScalarLayer& layer : layers) {
+    for (const VertexField& field : fields) {
         bool varies = false;
-        evidence += (evidence.empty() ? "" : "; ") + describe(layer, varies);
+        evidence += (evidence.empty() ? "" : "; ") + describe(field, varies);
         varying += varies;
     }
     return {varying, evidence};
@@ -252,7 +252,7 @@ Measured measure(const EffectRow& row, const SceneInput& scene, bool by_image_se
         case Effect::vertex_colors:
             return unseen_colors(scene);
         case Effect::scalar_fields:
-            return varying_layers(scene.mesh.scalars);
+            return varying_fields(scene.mesh.scalars);
         case Effect::points:
             return clouds(scene);
         case Effect::image_sets:

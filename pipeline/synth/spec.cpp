@@ -72,7 +72,7 @@ SynthSpec read_spec(const std::filesystem::path& file) {
     {
         Table t(file, root, "scene");
         t.read("seed", s.seed, 0, 4e9);
-        t.read("height_layer", s.height_layer, 0, 1);
+        t.read("height_field", s.height_field, 0, 1);
     }
     {
         Table t(file, root, "building");

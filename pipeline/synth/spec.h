@@ -6,7 +6,7 @@ namespace vantage {
 /// The specification of a synthetic scene, as in data/*.toml. Lengths are in meters, angles in degrees.
 struct SynthSpec {
     unsigned seed = 1;
-    bool height_layer = false;  ///< the mesh has the height above the ground as a scalar field
+    bool height_field = false;  ///< the mesh has the height above the ground as a scalar field
     struct Building {
         double width = 12, height = 7.5, depth = 6, recess = 0.7;
         int bays = 5, floors = 2;

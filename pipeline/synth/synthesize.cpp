@@ -89,12 +89,12 @@ void write_model(const SynthModel& model, bool height, const std::filesystem::pa
     for (const Vector3d& p : model.mesh.positions) positions.push_back(p.cast<float>());
     std::vector<float> heights;
     for (const Vector3f& p : positions) heights.push_back(p.z());
-    std::vector<PlyLayer> layers;
-    if (height) layers.push_back({"height", heights});
+    std::vector<PlyField> fields;
+    if (height) fields.push_back({"height", heights});
     write_ply(file, {.positions = positions,
                      .normals = model.mesh.normals,
                      .triangles = model.mesh.triangles,
-                     .layers = layers,
+                     .fields = fields,
                      .colors = model.mesh.colors});
 }
 
@@ -181,7 +181,7 @@ void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
     write_gains(folder / synth_mark, photos, exposed);
     SynthModel with_glass = model;
     add_glass_case(spec, with_glass);
-    write_model(with_glass, spec.height_layer, folder / "mesh.ply");
+    write_model(with_glass, spec.height_field, folder / "mesh.ply");
     std::atomic<std::size_t> done{0};
     for_each_photo(photos.size(), 0, [&](std::size_t i) {
         const Camera& camera = photos[i].camera;

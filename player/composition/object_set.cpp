@@ -139,7 +139,7 @@ RenderSettings ObjectSet::settings_of_others(const RenderSettings& settings) con
     out.fill_background = false;
     out.plain_background.soft_edges = 0;   // those of the whole picture
     out.background = ShowBackground::off;  // those of one object would hide the others
-    out.layer.layer = -1;
+    out.field.index = -1;
     out.image_sets = {};
     out.compare = Compare::nothing;
     out.compare_photo = 0;

@@ -58,7 +58,7 @@ class ObjectSet {
 
     /// Draws all objects that are shown, as Renderer::draw does; `settings.upload_bytes` is for all
     /// together, but each may upload a tile.
-    /// `photos`: of the first object; others blend all of theirs. Layers, image sets, background and
+    /// `photos`: of the first object; others blend all of theirs. Scalar fields, image sets, background and
     /// comparisons are those of the first object.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);

@@ -38,8 +38,8 @@ bool has_page(MenuPage page, const MenuContent& m) {
         case MenuPage::photos:
         case MenuPage::blending:
             return !scene.photos.empty();
-        case MenuPage::layers:
-            return !m.scene.renderer.resources().layers.all().empty();
+        case MenuPage::fields:
+            return !m.scene.renderer.resources().fields.all().empty();
         case MenuPage::points:
             return m.scene.renderer.resources().points.has_value();
         case MenuPage::image_sets:
@@ -157,8 +157,8 @@ void page_content(Controls& c, Session& s, const MenuContent& m, double now) {
             return picture_content(c, s, m.scene.renderer);
         case MenuPage::blending:
             return blending_section(c, s, m.scene.renderer);
-        case MenuPage::layers:
-            return field_section(c, s.settings.layer, m.scene.renderer,
+        case MenuPage::fields:
+            return field_section(c, s.settings.field, m.scene.renderer,
                                  view_of(s.viewpoint.camera, 1000, 1000));
         case MenuPage::points:
             return point_section(c, s, m.scene.renderer);

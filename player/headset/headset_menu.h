@@ -11,7 +11,7 @@ enum class MenuPage {
     photos,
     picture,
     blending,
-    layers,
+    fields,
     points,
     image_sets,
     objects,

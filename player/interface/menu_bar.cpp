@@ -34,7 +34,7 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
     toggle("Orthophoto", "", s.window.panels.orthophoto);
     toggle("Blending", "F2", s.window.panels.blending);
     toggle("Status", "F3", s.window.panels.status);
-    if (!renderer.resources().layers.all().empty()) toggle("Scalar fields", "F7", layers_open(s));
+    if (!renderer.resources().fields.all().empty()) toggle("Scalar fields", "F7", fields_open(s));
     if (renderer.resources().points) toggle("Point cloud", "F8", s.window.panels.points);
     if (renderer.scene().image_sets.size() > 1) toggle("Image sets", "F9", s.window.panels.image_sets);
     toggle("Objects", "F10", s.window.panels.objects);

@@ -44,9 +44,9 @@ bool sections(Controls& c, Session& s, const SidebarContent& content, double now
         });
         section(c, "Orthophoto", p.orthophoto, [&] { orthophoto_section(c, s, package); });
     }
-    if (!renderer.resources().layers.all().empty())
-        section(c, "Scalar fields", layers_open(s),
-                [&] { field_section(c, s.settings.layer, renderer, view); });
+    if (!renderer.resources().fields.all().empty())
+        section(c, "Scalar fields", fields_open(s),
+                [&] { field_section(c, s.settings.field, renderer, view); });
     if (renderer.resources().points)
         section(c, "Point cloud", p.points, [&] { point_section(c, s, renderer); });
     if (renderer.scene().image_sets.size() > 1)

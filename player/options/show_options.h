@@ -20,7 +20,7 @@ struct ShowOptions {
     PackageOptions package;
     ObjectOptions objects;
     BlendingOptions blending;
-    FieldOptions layer;
+    FieldOptions field;
     LightOptions light;
     PointOptions points;
     MemoryOptions memory;

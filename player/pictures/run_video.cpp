@@ -63,7 +63,7 @@ class Frames {
           side_(o.pictures.samples ? o.pictures.samples : 2) {
         settings_ = render_settings(package, o.blending, Purpose::pictures);
         settings_.fill_holes = o.blending.holes != "transparent";
-        settings_.layer = layer_settings(package, o.layer);
+        settings_.field = field_settings(package, o.field);
         settings_.light = light_settings(o.light);
         settings_.points = point_settings(o.points);
         if (story.background) settings_.plain_background = plain_background_of(*story.background);

@@ -56,7 +56,7 @@ gl::Program FrameResolver::make_program(const std::vector<std::string>& asked) c
 
 const gl::Program& FrameResolver::program_for(const RenderSettings& settings) {
     const std::optional<TransparentPass>& transparent = resources_->transparent;
-    std::vector<std::string> asked = asked_defines(settings, resources_->layers);
+    std::vector<std::string> asked = asked_defines(settings, resources_->fields);
     if (settings.light.wireframe) asked.emplace_back("WIREFRAME");
     if (transparent && transparent->mode() == Transparency::exact) asked.emplace_back("FRAGMENT_LISTS");
     if (asked.empty()) return plain_program_;
@@ -96,7 +96,7 @@ void FrameResolver::draw_resolved(int sums, const PaintedImageSet& image_set, bo
     const RenderSettings& settings = image_set.drawn.settings;
     const FrameTargets& targets = resources_->targets;
     const double progress = before ? 1 : image_set.drawn.plan.progress();
-    // The picture that is being replaced is lit, and gets its layer, with the one that replaces it.
+    // The picture that is being replaced is lit, and gets its field, with the one that replaces it.
     glUseProgram((before ? plain_program_ : program_for(settings)).id());
     if (!before) set_light(settings);
     const bool counts = settings.show == Show::coverage;
@@ -107,8 +107,8 @@ void FrameResolver::draw_resolved(int sums, const PaintedImageSet& image_set, bo
     if (resources_->parts.background) set_holes(image_set, before);
     if (resources_->parts.points) set_points(image_set.drawn, before);
     if (resources_->transparent) set_transparent(image_set, before);
-    if (!before && resources_->layers.shows(settings))
-        glUniform1f(shader::layer_share_uniform, float(settings.layer.share));
+    if (!before && resources_->fields.shows(settings))
+        glUniform1f(shader::field_share_uniform, float(settings.field.share));
     glUniform3fv(shader::plain_background_uniform, 1, settings.plain_background.top.data());
     glUniform3fv(shader::plain_background_bottom_uniform, 1, settings.plain_background.bottom.data());
     glUniform1i(shader::fill_background_uniform, settings.fill_background);

@@ -22,9 +22,9 @@ FrameResources::FrameResources(const PackageReader& p, const MemoryBudget& budge
       scene(make_plan_scene(p)),
       // In software, a frame's uploads are done when the next one begins.
       store(p, software ? budget.ring / 2 : budget.ring),
-      layers(p),
+      fields(p),
       clusters(p, scene),
-      surface(p, scene, clusters, layers),
+      surface(p, scene, clusters, fields),
       photos(p, scene, store, clusters, parts, trials) {
     if (auto cloud = read_point_cloud(p)) points.emplace(p, std::move(*cloud), points_memory(budget));
     parts = {!points_only(p.scene()), !scene.photos.empty(), points.has_value(), scene.has_background()};

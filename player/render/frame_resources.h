@@ -3,11 +3,11 @@
 #include <string>
 
 #include "player/render/passes/cluster_draws.h"
+#include "player/render/passes/field_values.h"
 #include "player/render/passes/frame_targets.h"
 #include "player/render/passes/hole_filling.h"
 #include "player/render/passes/photo_passes.h"
 #include "player/render/passes/point_pass.h"
-#include "player/render/passes/scalar_layers.h"
 #include "player/render/passes/surface_pass.h"
 #include "player/render/passes/transparent_pass.h"
 #include "player/render/render_trials.h"
@@ -28,7 +28,7 @@ struct FrameResources {
     RenderTrials trials;          ///< apply from the next frame
     PlanScene scene;
     PhotoStore store;
-    ScalarLayers layers;
+    FieldValues fields;
     ClusterDraws clusters;
     SurfacePass surface;
     SceneParts parts;

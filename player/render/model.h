@@ -22,7 +22,7 @@ struct Model {
     std::size_t coarse_capacity = 0;
 };
 
-/// Makes a layer's values, one per vertex of the mesh, the attribute `value`.
+/// Makes a field's values, one per vertex of the mesh, the attribute `value`.
 void show_values(Model& model, const PlanScene& scene, std::span<const float> values);
 
 /// Puts a coarse mesh of the scene behind its triangles. False if it has too many triangles.

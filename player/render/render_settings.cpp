@@ -28,11 +28,11 @@ PlanSettings plan_settings(const RenderSettings& s, int anisotropy) {
     return p;
 }
 
-FieldLegend field_legend(const ScalarField& layer, const FieldSettings& s) {
-    const ValueRange whole = s.range.value_or(whole_range(layer, false, s.logarithmic));
+FieldLegend field_legend(const ScalarField& field, const FieldSettings& s) {
+    const ValueRange whole = s.range.value_or(whole_range(field, false, s.logarithmic));
     const ColorMap map = chosen_map(s.map, whole.low, whole.high);
     if (s.range) return {map, *s.range};
-    return {map, whole_range(layer, map == ColorMap::coolwarm && !s.logarithmic, s.logarithmic)};
+    return {map, whole_range(field, map == ColorMap::coolwarm && !s.logarithmic, s.logarithmic)};
 }
 
 PlainBackground plain_background_of(const package::SceneRecord& scene) {

@@ -36,12 +36,12 @@ inline constexpr int window_photos = 4;
 /// A scalar field in place of the photos, or mixed with them. Its colors are not shaded: they are those of
 /// the legend.
 struct FieldSettings {
-    int layer = -1;  ///< -1: none
+    int index = -1;  ///< -1: none
     ColorMap map = ColorMap::automatic;
     std::optional<ValueRange> range;  ///< whole_range() if not given; values beyond have the end's color
     bool logarithmic = false;         ///< values that are not positive count as no value
     int isolines = 0;                 ///< intervals between lines; 0: no lines
-    double share = 1;                 ///< of the layer's color, beside the photos'
+    double share = 1;                 ///< of the field's color, beside the photos'
     bool operator==(const FieldSettings&) const = default;
 };
 
@@ -56,12 +56,12 @@ struct LightSettings {
     bool operator==(const LightSettings&) const = default;
 };
 
-/// The map and the range that the settings stand for, for one layer.
+/// The map and the range that the settings stand for, for one field.
 struct FieldLegend {
     ColorMap map;
     ValueRange range;
 };
-FieldLegend field_legend(const ScalarField& layer, const FieldSettings& settings);
+FieldLegend field_legend(const ScalarField& field, const FieldSettings& settings);
 
 /// How transparent surfaces are blended: sorted at each pixel, or by weighted sums.
 enum class Transparency { exact, approximate, off, count };
@@ -152,7 +152,7 @@ struct RenderSettings {
     Show show = Show::colors;
     ShowBackground background = ShowBackground::on;
     Transparency transparency = Transparency::exact;
-    FieldSettings layer;
+    FieldSettings field;
     LightSettings light;
     PointSettings points;
     ImageSetSettings image_sets;

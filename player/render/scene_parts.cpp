@@ -6,7 +6,7 @@ RenderSettings usable(RenderSettings settings, const SceneParts& parts) {
     if (!parts.points || parts.mesh) return settings;
     settings.points.show = settings.points.alone = true;
     settings.light.light = Light::photos;
-    settings.layer.layer = -1;
+    settings.field.index = -1;
     return settings;
 }
 

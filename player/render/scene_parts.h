@@ -9,7 +9,7 @@ struct SceneParts {
 };
 
 /// The settings that apply: in a scene of points only there is nothing but points, and no surface to put
-/// light or layers on.
+/// light or scalar fields on.
 RenderSettings usable(RenderSettings settings, const SceneParts& parts);
 
 /// Whether points have the photos' colors where photos show them.

@@ -114,13 +114,13 @@ Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader
                                 });
 }
 
-/// What the ends of the color map stand for, if a layer was shown.
+/// What the ends of the color map stand for, if a field was shown.
 void print_legend(const Renderer& renderer, const RenderSettings& settings) {
-    if (settings.layer.layer < 0) return;
-    const ScalarField& layer = renderer.resources().layers.all()[std::size_t(settings.layer.layer)];
-    const auto [map, range] = field_legend(layer, settings.layer);
-    std::printf("layer %s  %g to %g, %s%s\n", layer.name.c_str(), range.low, range.high, name_of(map),
-                settings.layer.logarithmic ? ", logarithmic" : "");
+    if (settings.field.index < 0) return;
+    const ScalarField& field = renderer.resources().fields.all()[std::size_t(settings.field.index)];
+    const auto [map, range] = field_legend(field, settings.field);
+    std::printf("field %s  %g to %g, %s%s\n", field.name.c_str(), range.low, range.high, name_of(map),
+                settings.field.logarithmic ? ", logarithmic" : "");
 }
 
 }  // namespace
@@ -135,7 +135,7 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
     const std::vector<std::filesystem::path> files = picture_files(package, options, wanted);
     const std::vector<std::uint32_t> photos = photos_in_use(package, options.package);
     RenderSettings settings = render_settings(package, options.blending, Purpose::pictures);
-    settings.layer = layer_settings(package, options.layer);
+    settings.field = field_settings(package, options.field);
     settings.light = light_settings(options.light);
     settings.points = point_settings(options.points);
     const gl::HeadlessContext context;

@@ -96,7 +96,7 @@ void add_show(const Command& c) {
     add_background_option(c, o->blending);
     add_transparency_option(c, o->blending);
     add_second_image_set_options(c, o->blending.image_sets);
-    add_field_options(c, o->layer);
+    add_field_options(c, o->field);
     add_light_options(c, o->light);
     add_point_options(c, o->points);
     add_picture_options(c, o->pictures);

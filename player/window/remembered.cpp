@@ -47,7 +47,7 @@ void for_fields(R& r, const Field& field) {
     field("panel_photos", r.panels.photos);
     field("panel_frusta", r.panels.frusta);
     field("panel_radar", r.panels.radar);
-    field("panel_layers", r.panels.layers);
+    field("panel_fields", r.panels.fields);
     field("panel_points", r.panels.points);
     field("panel_image_sets", r.panels.image_sets);
     field("image_set", r.image_set);

@@ -50,7 +50,7 @@ ShowOptions options_for(ShowOptions o, const std::string& file) {
     o.package.file = file;
     o.package.photos.clear();
     o.pictures.view.clear();
-    o.layer.name.clear();
+    o.field.name.clear();
     o.blending.image_sets = {};
     return o;
 }

@@ -61,8 +61,8 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     s.settings = remembered.settings;
     s.settings.upload_bytes = o.memory.upload_bytes();
     s.settings.loading = Loading::streamed;
-    s.settings.layer = layer_settings(package, o.layer);
-    if (read_fields(package).empty()) s.measured_layers = s.settings.layer.layer >= 0;
+    s.settings.field = field_settings(package, o.field);
+    if (read_fields(package).empty()) s.measured_fields = s.settings.field.index >= 0;
     if (o.light.shown != LightSettings{}) s.settings.light = light_settings(o.light);
     s.settings.points = point_settings(o.points);
     s.lamp_follows = o.light.lamp.empty();
@@ -78,7 +78,7 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
         home = stand_at(view, home.up, distance);
     }
     begin_at(s.viewpoint, home);
-    window.panels.expert |= !o.layer.name.empty();
+    window.panels.expert |= !o.field.name.empty();
     s.stereo = o.stereo;
     return s;
 }

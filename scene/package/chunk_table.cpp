@@ -16,7 +16,7 @@ std::span<const ChunkRow> chunk_table() {
     constexpr auto per_vertex = [](const SceneRecord& s, const PhotoRecord&) { return s.vertices; };
     constexpr auto per_triangle = [](const SceneRecord& s, const PhotoRecord&) { return s.triangles; };
     constexpr auto per_cluster = [](const SceneRecord& s, const PhotoRecord&) { return s.clusters; };
-    constexpr auto layer_values = [](const SceneRecord& s, const PhotoRecord&) {
+    constexpr auto field_values = [](const SceneRecord& s, const PhotoRecord&) {
         return s.vertices * s.scalar_fields;
     };
     constexpr auto pairs = [](const SceneRecord& s, const PhotoRecord&) {
@@ -50,8 +50,8 @@ std::span<const ChunkRow> chunk_table() {
         ChunkRow{Type::pairs, nullptr, none, single, false, sizeof(package::PairRecord), pairs,
                  "its records per photo"},
         ChunkRow{Type::colors, "colors", none, single, true, 4, per_vertex, "one color per vertex"},
-        ChunkRow{Type::scalars, "scalars", none, single, true, 4, layer_values,
-                 "one value per vertex and layer"},
+        ChunkRow{Type::scalars, "scalars", none, single, true, 4, field_values,
+                 "one value per vertex and field"},
         ChunkRow{Type::image_sets, "image_sets", none, single, false, sizeof(package::ImageSetRecord)},
         ChunkRow{Type::lenses, "lenses", none, single, false, sizeof(package::LensRecord), per_photo,
                  "one record per photo"},

@@ -25,7 +25,7 @@ enum class Type : std::uint32_t {
     positions = fourcc("VPOS"),                ///< float[3][vertices], relative to the origin
     normals = fourcc("VNRM"),                  ///< float[3][vertices], unit length
     colors = fourcc("VCOL"),                   ///< u8[4][vertices], sRGB and alpha; optional
-    scalars = fourcc("VSCL"),                  ///< float[vertices] per layer, names in META; optional
+    scalars = fourcc("VSCL"),                  ///< float[vertices] per field, names in META; optional
     indices = fourcc("INDX"),                  ///< u32[3][triangles], ordered by cluster
     clusters = fourcc("CLUS"),                 ///< ClusterRecord[clusters]
     background = fourcc("SURR"),               ///< BackgroundRecord and a backdrop; optional

@@ -56,13 +56,13 @@ void background_shape(const PackageReader& reader, Lines& out) {
     }
 }
 
-void layers_shape(const PackageReader& reader, const package::SceneRecord& scene, Lines& out) {
+void fields_shape(const PackageReader& reader, const package::SceneRecord& scene, Lines& out) {
     if (!effect_on(scene, Effect::scalar_fields)) return;
     const DirectoryEntry* e = reader.find(Type::scalars, package::scene_wide);
-    const std::uint64_t layer = scene.vertices * sizeof(float);
-    if (!e || layer == 0 || reader.content_length(e) % layer != 0 ||
-        reader.content_length(e) / layer != scene.scalar_fields)
-        out.emplace_back("VSCL does not have one value per vertex and layer");
+    const std::uint64_t field = scene.vertices * sizeof(float);
+    if (!e || field == 0 || reader.content_length(e) % field != 0 ||
+        reader.content_length(e) / field != scene.scalar_fields)
+        out.emplace_back("VSCL does not have one value per vertex and field");
 }
 
 void image_sets_shape(const PackageReader& reader, const package::SceneRecord& scene, Lines& out) {
@@ -144,7 +144,7 @@ std::vector<std::string> misshapen(const PackageReader& reader) {
     model_shape(reader, scene, out);
     transparency_shape(reader, out);
     background_shape(reader, out);
-    layers_shape(reader, scene, out);
+    fields_shape(reader, scene, out);
     image_sets_shape(reader, scene, out);
     lenses_shape(reader, scene, out);
     const auto photos = reader.photos();

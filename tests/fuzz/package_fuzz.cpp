@@ -78,9 +78,9 @@ void play(const PackageReader& package) {
                     touch(package.block(*r.second, r.block));
                 }
             }
-    for (const ScalarField& layer : read_fields(package))
+    for (const ScalarField& field : read_fields(package))
         for (const bool logarithmic : {false, true}) {
-            const ValueRange range = whole_range(layer, true, logarithmic);
+            const ValueRange range = whole_range(field, true, logarithmic);
             if (!(range.low < range.high)) std::abort();
         }
     if (const auto cloud = read_point_cloud(package)) {

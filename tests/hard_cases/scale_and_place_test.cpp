@@ -108,7 +108,7 @@ class ScaleAndPlace : public TemporaryFolder {
         scene = read_scene(discover(dir / "scene"));
         subdivide_large_triangles(
             scene.mesh, main_box(scene.mesh));  // so that preparing adds no vertices, and their numbers stay
-        ScalarLayer number{"number", {}};
+        VertexField number{"number", {}};
         for (std::size_t v = 0; v < scene.mesh.positions.size(); ++v) number.values.push_back(float(v));
         scene.mesh.scalars.push_back(number);
         given = opened(OtherFrame{}, "given");
@@ -230,7 +230,7 @@ void add_stray(SceneInput& scene, const Eigen::Vector3d& corner) {
     mesh.positions.push_back(corner);
     mesh.normals.push_back(Eigen::Vector3f::UnitZ());
     if (!mesh.colors.empty()) mesh.colors.push_back(mesh.colors.front());
-    for (ScalarLayer& layer : mesh.scalars) layer.values.push_back(float(by_y.size()));
+    for (VertexField& field : mesh.scalars) field.values.push_back(float(by_y.size()));
 }
 
 Eigen::Matrix3d turned(double angle, const Eigen::Vector3d& axis) {

@@ -122,7 +122,8 @@ inline std::string changed(std::string text, const std::string& from, const std:
 
 /// The usual command with more options.
 inline std::string with(const std::string& more) { return std::string(prepare_command) + " " + more; }
-/// Compares the mesh with another one, which has to give a layer even if the distance is the same everywhere.
+/// Compares the mesh with another one, which has to give a scalar field even if the distance is the same
+/// everywhere.
 inline std::string deviation(const std::string& from, const std::string& then) {
     return "vantage prepare {scan} -o {out}.vantage --no-report --effect scalar-fields=on --deviation-from " +
            from + " " + then;

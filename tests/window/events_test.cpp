@@ -119,7 +119,7 @@ TEST_F(WindowEventsTest, EveryKeyOfTheHelpActs) {
     w.key(GLFW_KEY_TAB);  // F2 and others show the sidebar if it is closed
     toggles(GLFW_KEY_F1, p.help), toggles(GLFW_KEY_F2, p.blending), toggles(GLFW_KEY_F3, p.status);
     toggles(GLFW_KEY_F4, p.photos), toggles(GLFW_KEY_F5, p.frusta), toggles(GLFW_KEY_F6, p.radar);
-    toggles(GLFW_KEY_F7, layers_open(s)), toggles(GLFW_KEY_F8, p.points), toggles(GLFW_KEY_F9, p.image_sets);
+    toggles(GLFW_KEY_F7, fields_open(s)), toggles(GLFW_KEY_F8, p.points), toggles(GLFW_KEY_F9, p.image_sets);
     toggles(GLFW_KEY_F10, p.objects), toggles(GLFW_KEY_F11, s.window.full_screen),
         toggles(GLFW_KEY_F12, p.picture);
     toggles(GLFW_KEY_TAB, p.expert), toggles(GLFW_KEY_M, p.measure), toggles(GLFW_KEY_J, p.story);

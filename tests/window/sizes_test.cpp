@@ -68,11 +68,11 @@ TEST_F(WindowSizes, EverySectionFitsTheSidebar) {
             ShowOptions options;
             options.window.language = language;
             HeadlessWindow w(package_of(scene), options);
-            w.session.settings.layer.layer = scene == WindowScene::garden ? 0 : -1;
+            w.session.settings.field.index = scene == WindowScene::garden ? 0 : -1;
             w.session.settings.light.light = Light::raking;
             w.session.cut.on = true;
             Panels& p = w.session.window.panels;
-            p.expert = p.photo_list = p.cut = p.orthophoto = p.status = p.objects = p.layers = true;
+            p.expert = p.photo_list = p.cut = p.orthophoto = p.status = p.objects = p.fields = true;
             w.resize(1200, 4000);
             w.frames(3);
             EXPECT_TRUE(w.there("Export section") && w.there("Write the orthophoto") &&

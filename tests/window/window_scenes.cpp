@@ -65,7 +65,7 @@ void make(WindowScene scene, const fs::path& scan, const fs::path& package) {
     PrepareSettings settings;
     settings.vertex_coordinates = scene == WindowScene::tiny;
     if (scene == WindowScene::garden) {
-        spec.height_layer = true;
+        spec.height_field = true;
         spec.garden = {.radius = 30, .hill = 8};
         spec.glass.alpha = 0.3;
         settings.effects[Effect::background] = EffectChoice::on;

@@ -24,9 +24,10 @@ json json_of(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 json json_of(const Range& range) { return range.empty() ? json() : json{range.low, range.high}; }
 
 json json_of(const ShapeFacts& shape, const std::vector<std::filesystem::path>& files) {
-    return {{"format", format_of(files.front())}, {"bytes", length_of(files)}, {"vertices", shape.vertices},
-            {"triangles", shape.triangles},       {"low", json_of(shape.low)}, {"high", json_of(shape.high)},
-            {"far_away", shape.strays},           {"colors", shape.colors},    {"layers", shape.layers}};
+    return {
+        {"format", format_of(files.front())}, {"bytes", length_of(files)}, {"vertices", shape.vertices},
+        {"triangles", shape.triangles},       {"low", json_of(shape.low)}, {"high", json_of(shape.high)},
+        {"far_away", shape.strays},           {"colors", shape.colors},    {"scalar_fields", shape.fields}};
 }
 
 json mesh_json(const InputFacts& facts) {

@@ -68,8 +68,8 @@ void add_shape(const ShapeFacts& shape, const std::vector<std::filesystem::path>
             corner(shape.low), corner(shape.high),
             shape.strays ? ", without " + counted(shape.strays, "vertex", "vertices") + " far away" : "");
     std::string has = shape.colors ? "vertex colors" : "no vertex colors";
-    if (!shape.layers.empty())
-        has += fmt::format(", {} ({})", counted(shape.layers.size(), "scalar field"), first_of(shape.layers));
+    if (!shape.fields.empty())
+        has += fmt::format(", {} ({})", counted(shape.fields.size(), "scalar field"), first_of(shape.fields));
     std::vector<std::string> names;
     for (const auto& file : companions)
         if (std::filesystem::exists(file)) names.push_back(file.filename().string());

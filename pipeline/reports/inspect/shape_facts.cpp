@@ -13,8 +13,8 @@ ShapeFacts shape_facts(const Mesh& mesh) {
                      .high = box.high,
                      .strays = box.strays.size(),
                      .colors = !mesh.colors.empty(),
-                     .layers = {}};
-    for (const ScalarLayer& layer : mesh.scalars) facts.layers.push_back(utf8_name(layer.name));
+                     .fields = {}};
+    for (const VertexField& field : mesh.scalars) facts.fields.push_back(utf8_name(field.name));
     return facts;
 }
 

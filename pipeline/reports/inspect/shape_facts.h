@@ -14,7 +14,7 @@ struct ShapeFacts {
     Eigen::Vector3d low, high;        ///< box in input units, without strays
     std::size_t strays = 0;           ///< vertices far from all others (base/values/main_box.h)
     bool colors = false;              ///< of vertices
-    std::vector<std::string> layers;  ///< scalar fields, UTF-8
+    std::vector<std::string> fields;  ///< scalar fields, UTF-8
 
     double diagonal() const { return (high - low).norm(); }
 };

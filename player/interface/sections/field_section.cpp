@@ -21,7 +21,7 @@ float legend_height() { return ImGui::GetFontSize(); }
 float histogram_height() { return 3 * ImGui::GetFontSize(); }
 
 /// The value under the pointer, from the triangles that the last frames showed.
-std::optional<double> value_under_pointer(const Renderer& renderer, const ScalarField& layer,
+std::optional<double> value_under_pointer(const Renderer& renderer, const ScalarField& field,
                                           const View& view) {
     const ImGuiIO& io = ImGui::GetIO();
     const SeenTriangles seen = renderer.planner().seen();
@@ -29,13 +29,13 @@ std::optional<double> value_under_pointer(const Renderer& renderer, const Scalar
     const Eigen::Vector2d at(io.MousePos.x, io.MousePos.y);
     const std::uint32_t triangle = seen_triangle(seen, at);
     if (triangle == 0) return {};
-    return value_at_pixel(renderer.scene(), layer.values, triangle - 1, seen.view, at);
+    return value_at_pixel(renderer.scene(), field.values, triangle - 1, seen.view, at);
 }
 
-/// Null for a stored layer, whose unit is that of its file.
-const char* unit_of(const ScalarField& layer) {
-    if (!layer.measure) return nullptr;
-    return *layer.measure == PhotoMeasure::count ? tr("photos that see the surface")
+/// Null for a stored field, whose unit is that of its file.
+const char* unit_of(const ScalarField& field) {
+    if (!field.measure) return nullptr;
+    return *field.measure == PhotoMeasure::count ? tr("photos that see the surface")
                                                  : tr("pixels per input unit, of the finest photo");
 }
 
@@ -44,22 +44,22 @@ double place(double value, const FieldSettings& s, const ValueRange& range) {
     return (scaled(value) - scaled(range.low)) / (scaled(range.high) - scaled(range.low));
 }
 
-/// The color map with the layer's histogram above it, and a mark at the value under the pointer.
-void legend(const ScalarField& layer, const FieldSettings& s, std::optional<double> value) {
-    const auto [map, range] = field_legend(layer, s);
+/// The color map with the field's histogram above it, and a mark at the value under the pointer.
+void legend(const ScalarField& field, const FieldSettings& s, std::optional<double> value) {
+    const auto [map, range] = field_legend(field, s);
     const ColorTable table = color_table(map);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float width = ImGui::GetContentRegionAvail().x;
     const float top = low.y + histogram_height(), bottom = top + legend_height();
-    const float most = std::max(1.0f, *std::ranges::max_element(layer.counts));
-    const double bin = (layer.high - layer.low) / double(layer.counts.size());
+    const float most = std::max(1.0f, *std::ranges::max_element(field.counts));
+    const double bin = (field.high - field.low) / double(field.counts.size());
     list.PushClipRect(low, ImVec2(low.x + width, bottom), true);
-    for (std::size_t i = 0; i < layer.counts.size(); ++i) {
-        const double from = place(layer.low + double(i) * bin, s, range),
-                     to = place(layer.low + double(i + 1) * bin, s, range);
+    for (std::size_t i = 0; i < field.counts.size(); ++i) {
+        const double from = place(field.low + double(i) * bin, s, range),
+                     to = place(field.low + double(i + 1) * bin, s, range);
         // The square root lets few values show beside many.
-        const float height = histogram_height() * std::sqrt(layer.counts[i] / most);
+        const float height = histogram_height() * std::sqrt(field.counts[i] / most);
         const auto at = [&](double share) { return low.x + width * float(std::clamp(share, -1.0, 2.0)); };
         list.AddRectFilled(ImVec2(at(from), top - height), ImVec2(std::max(at(to), at(from) + 1), top),
                            IM_COL32(150, 160, 175, 255));
@@ -85,11 +85,11 @@ void legend(const ScalarField& layer, const FieldSettings& s, std::optional<doub
     ImGui::TextUnformatted(text.c_str());
 }
 
-void range_sliders(Controls& c, const ScalarField& layer, FieldSettings& s) {
+void range_sliders(Controls& c, const ScalarField& field, FieldSettings& s) {
     FieldSettings unbounded = s;
     unbounded.range.reset();
-    const ValueRange whole = field_legend(layer, unbounded).range;
-    ValueRange range = field_legend(layer, s).range;
+    const ValueRange whole = field_legend(field, unbounded).range;
+    ValueRange range = field_legend(field, s).range;
     const ImGuiSliderFlags flags = s.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
     bool changed = c.slider("Lowest", &range.low, whole.low, whole.high, "%.5g", flags);
     changed |= c.slider("Highest", &range.high, whole.low, whole.high, "%.5g", flags);
@@ -99,25 +99,25 @@ void range_sliders(Controls& c, const ScalarField& layer, FieldSettings& s) {
     ImGui::EndDisabled();
 }
 
-void layer_choice(Controls& c, std::span<const ScalarField> layers, FieldSettings& s) {
+void field_choice(Controls& c, std::span<const ScalarField> fields, FieldSettings& s) {
     std::vector<const char*> names{tr("none: photos only")};
-    for (const ScalarField& layer : layers) names.push_back(layer.name.c_str());
-    int chosen = std::clamp(s.layer + 1, 0, int(layers.size()));
+    for (const ScalarField& field : fields) names.push_back(field.name.c_str());
+    int chosen = std::clamp(s.index + 1, 0, int(fields.size()));
     if (!c.combo("Field", &chosen, names.data(), int(names.size()))) return;
-    s.layer = chosen - 1;
+    s.index = chosen - 1;
     s.range.reset();
 }
 
 }  // namespace
 
 void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, const View& view) {
-    const std::span<const ScalarField> layers = renderer.resources().layers.all();
-    layer_choice(c, layers, s);
-    if (s.layer < 0 || std::size_t(s.layer) >= layers.size()) return;
-    const ScalarField& layer = layers[std::size_t(s.layer)];
-    const std::optional<double> value = value_under_pointer(renderer, layer, view);
-    legend(layer, s, value);
-    if (const char* unit = unit_of(layer)) ImGui::TextDisabled("%s", unit);
+    const std::span<const ScalarField> fields = renderer.resources().fields.all();
+    field_choice(c, fields, s);
+    if (s.index < 0 || std::size_t(s.index) >= fields.size()) return;
+    const ScalarField& field = fields[std::size_t(s.index)];
+    const std::optional<double> value = value_under_pointer(renderer, field, view);
+    legend(field, s, value);
+    if (const char* unit = unit_of(field)) ImGui::TextDisabled("%s", unit);
     if (value)
         ImGui::Text(tr("under the pointer: %.5g"), *value);
     else
@@ -131,10 +131,10 @@ void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, cons
     c.explain("Lines of equal value: the number of steps between them.");
     if (c.checkbox("Logarithmic", &s.logarithmic)) s.range.reset();
     c.explain("Colors by the logarithm. Values of zero and less have none.");
-    range_sliders(c, layer, s);
-    if (layer.without > 0)
+    range_sliders(c, field, s);
+    if (field.without > 0)
         ImGui::TextDisabled(tr("%.1f %% of the vertices have no value"),
-                            100 * double(layer.without) / double(layer.values.size()));
+                            100 * double(field.without) / double(field.values.size()));
 }
 
 }  // namespace vantage

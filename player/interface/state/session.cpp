@@ -14,7 +14,7 @@ View shown_view(const Navigation& camera, const Session& s, const PlanScene& sce
     return orthographic(view, distance, std::max(scene.size, distance));
 }
 
-bool& layers_open(Session& s) { return s.measured_layers ? *s.measured_layers : s.window.panels.layers; }
+bool& fields_open(Session& s) { return s.measured_fields ? *s.measured_fields : s.window.panels.fields; }
 
 void fly_to(Session& s, std::uint32_t photo, const package::PhotoRecord& record, double now) {
     Viewpoint& v = s.viewpoint;

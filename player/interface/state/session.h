@@ -72,7 +72,7 @@ struct Session {
     bool freeze = false;                ///< weights are frozen
     bool lamp_follows = true;           ///< the raking light follows the pointer
     /// Whether the section of layers is open, of a package that has none of its own.
-    std::optional<bool> measured_layers;
+    std::optional<bool> measured_fields;
     Viewpoint viewpoint;
     Steering steering;
     RecordedPath path;
@@ -89,7 +89,7 @@ View shown_view(const Navigation& camera, const Session& session, const PlanScen
                 int height);
 
 /// Whether the section of layers is open.
-bool& layers_open(Session& session);
+bool& fields_open(Session& session);
 
 /// Starts a flight to a photo's camera, 0.7 seconds long.
 void fly_to(Session& session, std::uint32_t photo, const package::PhotoRecord& record, double now);

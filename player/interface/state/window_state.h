@@ -14,7 +14,7 @@ struct Panels {
     bool expert = false;  ///< the menu, and the sidebar with the sections that follow
     bool picture = true, photo_list = false, cut = false, orthophoto = false, blending = true, status = false,
          objects = false;
-    bool layers = true;                       ///< if the package has layers of its own; see layers_open()
+    bool fields = true;  ///< if the package has scalar fields of its own; see fields_open()
     bool points = true, image_sets = true;    ///< only if the package has any
     bool measure = false;                     ///< and clicks measure
     bool story = true, story_editor = false;  ///< notes and tours, if there are any; editing them

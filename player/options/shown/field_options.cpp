@@ -10,7 +10,7 @@ void add_field_options(const Command& c, FieldOptions& o) {
     const std::string group = "Scalar fields";
     const Option name =
         c.text("--field", o.name,
-               "show this layer of values instead of the photos: one of the package ('vantage info' lists "
+               "show this field of values instead of the photos: one of the package ('vantage info' lists "
                "them under scalar-fields), photo-count (how many photos see the surface) or photo-density "
                "(pixels per input unit of the finest of them)")
             .group(group);
@@ -24,11 +24,11 @@ void add_field_options(const Command& c, FieldOptions& o) {
         .needs(name);
 }
 
-FieldSettings layer_settings(const PackageReader& package, const FieldOptions& o) {
+FieldSettings field_settings(const PackageReader& package, const FieldOptions& o) {
     FieldSettings out = o.shown;
     if (o.name.empty()) return out;
-    const std::vector<ScalarField> layers = all_layers(package);
-    out.layer = layer_named(layers, o.name);
+    const std::vector<ScalarField> fields = all_fields(package);
+    out.index = field_named(fields, o.name);
     if (o.range.empty()) return out;
     const double low = o.range[0], high = o.range[1];
     if (!(low < high)) throw Error(Exit::usage, "--field-range: expected two numbers, the lower one first");

@@ -17,7 +17,7 @@ struct FieldOptions {
 };
 void add_field_options(const Command& command, FieldOptions& options);
 
-/// Throws Error(usage) for an unknown layer, or for a range that is none.
-FieldSettings layer_settings(const PackageReader& package, const FieldOptions& options);
+/// Throws Error(usage) for an unknown field, or for a range that is none.
+FieldSettings field_settings(const PackageReader& package, const FieldOptions& options);
 
 }  // namespace vantage

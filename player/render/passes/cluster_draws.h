@@ -15,7 +15,7 @@ class ClusterDraws {
     ClusterDraws(const PackageReader& package, const PlanScene& scene);
 
     const Model& model() const { return model_; }
-    /// Makes a layer's values, one per vertex of the mesh, those of the model. Returns whether that has taken
+    /// Makes a field's values, one per vertex of the mesh, those of the model. Returns whether that has taken
     /// graphics memory.
     bool show_values(std::span<const float> values);
     /// Reduced frames may be drawn with this mesh from now on.

@@ -67,19 +67,19 @@ std::vector<std::string> background_defines(const PlanScene& scene) {
     return scene.has_background() ? std::vector<std::string>{"BACKGROUND"} : std::vector<std::string>{};
 }
 
-std::vector<std::string> asked_defines(const RenderSettings& settings, const ScalarLayers& layers) {
+std::vector<std::string> asked_defines(const RenderSettings& settings, const FieldValues& fields) {
     std::vector<std::string> out;
     if (settings.light.light != Light::photos) out.emplace_back("LIGHT");
-    if (layers.shows(settings)) out.emplace_back("SCALAR_LAYER");
+    if (fields.shows(settings)) out.emplace_back("SCALAR_FIELD");
     return out;
 }
 
 SurfacePass::SurfacePass(const PackageReader& package, const PlanScene& scene, ClusterDraws& clusters,
-                         ScalarLayers& layers)
+                         FieldValues& fields)
     : package_(&package),
       scene_(&scene),
       clusters_(&clusters),
-      layers_(&layers),
+      fields_(&fields),
       plain_program_(make_surface_program(own_defines())) {}
 
 std::vector<std::string> SurfacePass::own_defines() const {
@@ -142,7 +142,7 @@ void SurfacePass::set_surface(DrawnEyes eyes) {
     }
     const RenderSettings& settings = eyes.front()->settings;
     if (settings.light.light != Light::photos) set_light(eyes);
-    if (layers_->shows(settings)) layers_->set(settings.layer);
+    if (fields_->shows(settings)) fields_->set(settings.field);
     set_sections(settings.sections);
 }
 
@@ -158,8 +158,8 @@ std::size_t SurfacePass::draw_transparent(const DrawnView& drawn, const Transpar
         glUniform1ui(shader::frame_width_uniform, GLuint(target.width));
         glUniform1ui(shader::capacity_uniform, target.capacity);
     }
-    if (layers_->shows(drawn.settings))
-        glUniform1f(shader::own_layer_share_uniform, float(drawn.settings.layer.share));
+    if (fields_->shows(drawn.settings))
+        glUniform1f(shader::own_field_share_uniform, float(drawn.settings.field.share));
     if (light.light != Light::photos) {
         glUniform1i(shader::own_light_on_photos_uniform, light.on_photos && !normals);
         glUniform1f(shader::own_light_scale_uniform, normals ? 1.0f : shader::light_gray);
@@ -172,7 +172,7 @@ std::size_t SurfacePass::draw_transparent(const DrawnView& drawn, const Transpar
 }
 
 const gl::Program& SurfacePass::transparent_program(const RenderSettings& settings, bool lists) {
-    std::vector<std::string> asked = asked_defines(settings, *layers_);
+    std::vector<std::string> asked = asked_defines(settings, *fields_);
     if (lists) asked.emplace_back("FRAGMENT_LISTS");
     if (!settings.sections.empty()) asked.push_back(section_define(settings));
     gl::Program& program = transparent_programs_[asked];
@@ -185,7 +185,7 @@ const gl::Program& SurfacePass::transparent_program(const RenderSettings& settin
 }
 
 const gl::Program& SurfacePass::surface_program(const RenderSettings& settings, std::size_t eyes) {
-    std::vector<std::string> asked = asked_defines(settings, *layers_);
+    std::vector<std::string> asked = asked_defines(settings, *fields_);
     if (settings.reduced && asked.empty()) asked.emplace_back("FLAT");
     if (!settings.sections.empty()) asked.push_back(section_define(settings));
     if (eyes == 2) asked.emplace_back("EYES 2");

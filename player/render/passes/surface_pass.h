@@ -7,15 +7,15 @@
 #include "base/gl/program.h"
 #include "player/render/passes/cluster_draws.h"
 #include "player/render/passes/drawn_view.h"
+#include "player/render/passes/field_values.h"
 #include "player/render/passes/frame_targets.h"
-#include "player/render/passes/scalar_layers.h"
 
 namespace vantage {
 
 /// The preprocessor symbols of a scene with a background.
 std::vector<std::string> background_defines(const PlanScene& scene);
-/// Those of what is compiled only once it is shown: light, a layer.
-std::vector<std::string> asked_defines(const RenderSettings& settings, const ScalarLayers& layers);
+/// Those of what is compiled only once it is shown: light, a scalar field.
+std::vector<std::string> asked_defines(const RenderSettings& settings, const FieldValues& fields);
 
 /// Where transparent surfaces are collected.
 struct TransparentTarget {
@@ -29,7 +29,7 @@ struct TransparentTarget {
 class SurfacePass {
   public:
     SurfacePass(const PackageReader& package, const PlanScene& scene, ClusterDraws& clusters,
-                ScalarLayers& layers);
+                FieldValues& fields);
 
     /// Depth, plain shading and the triangles' numbers, of the eye that is drawn; those of the coarse mesh
     /// follow the scene's.
@@ -52,7 +52,7 @@ class SurfacePass {
     const PackageReader* package_;
     const PlanScene* scene_;
     ClusterDraws* clusters_;
-    ScalarLayers* layers_;
+    FieldValues* fields_;
     gl::Program plain_program_;
     std::map<std::vector<std::string>, gl::Program> other_programs_;        ///< by what was asked for
     std::map<std::vector<std::string>, gl::Program> transparent_programs_;  ///< likewise

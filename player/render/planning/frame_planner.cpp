@@ -54,7 +54,7 @@ FrameReport FramePlanner::plan(const FrameRequest& request) {
                        shows_background(settings, r.parts));
     if (settings.weights_from) check_view(*settings.weights_from);
     choose_image_sets(request, settings);
-    if (r.layers.load(settings, r.clusters)) r.targets = {};  // the budget has to be divided again
+    if (r.fields.load(settings, r.clusters)) r.targets = {};  // the budget has to be divided again
     fit();
     const DrawnRegion region(r.targets);
     // What a frame waits for, it shows.

@@ -194,7 +194,7 @@ void toggle_panel(Session& s, int number) {
                           {&p.photos},
                           {&p.frusta},
                           {&p.radar},
-                          {&layers_open(s), true},
+                          {&fields_open(s), true},
                           {&p.points, true},
                           {&p.image_sets, true},
                           {&p.objects, true},

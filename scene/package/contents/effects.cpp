@@ -39,7 +39,7 @@ constexpr std::array table{
               "share of the photos that the mesh does not cover", "", 0.005, Basis::background, "blend",
               "BACKGROUND"},
     EffectRow{Effect::scalar_fields, "scalar-fields", "scalar-fields",
-              "layers of the mesh with more than one value", "", 0, Basis::scene, "", ""},
+              "fields of the mesh with more than one value", "", 0, Basis::scene, "", ""},
     EffectRow{Effect::points, "points", "points", "points of the clouds", "", 0, Basis::scene, "resolve",
               "POINTS"},
     EffectRow{Effect::image_sets, "image-sets", "image-sets", "photo sets that are shown one at a time", "",

@@ -8,7 +8,7 @@
 namespace vantage {
 
 /// A scalar per vertex that a mesh file holds besides positions, normals and colors.
-struct ScalarLayer {
+struct VertexField {
     std::string name;
     std::vector<float> values;  ///< one per vertex
 };
@@ -19,7 +19,7 @@ struct Mesh {
     std::vector<Eigen::Vector3f> normals;  ///< unit length, one per vertex; empty for points without
     std::vector<std::array<std::uint8_t, 4>> colors;  ///< sRGB and alpha, one per vertex, or empty
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<ScalarLayer> scalars;
+    std::vector<VertexField> scalars;
 
     bool points_only() const { return triangles.empty(); }
 };

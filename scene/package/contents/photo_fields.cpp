@@ -34,14 +34,14 @@ ScalarField unmeasured(const char* name, PhotoMeasure measure) {
 
 }  // namespace
 
-std::vector<ScalarField> all_layers(const PackageReader& package) {
+std::vector<ScalarField> all_fields(const PackageReader& package) {
     std::vector<ScalarField> out = read_fields(package);
     const bool photos =
         std::ranges::any_of(package.photos(), [](const package::PhotoRecord& p) { return p.levels > 0; });
     if (!photos || package.scene().vertices == 0) return out;
-    for (ScalarField& layer : std::vector{unmeasured("photo-count", PhotoMeasure::count),
+    for (ScalarField& field : std::vector{unmeasured("photo-count", PhotoMeasure::count),
                                           unmeasured("photo-density", PhotoMeasure::density)})
-        if (std::ranges::count(out, layer.name, &ScalarField::name) == 0) out.push_back(std::move(layer));
+        if (std::ranges::count(out, field.name, &ScalarField::name) == 0) out.push_back(std::move(field));
     return out;
 }
 

@@ -12,7 +12,7 @@ namespace vantage {
 namespace {
 
 /// Names in META; numbers in their place if it is not as expected.
-std::vector<std::string> layer_names(const PackageReader& package, std::size_t count) {
+std::vector<std::string> field_names(const PackageReader& package, std::size_t count) {
     std::vector<std::string> names = texts_in(package.meta(), "scalars");
     names.resize(count);
     for (std::size_t i = 0; i < count; ++i)
@@ -22,27 +22,27 @@ std::vector<std::string> layer_names(const PackageReader& package, std::size_t c
 
 }  // namespace
 
-void summarize_values(ScalarField& layer) {
-    layer.low = layer.high = layer.least_positive = 0;
-    layer.without = 0;
-    layer.counts = {};
+void summarize_values(ScalarField& field) {
+    field.low = field.high = field.least_positive = 0;
+    field.without = 0;
+    field.counts = {};
     double low = std::numeric_limits<double>::infinity(), high = -low, positive = low;
-    for (const float value : layer.values) {
+    for (const float value : field.values) {
         if (!std::isfinite(value)) {
-            ++layer.without;
+            ++field.without;
             continue;
         }
         const double v = value;
         low = std::min(low, v), high = std::max(high, v);
         if (v > 0) positive = std::min(positive, v);
     }
-    if (layer.without == layer.values.size()) return;
-    layer.low = low, layer.high = high;
-    layer.least_positive = std::isfinite(positive) ? positive : 0;
-    const double scale = high > low ? double(layer.counts.size()) / (high - low) : 0;
-    for (const float v : layer.values)
+    if (field.without == field.values.size()) return;
+    field.low = low, field.high = high;
+    field.least_positive = std::isfinite(positive) ? positive : 0;
+    const double scale = high > low ? double(field.counts.size()) / (high - low) : 0;
+    for (const float v : field.values)
         if (std::isfinite(v))
-            ++layer.counts[std::min(layer.counts.size() - 1, std::size_t((double(v) - low) * scale))];
+            ++field.counts[std::min(field.counts.size() - 1, std::size_t((double(v) - low) * scale))];
 }
 
 std::vector<ScalarField> read_fields(const PackageReader& package) {
@@ -54,7 +54,7 @@ std::vector<ScalarField> read_fields(const PackageReader& package) {
         all.size() / scene.vertices != scene.scalar_fields)
         throw Error(Exit::damaged,
                     package.path().string() + ": VSCL: length does not fit the scene's counts");
-    const std::vector<std::string> names = layer_names(package, scene.scalar_fields);
+    const std::vector<std::string> names = field_names(package, scene.scalar_fields);
     for (std::size_t i = 0; i < names.size(); ++i) {
         out.push_back({.name = names[i], .values = all.subspan(i * scene.vertices, scene.vertices)});
         summarize_values(out.back());
@@ -62,23 +62,23 @@ std::vector<ScalarField> read_fields(const PackageReader& package) {
     return out;
 }
 
-int layer_named(std::span<const ScalarField> layers, std::string_view name) {
+int field_named(std::span<const ScalarField> fields, std::string_view name) {
     std::string known;
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        if (layers[i].name == name) return int(i);
-        known += (known.empty() ? "" : ", ") + layers[i].name;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (fields[i].name == name) return int(i);
+        known += (known.empty() ? "" : ", ") + fields[i].name;
     }
     const auto alike = std::ranges::find(
-        layers, comparable_name(name), [](const ScalarField& layer) { return comparable_name(layer.name); });
-    if (alike != layers.end()) return int(alike - layers.begin());
+        fields, comparable_name(name), [](const ScalarField& field) { return comparable_name(field.name); });
+    if (alike != fields.end()) return int(alike - fields.begin());
     throw Error(Exit::usage, "no scalar field '" + std::string(name) + "', " +
                                  (known.empty() ? "the package has none" : "expected one of " + known));
 }
 
-ValueRange whole_range(const ScalarField& layer, bool centered, bool logarithmic) {
-    ValueRange r{layer.low, layer.high};
+ValueRange whole_range(const ScalarField& field, bool centered, bool logarithmic) {
+    ValueRange r{field.low, field.high};
     if (logarithmic) {
-        r.low = layer.least_positive > 0 ? layer.least_positive : 1;
+        r.low = field.least_positive > 0 ? field.least_positive : 1;
         if (!(r.high > r.low)) r.high = 10 * r.low;
         return r;
     }

@@ -11,7 +11,7 @@
 
 namespace vantage {
 
-/// What a layer that is not stored is measured from, see photo_fields.h.
+/// What a field that is not stored is measured from, see photo_fields.h.
 enum class PhotoMeasure { count, density };
 
 /// A scalar field: a value per vertex of the mesh. Stored `values` are valid as long as the package.
@@ -26,14 +26,14 @@ struct ScalarField {
 };
 
 /// Sets all that follows from the values.
-void summarize_values(ScalarField& layer);
+void summarize_values(ScalarField& field);
 
 /// Those that the package stores. Empty if the effect is off. Throws Error(damaged) if VSCL does not fit its
 /// counts.
 std::vector<ScalarField> read_fields(const PackageReader& package);
 
-/// Throws Error(usage) listing the layers if there is none of that name.
-int layer_named(std::span<const ScalarField> layers, std::string_view name);
+/// Throws Error(usage) listing the fields if there is none of that name.
+int field_named(std::span<const ScalarField> fields, std::string_view name);
 
 /// The values that the ends of a color map stand for.
 struct ValueRange {
@@ -41,8 +41,8 @@ struct ValueRange {
     bool operator==(const ValueRange&) const = default;
 };
 
-/// The whole range of the layer; with `centered`, symmetric about 0; with `logarithmic`, of its positive
+/// The whole range of the field; with `centered`, symmetric about 0; with `logarithmic`, of its positive
 /// values. low < high, and low > 0 if logarithmic.
-ValueRange whole_range(const ScalarField& layer, bool centered, bool logarithmic);
+ValueRange whole_range(const ScalarField& field, bool centered, bool logarithmic);
 
 }  // namespace vantage

@@ -13,7 +13,7 @@ namespace {
 /// A closed box of 12 triangles with edges of `size`.
 Mesh box(const Eigen::Vector3d& size) {
     Mesh m;
-    ScalarLayer height{"height", {}};
+    VertexField height{"height", {}};
     for (int i = 0; i < 8; ++i) {
         const Eigen::Vector3d p(i & 1, i >> 1 & 1, i >> 2);
         m.positions.push_back(p.cwiseProduct(size));

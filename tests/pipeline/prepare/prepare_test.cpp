@@ -101,7 +101,7 @@ TEST_F(Prepare, ReorderedVerticesKeepTheirAttributes) {
     const auto code = [](const Eigen::Vector3f& p) {
         return std::uint8_t(std::abs(int(p.x() * 31 + p.y() * 17 + p.z() * 7)) % 256);
     };
-    ScalarLayer height{"height", {}};
+    VertexField height{"height", {}};
     for (const Eigen::Vector3d& p : scene.mesh.positions) {
         scene.mesh.colors.push_back({code(p.cast<float>()), 1, 2, 3});
         height.values.push_back(float(p.z()));

@@ -15,12 +15,12 @@ TEST(SceneParts, APackageOfPointsShowsNothingElse) {
     RenderSettings settings;
     settings.points.show = false;
     settings.light.light = Light::raking;
-    settings.layer.layer = 2;
+    settings.field.index = 2;
     EXPECT_EQ(usable(settings, everything), settings);
     const RenderSettings used = usable(settings, only_points);
     EXPECT_TRUE(used.points.show && used.points.alone);
     EXPECT_EQ(used.light.light, Light::photos);
-    EXPECT_EQ(used.layer.layer, -1);
+    EXPECT_EQ(used.field.index, -1);
 }
 
 TEST(SceneParts, PointsHavePhotosColorsWithoutAMesh) {

@@ -117,12 +117,12 @@ TEST_F(StereoPicturesAtLength, AreTheSameHoweverTheirSurfaceIsDrawn) {
         pose = {apart * pose.R, apart * pose.t};
     }
     std::map<std::string, RenderSettings> cases;
-    for (const char* name : {"plain", "raking", "normals", "cut", "layer", "reduced", "by model"})
+    for (const char* name : {"plain", "raking", "normals", "cut", "field", "reduced", "by model"})
         cases[name].photos = 4, cases[name].fill_holes = true;
     cases["raking"].light = {.light = Light::raking, .on_photos = true, .wireframe = true};
     cases["normals"].light.light = Light::normals;
     cases["cut"].sections = {{Eigen::Vector3d::UnitX(), 0.2}, {Eigen::Vector3d::UnitY(), 0.1}};
-    cases["layer"].layer.layer = 0;
+    cases["field"].field.index = 0;
     cases["reduced"].reduced = true;
     Renderer renderer(package, MemoryBudget{});
     renderer.planner().coarsen(true);

@@ -65,10 +65,10 @@ TEST_F(Transparent, AWhollyTransparentMeshIsShownWithNothingBehind) {
 TEST_F(Transparent, IsLitColoredAndCoveredAsTheModelIs) {
     ground();
     add_quad({-2, -1, 1}, {4, 0, 0}, {0, 0, 2}, {200, 100, 50, 128});
-    ScalarLayer layer{"height", {}};
+    VertexField field{"height", {}};
     for (const Vector3d& p : input.mesh.positions)
-        layer.values.push_back(p.y() == -1 && p.z() > 0 ? 1.0f : 0.0f);
-    input.mesh.scalars.push_back(layer);
+        field.values.push_back(p.y() == -1 && p.z() > 0 ? 1.0f : 0.0f);
+    input.mesh.scalars.push_back(field);
     // Points in front of the quad at the left, behind it at the right.
     for (int x = -200; x <= 200; ++x)
         for (int z = 0; z < 200; ++z) {
@@ -112,7 +112,7 @@ TEST_F(Transparent, IsLitColoredAndCoveredAsTheModelIs) {
     expect_over(shows_points, right, own, "points behind it");
     const auto alone = with([](RenderSettings& s) { s.points.alone = s.points.show = true; });
     EXPECT_EQ(at(alone.first, right), at(alone.second, right)) << "points alone";
-    const auto layered = with([](RenderSettings& s) { s.layer.layer = 0; });
+    const auto layered = with([](RenderSettings& s) { s.field.index = 0; });
     const Vector4d shown = at(layered.first, left), behind = at(layered.second, left);
     EXPECT_GT((shown - behind).norm(), 0.2) << "the end of the color map over its beginning";
     const auto counted = with([](RenderSettings& s) { s.show = Show::coverage; });

@@ -27,8 +27,8 @@ namespace {
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
-/// A small building whose mesh has layers, and its package.
-class Layers : public TemporaryFolder {
+/// A small building whose mesh has fields, and its package.
+class ScalarFields : public TemporaryFolder {
   protected:
     void SetUp() override {
         TemporaryFolder::SetUp();
@@ -41,9 +41,9 @@ class Layers : public TemporaryFolder {
     static double height(const Eigen::Vector3d& p) { return p.z() + 0.25 * p.x(); }
 
     void add(const std::string& name, const std::function<double(const Eigen::Vector3d&)>& value) {
-        ScalarLayer layer{name, {}};
-        for (const Eigen::Vector3d& p : scene.mesh.positions) layer.values.push_back(float(value(p)));
-        scene.mesh.scalars.push_back(layer);
+        VertexField field{name, {}};
+        for (const Eigen::Vector3d& p : scene.mesh.positions) field.values.push_back(float(value(p)));
+        scene.mesh.scalars.push_back(field);
     }
     PackageReader prepared(EffectChoice choice = EffectChoice::automatic) {
         PrepareSettings settings;
@@ -100,31 +100,31 @@ int difference(const Picture& p, std::size_t pixel, const std::array<std::uint8_
     return most;
 }
 
-std::array<std::uint8_t, 4> layer_code_at(const Picture& p, std::size_t pixel) {
+std::array<std::uint8_t, 4> field_code_at(const Picture& p, std::size_t pixel) {
     return {p.rgba[4 * pixel], p.rgba[4 * pixel + 1], p.rgba[4 * pixel + 2], p.rgba[4 * pixel + 3]};
 }
 
 }  // namespace
 
-TEST_F(Layers, ColorsAreThoseOfTheValuesThatRaysMeet) {
+TEST_F(ScalarFields, ColorsAreThoseOfTheValuesThatRaysMeet) {
     add("height", height);
     const PackageReader package = prepared();
     const gl::HeadlessContext context;
     Renderer renderer(package, MemoryBudget{});
     const View view = view_of_photo(package.photos()[0], 0.5);
     RenderSettings settings;
-    settings.layer.layer = 0;
+    settings.field.index = 0;
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
     const Rays rays(scene.mesh, origin, view);
-    const ScalarField& layer = renderer.resources().layers.all()[0];
-    EXPECT_EQ(layer.name, "height");
+    const ScalarField& field = renderer.resources().fields.all()[0];
+    EXPECT_EQ(field.name, "height");
     for (const ColorMap map : {ColorMap::viridis, ColorMap::coolwarm})
         for (const bool clamped : {false, true}) {
-            settings.layer.map = map;
-            settings.layer.range.reset();
-            if (clamped) settings.layer.range = ValueRange{1, 2};
+            settings.field.map = map;
+            settings.field.range.reset();
+            if (clamped) settings.field.range = ValueRange{1, 2};
             const Picture picture = take_picture(renderer, view, settings, all(package), 1);
-            const auto [shown, range] = field_legend(layer, settings.layer);
+            const auto [shown, range] = field_legend(field, settings.field);
             const ColorTable table = color_table(shown);
             std::size_t compared = 0, wrong = 0;
             for (int y = 0; y < picture.height; ++y)
@@ -142,7 +142,7 @@ TEST_F(Layers, ColorsAreThoseOfTheValuesThatRaysMeet) {
         }
 }
 
-TEST_F(Layers, PhotosAreShownWhereALayerHasNoValueAndMixedWhereAsked) {
+TEST_F(ScalarFields, PhotosAreShownWhereAFieldHasNoValueAndMixedWhereAsked) {
     add("left", [](const Eigen::Vector3d& p) { return p.x() < 0 ? p.z() : double(none); });
     const PackageReader package = prepared();
     const gl::HeadlessContext context;
@@ -150,11 +150,11 @@ TEST_F(Layers, PhotosAreShownWhereALayerHasNoValueAndMixedWhereAsked) {
     const View view = view_of_photo(package.photos()[0], 0.5);
     RenderSettings settings;
     const Picture photos = take_picture(renderer, view, settings, all(package), 1);
-    settings.layer.layer = 0;
-    const Picture layer = take_picture(renderer, view, settings, all(package), 1);
-    settings.layer.share = 0.5;
+    settings.field.index = 0;
+    const Picture field = take_picture(renderer, view, settings, all(package), 1);
+    settings.field.share = 0.5;
     const Picture half = take_picture(renderer, view, settings, all(package), 1);
-    settings.layer.share = 0;
+    settings.field.share = 0;
     EXPECT_EQ(take_picture(renderer, view, settings, all(package), 1).rgba, photos.rgba);
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
     const Rays rays(scene.mesh, origin, view);
@@ -165,12 +165,12 @@ TEST_F(Layers, PhotosAreShownWhereALayerHasNoValueAndMixedWhereAsked) {
         if (!at) continue;
         if (at->x() >= 0) {
             ++right;
-            EXPECT_EQ(layer_code_at(layer, i), layer_code_at(photos, i)) << at->transpose();
+            EXPECT_EQ(field_code_at(field, i), field_code_at(photos, i)) << at->transpose();
             continue;
         }
         ++left;
-        const auto mixed = layer_code_at(half, i), a = layer_code_at(photos, i), b = layer_code_at(layer, i);
-        shown += difference(layer, i, a) > 0;
+        const auto mixed = field_code_at(half, i), a = field_code_at(photos, i), b = field_code_at(field, i);
+        shown += difference(field, i, a) > 0;
         for (std::size_t c = 0; c < 3; ++c) {
             EXPECT_GE(mixed[c] + 1, std::min(a[c], b[c]));
             EXPECT_LE(mixed[c], std::max(a[c], b[c]) + 1);
@@ -181,17 +181,17 @@ TEST_F(Layers, PhotosAreShownWhereALayerHasNoValueAndMixedWhereAsked) {
     EXPECT_GT(double(shown), 0.5 * double(left));
 }
 
-TEST_F(Layers, LogarithmsAndLinesAreWhereTheyBelong) {
+TEST_F(ScalarFields, LogarithmsAndLinesAreWhereTheyBelong) {
     add("distance", [](const Eigen::Vector3d& p) { return std::exp(height(p) / 3); });
     const PackageReader package = prepared();
     const gl::HeadlessContext context;
     Renderer renderer(package, MemoryBudget{});
     const View view = view_of_photo(package.photos()[0], 0.5);
     RenderSettings settings;
-    settings.layer.layer = 0, settings.layer.logarithmic = true;
-    settings.layer.range = ValueRange{std::exp(-0.5), std::exp(2.0)};
+    settings.field.index = 0, settings.field.logarithmic = true;
+    settings.field.range = ValueRange{std::exp(-0.5), std::exp(2.0)};
     const Picture plain = take_picture(renderer, view, settings, all(package), 1);
-    settings.layer.isolines = 5;  // where the exponent is a multiple of 0.5
+    settings.field.isolines = 5;  // where the exponent is a multiple of 0.5
     const Picture lines = take_picture(renderer, view, settings, all(package), 1);
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
     const Rays rays(scene.mesh, origin, view);
@@ -201,7 +201,7 @@ TEST_F(Layers, LogarithmsAndLinesAreWhereTheyBelong) {
                      y = double(i / std::size_t(plain.width)) + 0.5;
         const auto at = rays.surface(x, y);
         if (!at) continue;
-        const bool differs = layer_code_at(plain, i) != layer_code_at(lines, i);
+        const bool differs = field_code_at(plain, i) != field_code_at(lines, i);
         changed += differs;
         const double turns = height(*at) / 3 / 0.5, away = std::abs(turns - std::round(turns));
         if (away < 0.25) continue;
@@ -214,7 +214,7 @@ TEST_F(Layers, LogarithmsAndLinesAreWhereTheyBelong) {
     EXPECT_LT(double(far_changed), 0.02 * double(far));
 }
 
-TEST_F(Layers, ValuesUnderThePointerAreThoseOfTheSurface) {
+TEST_F(ScalarFields, ValuesUnderThePointerAreThoseOfTheSurface) {
     add("height", height);
     const PackageReader package = prepared();
     const gl::HeadlessContext context;
@@ -224,7 +224,7 @@ TEST_F(Layers, ValuesUnderThePointerAreThoseOfTheSurface) {
     const std::vector<std::uint32_t> triangles = read_triangles(renderer.resources().targets);
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
     const Rays rays(scene.mesh, origin, view);
-    const std::span<const float> values = renderer.resources().layers.all()[0].values;
+    const std::span<const float> values = renderer.resources().fields.all()[0].values;
     std::size_t compared = 0;
     for (int y = 3; y < view.intrinsics.height; y += 7)
         for (int x = 3; x < view.intrinsics.width; x += 7) {
@@ -241,14 +241,14 @@ TEST_F(Layers, ValuesUnderThePointerAreThoseOfTheSurface) {
     EXPECT_GT(compared, 50u);
 }
 
-TEST_F(Layers, NothingOfThemIsThereWhenTheyAreOff) {
+TEST_F(ScalarFields, NothingOfThemIsThereWhenTheyAreOff) {
     const PackageReader without = prepared();
     EXPECT_FALSE(effect_on(without.scene(), Effect::scalar_fields));
     const gl::HeadlessContext context;
-    const auto shown = [&](const PackageReader& package, int layer = -1) {
+    const auto shown = [&](const PackageReader& package, int field = -1) {
         Renderer renderer(package, MemoryBudget{.graphics = std::uint64_t(200) << 20});
         RenderSettings settings;
-        settings.layer.layer = layer;
+        settings.field.index = field;
         const View view = view_of_photo(package.photos()[0], 0.5);
         const Picture picture = take_picture(renderer, view, settings, all(package), 1);
         return std::pair(picture.rgba, gl::memory_held());
@@ -276,7 +276,7 @@ TEST_F(Layers, NothingOfThemIsThereWhenTheyAreOff) {
     EXPECT_GT(shown(on, 0).second, bare.second);
 }
 
-TEST_F(Layers, PhotosAreCountedAndTheirDensityMeasuredAsByRays) {
+TEST_F(ScalarFields, PhotosAreCountedAndTheirDensityMeasuredAsByRays) {
     const PackageReader package = prepared();
     const std::vector<float> count = measure_photos(package, PhotoMeasure::count),
                              density = measure_photos(package, PhotoMeasure::density);
@@ -314,34 +314,34 @@ TEST_F(Layers, PhotosAreCountedAndTheirDensityMeasuredAsByRays) {
     EXPECT_GT(double(dense), 0.9 * double(seen));
 }
 
-TEST_F(Layers, WhatPhotosSeeIsALayerOfEveryPackageAndCostsNothingUntilShown) {
+TEST_F(ScalarFields, WhatPhotosSeeIsAFieldOfEveryPackageAndCostsNothingUntilShown) {
     const PackageReader package = prepared();
     ASSERT_TRUE(read_fields(package).empty());
     const gl::HeadlessContext context;
     Renderer renderer(package, MemoryBudget{.graphics = std::uint64_t(200) << 20});
-    ASSERT_EQ(renderer.resources().layers.all().size(), 2u);
-    EXPECT_EQ(renderer.resources().layers.all()[0].name, "photo-count");
-    EXPECT_TRUE(renderer.resources().layers.all()[0].values.empty());
+    ASSERT_EQ(renderer.resources().fields.all().size(), 2u);
+    EXPECT_EQ(renderer.resources().fields.all()[0].name, "photo-count");
+    EXPECT_TRUE(renderer.resources().fields.all()[0].values.empty());
     const View view = view_of_photo(package.photos()[0], 0.5);
     RenderSettings settings;
     const Picture photos = take_picture(renderer, view, settings, all(package), 1);
-    settings.layer.layer = layer_named(renderer.resources().layers.all(), "photo-count");
+    settings.field.index = field_named(renderer.resources().fields.all(), "photo-count");
     const Picture counted = take_picture(renderer, view, settings, all(package), 1);
-    const ScalarField& layer = renderer.resources().layers.all()[0];
-    EXPECT_GE(layer.low, 0);
-    EXPECT_LE(layer.high, double(package.photos().size()));
-    EXPECT_EQ(layer.high, *std::ranges::max_element(layer.values));
+    const ScalarField& field = renderer.resources().fields.all()[0];
+    EXPECT_GE(field.low, 0);
+    EXPECT_LE(field.high, double(package.photos().size()));
+    EXPECT_EQ(field.high, *std::ranges::max_element(field.values));
     EXPECT_NE(counted.rgba, photos.rgba);
-    settings.layer.layer = 1;
+    settings.field.index = 1;
     EXPECT_NE(take_picture(renderer, view, settings, all(package), 1).rgba, counted.rgba);
-    settings.layer.layer = 0;
+    settings.field.index = 0;
     EXPECT_EQ(take_picture(renderer, view, settings, all(package), 1).rgba, counted.rgba);
-    settings.layer.layer = -1;
+    settings.field.index = -1;
     EXPECT_EQ(take_picture(renderer, view, settings, all(package), 1).rgba, photos.rgba);
     add("photo-count", height);
     const PackageReader own = prepared();
-    const std::vector<ScalarField> layers = all_layers(own);
-    ASSERT_EQ(layers.size(), 2u);
-    EXPECT_EQ(layers[0].name, "photo-count");
-    EXPECT_FALSE(layers[0].measure) << "the file's own layer comes first";
+    const std::vector<ScalarField> fields = all_fields(own);
+    ASSERT_EQ(fields.size(), 2u);
+    EXPECT_EQ(fields[0].name, "photo-count");
+    EXPECT_FALSE(fields[0].measure) << "the file's own field comes first";
 }

@@ -10,26 +10,26 @@
 namespace vantage {
 
 /// The scalar fields of a package. Belongs to the OpenGL thread; the package must outlive it.
-class ScalarLayers {
+class FieldValues {
   public:
-    explicit ScalarLayers(const PackageReader& package);
+    explicit FieldValues(const PackageReader& package);
 
     /// Those that are not stored have no values until they were shown.
-    std::span<const ScalarField> all() const { return layers_; }
-    /// Whether the settings show a layer that there is.
+    std::span<const ScalarField> all() const { return fields_; }
+    /// Whether the settings show a field that there is.
     bool shows(const RenderSettings& settings) const;
-    /// Measures the layer that the settings show and gives its values to the model, unless that was done
+    /// Measures the field that the settings show and gives its values to the model, unless that was done
     /// last. Returns whether that has taken graphics memory.
     bool load(const RenderSettings& settings, ClusterDraws& clusters);
-    /// Sets the colors of the layer that the settings show, for the program that is current.
+    /// Sets the colors of the field that the settings show, for the program that is current.
     void set(const FieldSettings& settings);
 
   private:
     const PackageReader* package_;
-    std::vector<ScalarField> layers_;
-    std::vector<std::vector<float>> measured_;  ///< per layer; empty if it is stored or was not shown
+    std::vector<ScalarField> fields_;
+    std::vector<std::vector<float>> measured_;  ///< per field; empty if it is stored or was not shown
     int loaded_ = -1;                           ///< whose values the model has
-    gl::Texture color_map_;                     ///< once a layer was shown
+    gl::Texture color_map_;                     ///< once a field was shown
     ColorMap mapped_ = ColorMap::automatic;
 };
 
