@@ -7,6 +7,7 @@ The driver takes one connection in its life. One gesture per line, answered by "
   tap X Y                          a finger, for 60 ms
   double X Y                       two taps, 120 ms apart
   drag X Y TO_X TO_Y               a finger, in 20 steps, that rests before it is lifted
+  swing X Y TO_X TO_Y              the same there and back, without being lifted
   pinch X Y FROM TO [DEGREES]      two fingers on both sides of a point, from one distance to another, turning clockwise
   pan X Y TO_X TO_Y                two fingers, 100 pixels apart, in 20 steps
   random SEED COUNT                that many events of up to four fingers; all are lifted at the end
@@ -71,6 +72,13 @@ class Device:
 
     def drag(self, x, y, to_x, to_y):
         self.move([lambda t: (x + t * (to_x - x), y + t * (to_y - y))], rest=0.5)
+
+    def swing(self, x, y, to_x, to_y):
+        def at(t):
+            there = 1 - abs(1 - 2 * t)
+            return x + there * (to_x - x), y + there * (to_y - y)
+
+        self.move([at], rest=0.5)
 
     def pan(self, x, y, to_x, to_y):
         self.move([lambda t, side=side: (x + side + t * (to_x - x), y + t * (to_y - y)) for side in (-50, 50)])

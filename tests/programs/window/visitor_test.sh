@@ -50,13 +50,15 @@ within 10 covers || fail "the kiosk does not cover the screen"
 look home
 home=($x $y $times)
 
-# Around the building by one finger, to the right and back.
+# Around the building by one finger; there and back again, if it is not lifted.
 finger drag $((wide / 2)) $((high / 3)) $((wide / 2 + wide / 8)) $((high / 3))
 shot around
 cmp -s home.ppm around.ppm && fail "one finger does not turn the model"
-finger drag $((wide / 2 + wide / 8)) $((high / 3)) $((wide / 2)) $((high / 3))
+touch_control "Bar Home"
+shot homed
+finger swing $((wide / 2)) $((high / 3)) $((wide / 2 + wide / 8)) $((high / 3))
 look back
-is "sqrt(($x - ${home[0]})^2 + ($y - ${home[1]})^2) < 0.03 * $wide" || fail "dragging back does not lead back"
+is "sqrt(($x - ${home[0]})^2 + ($y - ${home[1]})^2) < 0.01 * $wide" || fail "dragging back does not lead back"
 
 # Two taps on the dormer bring it to the middle, two fingers closer still.
 finger double "$x" "$y"
