@@ -23,7 +23,7 @@ foreach(program vantage vantage-player)
 endforeach()
 
 # The documents keep their places to each other, so that their links lead somewhere.
-install(FILES README.md LICENSE DESTINATION share/doc/vantage COMPONENT vantage)
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION share/doc/vantage COMPONENT vantage)
 install(FILES scene/package/FORMAT.md DESTINATION share/doc/vantage/scene/package COMPONENT vantage)
 install(DIRECTORY docs data DESTINATION share/doc/vantage COMPONENT vantage)
 
