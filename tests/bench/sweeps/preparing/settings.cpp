@@ -24,7 +24,7 @@ std::vector<Knob> knobs() {
     const auto text = [](auto value) { return fmt::format("{:g}", double(value)); };
     return {{"border-width", {"16", "32", "64", "128"}, text(usual.border_width)},
             {"border-threshold", {"0.0025", "0.01", "0.04"}, text(usual.border_threshold)},
-            {"thumbnail", {"128", "256", "512", "1024"}, text(usual.thumbnail)},
+            {"thumbnail-size", {"128", "256", "512", "1024"}, text(usual.thumbnail)},
             {"compact", {"off", "on"}, "on"}};
 }
 
@@ -33,7 +33,7 @@ PictureSetting picture_setting(const Knob& knob, const std::string& value) {
     PictureSetting s{knob.option, value, false, value == knob.usual, {}};
     s.settings.photos = window_photos;
     s.timed = false;
-    s.settings.thumbnails = std::string(knob.option) == "thumbnail";
+    s.settings.thumbnails = std::string(knob.option) == "thumbnail-size";
     return s;
 }
 
