@@ -84,6 +84,28 @@ void expect_cut(const PackageReader& package, const View& view, std::vector<Sect
     EXPECT_LT(wrong, cut.size() / 200) << "but for edges";
 }
 
+/// The largest difference of two pictures of the frame last drawn, but for pixels whose triangle is seen at
+/// less than 3 degrees: derivatives are not differences of neighbors there.
+int largest_difference(Renderer& renderer, const View& view, const Picture& a, const Picture& b) {
+    constexpr double grazing = 0.05;
+    const std::vector<std::uint32_t> triangles = read_triangles(renderer.resources().targets);
+    const PlanScene& scene = renderer.scene();
+    const auto corner = [&](std::size_t i) -> Eigen::Vector3d {
+        return scene.positions[scene.indices[i]].cast<double>();
+    };
+    int most = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i) {
+        const int off = std::abs(int(a.rgba[i]) - int(b.rgba[i]));
+        if (off <= most || triangles[i / 4] == 0) continue;
+        const std::size_t t = 3 * (std::size_t(triangles[i / 4]) - 1), x = i / 4 % std::size_t(a.width),
+                          y = i / 4 / std::size_t(a.width);
+        const Eigen::Vector3d n = (corner(t + 1) - corner(t)).cross(corner(t + 2) - corner(t)).normalized(),
+                              ray = ray_through(view, {double(x) + 0.5, double(y) + 0.5}).along.normalized();
+        if (std::abs(n.dot(ray)) > grazing) most = off;
+    }
+    return most;
+}
+
 }  // namespace
 
 TEST_F(FramesAtLength, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
@@ -104,13 +126,13 @@ TEST_F(FramesAtLength, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
                 const Picture by_model = take_picture(renderer, view, settings, all(package), 1);
                 EXPECT_LT(by_pixel.report.draws, by_model.report.draws) << "they were drawn in the same way";
                 const Difference d = difference(by_pixel.rgba, by_model.rgba);
-                // Where surfaces are seen at a grazing angle, derivatives are not differences of neighbors;
-                // and which photo is best may be a matter of the last digit.
+                // Which photo is best may be a matter of the last digit.
                 EXPECT_LT(d.share_above_one, 2e-3) << "blend " << int(blend);
                 if (blend != Blend::best) {
                     EXPECT_LE(d.share_above_24, 2e-5) << "blend " << int(blend);
                     if (gl::current_device().software) {
-                        EXPECT_LE(d.most, 24) << "blend " << int(blend);
+                        EXPECT_LE(largest_difference(renderer, view, by_pixel, by_model), 24)
+                            << "blend " << int(blend);
                     }
                 }
             }
