@@ -124,6 +124,7 @@ TEST_F(StereoPicturesAtLength, AreTheSameHoweverTheirSurfaceIsDrawn) {
     cases["cut"].sections = {{Eigen::Vector3d::UnitX(), 0.2}, {Eigen::Vector3d::UnitY(), 0.1}};
     cases["field"].field.index = 0;
     cases["reduced"].reduced = true;
+    cases["reduced"].photos = 0;  // of fewer, one eye alone may choose others than both together
     Renderer renderer(package, MemoryBudget{});
     renderer.planner().coarsen(true);
     ObjectSet objects(renderer, {{"garden", fine, {}, true}}, MemoryBudget{});
