@@ -5,7 +5,6 @@
 
 #include "base/values/tiling.h"
 #include "scene/package/chunk_table.h"
-#include "scene/package/package_reader.h"
 
 namespace vantage {
 
@@ -21,19 +20,12 @@ int planned_levels(const package::PhotoRecord& p) {
 /// The bytes of a chunk of the scene; nothing if it has none that is planned.
 std::optional<std::uint64_t> scene_bytes(const ChunkRow& row, const package::SceneRecord& scene,
                                          const LayoutSizes& sizes, bool share) {
-    const auto of_records = [&](std::uint64_t count) {
-        return count ? std::optional(count * row.record) : std::nullopt;
-    };
+    if (const auto known = sizes.bytes.find(row.type); known != sizes.bytes.end())
+        return known->second ? std::optional(known->second) : std::nullopt;
     switch (row.type) {
-        case Type::meta:
-            return sizes.meta_bytes;
-        case Type::image_sets:
-            return of_records(sizes.image_sets);
         case Type::lenses:
             if (!effect_on(scene, Effect::undistortion)) return {};
             break;
-        case Type::point_nodes:
-            return of_records(sizes.point_nodes);
         case Type::pose_refinement:  // a share has no results that depend on all photos
         case Type::pairs:
             if (share) return {};
@@ -51,6 +43,19 @@ std::optional<std::uint64_t> scene_bytes(const ChunkRow& row, const package::Sce
 }
 
 }  // namespace
+
+LayoutSizes layout_sizes(const PackageReader& package, std::uint64_t meta_bytes, bool coordinates) {
+    const package::DirectoryEntry* points = package.find(Type::points);
+    LayoutSizes out{.bytes = {},
+                    .colors = package.find(Type::colors) != nullptr,
+                    .point_blocks = points ? package.blocks(*points) : 0,
+                    .coordinates = coordinates};
+    for (const ChunkRow& row : chunk_table())
+        if (!row.per_photo() && !row.count && row.type != Type::points && row.write == ChunkWrite::planned)
+            out.bytes[row.type] = package.content_length(package.find(row.type));
+    out.bytes[Type::meta] = meta_bytes;
+    return out;
+}
 
 bool stores_coordinates(const package::SceneRecord& scene, bool asked) {
     return asked || !effect_on(scene, Effect::compact) || !effect_on(scene, Effect::per_fragment);

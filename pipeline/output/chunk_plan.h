@@ -1,21 +1,26 @@
 #pragma once
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
 #include "scene/package/package_format.h"
+#include "scene/package/package_reader.h"
 #include "scene/package/package_writer.h"
 
 namespace vantage {
 
 /// What a package's layout depends on, besides its photos.
 struct LayoutSizes {
-    std::uint64_t meta_bytes;
+    /// Bytes of the scene's chunks whose size SCEN does not tell, such as META; 0: there is none.
+    std::map<package::Type, std::uint64_t> bytes;
     bool colors;  ///< the mesh has vertex colors
-    std::uint64_t point_nodes = 0, point_blocks = 0;
-    std::uint64_t image_sets = 0;  ///< 0 if the effect is off
-    bool coordinates = true;       ///< photos have texture coordinates per vertex
+    std::uint64_t point_blocks = 0;
+    bool coordinates = true;  ///< photos have texture coordinates per vertex
 };
+/// Those of a package that is written anew.
+LayoutSizes layout_sizes(const PackageReader& package, std::uint64_t meta_bytes, bool coordinates);
+
 /// Whether photos have texture coordinates per vertex: in a compact package only if they are shown by
 /// default, or `asked` for.
 bool stores_coordinates(const package::SceneRecord& scene, bool asked);

@@ -13,6 +13,7 @@
 #include "pipeline/prepare/finish.h"
 #include "pipeline/prepare/photo/moved_photo.h"
 #include "pipeline/prepare/pose_refinement_reuse.h"
+#include "scene/package/chunk_table.h"
 #include "scene/package/contents/image_sets.h"
 #include "scene/package/contents/point_cloud.h"
 
@@ -109,15 +110,9 @@ PackedModel model_of(const PackageReader& package) {
     return m;
 }
 
-bool is_written_last(const DirectoryEntry& e) {
-    const Type type{e.type};
-    return type == Type::photos || type == Type::states || type == Type::pose_refinement ||
-           type == Type::pairs || type == Type::pose_refinement_without || type == Type::background;
-}
-
 void copy_merged_scene(const PackageReader& from, PackageWriter& writer) {
     for (const DirectoryEntry& e : from.directory()) {
-        if (e.photo != package::scene_wide || is_written_last(e)) continue;
+        if (e.photo != package::scene_wide || chunk_row(Type(e.type)).write != ChunkWrite::planned) continue;
         if (!from.valid(e))
             throw Error(Exit::damaged,
                         from.path().string() + ": " + describe(e, from) + ": checksum does not match");
@@ -171,16 +166,10 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
           const fs::path& out, const OnProgress& progress) {
     const PackageReader& first = parts.front();
     const auto records = first.records<PhotoRecord>(Type::photos);
-    const DirectoryEntry *nodes = first.find(Type::point_nodes), *points = first.find(Type::points);
     std::vector<std::string> image_sets;
     for (ImageSet& image_set : read_image_sets(first)) image_sets.push_back(std::move(image_set.name));
-    const LayoutSizes sizes{
-        .meta_bytes = meta.size(),
-        .colors = first.find(Type::colors) != nullptr,
-        .point_nodes = first.content_length(nodes) / sizeof(package::PointNode),
-        .point_blocks = points ? first.blocks(*points) : 0,
-        .image_sets = image_sets.size() > 1 ? image_sets.size() : 0,
-        .coordinates = stores_coordinates(scene, scene_settings_in(meta).vertex_coordinates)};
+    const bool coordinates = stores_coordinates(scene, scene_settings_in(meta).vertex_coordinates);
+    const LayoutSizes sizes = layout_sizes(first, meta.size(), coordinates);
     PackageWriter writer(out, plan_chunks(scene, sizes, records), names_checksum(records));
     PhotoTables photos = copy_parts(parts, out, writer, progress);
 

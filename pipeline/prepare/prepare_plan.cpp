@@ -131,14 +131,17 @@ PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const P
         for (std::size_t i = 0; i < scene.photos.size(); ++i)
             plan.photos.records[i].image_set = scene.photos[i].image_set;
     }
-    plan.chunks = plan_chunks(plan.scene,
-                              {.meta_bytes = plan.meta.size(),
-                               .colors = !scene.mesh.colors.empty(),
-                               .point_nodes = plan.points.nodes.size(),
-                               .point_blocks = plan.points.blocks,
-                               .image_sets = plan.image_sets.size() > 1 ? plan.image_sets.size() : 0,
-                               .coordinates = stores_coordinates(plan.scene, settings.vertex_coordinates)},
-                              plan.photos.records, share);
+    using package::Type;
+    const std::size_t image_sets = plan.image_sets.size() > 1 ? plan.image_sets.size() : 0;
+    plan.chunks =
+        plan_chunks(plan.scene,
+                    {.bytes = {{Type::meta, plan.meta.size()},
+                               {Type::point_nodes, plan.points.nodes.size() * sizeof(package::PointNode)},
+                               {Type::image_sets, image_sets * sizeof(package::ImageSetRecord)}},
+                     .colors = !scene.mesh.colors.empty(),
+                     .point_blocks = plan.points.blocks,
+                     .coordinates = stores_coordinates(plan.scene, settings.vertex_coordinates)},
+                    plan.photos.records, share);
     plan.names = names_checksum(plan.photos.records);
     return plan;
 }

@@ -26,19 +26,6 @@ using package::PhotoRecord;
 using package::PhotoState;
 using package::Type;
 
-LayoutSizes sizes_of(const PackageReader& from, std::size_t meta_bytes, bool coordinates) {
-    const DirectoryEntry* points = from.find(Type::points);
-    return {.meta_bytes = meta_bytes,
-            .colors = from.find(Type::colors) != nullptr,
-            .point_nodes = from.content_length(from.find(Type::point_nodes)) / sizeof(package::PointNode),
-            .point_blocks = points ? from.blocks(*points) : 0,
-            .image_sets = from.content_length(from.find(Type::image_sets)) / sizeof(package::ImageSetRecord),
-            .coordinates = coordinates};
-}
-
-/// Chunks that depend on all photos come behind the planned ones.
-bool is_appended(Type type) { return type == Type::background || type == Type::pose_refinement_without; }
-
 void copy_repacked_scene(const PackageReader& from, PackageWriter& to) {
     for (const DirectoryEntry& e : from.directory()) {
         const Type type{e.type};
@@ -46,7 +33,7 @@ void copy_repacked_scene(const PackageReader& from, PackageWriter& to) {
         if (e.photo != package::scene_wide || rewritten) continue;
         if (from.blocks(e) > 0)
             to.copy(from, e, package::scene_wide);
-        else if (is_appended(type))
+        else if (chunk_row(type).write == ChunkWrite::appended)
             to.append(type, from.records<std::byte>(type));
         else if (to.plans(type, package::scene_wide))
             to.write(type, package::scene_wide, from.records<std::byte>(type));
@@ -111,7 +98,7 @@ void repack(const std::filesystem::path& file, bool compact, const std::filesyst
     const auto photos = from.photos();
     const bool coordinates =
         has_coordinates(from) && stores_coordinates(scene, scene_settings_in(meta).vertex_coordinates);
-    PackageWriter to(out, plan_chunks(scene, sizes_of(from, meta.size(), coordinates), photos),
+    PackageWriter to(out, plan_chunks(scene, layout_sizes(from, meta.size(), coordinates), photos),
                      names_checksum(photos));
     copy_repacked_scene(from, to);
     std::mutex mutex;

@@ -10,6 +10,7 @@ namespace vantage {
 std::span<const ChunkRow> chunk_table() {
     using package::PhotoRecord, package::SceneRecord, package::Stage, package::Type;
     using enum ChunkLevels;
+    using enum ChunkWrite;
     using Count = std::uint64_t;
     constexpr auto one = [](const SceneRecord&, const PhotoRecord&) { return Count(1); };
     constexpr auto per_photo = [](const SceneRecord& s, const PhotoRecord&) { return s.photos; };
@@ -36,9 +37,9 @@ std::span<const ChunkRow> chunk_table() {
         ChunkRow{Type::meta},
         ChunkRow{Type::scene, nullptr, none, single, false, sizeof(SceneRecord), one, "one record"},
         ChunkRow{Type::photos, nullptr, none, single, false, sizeof(PhotoRecord), per_photo,
-                 "one record per photo"},
+                 "one record per photo", last},
         ChunkRow{Type::states, nullptr, none, single, false, sizeof(package::PhotoState), per_photo,
-                 "one entry per photo"},
+                 "one entry per photo", last},
         ChunkRow{Type::positions, "positions", none, single, true, 12, per_vertex, "one entry per vertex"},
         ChunkRow{Type::normals, "normals", none, single, true, 12, per_vertex, "one entry per vertex"},
         ChunkRow{Type::indices, "triangles", none, single, true, 12, per_triangle,
@@ -46,9 +47,9 @@ std::span<const ChunkRow> chunk_table() {
         ChunkRow{Type::clusters, "clusters", none, single, true, sizeof(package::ClusterRecord), per_cluster,
                  "one record per cluster"},
         ChunkRow{Type::pose_refinement, nullptr, none, single, false, sizeof(package::PoseRefinementRecord),
-                 per_photo, "one record per photo"},
+                 per_photo, "one record per photo", last},
         ChunkRow{Type::pairs, nullptr, none, single, false, sizeof(package::PairRecord), pairs,
-                 "its records per photo"},
+                 "its records per photo", last},
         ChunkRow{Type::colors, "colors", none, single, true, 4, per_vertex, "one color per vertex"},
         ChunkRow{Type::scalars, "scalars", none, single, true, 4, field_values,
                  "one value per vertex and field"},
@@ -70,9 +71,8 @@ std::span<const ChunkRow> chunk_table() {
         ChunkRow{Type::weight_maps, "weight maps", Stage::weight_maps, weight_maps, true},
         ChunkRow{Type::depth, "depth", Stage::weight_maps, weight_maps, true},
         ChunkRow{Type::points, "points", none, single, false, sizeof(package::PackedPoint)},
-        // Appended, because they depend on all photos.
-        ChunkRow{Type::background, "background"},
-        ChunkRow{Type::pose_refinement_without},
+        ChunkRow{Type::background, "background", none, single, false, 0, nullptr, "", appended},
+        ChunkRow{Type::pose_refinement_without, nullptr, none, single, false, 0, nullptr, "", appended},
     };
     return table;
 }

@@ -52,6 +52,10 @@ enum class Stage : std::uint32_t { thumbnail, tiles, weight_maps, coordinates, c
 /// The levels of a photo's pyramid at which it has chunks of a type.
 enum class ChunkLevels { single, tiles, weight_maps };
 
+/// When a chunk of the scene is written: with the others, when all photos are known, or then and behind all
+/// others, because its size is not known before.
+enum class ChunkWrite { planned, last, appended };
+
 /// A type of chunk: a row of the chunk table.
 struct ChunkRow {
     package::Type type;
@@ -63,6 +67,7 @@ struct ChunkRow {
     /// Number of its records, if SCEN and PHOT tell; null otherwise. Of the scene, the photo is empty.
     std::uint64_t (*count)(const package::SceneRecord&, const package::PhotoRecord&) = nullptr;
     const char* counted = "";  ///< the same in words
+    ChunkWrite write = ChunkWrite::planned;
 
     bool per_photo() const { return stage != package::Stage::count; }
     /// Bytes of the content, if `count` is not null; of the scene, or of a photo.

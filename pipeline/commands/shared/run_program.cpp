@@ -1,0 +1,49 @@
+#include "pipeline/commands/shared/run_program.h"
+
+#include <csignal>
+#include <new>
+#include <opencv2/core.hpp>
+
+#include "base/cli/command.h"
+#include "base/cli/report_exception.h"
+#include "base/text/error.h"
+#include "pipeline/commands/commands.h"
+#include "scene/package/lost_package.h"
+
+namespace vantage {
+namespace {
+
+int run_verb(int argc, char** argv) {
+    const Command program(
+        "vantage", "Prepares a scanned mesh and its calibrated photos into one package for vantage-player.");
+    program.version("vantage " VANTAGE_VERSION);
+    program.notes(
+        "Examples:\n"
+        "  vantage prepare scans/chapel -o chapel.vantage\n"
+        "  vantage check --deep chapel.vantage\n" +
+        exit_codes_text());
+    for (const auto add : all_commands) add(program);
+    try {
+        return program.run({argv + 1, argv + argc});
+    } catch (const cv::Exception& e) {
+        if (e.code == cv::Error::StsNoMem) throw std::bad_alloc();
+        throw;
+    }
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+    // Photos are divided among our own threads. OpenCV's would compete with them, and its pool waits forever
+    // for a thread that the system refuses to start.
+    cv::setNumThreads(1);
+    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit fails with a message
+    name_lost_packages("vantage");
+    try {
+        return run_verb(argc, argv);
+    } catch (...) {
+        return report_exception("vantage");
+    }
+}
+
+}  // namespace vantage

@@ -1,0 +1,14 @@
+#pragma once
+#include <optional>
+#include <span>
+
+namespace vantage {
+
+/// Summary of a map's finite depths. The median is that of a sample of about 16,000 pixels.
+struct DepthSummary {
+    float nearest, farthest, median;
+};
+/// Depths are positive, +inf if nothing is seen. nullopt if none is finite.
+std::optional<DepthSummary> summarize_depths(std::span<const float> z);
+
+}  // namespace vantage

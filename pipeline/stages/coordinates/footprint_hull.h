@@ -1,0 +1,20 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "scene/camera/camera.h"
+
+namespace vantage {
+
+/// The convex hull of the visible vertices in a photo [P, 2.3.3]: the unit direction through its centroid and
+/// its area as a share of the photo. The optical axis and 0 if no vertex is visible; collinear points have
+/// the direction of their mean and area 0.
+struct FootprintHull {
+    Eigen::Vector3d direction;
+    double area = 0;
+};
+/// `coordinates`: as from vertex_coordinates.
+FootprintHull footprint_hull(const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& intrinsics,
+                             const Pose& cam_from_origin);
+
+}  // namespace vantage
