@@ -5,6 +5,7 @@
 #include "pipeline/stages/coordinates.h"
 #include "pipeline/stages/coverage.h"
 #include "pipeline/stages/surface_samples.h"
+#include "pipeline/stages/tile_levels.h"
 #include "pipeline/stages/weight_maps.h"
 
 namespace vantage {
@@ -43,6 +44,7 @@ void adopt_coordinates(const PhotoRecord& from, PhotoRecord& to) {
 }  // namespace
 
 std::span<const StageRow> stage_table() {
+    static_assert(stage_count <= package::max_stages);
     static const std::array<StageRow, stage_count> table{{
         {.stage = Stage::thumbnail,
          .name = "thumbnail",
@@ -53,7 +55,8 @@ std::span<const StageRow> stage_table() {
          .settings = {"photo_size", "thumbnail"},
          .key = key_thumbnail,
          .adopt = nullptr,
-         .make = nullptr},
+         .make = nullptr,
+         .make_level = make_thumbnail},
         {.stage = Stage::tiles,
          .name = "tiles",
          .version = 4,
@@ -63,7 +66,8 @@ std::span<const StageRow> stage_table() {
          .settings = {"photo_size"},
          .key = nullptr,
          .adopt = adopt_tiles,
-         .make = nullptr},
+         .make = nullptr,
+         .make_level = make_tiles},
         {.stage = Stage::weight_maps,
          .name = "weight maps",
          .version = 5,
@@ -73,7 +77,8 @@ std::span<const StageRow> stage_table() {
          .settings = {"photo_size", "distance", "render_by", "border_width", "border_threshold"},
          .key = key_weight_maps,
          .adopt = nullptr,
-         .make = make_weight_maps},
+         .make = make_weight_maps,
+         .make_level = nullptr},
         {.stage = Stage::coordinates,
          .name = "coordinates",
          .version = 4,
@@ -83,7 +88,8 @@ std::span<const StageRow> stage_table() {
          .settings = {"photo_size", "render_by"},
          .key = nullptr,
          .adopt = adopt_coordinates,
-         .make = make_coordinates},
+         .make = make_coordinates,
+         .make_level = nullptr},
         {.stage = Stage::coverage,
          .name = "coverage",
          .version = 4,
@@ -93,7 +99,8 @@ std::span<const StageRow> stage_table() {
          .settings = {"photo_size", "render_by"},
          .key = nullptr,
          .adopt = nullptr,
-         .make = make_coverage},
+         .make = make_coverage,
+         .make_level = nullptr},
         {.stage = Stage::samples,
          .name = "samples",
          .version = 4,
@@ -103,7 +110,8 @@ std::span<const StageRow> stage_table() {
          .settings = {"photo_size", "render_by"},
          .key = key_samples,
          .adopt = nullptr,
-         .make = make_samples},
+         .make = make_samples,
+         .make_level = nullptr},
     }};
     return table;
 }
@@ -141,6 +149,11 @@ void make_on_model(StageInput& in, const StageSet& missing) {
         for (const StageRow& row : stage_table())
             if (row.make && missing[row.stage] && (row.pixels != PixelInput::none) == reads_pixels)
                 row.make(in);
+}
+
+void make_on_level(LevelInput& in, const StageSet& missing) {
+    for (const StageRow& row : stage_table())
+        if (row.make_level && missing[row.stage]) row.make_level(in);
 }
 
 StageSet stages_on_model() {

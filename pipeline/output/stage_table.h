@@ -43,7 +43,8 @@ struct StageRow {
     void (*key)(Fingerprint&, const SceneKey&);
     /// Copies the stage's measurements from the record of the run that made them; may be null.
     void (*adopt)(const package::PhotoRecord& from, package::PhotoRecord& to);
-    void (*make)(StageInput& in);  ///< of a stage on the model; null: made with the pyramid
+    void (*make)(StageInput& in);        ///< of a stage on the model, else null
+    void (*make_level)(LevelInput& in);  ///< of another stage: called with each level of the pyramid
 };
 /// In the order of package::Stage.
 std::span<const StageRow> stage_table();
@@ -68,6 +69,8 @@ class StageSet {
   private:
     std::array<bool, stage_count> in_{};
 };
+/// Runs the stages in `missing` that do not use the model on one level of the photo.
+void make_on_level(LevelInput& in, const StageSet& missing);
 /// All stages that use the model: they run again when a camera moves.
 StageSet stages_on_model();
 /// Runs those of them that are in `missing`; those that need no pixels first, while these are still decoded.

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <future>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,19 @@ std::vector<std::uint8_t> validity(const RgbaImage& level);
 
 /// Projects the model into the photo and selects the triangles that may reach into its frame.
 PhotoView view_of(const GeometryContext& context, const PosedPhoto& photo);
+
+/// A level of a photo's pyramid, as taken, for the stages that do not use the model. They are called from the
+/// finest level to the coarsest, and write their chunks.
+struct LevelInput {
+    PackageWriter& writer;
+    std::uint32_t photo;
+    const package::PhotoRecord& record;
+    std::uint32_t level;  ///< possibly beyond the last one that has tiles
+    bool last;            ///< the coarsest
+    const RgbaImage& image;
+    std::span<const std::byte>
+        jpeg;  ///< the photo's file, if the finest level is that of its JPEG; else empty
+};
 
 /// A photo for the stages that use the model. They write their chunks, and their measurements to its record.
 class StageInput {

@@ -165,7 +165,7 @@ std::vector<package::SampleRecord> sample_discs(std::span<const SurfaceDisc> dis
 }
 
 void make_samples(StageInput& in) {
-    RgbaImage pixels = std::move(in.pixels().samples);
+    RgbaImage pixels = in.pixels().samples;
     const Traced traced(in.context.trace, "samples", in.photo.name);
     const auto samples = sample_discs(in.context.discs, std::move(pixels), in.geometry, in.photo.intrinsics,
                                       in.photo.pose, in.photo.lens ? &*in.photo.lens : nullptr);

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/values/bytes_of.h"
 #include "base/values/halve.h"
+#include "pipeline/photos/reduced.h"
 #include "pipeline/stages/cut_tile.h"
 #include "scene/codec/byte_planes.h"
 #include "scene/codec/depth_values.h"
@@ -125,6 +127,24 @@ RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint3
         copy_content(decoded, part, size, tile, std::as_writable_bytes(std::span(out.rgba)));
     }
     return out;
+}
+
+void make_tiles(LevelInput& in) {
+    if (in.level >= in.record.levels) return;
+    if (in.level == 0 && !in.jpeg.empty() && write_own_jpeg(in.writer, in.photo, in.jpeg)) return;
+    write_tiles(in.writer, package::Type::tiles, in.photo, in.level,
+                {bytes_of(in.image.rgba), {in.image.width, in.image.height}},
+                level_quality(in.jpeg, in.level));
+}
+
+void make_thumbnail(LevelInput& in) {
+    const Level size{int(in.record.thumbnail_width), int(in.record.thumbnail_height)};
+    const int wanted = std::max(size.width, size.height), here = std::max(in.image.width, in.image.height),
+              next = (here + 1) / 2;
+    const bool is_first_too_coarse = next < wanted && (in.level == 0 || here >= wanted);
+    if (!is_first_too_coarse && !(in.last && next >= wanted)) return;
+    const RgbaImage small = reduced(in.image, size);
+    write_thumbnail(in.writer, in.photo, {bytes_of(small.rgba), size});
 }
 
 }  // namespace vantage

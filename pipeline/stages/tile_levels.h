@@ -6,6 +6,7 @@
 
 #include "base/values/rgba_image.h"
 #include "base/values/tiling.h"
+#include "pipeline/stages/stage_input.h"
 #include "scene/agreement/read_level.h"
 #include "scene/package/package_reader.h"
 #include "scene/package/package_writer.h"
@@ -40,5 +41,10 @@ bool write_own_jpeg(PackageWriter& writer, std::uint32_t photo, std::span<const 
 
 /// Writes a photo's thumbnail: RGBA texels, which may be stored as JPEG.
 void write_thumbnail(PackageWriter& writer, std::uint32_t photo, const LevelTexels& of);
+
+/// The stage of tiles.
+void make_tiles(LevelInput& in);
+/// The stage of thumbnails, of the coarsest level that still has their detail: the cheapest to reduce.
+void make_thumbnail(LevelInput& in);
 
 }  // namespace vantage

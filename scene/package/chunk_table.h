@@ -44,8 +44,9 @@ enum class Type : std::uint32_t {
     depth = fourcc("DPTH"),  ///< per photo and level: R32F tiles: linear z, +inf where nothing is seen
 };
 
-/// The stages that produce a photo's artifacts.
+/// The stages that produce a photo's artifacts; at most `max_stages`.
 enum class Stage : std::uint32_t { thumbnail, tiles, weight_maps, coordinates, coverage, samples, count };
+inline constexpr std::uint32_t max_stages = 8;  ///< for which a photo's state has space
 
 }  // namespace package
 

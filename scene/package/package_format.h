@@ -116,7 +116,7 @@ struct PhotoState {
         std::uint64_t key;      ///< hash of settings, version, and inputs except the pose; 0: not made
         std::uint64_t content;  ///< XXH3-64 of the checksums of the stage's chunks
     };
-    Made stages[std::size_t(Stage::count)];
+    Made stages[max_stages];             ///< by Stage; 0 beyond
     std::uint64_t photo, camera, model;  ///< XXH3-64 of these inputs, to report which has changed
     std::uint64_t pose;                  ///< XXH3-64 of the pose used for visibility
     std::uint64_t transients;            ///< XXH3-64 of the transient weights; 0 if all are 255
@@ -234,7 +234,7 @@ inline constexpr std::uint64_t visible_words(std::uint64_t triangles) { return (
 static_assert(sizeof(Header) == 64 && sizeof(DirectoryEntry) == 64 && sizeof(ClusterRecord) == 40);
 static_assert(sizeof(PointNode) == 40 && sizeof(PackedPoint) == 12 &&
               point_block * sizeof(PackedPoint) % alignment == 0);
-static_assert(sizeof(PhotoState) == 344 && std::is_trivially_copyable_v<PhotoState>);
+static_assert(sizeof(PhotoState) == 376 && std::is_trivially_copyable_v<PhotoState>);
 static_assert(sizeof(ImageSetRecord) == 64 && sizeof(LensRecord) == 104);
 static_assert(sizeof(CoverageRecord) == 12 && sizeof(SampleRecord) == 8 && sizeof(SceneRecord) == 232 &&
               sizeof(PhotoRecord) % 8 == 0);

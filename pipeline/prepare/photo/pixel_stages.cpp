@@ -14,9 +14,6 @@
 namespace vantage {
 namespace {
 
-using package::Stage;
-using package::Type;
-
 RgbaImage decoded(const PhotoJob& job, PhotoFile& file) {
     if (auto image = job.context.prefetch.take(job.at.index, file.identity())) return std::move(*image);
     const Traced traced(job.context.trace, "decode", job.photo.name);
@@ -64,7 +61,8 @@ std::vector<std::uint8_t> valid_texels(const PhotoJob& job, const RgbaImage& lev
     return validity(pinhole_image(level, *job.at.lens, weight_map_level));
 }
 
-/// Writes thumbnail and tile pyramid. `jpeg`: the photo's file, if level 0 can be taken from it, else empty.
+/// Runs the stages that do not use the model. `jpeg`: the photo's file, if level 0 can be taken from it, else
+/// empty.
 void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
                   std::span<const std::byte> jpeg, package::PhotoRecord& r,
                   std::promise<CoarsePixels>& found) {
@@ -76,7 +74,6 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
     CoarsePixels coarse;
     // Samples are those of what is stored, so that they are the same if they are made again from it.
     const std::uint32_t sampled = std::min(std::uint32_t(sample_level), r.levels - 1);
-    bool thumbnail_missing = missing[Stage::thumbnail];
     const std::uint32_t last = std::max(r.levels, std::uint32_t(sample_level) + 1);
     for (std::uint32_t l = 0; l < last; ++l) {
         if (l == std::uint32_t(weight_map_level) && !opaque) coarse.valid = valid_texels(job, level);
@@ -85,18 +82,9 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
             coarse.samples = own ? level : as_stored(writer, i, l, level, level_quality(jpeg, l));
         if (l > sampled && l <= std::uint32_t(sample_level)) coarse.samples = halve(coarse.samples);
         if (l == std::uint32_t(sample_level)) found.set_value(std::move(coarse));
-        if (l < r.levels && missing[Stage::tiles] && !(own && write_own_jpeg(writer, i, jpeg)))
-            write_tiles(writer, Type::tiles, i, l, {bytes_of(level.rgba), {level.width, level.height}},
-                        level_quality(jpeg, l));
-        RgbaImage next = halve(level);
-        // The coarsest level that still has the thumbnail's detail is the cheapest to reduce.
-        const int wanted = int(std::max(r.thumbnail_width, r.thumbnail_height));
-        if (thumbnail_missing && (std::max(next.width, next.height) < wanted || l + 1 == last)) {
-            const RgbaImage small = reduced(level, {int(r.thumbnail_width), int(r.thumbnail_height)});
-            write_thumbnail(writer, i, {bytes_of(small.rgba), {small.width, small.height}});
-            thumbnail_missing = false;
-        }
-        level = std::move(next);
+        LevelInput in{writer, i, r, l, l + 1 == last, level, jpeg};
+        make_on_level(in, missing);
+        if (l + 1 < last) level = halve(level);
     }
 }
 

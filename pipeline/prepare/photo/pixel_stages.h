@@ -6,9 +6,8 @@
 
 namespace vantage {
 
-/// Decodes the photo, undistorts it if the scene calls for it, and writes the thumbnail and the tiles, if
-/// they are in `missing`. `coarse` is fulfilled as soon as its levels exist. Throws Error(input) if the photo
-/// cannot be decoded or does not fit its camera.
+/// Decodes the photo and runs the stages in `missing` that do not use the model. `coarse` is fulfilled as
+/// soon as its levels exist. Throws Error(input) if the photo cannot be decoded or does not fit its camera.
 void make_pixels(const PhotoJob& job, const StageSet& missing, PhotoFile& file, package::PhotoRecord& record,
                  std::promise<CoarsePixels>& coarse);
 
