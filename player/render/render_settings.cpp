@@ -24,7 +24,7 @@ PlanSettings plan_settings(const RenderSettings& s, int anisotropy) {
     if (s.loading != Loading::complete)
         p.worth = 0.1;  // half the bytes, and at least 47 dB from all tiles that may be sampled
     const bool falls = s.weights.angle && !s.weights.angle_per_photo && s.show != Show::coverage;
-    if (falls && !takes_one(s.blend)) p.sharpness = s.weights.sharpness;
+    if (falls && blend_row(s.blend).by_angle) p.sharpness = s.weights.sharpness;
     return p;
 }
 

@@ -11,11 +11,11 @@ namespace {
 constexpr std::array table{
     BlendRow{Blend::lumigraph, "lumigraph", marked("Lumigraph"),
              marked("by the angle between the rays to viewer and photo, fading at borders"),
-             "BLEND_LUMIGRAPH", false},
+             "BLEND_LUMIGRAPH", true, false},
     BlendRow{Blend::average, "average", marked("Average"), marked("by distance, angle and all weights"), "",
-             false},
+             true, false},
     BlendRow{Blend::best, "best", marked("Best photo"), marked("each point from one photo"), "BLEND_BEST",
-             true},
+             false, true},
 };
 static_assert(table.size() == std::size_t(Blend::count), "each mode has a row");
 

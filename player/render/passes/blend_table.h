@@ -12,6 +12,7 @@ struct BlendRow {
     const char* label;   ///< in the blending panel
     const char* help;    ///< for --help: what decides a photo's weight
     const char* define;  ///< the preprocessor symbol of its weight, "" for the shader's default
+    bool by_angle;       ///< it falls with the angle between the rays, so that distant photos can be spared
     bool takes_one;      ///< the photo of the largest weight gives the color, instead of a weighted mean
 };
 
