@@ -68,11 +68,10 @@ PoseRefinement register_cameras(const FinishInput& in, const PackageReader& part
     return found;
 }
 
-void write_results(const FinishInput& in, const Agreement& agreement, PhotoTables& photos) {
+void write_results(const FinishInput& in, Agreement& agreement, PhotoTables& photos) {
     PackageWriter& writer = in.geometry.writer;
-    const std::array decisions{agreement.pose_refinement.decision, agreement.colors.exposure,
-                               agreement.colors.vignetting, agreement.transients.decision,
-                               agreement.background};
+    std::vector<EffectDecision> decisions;
+    for (const EffectDecision* d : decisions_of(agreement)) decisions.push_back(*d);
     package::SceneRecord scene = in.scene;
     for (const EffectDecision& d : decisions)
         if (d.on) scene.effects |= effect_bit(d.effect);
@@ -87,7 +86,7 @@ void write_results(const FinishInput& in, const Agreement& agreement, PhotoTable
     for (std::size_t i = 0; i < photos.records.size(); ++i) seal(photos.states[i], photos.records[i]);
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(meta)));
     writer.write(Type::scene, package::scene_wide, bytes_of_one(scene));
-    write_image_sets(writer, in.image_sets, effects_of_image_sets(agreement, in.image_sets.size()));
+    write_image_sets(writer, in.image_sets, effects_of_image_sets(decisions, in.image_sets.size()));
     writer.write(Type::photos, package::scene_wide, bytes_of(photos.records));
     writer.write(Type::states, package::scene_wide, bytes_of(photos.states));
     writer.finish();
@@ -190,23 +189,25 @@ void agree_by_image_set(const FinishInput& in, const PackageReader& part, std::v
 
 /// What there is to say about no photos.
 Agreement no_agreement() {
-    const auto none = [](Effect e) {
-        return decide(e, EffectChoice::automatic, 0, "the scene has no photos");
-    };
     Agreement out;
-    out.pose_refinement.decision = none(Effect::pose_refinement);
-    out.colors.exposure = none(Effect::exposure);
-    out.colors.vignetting = none(Effect::vignetting);
-    out.transients.decision = none(Effect::transients);
-    out.background = none(Effect::background);
+    std::size_t next = 0;
+    for (const EffectRow& row : effect_table())
+        if (from_all_photos(row))
+            *decisions_of(out).at(next++) =
+                decide(row.effect, EffectChoice::automatic, 0, "the scene has no photos");
     return out;
 }
 
 }  // namespace
 
+std::array<EffectDecision*, 5> decisions_of(Agreement& a) {
+    return {&a.colors.exposure, &a.colors.vignetting, &a.pose_refinement.decision, &a.transients.decision,
+            &a.background};
+}
+
 Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     if (photos.records.empty()) {
-        const Agreement none = no_agreement();
+        Agreement none = no_agreement();
         write_pose_refinement(in.geometry.writer, none.pose_refinement, in.given, 0);
         write_results(in, none, photos);
         return none;

@@ -47,6 +47,9 @@ struct Agreement {
     Presentation presentation;
 };
 
+/// The decisions on the effects that all photos decide, in the order of the effect table.
+std::array<EffectDecision*, 5> decisions_of(Agreement& agreement);
+
 /// Determines cameras, colors and transient masking from all photos and finishes the package: writes META,
 /// SCEN, PHOT, STAT, REGI and PAIR, and rewrites the chunks that depend on moved cameras. Throws
 /// Error(storage), and whatever `progress` throws.

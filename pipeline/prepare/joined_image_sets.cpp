@@ -79,7 +79,8 @@ PoseRefinement joined(std::vector<PoseRefinement> image_sets, std::span<const pa
         for (const std::string& w : image_sets[b].warnings) out.warnings.push_back(names[b] + ": " + w);
     }
     std::ranges::sort(out.pairs, {}, [](const package::PairRecord& p) { return std::pair(p.a, p.b); });
-    std::ranges::sort(out.without, {}, [](const LeaveOneOutPose& p) { return std::pair(p.without, p.photo); });
+    std::ranges::sort(out.without, {},
+                      [](const LeaveOneOutPose& p) { return std::pair(p.without, p.photo); });
     return out;
 }
 
@@ -100,14 +101,15 @@ TransientMasks joined(std::vector<TransientMasks> image_sets, std::span<const pa
             own_values(image_sets, &TransientMasks::disagreeing, photos)};
 }
 
-std::vector<EffectSet> effects_of_image_sets(const Agreement& agreement, std::size_t image_sets) {
+std::vector<EffectSet> effects_of_image_sets(std::span<const EffectDecision> decisions,
+                                             std::size_t image_sets) {
     std::vector<EffectSet> out(image_sets, 0);
-    for (const EffectDecision* d : {&agreement.pose_refinement.decision, &agreement.colors.exposure,
-                                    &agreement.colors.vignetting, &agreement.transients.decision})
-        for (std::size_t b = 0; b < image_sets; ++b)
-            if (d->image_sets.empty() ? d->on : b < d->image_sets.size() && d->image_sets[b].on)
-                out[b] |= effect_bit(d->effect);
-    if (agreement.background.on) out.front() |= effect_bit(Effect::background);
+    for (const EffectDecision& d : decisions)
+        for (std::size_t b = 0; b < image_sets; ++b) {
+            const bool decided = d.image_sets.empty() ? d.on : b < d.image_sets.size() && d.image_sets[b].on;
+            // Only the first image set has a background.
+            if (decided && (b == 0 || d.effect != Effect::background)) out[b] |= effect_bit(d.effect);
+        }
     return out;
 }
 

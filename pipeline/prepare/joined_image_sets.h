@@ -23,7 +23,8 @@ TransientMasks joined(std::vector<TransientMasks> image_sets, std::span<const pa
 
 /// The effects that are on for each image set, of what the image sets decided and of the background, which
 /// are the first image set's.
-std::vector<EffectSet> effects_of_image_sets(const Agreement& agreement, std::size_t image_sets);
+std::vector<EffectSet> effects_of_image_sets(std::span<const EffectDecision> decisions,
+                                             std::size_t image_sets);
 
 /// Writes BAND if there are several image sets. `effects`: per image set; empty: none yet.
 void write_image_sets(PackageWriter& writer, std::span<const std::string> names,
