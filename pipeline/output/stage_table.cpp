@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pipeline/stages/coordinates.h"
+#include "pipeline/stages/coordinates/coordinates.h"
 #include "pipeline/stages/coverage.h"
 #include "pipeline/stages/surface_samples.h"
 #include "pipeline/stages/tile_levels.h"

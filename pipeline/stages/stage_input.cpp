@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "pipeline/stages/facet_coordinates.h"
-#include "pipeline/stages/vertex_coordinates.h"
+#include "pipeline/stages/coordinates/facet_coordinates.h"
+#include "pipeline/stages/coordinates/vertex_coordinates.h"
 
 namespace vantage {
 

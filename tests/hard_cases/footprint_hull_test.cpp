@@ -1,5 +1,5 @@
 // The hull of what a photo sees, compared with another way to find it.
-#include "pipeline/stages/footprint_hull.h"
+#include "pipeline/stages/coordinates/footprint_hull.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -20,7 +20,7 @@
 
 #include "base/files/checksum.h"
 #include "base/text/file_name.h"
-#include "pipeline/commands/run_program.h"
+#include "pipeline/commands/shared/run_program.h"
 #include "pipeline/photos/image_files.h"
 #include "scene/package/contents/stored_tile.h"
 #include "scene/package/package_reader.h"

@@ -8,7 +8,7 @@
 #include "base/text/error.h"
 #include "base/text/lower_extension.h"
 #include "base/text/parse_number.h"
-#include "pipeline/formats/cameras/realitycapture.h"
+#include "pipeline/formats/cameras/realitycapture/realitycapture.h"
 #include "pipeline/run/read_file.h"
 
 namespace vantage {

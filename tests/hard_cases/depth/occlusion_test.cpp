@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "pipeline/stages/vertex_coordinates.h"
+#include "pipeline/stages/coordinates/vertex_coordinates.h"
 #include "pipeline/visibility/photo_geometry.h"
 #include "tests/hard_cases/depth/triangle_soup.h"
 

@@ -5,7 +5,7 @@
 
 #include "base/gl/context.h"
 #include "pipeline/mesh/clusters.h"
-#include "pipeline/stages/vertex_coordinates.h"
+#include "pipeline/stages/coordinates/vertex_coordinates.h"
 #include "pipeline/visibility/frame_triangles.h"
 #include "pipeline/visibility/gl_geometry.h"
 #include "pipeline/visibility/photo_geometry.h"

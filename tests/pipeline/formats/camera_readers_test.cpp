@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "pipeline/formats/cameras/cameras.h"
-#include "pipeline/formats/cameras/realitycapture.h"
+#include "pipeline/formats/cameras/realitycapture/realitycapture.h"
 #include "tests/temporary_folder.h"
 
 namespace vantage {

@@ -13,7 +13,7 @@
 #include "pipeline/mesh/packed_model.h"
 #include "pipeline/mesh/ray_scene.h"
 #include "pipeline/output/chunk_plan.h"
-#include "pipeline/stages/vertex_coordinates.h"
+#include "pipeline/stages/coordinates/vertex_coordinates.h"
 #include "pipeline/synth/synthesize.h"
 #include "pipeline/visibility/gl_geometry.h"
 #include "pipeline/visibility/photo_geometry.h"
