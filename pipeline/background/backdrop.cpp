@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/background/depth_smoothing.h"
-#include "pipeline/background/refine_depths.h"
+#include "pipeline/background/depth/depth_smoothing.h"
+#include "pipeline/background/depth/refine_depths.h"
+#include "pipeline/background/depth/walls_beyond.h"
 #include "pipeline/background/view_sample.h"
-#include "pipeline/background/walls_beyond.h"
 
 namespace vantage {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "pipeline/background/walls_beyond.h"
+#include "pipeline/background/depth/walls_beyond.h"
 #include "tests/pipeline/background/yard.h"
 
 using namespace vantage;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "pipeline/background/planes.h"
+#include "pipeline/background/depth/planes.h"
 #include "pipeline/background/view_sample.h"
 #include "pipeline/presentation/up_direction.h"
 

@@ -1,11 +1,11 @@
-#include "pipeline/background/refine_depths.h"
+#include "pipeline/background/depth/refine_depths.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "pipeline/background/depth_smoothing.h"
-#include "pipeline/background/place_cost.h"
+#include "pipeline/background/depth/depth_smoothing.h"
+#include "pipeline/background/depth/place_cost.h"
 
 namespace vantage {
 namespace {

@@ -1,4 +1,4 @@
-#include "pipeline/background/place_cost.h"
+#include "pipeline/background/depth/place_cost.h"
 
 #include <algorithm>
 #include <limits>

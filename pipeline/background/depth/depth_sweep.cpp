@@ -1,9 +1,9 @@
-#include "pipeline/background/depth_sweep.h"
+#include "pipeline/background/depth/depth_sweep.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/background/place_cost.h"
+#include "pipeline/background/depth/place_cost.h"
 
 namespace vantage {
 namespace {

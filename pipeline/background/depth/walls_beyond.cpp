@@ -1,4 +1,4 @@
-#include "pipeline/background/walls_beyond.h"
+#include "pipeline/background/depth/walls_beyond.h"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include "pipeline/background/depth_sweep.h"
+#include "pipeline/background/depth/depth_sweep.h"
 
 namespace vantage {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "pipeline/background/depth_sweep.h"
+#include "pipeline/background/depth/depth_sweep.h"
 
 namespace vantage {
 

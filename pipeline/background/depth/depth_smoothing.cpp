@@ -1,4 +1,4 @@
-#include "pipeline/background/depth_smoothing.h"
+#include "pipeline/background/depth/depth_smoothing.h"
 
 #include <algorithm>
 #include <cmath>

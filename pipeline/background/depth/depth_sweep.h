@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "pipeline/background/coarse_view.h"
+#include "pipeline/background/depth/planes.h"
 #include "pipeline/background/direction_sphere.h"
-#include "pipeline/background/planes.h"
 
 namespace vantage {
 

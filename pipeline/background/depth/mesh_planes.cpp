@@ -4,7 +4,7 @@
 #include <random>
 
 #include "base/values/principal_axes.h"
-#include "pipeline/background/planes.h"
+#include "pipeline/background/depth/planes.h"
 #include "pipeline/presentation/up_direction.h"
 
 namespace vantage {
