@@ -160,27 +160,28 @@ std::vector<bool> close_pixels(const cv::Mat& own, const cv::Mat& predicted,
     return out;
 }
 
-/// See BackgroundVerdict::agreed; nothing if too few pixels can be compared.
-std::optional<double> explained_by(const cv::Mat& backdrop, const cv::Mat& plain, const cv::Mat& own) {
+/// Pixels that one color does not explain, and how many more than that one the backdrop explains.
+struct Explained {
+    double all = 0, by_backdrop = 0;
+};
+Explained explained_by(const cv::Mat& backdrop, const cv::Mat& plain, const cv::Mat& own) {
     std::vector<cv::Point> where;
     for (int y = 0; y < own.rows; ++y)
         for (int x = 0; x < own.cols; ++x)
             if (!std::isnan(own.at<cv::Vec3f>(y, x)[0]) && !std::isnan(backdrop.at<cv::Vec3f>(y, x)[0]))
                 where.emplace_back(x, y);
-    if (where.size() < fewest_pixels) return {};
-    const auto share = [&](const cv::Mat& predicted) {
-        const std::vector<bool> close = close_pixels(own, predicted, where);
-        return double(std::ranges::count(close, true)) / double(where.size());
+    const auto close = [&](const cv::Mat& predicted) {
+        return double(std::ranges::count(close_pixels(own, predicted, where), true));
     };
-    const double by_plain = share(plain);
-    return (share(backdrop) - by_plain) / std::max(1 - by_plain, 1e-3);
+    const double by_plain = close(plain);
+    return {double(where.size()) - by_plain, close(backdrop) - by_plain};
 }
 
 /// A photo predicted by the backdrop, by the same pixels of others, and by one color.
 struct Predicted {
     std::string name;
     ValidationScore backdrop, same, plain;
-    std::optional<double> explained;
+    Explained explained;
 };
 
 Predicted predicted(const CoarseView& view, std::span<const CoarseView> others, const MeshPlanes& mesh,
@@ -214,18 +215,22 @@ BackgroundVerdict validate_background(const CoarseViews& all, const SampledPhoto
     std::vector<ValidatedPhoto> gain;
     BackgroundVerdict out;
     double pixels = 0;
-    std::vector<double> agreed;
+    Explained explained;
+    int compared_photos = 0;
     for (const Predicted& p : folds) {
         gain.push_back({p.name, p.plain, p.backdrop});
         const auto compared = double(p.plain.pixels);
         pixels += compared;
-        if (p.explained) agreed.push_back(*p.explained);
+        compared_photos += p.explained.all > 0;
+        explained.all += p.explained.all;
+        explained.by_backdrop += p.explained.by_backdrop;
         out.with_camera += p.same.psnr > std::max(same_enough, p.backdrop.psnr) ? compared : 0;
         out.plain += p.plain.psnr > plain_enough ? compared : 0;
     }
     for (double* share : {&out.with_camera, &out.plain}) *share /= std::max(pixels, least_compared);
     out.gain = summarize(gain);
-    if (agreed.size() >= std::size_t(min_validated_photos)) out.agreed = quantile(agreed, 0.5);
+    if (compared_photos >= min_validated_photos && explained.all >= double(fewest_pixels))
+        out.agreed = explained.by_backdrop / explained.all;
     return out;
 }
 

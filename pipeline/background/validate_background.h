@@ -20,9 +20,8 @@ struct BackgroundVerdict {
     /// the backdrop: the background moves with the camera, as behind a turntable.
     double with_camera = 0;
     double plain = 0;  ///< share of the compared pixels in photos that one color predicts to 30 dB
-    /// Of the pixels that one color does not predict within 25 codes, the share that the backdrop does, in
-    /// the median photo; negative if it predicts fewer than the color. Nothing if fewer than three photos can
-    /// be compared.
+    /// Of the pixels that one color does not predict within 25 codes, the share that the backdrop does;
+    /// negative if it predicts fewer than the color. Nothing if fewer than three photos can be compared.
     std::optional<double> agreed{};
     /// Why there is nothing to show; empty if there is. Around an object, which is moved between series of
     /// photos or turned, more must agree.
