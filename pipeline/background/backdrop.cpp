@@ -11,9 +11,6 @@
 namespace vantage {
 namespace {
 
-/// Square roots of light, where darkness and light look evenly spaced.
-Eigen::Array3f root_of(const Eigen::Array3f& ln) { return linear_of(ln).max(0.0f).sqrt(); }
-
 /// A rotation to the cameras' own axes, so that the world's do not matter.
 Eigen::Matrix3f frame_of(std::span<const CoarseView> views) {
     const Eigen::Vector3d down = down_direction(views);
@@ -25,6 +22,77 @@ Eigen::Matrix3f frame_of(std::span<const CoarseView> views) {
     Eigen::Matrix3f out;
     out << right.cast<float>(), down.cross(right).cast<float>(), down.cast<float>();
     return out;
+}
+
+/// Directions of the sky become infinitely far.
+void move_sky_away(Backdrop& backdrop, std::span<const CoarseView> views, const SweptDepths& depths,
+                   std::vector<float>& inverse, unsigned threads) {
+    backdrop.is_sky = sky_directions(views, backdrop.sky, backdrop.sphere, threads);
+    const std::vector<float> base = base_depths(backdrop.sphere, depths.center, depths.reach, {});
+    for (std::size_t v = 0; v < backdrop.is_sky.size(); ++v)
+        if (backdrop.is_sky[v]) inverse[v] = base[v];
+}
+
+/// What a direction shows, for colors that are continued.
+enum class Side { sky, above, below };
+Side side_of(const Backdrop& b, std::size_t direction) {
+    if (b.is_sky[direction]) return Side::sky;
+    return b.sphere.directions[direction].dot(b.sky.down) < 0 ? Side::above : Side::below;
+}
+
+/// The median color of a direction, square root of light, with weight 1; of the sky, among the views that
+/// show sky.
+Eigen::Array4f median_color(const Backdrop& b, std::span<const CoarseView> views, std::size_t direction) {
+    thread_local std::vector<Eigen::Array3f> colors;
+    colors.clear();
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const CoarseView& v = views[i];
+        const Eigen::Vector3f p = in_camera(v, b.positions[direction]);
+        const ViewSample s = sample(v, p, 1);
+        if (s.kind != ViewSample::open) continue;
+        const auto x = std::size_t(float(v.k.fx) * p.x() / p.z() + float(v.k.cx)),
+                   y = std::size_t(float(v.k.fy) * p.y() / p.z() + float(v.k.cy));
+        if (b.is_sky[direction] && !b.sky.masks[i][y * std::size_t(v.k.width) + x]) continue;
+        colors.push_back(root_of(s.ln));
+    }
+    Eigen::Array4f out = Eigen::Array4f::Zero();
+    if (!colors.empty()) out << median(colors), 1;
+    return out;
+}
+
+/// Sums of colors, square roots of light, and their weights.
+using ColorSums = std::vector<Eigen::Array4f>;
+
+/// Colors of weight 1 in all directions: means over ever larger neighborhoods where none is known (pull-push,
+/// Gortler et al. 1996). Each sphere is that before it, divided.
+ColorSums continued(std::span<const DirectionSphere> spheres, ColorSums known) {
+    std::vector<ColorSums> levels{std::move(known)};
+    for (std::size_t l = spheres.size() - 1; l-- > 0;) {
+        ColorSums coarse(spheres[l].directions.size());
+        for (std::size_t v = 0; v < coarse.size(); ++v) {
+            coarse[v] = 2 * levels.back()[v];
+            for (const std::uint32_t u : spheres[l + 1].neighbors[v])
+                if (u != DirectionSphere::none) coarse[v] += levels.back()[u];
+            coarse[v] /= std::max(coarse[v][3], 1.0f);
+        }
+        levels.push_back(std::move(coarse));
+    }
+    Eigen::Array4f all = Eigen::Array4f::Zero();
+    for (const Eigen::Array4f& c : levels.back()) all += c;
+    all = all[3] > 0 ? Eigen::Array4f(all / all[3]) : Eigen::Array4f(0.5f, 0.5f, 0.5f, 1);
+    for (Eigen::Array4f& c : levels.back()) c += (1 - std::min(c[3], 1.0f)) * all;
+    for (std::size_t l = 1; l < spheres.size(); ++l) {
+        const ColorSums coarse = std::move(levels.back());
+        levels.pop_back();
+        ColorSums& here = levels.back();
+        for (std::size_t v = 0; v < here.size(); ++v) {
+            const float lacks = 1 - std::min(here[v][3], 1.0f);
+            if (!(lacks > 0)) continue;
+            const auto [a, b] = spheres[l].ends[v];
+            here[v] += lacks * (v < coarse.size() ? coarse[v] : Eigen::Array4f((coarse[a] + coarse[b]) / 2));
+        }
+    }
+    return std::move(levels.back());
 }
 
 }  // namespace
@@ -40,7 +108,8 @@ bool have_parallax(std::span<const CoarseView> views) {
 
 Backdrop estimate_backdrop(std::span<const CoarseView> views, const MeshPlanes& mesh,
                            const BackdropDetail& detail, unsigned threads) {
-    Backdrop out{.sphere = direction_sphere(detail.sphere), .center = {}, .positions = {}};
+    Backdrop out{
+        .sphere = direction_sphere(detail.sphere), .center = {}, .positions = {}, .sky = {}, .is_sky = {}};
     const Eigen::Matrix3f frame = frame_of(views);
     for (Eigen::Vector3f& d : out.sphere.directions) d = (frame * d).normalized();
     ScenePlanes planes{find_ground(views, mesh), mesh.largest};
@@ -53,48 +122,43 @@ Backdrop estimate_backdrop(std::span<const CoarseView> views, const MeshPlanes& 
         planes.walls.insert(planes.walls.end(), beyond.begin(), beyond.end());
         inverse = inverse_distances(depths, out.sphere);
     }
+    out.sky = {down_direction(views, mesh).cast<float>(), {}};
+    if (detail.sky) out.sky = find_sky(views, depths, out.sphere, inverse, down_direction(views, mesh));
+    move_sky_away(out, views, depths, inverse, threads);
     for (int l = 0; l < detail.refinements; ++l) {
         DirectionSphere fine = divided(out.sphere);
         inverse = refine_depths(views, planes, depths, inverse, fine, threads);
         out.sphere = std::move(fine);
     }
+    move_sky_away(out, views, depths, inverse, threads);
     for (std::size_t v = 0; v < inverse.size(); ++v)
         out.positions.push_back(
             (out.center + out.sphere.directions[v].cast<double>() / double(inverse[v])).cast<float>());
     return out;
 }
 
-std::vector<Eigen::Array3f> quiet_colors(const Backdrop& backdrop, std::span<const CoarseView> views) {
-    constexpr std::size_t enough = 10'000;  // directions: colors are smooth
-    constexpr int rounds = 24;
-    constexpr float toward_mean = 0.08f;  // per round
-    DirectionSphere coarse = direction_sphere(0);
-    while (coarse.directions.size() < std::min(enough, backdrop.positions.size())) coarse = divided(coarse);
-    const std::size_t n = coarse.directions.size();
-    std::vector<Eigen::Array3f> out(n, Eigen::Array3f::Zero()), colors;
-    std::vector<std::uint8_t> unknown(n, 1);
-    Eigen::Array3f mean = Eigen::Array3f::Zero();
-    float known = 0;
-    for (std::size_t v = 0; v < n; ++v) {
-        colors.clear();
-        for (const CoarseView& view : views)
-            if (const ViewSample s = sample(view, in_camera(view, backdrop.positions[v]), 1);
-                s.kind == ViewSample::open)
-                colors.push_back(root_of(s.ln));
-        if (colors.empty()) continue;
-        out[v] = median(colors);
-        mean += out[v];
-        ++known;
-        unknown[v] = 0;
-    }
-    mean = known > 0 ? Eigen::Array3f(mean / known) : Eigen::Array3f::Constant(0.5f);
-    for (std::size_t v = 0; v < n; ++v)
-        if (unknown[v]) out[v] = mean;
-    for (int round = 0; round < rounds; ++round) {
-        relax(coarse, unknown, 1, out);
+std::vector<Eigen::Array3f> calm_colors(const Backdrop& backdrop, std::span<const CoarseView> views) {
+    constexpr int fine_level = 5;  // directions: colors are smooth
+    constexpr int smoothing = 3;   // rounds
+    std::vector<DirectionSphere> spheres;
+    for (int l = 0;
+         l <= fine_level && (l == 0 || spheres.back().directions.size() < backdrop.positions.size()); ++l)
+        spheres.push_back(l == 0 ? direction_sphere(0) : divided(spheres.back()));
+    const DirectionSphere& fine = spheres.back();
+    const std::size_t n = fine.directions.size();
+    ColorSums shown(n);
+    for (std::size_t v = 0; v < n; ++v) shown[v] = median_color(backdrop, views, v);
+    std::vector<Eigen::Array3f> out(n);
+    for (const Side side : {Side::sky, Side::above, Side::below}) {
+        ColorSums known = shown;
         for (std::size_t v = 0; v < n; ++v)
-            if (unknown[v]) out[v] += toward_mean * (mean - out[v]);
+            if (side_of(backdrop, v) != side) known[v].setZero();
+        if (std::ranges::all_of(known, [](const Eigen::Array4f& c) { return c[3] == 0; })) known = shown;
+        known = continued(spheres, std::move(known));
+        for (std::size_t v = 0; v < n; ++v)
+            if (side_of(backdrop, v) == side) out[v] = known[v].head<3>();
     }
+    relax(fine, std::vector<std::uint8_t>(n, 1), smoothing, out);
     out.reserve(backdrop.positions.size());
     for (std::size_t v = n; v < backdrop.positions.size(); ++v) {
         const auto [a, b] = backdrop.sphere.ends[v];

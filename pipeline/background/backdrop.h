@@ -7,6 +7,7 @@
 #include "pipeline/background/coarse_view.h"
 #include "pipeline/background/depth/planes.h"
 #include "pipeline/background/direction_sphere.h"
+#include "pipeline/background/sky.h"
 
 namespace vantage {
 
@@ -15,15 +16,18 @@ struct BackdropDetail {
     int sphere = 5;       ///< level of the direction sphere
     int labels = 96;      ///< depths per direction
     int refinements = 2;  ///< times that the sphere is divided again, for edges
+    bool sky = true;      ///< whether sky is told from other things far away
 };
-/// Enough to judge whether there is anything to estimate.
-inline constexpr BackdropDetail validated_detail{.sphere = 4, .labels = 32, .refinements = 0};
+/// Enough to judge whether there is anything to estimate; too coarse for the outline of the sky.
+inline constexpr BackdropDetail validated_detail{.sphere = 4, .labels = 32, .refinements = 0, .sky = false};
 
 /// A closed surface around the cameras, as seen from their center: one vertex per direction.
 struct Backdrop {
     DirectionSphere sphere;
     Eigen::Vector3d center;                  ///< relative to the origin
     std::vector<Eigen::Vector3f> positions;  ///< relative to the origin, all finite
+    Sky sky;
+    std::vector<std::uint8_t> is_sky;  ///< per direction, see sky_directions
 };
 
 /// Finds the background' depth by direction from what the photos show beside the mesh, see docs/method.md.
@@ -34,8 +38,9 @@ Backdrop estimate_backdrop(std::span<const CoarseView> views, const MeshPlanes& 
 /// Whether the views allow estimate_backdrop.
 bool have_parallax(std::span<const CoarseView> views);
 
-/// The backdrop's quiet color, in which photos agree and which is shown where none does: per vertex the
-/// median of what the views show, fading to the mean of all where none shows it. Linear light.
-std::vector<Eigen::Array3f> quiet_colors(const Backdrop& backdrop, std::span<const CoarseView> views);
+/// The backdrop's calm color, shown where photos show nothing and where they are not to be believed: per
+/// vertex the median of what the views show, smoothed, and continued from around where none shows anything:
+/// sky, what else is above the horizon, and what is below it, apart. Linear light.
+std::vector<Eigen::Array3f> calm_colors(const Backdrop& backdrop, std::span<const CoarseView> views);
 
 }  // namespace vantage

@@ -17,6 +17,9 @@ inline constexpr float ln_offset = 0.02f;
 inline Eigen::Array3f ln_of(const Eigen::Array3f& linear) { return (linear + ln_offset).log(); }
 inline Eigen::Array3f linear_of(const Eigen::Array3f& ln) { return ln.exp() - ln_offset; }
 
+/// Square roots of light, in which darkness and light look evenly spaced.
+inline Eigen::Array3f root_of(const Eigen::Array3f& ln) { return linear_of(ln).max(0.0f).sqrt(); }
+
 inline constexpr int gap_reach = 2;  ///< texels
 
 /// A photo at a coarse level, and where the mesh leaves it open: where it shows something else.

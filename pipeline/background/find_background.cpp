@@ -86,7 +86,7 @@ std::vector<std::byte> chunk_of(const BackgroundInput& in, const Backdrop& backd
     content.coverage.resize(in.photos.size());
     content.visible.resize(in.photos.size());
     std::future<std::vector<Eigen::Array3f>> quiet =
-        std::async(std::launch::async, [&] { return quiet_colors(backdrop, some.views); });
+        std::async(std::launch::async, [&] { return calm_colors(backdrop, some.views); });
     // Some at a time: there may be many photos.
     std::vector<std::uint32_t> with_pixels;
     for (std::uint32_t i = 0; i < in.photos.size(); ++i)

@@ -211,13 +211,13 @@ TEST(Backdrop, NeedsMoreThanOneViewpoint) {
     EXPECT_FALSE(have_parallax(views));
 }
 
-TEST(QuietColors, AreWhatMostPhotosShow) {
+TEST(CalmColors, AreWhatMostPhotosShow) {
     std::vector<CoarseView> views =
         yard::photos([](const auto&, const auto&, const auto&) { return Eigen::Array3f(0.2f, 0.4f, 0.6f); });
     for (std::size_t i = 0; i < views[4].ln.size(); ++i)  // leaves before one lens
         if (views[4].is_open(i)) views[4].ln[i] = Eigen::Array3f::Constant(std::log(0.02f));
     const Backdrop b = estimate_backdrop(views, {}, validated_detail, 0);
-    const std::vector<Eigen::Array3f> colors = quiet_colors(b, views);
+    const std::vector<Eigen::Array3f> colors = calm_colors(b, views);
     std::size_t right = 0;
     for (const Eigen::Array3f& c : colors) {
         ASSERT_TRUE(c.isFinite().all());

@@ -1,0 +1,32 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pipeline/background/coarse_view.h"
+#include "pipeline/background/depth/depth_sweep.h"
+#include "pipeline/background/direction_sphere.h"
+
+namespace vantage {
+
+/// Where photos show sky.
+struct Sky {
+    Eigen::Vector3f down = Eigen::Vector3f::UnitZ();  ///< unit length
+    std::vector<std::vector<std::uint8_t>> masks;     ///< per view and texel; empty if the scene has no sky
+
+    bool any() const { return !masks.empty(); }
+};
+
+/// Smooth, bright texels above the horizon, connected to parts of the backdrop that are far away. There is no
+/// sky unless it is most of what photos show openly up there, see docs/method.md. `inverse`: distances of the
+/// sphere's directions.
+Sky find_sky(std::span<const CoarseView> views, const SweptDepths& depths, const DirectionSphere& sphere,
+             const std::vector<float>& inverse, const Eigen::Vector3d& down);
+
+/// Per direction 1 if it is infinitely far: at least half of the photos that show it show sky, or it is above
+/// the horizon and fewer than two photos show it. All 0 in a scene without sky.
+std::vector<std::uint8_t> sky_directions(std::span<const CoarseView> views, const Sky& sky,
+                                         const DirectionSphere& sphere, unsigned threads);
+
+}  // namespace vantage
