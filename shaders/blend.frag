@@ -8,8 +8,9 @@
 layout(binding = places_unit) uniform sampler2D places;      // distance along the view's axis, 0: no point; distance of its neighbors
 layout(location = frame_uniform) uniform vec4 frame;         // fx fy cx cy of the view
 layout(location = frame_axes_uniform) uniform mat3 axes;     // right, down and forward
-vec3 surface_position = vec3(0.0), surface_normal = vec3(0.0), quiet_color = vec3(0.0);
-float apart = 0.0;                                           // of neighboring points
+vec3 surface_position = vec3(0.0), surface_normal = vec3(0.0), calm_color = vec3(0.0), label_shares = vec3(0.0);
+uvec3 labels = uvec3(0u);
+float apart = 0.0, trust = 0.0;                              // apart: of neighboring points
 const uint draw_photos = ~background_bit;
 #elif defined(BY_TRIANGLE)
 #include "visible_triangle.glsl"
@@ -18,7 +19,10 @@ in vec3 surface_position;
 in vec3 surface_normal;
 flat in uint draw_photos;
 #ifdef BACKGROUND
-in vec3 quiet_color;  // square root of light
+in vec3 calm_color;  // square root of light
+in float trust;
+flat in uvec3 labels;
+const vec3 label_shares = vec3(1.0, 0.0, 0.0);
 #endif
 #ifndef PER_FRAGMENT
 in vec2 coordinate[PASS_PHOTOS];
@@ -117,6 +121,25 @@ float beyond_mesh(uint photo, vec2 pixel, float lod, WeightPlace at) {
     vec4 clear = vec4(isinf(z));
     float area = mix(mix(clear.w, clear.z, share.x), mix(clear.x, clear.y, share.x), share.y);
     return max(background_least, smoothstep(0.5, 1.0, area));
+}
+
+// Weights of a photo of the background: by its label, and near its own camera, whose view is the photo.
+vec2 background_weights(uint photo, float theta, float open) {
+    float r = own_angle / max(theta, own_least), label = photos[photo].false_color.w;
+    float share = label > 0.0 ? dot(label_shares, vec3(equal(labels, uvec3(label)))) : 0.0;
+    return vec2(share * open, r * r * max(open, own_share(theta) - 0.5));
+}
+
+// Square root of the color that these weights give, of that of the photo: by its label it continues other photos' colors, and
+// is calm where it is not to be trusted.
+vec3 background_root(uint photo, vec3 root, vec2 w) {
+    float sure = max(trust, 1e-3), away = distance(weight_eye, photos[photo].center_hull.xyz) / background_distance;
+    float share = 1.0 - smoothstep(calm_from * sure, calm_to * sure, away);
+    vec3 painted = root + surface_normal, off = (painted - calm_color) / sky_spread;
+    // What stands out from the sky is not infinitely far, and would be doubled.
+    if (distance(surface_position, weight_eye) > sky_distance * background_distance) share /= 1.0 + dot(off, off);
+    painted = mix(calm_color, painted, share);
+    return (w.x * max(painted, vec3(0.0)) + w.y * root) / (w.x + w.y);
 }
 #endif
 
@@ -220,15 +243,6 @@ vec3 refined(uint photo, vec2 pixel, vec3 taken, float theta) {
     return c;
 }
 
-#ifdef BACKGROUND
-// Weight of a photo's color of the background: what is far from the color in which all photos agree stands before
-// them, such as leaves beside the camera.
-float credible(vec3 color, float theta) {
-    vec3 off = (sqrt(color) - quiet_color) / background_spread;
-    return mix(1.0 / (1.0 + dot(off, off)), 1.0, own_share(theta));
-}
-#endif
-
 vec4 photo_color(uint photo, vec2 pixel, Footprint footprint, float theta) {
     vec4 c = filtered(photo, pixel, footprint);
     return vec4(refined(photo, pixel, c.rgb, theta), c.a);
@@ -271,6 +285,7 @@ void main() {
     vec2 chosen_pixel = vec2(0.0);
     Footprint chosen_footprint;
     float chosen_theta = 0.0;
+    vec2 chosen_behind = vec2(0.0);
 #endif
     for (uint photo = 0u; photo < pass_count; ++photo) {
         if ((draw_photos >> photo & 1u) == 0u) continue;
@@ -298,13 +313,11 @@ void main() {
         vec4 weight_maps = weights_at(at);
         float theta = ray_angle(photo);
 #ifdef BACKGROUND
-        if (surrounds()) {
-            w *= max(beyond_mesh(photo, pixel, footprint.lod, at), own_share(theta) - 0.5);
-            weight_maps = vec4(1.0);  // those of the photo are the mesh's
-            if (!(w > 0.0)) continue;
-        }
+        vec2 behind = surrounds() ? background_weights(photo, theta, beyond_mesh(photo, pixel, footprint.lod, at)) : vec2(0.0);
+        if (surrounds()) w = behind.x + behind.y, weight_maps = vec4(1.0);  // those of the photo are the mesh's
+        else
 #endif
-        w *= weight_of(photo, pixel, weight_maps, theta, footprint);
+            w *= weight_of(photo, pixel, weight_maps, theta, footprint);
 #ifdef PHOTO_TRANSIENTS
         // 1 of 255: visible, but contradicted by other photos.
         if ((switches & transient_weight_switch) != 0u) w *= mix((max(weight_maps.a * 255.0, 1.0) - 1.0) / 254.0, 1.0, own_share(theta));
@@ -318,24 +331,34 @@ void main() {
             chosen_pixel = pixel;
             chosen_footprint = footprint;
             chosen_theta = theta;
+#ifdef BACKGROUND
+            chosen_behind = behind;
+#endif
         }
 #else
         vec4 c = photo_color(photo, pixel, footprint, theta);
-#ifdef BACKGROUND
-        w *= surrounds() ? credible(c.rgb, theta) : 1.0;
-#endif
         c = as_shown(photo, c);
 #ifdef TRANSIENTS
         vec3 off = (sqrt(c.rgb) - mean) / transient_scale;
         w /= 1.0 + dot(off, off);
 #endif
         // When photos are counted, all have the same weight.
-        accumulated += show == show_coverage ? vec4(c.a) : vec4(sqrt(c.rgb), 1.0) * w * c.a;
+        vec3 root = sqrt(c.rgb);
+#ifdef BACKGROUND
+        if (surrounds() && show == show_colors) root = background_root(photo, root, behind);
+#endif
+        accumulated += show == show_coverage ? vec4(c.a) : vec4(root, 1.0) * w * c.a;
 #endif
     }
 #ifdef TAKES_ONE
     if (chosen >= 0) {
         vec4 c = as_shown(uint(chosen), photo_color(uint(chosen), chosen_pixel, chosen_footprint, chosen_theta));
+#ifdef BACKGROUND
+        if (surrounds() && show == show_colors) {
+            vec3 root = background_root(uint(chosen), sqrt(c.rgb), chosen_behind);
+            c.rgb = root * root;
+        }
+#endif
         accumulated = c.a > 0.5 ? vec4(c.rgb, accumulated.a) : before;
     }
 #endif

@@ -8,7 +8,9 @@ layout(location = clip_from_origin_uniform) uniform mat4 clip_from_origin;
 
 #ifdef BACKGROUND
 layout(location = color_attribute) in vec4 color;
-out vec3 quiet_color;  // square root of light
+out vec3 calm_color;  // square root of light
+out float trust;
+flat out uvec3 labels;
 #endif
 out vec3 surface_position;
 out vec3 surface_normal;
@@ -28,7 +30,10 @@ void main() {
     surface_normal = normal;
     draw_photos = of_draw.y;
 #ifdef BACKGROUND
-    quiet_color = pow(color.rgb, vec3(1.1));
+    calm_color = pow(color.rgb, vec3(1.1));
+    uint paint = uint(color.a * 255.0 + 0.5);
+    labels = uvec3(paint >> 3);
+    trust = float(paint & 7u) / 7.0;
 #endif
     gl_Position = clip_from_origin * vec4(position, 1.0);
 #ifndef PER_FRAGMENT

@@ -310,7 +310,11 @@ const float beside = 0.03f;  // the weight in that case
 // The background is painted from where a photo shows them for sure.
 const float background_margin = 8.0f;    // reference pixels per texel of the depth that must not show the mesh
 const float background_least = 0.001f;   // the weight next to the mesh: its silhouette is not exact
-const float background_spread = 0.25f;   // square root of light: half the weight at this distance from the quiet color
+// Seen from where no photo was taken, the background becomes calm: between these distances of the photo that shows it from the
+// viewer, times its trust, in units of the distance at which angles are measured.
+const float calm_from = 0.5f, calm_to = 1.0f;
+const float sky_distance = 100.0f;  // farther is sky, times the distance at which angles are measured
+const float sky_spread = 0.15f;     // square root of light: half the weight at this distance from the calm color
 
 const uint not_resident = 0xffffffffu;  // in place of a page's entry
 const int level_count = 12;             // of a photo's pyramid, at most
@@ -323,7 +327,7 @@ struct Photo {
     vec4 center_hull;         // camera center relative to the origin; share of the photo that the model fills
     vec4 direction;           // corrected viewing direction [P]; index in `pages` of its lens table, -1: it has none
     vec4 thumbnail;           // layer (-1: none), share of the layer's width and height, width in pixels
-    vec4 false_color;         // linear
+    vec4 false_color;         // linear; its label in the background, 0: none
     vec4 gain;                // factors to the mean photo's exposure, linear light; 2 / diagonal, 1/pixels
     vec4 vignetting;             // of the lens: ln of its loss, times r^2, r^4, r^6; square of its range (scene/package/contents/lens_table.h)
     uint color_base[level_count];  // index in `pages` of each level's first tile

@@ -249,15 +249,19 @@ void main() {
         if (hole) accumulated = vec4(exposed(bare.rgb), 1.0);
         accumulated.rgb *= background_light;
     }
-    if (hole) accumulated *= bare.a > 0.0 ? hole_weight : plain_background_weight;
+    // Where the background has no photo, its calm color is as good as the colors around, but for narrow gaps.
+    if (hole) accumulated *= bare.a == shows_background ? min(64.0 * hole_weight, 1.0) : bare.a > 0.0 ? hole_weight : plain_background_weight;
 #endif
 #ifdef TRANSPARENCY
     veil = vec4(0.0);
     clean = accumulated;
     if (shows_transparent) {
         vec4 layers = transparent_layers(at);
-        if (hole && veils_holes) veil = vec4(layers.rgb, 1.0 - layers.a);
-        else accumulated = vec4(layers.rgb + layers.a * accumulated.rgb, 1.0 - layers.a + layers.a * accumulated.a);
+        if (hole && veils_holes) {
+            // Over the part of the sample that is filled later, and over its own color.
+            veil = (1.0 - accumulated.a) * vec4(layers.rgb, 1.0 - layers.a);
+            accumulated.rgb = accumulated.a * layers.rgb + layers.a * accumulated.rgb;
+        } else accumulated = vec4(layers.rgb + layers.a * accumulated.rgb, 1.0 - layers.a + layers.a * accumulated.a);
     }
 #endif
 }

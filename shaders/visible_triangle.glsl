@@ -14,7 +14,10 @@ layout(binding = places_unit) uniform sampler2D places;  // of points in front o
 #endif
 #ifdef BACKGROUND
 layout(std430, binding = colors_buffer) readonly buffer Colors { uint colors[]; };
-vec3 quiet_color = vec3(0.0);  // square root of light
+vec3 calm_color = vec3(0.0);  // square root of light
+vec3 label_shares = vec3(0.0);  // of the three labels
+uvec3 labels = uvec3(0u);
+float trust = 0.0;
 #endif
 
 vec3 surface_position = vec3(0.0), surface_normal = vec3(0.0);
@@ -68,6 +71,12 @@ void read_surface(uint triangle, out vec3 along_x, out vec3 along_y, out vec3 ac
     surface_normal = shares.x * normal_of(v.x) + shares.y * normal_of(v.y) + shares.z * normal_of(v.z);
 #ifdef BACKGROUND
     if ((draw_photos & background_bit) == 0u) return;
-    for (int i = 0; i < 3; ++i) quiet_color += shares[i] * pow(unpackUnorm4x8(colors[v[i]]).rgb, vec3(1.1));
+    label_shares = shares;
+    for (int i = 0; i < 3; ++i) {
+        uint c = colors[v[i]];
+        calm_color += shares[i] * pow(unpackUnorm4x8(c).rgb, vec3(1.1));
+        labels[i] = c >> 27;
+        trust += shares[i] * float(c >> 24 & 7u) / 7.0;
+    }
 #endif
 }

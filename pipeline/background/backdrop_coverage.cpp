@@ -12,7 +12,6 @@ struct Seen {
     enum : std::uint8_t {
         in_front = 1,  ///< of the camera
         near = 2,      ///< in the photo, or next to it, and next to an open texel
-        open = 4,      ///< on an open texel
         left = 8,      ///< outside the photo, on this side
         right = 16,
         above = 32,
@@ -40,15 +39,10 @@ Seen seen_by(const CoarseView& v, std::span<const std::uint8_t> gaps, const Eige
               outside = std::max(std::abs(i - inside_i), std::abs(j - inside_j));
     const std::size_t at = std::size_t(inside_j) * std::size_t(v.k.width) + std::size_t(inside_i);
     if (outside <= gap_reach && gaps[at] == 1) s.is |= Seen::near;
-    if (outside == 0 && v.is_open(at)) s.is |= Seen::open;
     return s;
 }
 
 std::uint16_t unorm16(float share) { return std::uint16_t(std::clamp(share, 0.0f, 1.0f) * 65535); }
-
-void set(std::vector<std::uint64_t>& words, std::size_t first, std::uint32_t bit) {
-    words[first + bit / 64] |= std::uint64_t(1) << (bit % 64);
-}
 
 }  // namespace
 
@@ -76,15 +70,16 @@ std::vector<package::ClusterRecord> backdrop_clusters(const Backdrop& b) {
     return out;
 }
 
-BackdropCoverage backdrop_coverage(const Backdrop& b, std::span<const package::ClusterRecord> clusters,
-                                   const CoarseView& view, std::span<const std::uint8_t> gaps) {
+std::vector<package::CoverageRecord> backdrop_coverage(const Backdrop& b,
+                                                       std::span<const package::ClusterRecord> clusters,
+                                                       const CoarseView& view,
+                                                       std::span<const std::uint8_t> gaps) {
     std::vector<Seen> seen;
     seen.reserve(b.positions.size());
     for (const Eigen::Vector3f& p : b.positions) seen.push_back(seen_by(view, gaps, p));
-    const std::uint64_t words = package::visible_words(b.sphere.triangles.size());
     const Eigen::AlignedBox2f frame(Eigen::Vector2f(0, 0), Eigen::Vector2f(1, 1));
     const Eigen::Vector2f large_area(4 / float(view.k.width), 4 / float(view.k.height));
-    BackdropCoverage out{{}, std::vector<std::uint64_t>(2 * words, 0)};
+    std::vector<package::CoverageRecord> out;
     for (const package::ClusterRecord& c : clusters) {
         Eigen::AlignedBox2f box;
         std::uint32_t part = 0;
@@ -103,8 +98,6 @@ BackdropCoverage backdrop_coverage(const Backdrop& b, std::span<const package::C
             const bool large = (area.sizes().array() > large_area.array()).any();
             if (!large && !(any & Seen::near)) continue;
             ++part;
-            set(out.visible, words, t);
-            if (all & Seen::open) set(out.visible, 0, t);
             box.extend(area.intersection(frame));
             for (const std::uint32_t v : corners) density = std::max(density, seen[v].density);
         }
@@ -118,7 +111,7 @@ BackdropCoverage backdrop_coverage(const Backdrop& b, std::span<const package::C
         }
         const float level = density > 0 ? std::log2(density) : 0;
         r.log2_density = std::int16_t(std::lround(256 * std::clamp(level, -120.0f, 120.0f)));
-        out.clusters.push_back(r);
+        out.push_back(r);
     }
     return out;
 }

@@ -14,13 +14,11 @@ inline constexpr std::uint32_t backdrop_cluster = 256;
 /// The backdrop's clusters, as in CLUS; without culling by normals.
 std::vector<package::ClusterRecord> backdrop_clusters(const Backdrop& backdrop);
 
-/// What a photo sees of the backdrop, as COVR and VISB say it of the mesh: where it is in the photo and the
-/// mesh leaves it open. `gaps`: of the view.
-struct BackdropCoverage {
-    std::vector<package::CoverageRecord> clusters;
-    std::vector<std::uint64_t> visible;
-};
-BackdropCoverage backdrop_coverage(const Backdrop& backdrop, std::span<const package::ClusterRecord> clusters,
-                                   const CoarseView& view, std::span<const std::uint8_t> gaps);
+/// What a photo sees of each of the backdrop's clusters, as COVR says it of the mesh: where it is in the
+/// photo and the mesh leaves it open. `gaps`: of the view.
+std::vector<package::CoverageRecord> backdrop_coverage(const Backdrop& backdrop,
+                                                       std::span<const package::ClusterRecord> clusters,
+                                                       const CoarseView& view,
+                                                       std::span<const std::uint8_t> gaps);
 
 }  // namespace vantage

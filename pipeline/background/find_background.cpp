@@ -10,6 +10,7 @@
 #include "base/values/quantile.h"
 #include "base/values/srgb.h"
 #include "pipeline/background/backdrop_coverage.h"
+#include "pipeline/background/photo_labels.h"
 #include "pipeline/background/validate_background.h"
 #include "pipeline/refine/verdict.h"
 #include "pipeline/run/for_each_photo.h"
@@ -77,6 +78,36 @@ EffectDecision validated(const BackgroundInput& in, const CoarseViews& some, con
     return d;
 }
 
+/// Per photo the triangles all of whose corners have its label, and those with any.
+void mark_labels(const BackdropPaint& paint, std::span<const CoarseView> views, BackgroundContent& content) {
+    const std::size_t words = package::visible_words(content.triangles.size());
+    for (std::vector<std::uint64_t>& bits : content.visible) bits.assign(2 * words, 0);
+    for (std::size_t t = 0; t < content.triangles.size(); ++t) {
+        const auto& [a, b, c] = content.triangles[t];
+        const std::uint64_t bit = std::uint64_t(1) << (t % 64);
+        for (const std::uint32_t v : {a, b, c}) {
+            if (paint.view[v] == BackdropPaint::none) continue;
+            std::vector<std::uint64_t>& bits = content.visible[views[paint.view[v]].photo];
+            bits[words + t / 64] |= bit;
+            if (paint.view[a] == paint.view[b] && paint.view[b] == paint.view[c]) bits[t / 64] |= bit;
+        }
+    }
+}
+
+void add_paint(const BackdropPaint& paint, std::span<const CoarseView> views, BackgroundContent& content) {
+    mark_labels(paint, views, content);
+    content.labels.resize(content.coverage.size());
+    for (std::size_t i = 0; i < views.size(); ++i) content.labels[views[i].photo] = std::uint8_t(i + 1);
+    for (std::size_t v = 0; v < content.colors.size(); ++v) {
+        const int label = paint.view[v] == BackdropPaint::none ? 0 : paint.view[v] + 1;
+        content.colors[v][3] = std::uint8_t(8 * label + std::lround(background_trust * paint.trust[v]));
+        auto& correction = content.corrections.emplace_back();
+        for (int c = 0; c < 3; ++c)
+            correction[std::size_t(c)] = std::int8_t(
+                std::lround(std::clamp(correction_scale * paint.correction[v][c], -127.0f, 127.0f)));
+    }
+}
+
 std::vector<std::byte> chunk_of(const BackgroundInput& in, const Backdrop& backdrop,
                                 const CoarseViews& some) {
     BackgroundContent content;
@@ -85,7 +116,9 @@ std::vector<std::byte> chunk_of(const BackgroundInput& in, const Backdrop& backd
     content.clusters = backdrop_clusters(backdrop);
     content.coverage.resize(in.photos.size());
     content.visible.resize(in.photos.size());
-    std::future<std::vector<Eigen::Array3f>> quiet =
+    std::future<BackdropPaint> painting =
+        std::async(std::launch::async, [&] { return paint_backdrop(backdrop, some.views, in.threads); });
+    std::future<std::vector<Eigen::Array3f>> calm =
         std::async(std::launch::async, [&] { return calm_colors(backdrop, some.views); });
     // Some at a time: there may be many photos.
     std::vector<std::uint32_t> with_pixels;
@@ -101,12 +134,11 @@ std::vector<std::byte> chunk_of(const BackgroundInput& in, const Backdrop& backd
         const std::span<const CoarseView> views = all_known ? some.views : read;
         for_each_photo(views.size(), in.threads, [&](std::size_t i) {
             const std::vector<std::uint8_t> gaps = gaps_in(views[i], in.package, in.photos[now[i]]);
-            BackdropCoverage c = backdrop_coverage(backdrop, content.clusters, views[i], gaps);
-            content.coverage[now[i]] = std::move(c.clusters);
-            content.visible[now[i]] = std::move(c.visible);
+            content.coverage[now[i]] = backdrop_coverage(backdrop, content.clusters, views[i], gaps);
         });
     }
-    for (const Eigen::Array3f& c : quiet.get()) content.colors.push_back(srgb(c));
+    for (const Eigen::Array3f& c : calm.get()) content.colors.push_back(srgb(c));
+    add_paint(painting.get(), some.views, content);
     return background_chunk(content);
 }
 

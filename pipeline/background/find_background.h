@@ -7,13 +7,14 @@
 #include "pipeline/presentation/kind_of_scan.h"
 #include "scene/agreement/color_fit.h"
 #include "scene/agreement/surface_discs.h"
+#include "scene/package/contents/background.h"
 #include "scene/package/contents/effects.h"
 #include "scene/package/package_reader.h"
 
 namespace vantage {
 
 /// Photos from which background is estimated, at most.
-inline constexpr std::size_t max_surrounding_views = 32;
+inline constexpr std::size_t max_surrounding_views = max_background_labels;
 
 /// What background is estimated from. The spans must outlive the call.
 struct BackgroundInput {

@@ -6,6 +6,7 @@
 #include "player/plan/selection/photo_choice.h"
 #include "player/plan/selection/photo_cover.h"
 #include "player/plan/selection/shown_tiles.h"
+#include "shaders/contract.h"
 
 namespace vantage {
 namespace {
@@ -26,14 +27,25 @@ TileNeeds needs_of_clusters(const VisibleSurface& s, const PlannedPhoto& p, bool
 /// weight of 1/32 the loss of one is invisible, and at 1/128 that of two.
 double spared_levels(double weight) { return std::clamp(-std::log2(8 * weight) / 2, 0.0, 2.0); }
 
+/// The factor by which a photo outweighs the label of the background near its own camera
+/// (shaders/blend.frag).
+double own_factor(const VisibleSurface& s, std::uint32_t photo) {
+    const double apart = (s.scene.poses[photo].center() - s.eye).norm();
+    const double r = shader::own_angle * 2 * s.scene.spread / std::max(apart, 1e-30);
+    return std::min(r * r, 1e6);
+}
+
 /// The tiles of one photo that the visible points show enough of, see shown_tiles.
 TileNeeds needs_of_points(const VisibleSurface& s, const PlannedPhoto& p, double worth) {
     std::vector<float> weights(s.scene.clusters.size(), 0);
     for (std::size_t i = 0; i < p.clusters.size(); ++i) weights[p.clusters[i]] = p.weights[i];
+    const bool own = own_factor(s, p.photo) > 0.1;  // shows all of the background, whatever its labels
     std::vector<SurfaceSample> samples;
     for (std::size_t i = 0; i < s.points.samples.size(); ++i) {
         const float weight = weights[s.points.clusters[i]];
-        if (!(weight > 0) || !sees(s.scene, p.photo, s.points.triangles[i])) continue;
+        const std::uint32_t t = s.points.triangles[i];
+        if (!(weight > 0) || !(sees(s.scene, p.photo, t) || (own && t >= s.scene.first_triangle_behind())))
+            continue;
         samples.push_back(s.points.samples[i]);
         samples.back().coarser = spared_levels(weight);
     }
@@ -45,6 +57,16 @@ TileNeeds needs_of_points(const VisibleSurface& s, const PlannedPhoto& p, double
 /// it must face away from the photo, too.
 bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d& photo) {
     return !away || faces_away(c, photo);
+}
+
+/// The weight of a photo in a cluster of the background: 1 for a label that it has.
+double weight_behind(const VisibleSurface& s, std::uint32_t photo, const package::ClusterRecord& c) {
+    constexpr double least = 1.0 / 256;
+    const std::size_t words = package::visible_words(s.scene.triangles);
+    const auto labelled = s.scene.visible[photo].subspan(words, words);
+    const double own = own_factor(s, photo),
+                 weight = own + (count_bits(labelled, c.first_triangle, c.triangles) > 0);
+    return weight > least ? weight : -1;
 }
 
 /// Assigns each cluster to the chosen photos that see it. With `worth`, omits photos whose weight relative to
@@ -68,6 +90,12 @@ void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
             weights[i] = -1;
             const std::uint32_t p = photos[i].photo;
             if (s.scene.coverage[p][index].seen == 0 || !same_side(c, away, centers[i])) continue;
+            if (index >= s.scene.first_surrounding) {
+                weights[i] = weight_behind(s, p, c);
+                best = std::max(best, weights[i]);
+                continue;
+            }
+            if (photos[i].paints) continue;
             // The angle may be smaller elsewhere in the cluster, or the best photo's larger.
             const double turn =
                 c.radius * std::abs(1 / (center(c) - s.eye).norm() - 1 / (center(c) - centers[i]).norm());
@@ -97,7 +125,7 @@ Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& set
         context.chosen ? *context.chosen : choose_photos(surface, settings, allowed, context.previous);
     plan.uncovered = plan.choice.uncovered;
     for (const ChosenPhoto& c : plan.choice.photos)
-        plan.photos.push_back({c.photo, c.agreement, {}, {}, {}, {}});
+        plan.photos.push_back({c.photo, c.agreement, c.paints, {}, {}, {}, {}});
     assign_clusters(surface, settings, plan.photos);
     for (PlannedPhoto& p : plan.photos) {
         if (!settings.tiles) break;

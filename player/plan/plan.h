@@ -14,6 +14,7 @@ namespace vantage {
 struct PlannedPhoto {
     std::uint32_t photo;
     double agreement;                     ///< with the view, see agreement(), in [0, 1]
+    bool paints;                          ///< the background alone
     std::vector<std::uint32_t> clusters;  ///< drawn with this photo, ascending
     std::vector<float> weights;           ///< of each, relative to the best photo's, at most 1
     TileNeeds needs;                      ///< for clusters that are seen, see make_plan

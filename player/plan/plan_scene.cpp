@@ -49,6 +49,8 @@ void join_geometry(PlanScene& s, const BackgroundContent& content) {
     s.indices = indices;
     s.triangles = indices.size() / 3;
     s.surrounding_colors = content.colors;
+    s.surrounding_corrections = content.corrections;
+    s.labels = content.labels;
 }
 
 /// Of the first image set, whose photos show the background.

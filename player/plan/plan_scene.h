@@ -40,7 +40,10 @@ struct PlanScene {
     }
     /// The background is clusters, triangles and vertices behind those of the mesh.
     std::uint32_t first_surrounding = ~0u;  ///< cluster; beyond all if there are no background
-    std::vector<std::array<std::uint8_t, 4>> surrounding_colors;  ///< one per vertex of theirs
+    // One per vertex of the background, see BackgroundContent.
+    std::vector<std::array<std::uint8_t, 4>> surrounding_colors;
+    std::vector<std::array<std::int8_t, 4>> surrounding_corrections;
+    std::vector<std::uint8_t> labels;  ///< per photo; empty without a background
     /// What the spans show if there is a background.
     struct Joined {
         std::vector<Eigen::Vector3f> positions;
@@ -49,6 +52,10 @@ struct PlanScene {
         std::vector<std::vector<std::uint64_t>> visible;
     } joined;
     bool has_background() const { return first_surrounding < clusters.size(); }
+    /// Triangle of the background; beyond all if there is none.
+    std::size_t first_triangle_behind() const {
+        return has_background() ? clusters[first_surrounding].first_triangle : triangles;
+    }
 };
 /// Throws Error(damaged).
 PlanScene make_plan_scene(const PackageReader& package);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/text/error.h"
+#include "scene/package/contents/background.h"
 #include "shaders/contract.h"
 
 namespace vantage {
@@ -17,19 +18,12 @@ using package::Type;
 
 namespace {
 
-/// Of the mesh, as stored; of the background, inward.
+/// Of the mesh, as stored. Of the background, which needs none, the corrections of its color.
 std::vector<Eigen::Vector3f> normals_of(const PackageReader& package, const PlanScene& scene) {
     const auto stored = package.records<Eigen::Vector3f>(Type::normals);
     std::vector<Eigen::Vector3f> out(stored.begin(), stored.end());
-    out.resize(scene.positions.size(), Eigen::Vector3f::Zero());
-    for (std::size_t t = scene.clusters[scene.first_surrounding].first_triangle; t < scene.triangles; ++t) {
-        const std::uint32_t* v = &scene.indices[3 * t];
-        const Eigen::Vector3f a = scene.positions[v[0]];
-        const Eigen::Vector3f n =
-            (scene.positions[v[1]] - a).cross(scene.positions[v[2]] - a).stableNormalized();
-        for (int i = 0; i < 3; ++i) out[v[i]] += n;
-    }
-    for (std::size_t v = stored.size(); v < out.size(); ++v) out[v].stableNormalize();
+    for (const auto& c : scene.surrounding_corrections)
+        out.push_back(Eigen::Vector3f(c[0], c[1], c[2]) / correction_scale);
     package.forget(std::as_bytes(stored));
     return out;
 }

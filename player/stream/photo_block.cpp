@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-PhotoBlock make_photo_block(const package::PhotoRecord& p, std::uint32_t index) {
+PhotoBlock make_photo_block(const package::PhotoRecord& p, std::uint32_t index, std::uint8_t label) {
     PhotoBlock b{};
     const Pose pose = cam_from_origin(p);
     const Eigen::Vector3d center = pose.center();
@@ -36,6 +36,7 @@ PhotoBlock make_photo_block(const package::PhotoRecord& p, std::uint32_t index) 
         b.gain[i] = float(p.gain[i]);
         b.vignetting[i] = p.vignetting[i];
     }
+    b.false_color[3] = float(label);
     b.gain[3] = float(2 / std::hypot(p.width, p.height));
     return b;
 }

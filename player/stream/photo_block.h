@@ -11,8 +11,9 @@ namespace vantage {
 using PhotoBlock = shader::Photo;
 static_assert(shader::level_count == max_levels);
 
-/// The fields that do not change from frame to frame; no thumbnail, nothing resident.
-PhotoBlock make_photo_block(const package::PhotoRecord& photo, std::uint32_t index);
+/// The fields that do not change from frame to frame; no thumbnail, nothing resident. `label`: see
+/// BackgroundContent.
+PhotoBlock make_photo_block(const package::PhotoRecord& photo, std::uint32_t index, std::uint8_t label = 0);
 
 /// A color that distinguishes photo `index` from the others, sRGB in [0, 1].
 struct FalseColor {

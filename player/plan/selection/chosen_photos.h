@@ -6,7 +6,8 @@ namespace vantage {
 
 struct ChosenPhoto {
     std::uint32_t photo;
-    double agreement;  ///< with the view, see agreement()
+    double agreement;     ///< with the view, see agreement()
+    bool paints = false;  ///< the background alone
     bool operator==(const ChosenPhoto&) const = default;
 };
 

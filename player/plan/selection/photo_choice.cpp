@@ -35,14 +35,18 @@ std::vector<Candidate> candidates(const VisibleSurface& s, std::span<const std::
 CoverProblem cover_problem(const VisibleSurface& s, const std::vector<Candidate>& candidates) {
     CoverProblem problem;
     const std::size_t step = std::max<std::size_t>(1, s.triangles.size() / 16384);
+    const std::size_t behind = s.scene.first_triangle_behind();
     for (std::size_t i = 0; i < s.triangles.size(); i += step)
-        if (!problem.runs.empty() && problem.runs.back().first == s.triangles[i])
+        if (s.triangles[i] >= behind)
+            continue;
+        else if (!problem.runs.empty() && problem.runs.back().first == s.triangles[i])
             ++problem.runs.back().area;
         else
             problem.runs.push_back({s.triangles[i], 1, 1});
     // While the visible triangles are unknown, a sample of the clusters in view is good enough.
     const std::size_t every = std::max<std::size_t>(1, s.clusters.size() / 128);
     for (std::size_t i = 0; s.triangles.empty() && i < s.clusters.size(); i += every) {
+        if (s.clusters[i] >= s.scene.first_surrounding) continue;
         const package::ClusterRecord& c = s.scene.clusters[s.clusters[i]];
         problem.runs.push_back({c.first_triangle, c.triangles, s.areas[i] / c.triangles});
     }
@@ -54,6 +58,23 @@ CoverProblem cover_problem(const VisibleSurface& s, const std::vector<Candidate>
         problem.sets.push_back({bits.first(words), bits.subspan(words, words), preference});
     }
     return problem;
+}
+
+/// Whether the background in view has labels of a photo.
+bool paints(const VisibleSurface& s, std::uint32_t photo) {
+    if (!s.triangles.empty()) {
+        constexpr double least = 0.001;  // of the frame
+        const auto shown = std::ranges::count_if(s.triangles, [&](std::uint32_t t) {
+            return t >= s.scene.first_triangle_behind() && sees(s.scene, photo, t);
+        });
+        return double(shown) > least * double(s.triangles.size());
+    }
+    const std::size_t words = package::visible_words(s.scene.triangles);
+    return std::ranges::any_of(s.clusters, [&](std::uint32_t index) {
+        const package::ClusterRecord& c = s.scene.clusters[index];
+        return index >= s.scene.first_surrounding &&
+               count_bits(s.scene.visible[photo].subspan(words, words), c.first_triangle, c.triangles) > 0;
+    });
 }
 
 }  // namespace
@@ -73,6 +94,9 @@ PhotoChoice choose_photos(const VisibleSurface& s, const PlanSettings& settings,
         if (within(all[i]) && !std::ranges::count(chosen, i)) chosen.push_back(i);
     PhotoChoice out{{}, uncovered_share(problem, chosen)};
     for (const std::size_t i : chosen) out.photos.push_back({all[i].photo, all[i].agreement});
+    for (std::size_t i = 0; i < all.size() && s.scene.has_background(); ++i)
+        if (!std::ranges::count(chosen, i) && paints(s, all[i].photo))
+            out.photos.push_back({all[i].photo, all[i].agreement, true});
     std::ranges::stable_sort(out.photos, std::ranges::greater{}, &ChosenPhoto::agreement);
     return out;
 }

@@ -37,9 +37,11 @@ void uniform(GLint location, const Eigen::Vector3d& v) {
     glUniform3f(location, float(v.x()), float(v.y()), float(v.z()));
 }
 
-std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos) {
+std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos,
+                                    std::span<const std::uint8_t> labels) {
     std::vector<PhotoBlock> out;
-    for (std::uint32_t i = 0; i < photos.size(); ++i) out.push_back(make_photo_block(photos[i], i));
+    for (std::uint32_t i = 0; i < photos.size(); ++i)
+        out.push_back(make_photo_block(photos[i], i, i < labels.size() ? labels[i] : 0));
     return out;
 }
 
@@ -75,12 +77,14 @@ PhotoPasses::PhotoPasses(const PackageReader& package, const PlanScene& scene, c
       clusters_(&clusters),
       parts_(&parts),
       trials_(&trials),
-      blocks_(make_blocks(scene.photos)),
+      blocks_(make_blocks(scene.photos, scene.labels)),
       ring_("frame constants", photo_bytes(store.pages(), scene.clusters.size(),
                                            effect_on(package.scene(), Effect::undistortion))),
       no_vertices_(gl::make_vertex_array("no vertices")) {}
 
-void PhotoPasses::use_records(std::span<const package::PhotoRecord> photos) { blocks_ = make_blocks(photos); }
+void PhotoPasses::use_records(std::span<const package::PhotoRecord> photos) {
+    blocks_ = make_blocks(photos, scene_->labels);
+}
 
 bool PhotoPasses::per_fragment(const RenderSettings& settings) const {
     if (points_only(package_->scene()) || !has_coordinates(*package_)) return true;

@@ -34,7 +34,7 @@ std::vector<T> take(std::span<const std::byte>& bytes, std::size_t count) {
 std::uint64_t size_of(const BackgroundRecord& r) {
     return sizeof r +
            r.photos * (16 * package::visible_words(r.triangles) + r.clusters * sizeof(CoverageRecord)) +
-           r.vertices * 16 + r.triangles * 12 + r.clusters * sizeof(ClusterRecord);
+           r.vertices * 20 + r.photos + r.triangles * 12 + r.clusters * sizeof(ClusterRecord);
 }
 
 /// What is wrong with the content; empty if nothing is.
@@ -68,6 +68,8 @@ std::vector<std::byte> background_chunk(const BackgroundContent& s) {
     put(out, s.triangles, s.triangles.size());
     put(out, s.clusters, s.clusters.size());
     put(out, s.colors, s.colors.size());
+    put(out, s.corrections, s.colors.size());
+    put(out, s.labels, s.coverage.size());
     for (const auto& photo : s.coverage) put(out, photo, s.clusters.size());
     return out;
 }
@@ -92,6 +94,8 @@ std::optional<BackgroundContent> read_background(const PackageReader& package) {
     s.triangles = take<std::array<std::uint32_t, 3>>(rest, r.triangles);
     s.clusters = take<ClusterRecord>(rest, r.clusters);
     s.colors = take<std::array<std::uint8_t, 4>>(rest, r.vertices);
+    s.corrections = take<std::array<std::int8_t, 4>>(rest, r.vertices);
+    s.labels = take<std::uint8_t>(rest, r.photos);
     for (std::uint64_t p = 0; p < r.photos; ++p) s.coverage.push_back(take<CoverageRecord>(rest, r.clusters));
     if (const char* why = problem(s); *why) throw fail(why);
     return s;

@@ -11,12 +11,20 @@
 
 namespace vantage {
 
+inline constexpr int max_background_labels = 31;
+inline constexpr float background_trust = 7, correction_scale = 500;
+
 /// A backdrop around scene and cameras, for what photos show beside the mesh.
 struct BackgroundContent {
     std::vector<Eigen::Vector3f> positions;               ///< relative to the origin
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of these; counterclockwise seen from inside
     std::vector<package::ClusterRecord> clusters;         ///< of these triangles, in order, all of them
-    std::vector<std::array<std::uint8_t, 4>> colors;      ///< per vertex: sRGB where no photo shows it
+    /// Per vertex: the calm color, sRGB; the label of the photo that shows it times 8, plus its trust, 0
+    /// to 7.
+    std::vector<std::array<std::uint8_t, 4>> colors;
+    /// Per vertex: added to that photo's color, square roots of light times `correction_scale`; 0.
+    std::vector<std::array<std::int8_t, 4>> corrections;
+    std::vector<std::uint8_t> labels;  ///< per photo, 1 to 31; 0: it shows only its own view
     std::vector<std::vector<package::CoverageRecord>> coverage;  ///< per photo and cluster; may be empty
     std::vector<std::vector<std::uint64_t>> visible;             ///< per photo, as VISB; may be empty
 };
