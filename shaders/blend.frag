@@ -40,6 +40,7 @@ layout(location = sharpness_uniform) uniform float sharpness;           // radia
 layout(location = lod_bias_uniform) uniform float lod_bias;
 #ifdef BACKGROUND
 layout(location = background_distance_uniform) uniform float background_distance;
+layout(location = viewer_away_uniform) uniform float viewer_away;  // from the nearest camera, in this unit
 #endif
 layout(location = blend_show_uniform) uniform uint show;
 #ifdef TAKES_ONE
@@ -132,9 +133,8 @@ vec2 background_weights(uint photo, float theta, float open) {
 
 // Square root of the color that these weights give, of that of the photo: by its label it continues other photos' colors, and
 // is calm where it is not to be trusted.
-vec3 background_root(uint photo, vec3 root, vec2 w) {
-    float sure = max(trust, 1e-3), away = distance(weight_eye, photos[photo].center_hull.xyz) / background_distance;
-    float share = 1.0 - smoothstep(calm_from * sure, calm_to * sure, away);
+vec3 background_root(vec3 root, vec2 w) {
+    float sure = max(trust, 1e-3), share = 1.0 - smoothstep(calm_from * sure, calm_to * sure, viewer_away);
     vec3 painted = root + surface_normal, off = (painted - calm_color) / sky_spread;
     // What stands out from the sky is not infinitely far, and would be doubled.
     if (distance(surface_position, weight_eye) > sky_distance * background_distance) share /= 1.0 + dot(off, off);
@@ -345,7 +345,7 @@ void main() {
         // When photos are counted, all have the same weight.
         vec3 root = sqrt(c.rgb);
 #ifdef BACKGROUND
-        if (surrounds() && show == show_colors) root = background_root(photo, root, behind);
+        if (surrounds() && show == show_colors) root = background_root(root, behind);
 #endif
         accumulated += show == show_coverage ? vec4(c.a) : vec4(root, 1.0) * w * c.a;
 #endif
@@ -355,7 +355,7 @@ void main() {
         vec4 c = as_shown(uint(chosen), photo_color(uint(chosen), chosen_pixel, chosen_footprint, chosen_theta));
 #ifdef BACKGROUND
         if (surrounds() && show == show_colors) {
-            vec3 root = background_root(uint(chosen), sqrt(c.rgb), chosen_behind);
+            vec3 root = background_root(sqrt(c.rgb), chosen_behind);
             c.rgb = root * root;
         }
 #endif

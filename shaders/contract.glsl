@@ -83,6 +83,7 @@ const int blend_show_uniform = 9;
 const int first_layers_uniform = 10;
 const int weight_eye_uniform = 11;
 const int background_distance_uniform = 13;
+const int viewer_away_uniform = 31;
 const int field_scale_uniform = 14;
 const int isolines_uniform = 15;
 // Of surface: the kind of light; arrays of EYES.
@@ -310,8 +311,8 @@ const float beside = 0.03f;  // the weight in that case
 // The background is painted from where a photo shows them for sure.
 const float background_margin = 8.0f;    // reference pixels per texel of the depth that must not show the mesh
 const float background_least = 0.001f;   // the weight next to the mesh: its silhouette is not exact
-// Seen from where no photo was taken, the background becomes calm: between these distances of the photo that shows it from the
-// viewer, times its trust, in units of the distance at which angles are measured.
+// Seen from where no photo was taken, the background becomes calm: between these distances of the viewer from the nearest camera,
+// times its trust, in units of the distance at which angles are measured.
 const float calm_from = 0.5f, calm_to = 1.0f;
 const float sky_distance = 100.0f;  // farther is sky, times the distance at which angles are measured
 const float sky_spread = 0.15f;     // square root of light: half the weight at this distance from the calm color

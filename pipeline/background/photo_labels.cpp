@@ -270,7 +270,7 @@ std::vector<Eigen::Array3f> refined(const std::vector<Eigen::Array3f>& coarse, c
 /// 0 in directions outside of all photos, 1 some steps from there in those inside of at least three.
 std::vector<float> trust_of(const DirectionSphere& sphere, const Labels& labels,
                             const std::vector<std::vector<Shown>>& shown) {
-    constexpr float of_few[] = {0, 0.5f, 0.8f, 1};  // views
+    constexpr float of_few[] = {0, 0.7f, 0.9f, 1};  // views
     constexpr int steps = 2;
     std::vector<int> away(labels.size(), steps + 1);
     std::vector<std::ptrdiff_t> inside;
@@ -284,7 +284,7 @@ std::vector<float> trust_of(const DirectionSphere& sphere, const Labels& labels,
                 }))
                 away[d] = step;
     std::vector<float> out;
-    constexpr float of_steps[] = {0, 0.4f, 0.7f, 1};
+    constexpr float of_steps[] = {0, 0.7f, 0.85f, 1};
     for (std::size_t d = 0; d < labels.size(); ++d)
         out.push_back(std::min(of_steps[away[d]], of_few[std::min<std::ptrdiff_t>(inside[d], 3)]));
     return out;

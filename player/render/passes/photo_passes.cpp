@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "player/render/passes/blend_table.h"
 #include "scene/package/contents/point_cloud.h"
@@ -228,8 +229,14 @@ void PhotoPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const 
     glUniform1f(shader::sharpness_uniform, float(settings.weights.sharpness));
     glUniform1f(shader::lod_bias_uniform, float(settings.lod_bias - std::log2(drawn.side)));
     glUniform1ui(shader::blend_show_uniform, GLuint(settings.show));
-    if (shows_background(settings, *parts_))
-        glUniform1f(shader::background_distance_uniform, float(2 * scene_->spread));
+    if (shows_background(settings, *parts_)) {
+        const double unit = 2 * scene_->spread;
+        double away = std::numeric_limits<double>::infinity();
+        for (const Pose& pose : scene_->poses)
+            away = std::min(away, (pose.center() - weighted_from.cam_from_origin.center()).norm());
+        glUniform1f(shader::background_distance_uniform, float(unit));
+        glUniform1f(shader::viewer_away_uniform, float(std::min(away / std::max(unit, 1e-30), 1e6)));
+    }
     if (trace_) {
         const ResidencyLayout& layout = store_->residency().layout();
         glUniform2ui(shader::first_layers_uniform, layout.color, layout.color + layout.weight_maps);
