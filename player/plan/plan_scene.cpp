@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scene/package/contents/background.h"
 #include "scene/package/contents/opaque_part.h"
@@ -82,6 +83,13 @@ void join(PlanScene& s, const BackgroundContent& content) {
 }
 
 }  // namespace
+
+double distance_from_cameras(const PlanScene& s, const Eigen::Vector3d& eye) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < s.poses.size(); ++i)
+        if (s.photos[i].image_set == 0) nearest = std::min(nearest, (s.poses[i].center() - eye).norm());
+    return nearest;
+}
 
 PlanScene make_plan_scene(const PackageReader& package) {
     using package::Type;

@@ -57,6 +57,9 @@ struct PlanScene {
         return has_background() ? clusters[first_surrounding].first_triangle : triangles;
     }
 };
+/// From the nearest camera of the first image set, whose photos show the background; infinite without any.
+double distance_from_cameras(const PlanScene& scene, const Eigen::Vector3d& eye);
+
 /// Throws Error(damaged).
 PlanScene make_plan_scene(const PackageReader& package);
 

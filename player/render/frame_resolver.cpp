@@ -23,11 +23,7 @@ constexpr float dimmed_light = 0.2f;  ///< of the dimmed background
 /// 1 where photos were taken, 0 farther from all of them than they are spread: in between, one may have left
 /// the background in one direction while still inside in others.
 double nearness_to_photos(const PlanScene& scene, const Eigen::Vector3d& eye) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < scene.poses.size(); ++i)
-        if (scene.photos[i].image_set == 0)
-            nearest = std::min(nearest, (scene.poses[i].center() - eye).norm());
-    return scene.spread > 0 ? std::clamp(2 - nearest / scene.spread, 0.0, 1.0) : 0;
+    return scene.spread > 0 ? std::clamp(2 - distance_from_cameras(scene, eye) / scene.spread, 0.0, 1.0) : 0;
 }
 
 gl::Program make_show_program(const PackageReader& package, const PlanScene& scene) {

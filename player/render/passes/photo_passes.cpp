@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "player/render/passes/blend_table.h"
 #include "scene/package/contents/point_cloud.h"
@@ -231,9 +230,7 @@ void PhotoPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const 
     glUniform1ui(shader::blend_show_uniform, GLuint(settings.show));
     if (shows_background(settings, *parts_)) {
         const double unit = 2 * scene_->spread;
-        double away = std::numeric_limits<double>::infinity();
-        for (const Pose& pose : scene_->poses)
-            away = std::min(away, (pose.center() - weighted_from.cam_from_origin.center()).norm());
+        const double away = distance_from_cameras(*scene_, weighted_from.cam_from_origin.center());
         glUniform1f(shader::background_distance_uniform, float(unit));
         glUniform1f(shader::viewer_away_uniform, float(std::min(away / std::max(unit, 1e-30), 1e6)));
     }
