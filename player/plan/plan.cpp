@@ -59,13 +59,11 @@ bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d
     return !away || faces_away(c, photo);
 }
 
-/// The weight of a photo in a cluster of the background: 1 for a label that it has.
-double weight_behind(const VisibleSurface& s, std::uint32_t photo, const package::ClusterRecord& c) {
+/// The weight of a photo in a cluster of the background: 1 for a label that it has. `own`: see own_factor.
+double weight_behind(const PlanScene& scene, std::uint32_t photo, const package::ClusterRecord& c,
+                     double own) {
     constexpr double least = 1.0 / 256;
-    const std::size_t words = package::visible_words(s.scene.triangles);
-    const auto labelled = s.scene.visible[photo].subspan(words, words);
-    const double own = own_factor(s, photo),
-                 weight = own + (count_bits(labelled, c.first_triangle, c.triangles) > 0);
+    const double weight = own + has_label(scene, photo, c);
     return weight > least ? weight : -1;
 }
 
@@ -77,7 +75,11 @@ void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
     const double least = !(settings.worth > 0) ? 0 : settings.reduced ? 0.3 : 1.0 / 1024;
     const std::size_t words = package::visible_words(s.scene.triangles);
     std::vector<Eigen::Vector3d> centers;
-    for (const PlannedPhoto& p : photos) centers.push_back(s.scene.poses[p.photo].center());
+    std::vector<double> own;
+    for (const PlannedPhoto& p : photos) {
+        centers.push_back(s.scene.poses[p.photo].center());
+        own.push_back(own_factor(s, p.photo));
+    }
     std::vector<double> weights(photos.size());
     for (const std::uint32_t index : s.clusters) {
         const package::ClusterRecord& c = s.scene.clusters[index];
@@ -91,7 +93,7 @@ void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
             const std::uint32_t p = photos[i].photo;
             if (s.scene.coverage[p][index].seen == 0 || !same_side(c, away, centers[i])) continue;
             if (index >= s.scene.first_surrounding) {
-                weights[i] = weight_behind(s, p, c);
+                weights[i] = weight_behind(s.scene, p, c, own[i]);
                 best = std::max(best, weights[i]);
                 continue;
             }

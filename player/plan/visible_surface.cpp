@@ -6,6 +6,8 @@
 #include <iterator>
 #include <numbers>
 
+#include "player/plan/selection/photo_cover.h"
+
 namespace vantage {
 namespace {
 
@@ -105,6 +107,11 @@ double agreement(const VisibleSurface& s, std::uint32_t photo) {
 
 bool sees(const PlanScene& scene, std::uint32_t photo, std::uint32_t t) {
     return scene.visible[photo][package::visible_words(scene.triangles) + t / 64] >> (t % 64) & 1;
+}
+
+bool has_label(const PlanScene& scene, std::uint32_t photo, const package::ClusterRecord& c) {
+    const std::size_t words = package::visible_words(scene.triangles);
+    return count_bits(scene.visible[photo].subspan(words, words), c.first_triangle, c.triangles) > 0;
 }
 
 double ray_angle(const Eigen::Vector3d& point, const Eigen::Vector3d& eye, const Eigen::Vector3d& photo) {

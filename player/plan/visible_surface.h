@@ -41,6 +41,9 @@ double agreement(const VisibleSurface& surface, std::uint32_t photo);
 /// The photo sees a triangle at least in part.
 bool sees(const PlanScene& scene, std::uint32_t photo, std::uint32_t triangle);
 
+/// A triangle of a cluster of the background has the photo's label.
+bool has_label(const PlanScene& scene, std::uint32_t photo, const package::ClusterRecord& cluster);
+
 /// Angle between the rays from a point to the viewer and to a photo, radians.
 double ray_angle(const Eigen::Vector3d& point, const Eigen::Vector3d& eye, const Eigen::Vector3d& photo);
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "player/plan/selection/photo_cover.h"
 
@@ -60,20 +61,24 @@ CoverProblem cover_problem(const VisibleSurface& s, const std::vector<Candidate>
     return problem;
 }
 
-/// Whether the background in view has labels of a photo.
-bool paints(const VisibleSurface& s, std::uint32_t photo) {
+/// The triangles of the background that are seen, with repetitions.
+std::vector<std::uint32_t> triangles_behind(const VisibleSurface& s) {
+    std::vector<std::uint32_t> out;
+    const std::size_t first = s.scene.first_triangle_behind();
+    std::ranges::copy_if(s.triangles, std::back_inserter(out), [&](std::uint32_t t) { return t >= first; });
+    return out;
+}
+
+/// Whether the background in view has labels of a photo. `behind`: see triangles_behind.
+bool paints(const VisibleSurface& s, std::span<const std::uint32_t> behind, std::uint32_t photo) {
     if (!s.triangles.empty()) {
         constexpr double least = 0.001;  // of the frame
-        const auto shown = std::ranges::count_if(s.triangles, [&](std::uint32_t t) {
-            return t >= s.scene.first_triangle_behind() && sees(s.scene, photo, t);
-        });
+        const auto shown =
+            std::ranges::count_if(behind, [&](std::uint32_t t) { return sees(s.scene, photo, t); });
         return double(shown) > least * double(s.triangles.size());
     }
-    const std::size_t words = package::visible_words(s.scene.triangles);
     return std::ranges::any_of(s.clusters, [&](std::uint32_t index) {
-        const package::ClusterRecord& c = s.scene.clusters[index];
-        return index >= s.scene.first_surrounding &&
-               count_bits(s.scene.visible[photo].subspan(words, words), c.first_triangle, c.triangles) > 0;
+        return index >= s.scene.first_surrounding && has_label(s.scene, photo, s.scene.clusters[index]);
     });
 }
 
@@ -94,8 +99,9 @@ PhotoChoice choose_photos(const VisibleSurface& s, const PlanSettings& settings,
         if (within(all[i]) && !std::ranges::count(chosen, i)) chosen.push_back(i);
     PhotoChoice out{{}, uncovered_share(problem, chosen)};
     for (const std::size_t i : chosen) out.photos.push_back({all[i].photo, all[i].agreement});
+    const std::vector<std::uint32_t> behind = triangles_behind(s);
     for (std::size_t i = 0; i < all.size() && s.scene.has_background(); ++i)
-        if (!std::ranges::count(chosen, i) && paints(s, all[i].photo))
+        if (!std::ranges::count(chosen, i) && paints(s, behind, all[i].photo))
             out.photos.push_back({all[i].photo, all[i].agreement, true});
     std::ranges::stable_sort(out.photos, std::ranges::greater{}, &ChosenPhoto::agreement);
     return out;
