@@ -47,12 +47,8 @@ Eigen::Array4f median_color(const Backdrop& b, std::span<const CoarseView> views
     colors.clear();
     for (std::size_t i = 0; i < views.size(); ++i) {
         const CoarseView& v = views[i];
-        const Eigen::Vector3f p = in_camera(v, b.positions[direction]);
-        const ViewSample s = sample(v, p, 1);
-        if (s.kind != ViewSample::open) continue;
-        const auto x = std::size_t(float(v.k.fx) * p.x() / p.z() + float(v.k.cx)),
-                   y = std::size_t(float(v.k.fy) * p.y() / p.z() + float(v.k.cy));
-        if (b.is_sky[direction] && !b.sky.masks[i][y * std::size_t(v.k.width) + x]) continue;
+        const ViewSample s = sample(v, in_camera(v, b.positions[direction]), 1);
+        if (s.kind != ViewSample::open || (b.is_sky[direction] && !b.sky.at(i, v, s))) continue;
         colors.push_back(root_of(s.ln));
     }
     Eigen::Array4f out = Eigen::Array4f::Zero();
@@ -116,14 +112,15 @@ Backdrop estimate_backdrop(std::span<const CoarseView> views, const MeshPlanes& 
     SweptDepths depths = sweep_depths(views, out.sphere, planes, detail.labels, threads);
     out.center = depths.center;
     std::vector<float> inverse = inverse_distances(depths, out.sphere);
-    const std::vector<Plane> beyond = walls_beyond(depths, out.sphere, inverse, down_direction(views, mesh));
+    const Eigen::Vector3d down = down_direction(views, mesh);
+    const std::vector<Plane> beyond = walls_beyond(depths, out.sphere, inverse, down);
     if (!beyond.empty()) {
         prefer_planes(depths, views, out.sphere, beyond, threads);
         planes.walls.insert(planes.walls.end(), beyond.begin(), beyond.end());
         inverse = inverse_distances(depths, out.sphere);
     }
-    out.sky = {down_direction(views, mesh).cast<float>(), {}};
-    if (detail.sky) out.sky = find_sky(views, depths, out.sphere, inverse, down_direction(views, mesh));
+    out.sky.down = down.cast<float>();
+    if (detail.sky) out.sky = find_sky(views, depths, out.sphere, inverse, down);
     move_sky_away(out, views, depths, inverse, threads);
     for (int l = 0; l < detail.refinements; ++l) {
         DirectionSphere fine = divided(out.sphere);

@@ -41,8 +41,6 @@ class Photos {
             to_mesh_.push_back(distance);
         }
     }
-    std::size_t count() const { return views_.size(); }
-
     /// What all views show of a direction.
     void show(std::uint32_t d, std::vector<Shown>& out) const {
         out.assign(views_.size(), Shown{});
@@ -58,9 +56,7 @@ class Photos {
             const ViewSample s = sample(v, p, 1);
             out[i].inside = s.kind != ViewSample::nothing;
             if (s.kind != ViewSample::open) continue;
-            const float x = float(v.k.fx) * p.x() / p.z() + float(v.k.cx),
-                        y = float(v.k.fy) * p.y() / p.z() + float(v.k.cy);
-            const float mesh = to_mesh_[i](int(y), int(x)),
+            const float x = s.pixel.x(), y = s.pixel.y(), mesh = to_mesh_[i](int(y), int(x)),
                         frame = std::min({x, y, float(v.k.width) - x, float(v.k.height) - y});
             out[i].color = root_of(s.ln);
             out[i].cost = next_to_mesh * std::max(0.0f, 1 - mesh / mesh_reach) +
@@ -68,8 +64,7 @@ class Photos {
             colors.push_back(out[i].color);
             densities[i] = float(v.k.fx) / p.z() / float(v.k.width);
             finest = std::max(finest, densities[i]);
-            if (backdrop_.sky.any())
-                sky[i] = backdrop_.sky.masks[i][std::size_t(y) * std::size_t(v.k.width) + std::size_t(x)];
+            sky[i] = backdrop_.sky.at(i, v, s);
             any_sky |= sky[i];
         }
         if (colors.empty()) return;
@@ -208,7 +203,7 @@ std::vector<Eigen::Array3f> coarse_corrections(const DirectionSphere& sphere, co
     constexpr int rounds = 120;
     constexpr float reach = 10, relaxation = 1.6f, most = 0.2f, doubtful = 0.1f;
     struct Edge {
-        std::uint32_t u, v;
+        std::uint32_t v;
         float weight;
         Eigen::Array3f step;  ///< x_u - x_v
     };
@@ -216,7 +211,7 @@ std::vector<Eigen::Array3f> coarse_corrections(const DirectionSphere& sphere, co
     for (std::uint32_t u = 0; u < labels.size(); ++u)
         for (const std::uint32_t v : sphere.neighbors[u]) {
             if (labels[u] == none || v == DirectionSphere::none || labels[v] == none) continue;
-            Edge e{u, v, 1, Eigen::Array3f::Zero()};
+            Edge e{v, 1, Eigen::Array3f::Zero()};
             if (const auto a = labels[u], b = labels[v]; a != b) {
                 int known = 0;
                 for (const std::uint32_t d : {u, v})
@@ -268,24 +263,23 @@ std::vector<Eigen::Array3f> refined(const std::vector<Eigen::Array3f>& coarse, c
 }
 
 /// 0 in directions outside of all photos, 1 some steps from there in those inside of at least three.
-std::vector<float> trust_of(const DirectionSphere& sphere, const Labels& labels,
-                            const std::vector<std::vector<Shown>>& shown) {
+std::vector<float> trust_of(const DirectionSphere& sphere, const std::vector<std::vector<Shown>>& shown) {
     constexpr float of_few[] = {0, 0.7f, 0.9f, 1};  // views
     constexpr int steps = 2;
-    std::vector<int> away(labels.size(), steps + 1);
+    std::vector<int> away(shown.size(), steps + 1);
     std::vector<std::ptrdiff_t> inside;
     for (const auto& views : shown) inside.push_back(std::ranges::count_if(views, &Shown::inside));
-    for (std::size_t d = 0; d < labels.size(); ++d)
+    for (std::size_t d = 0; d < away.size(); ++d)
         if (inside[d] == 0) away[d] = 0;
     for (int step = 1; step <= steps; ++step)
-        for (std::size_t d = 0; d < labels.size(); ++d)
+        for (std::size_t d = 0; d < away.size(); ++d)
             if (away[d] > step && std::ranges::any_of(sphere.neighbors[d], [&](std::uint32_t n) {
                     return n != DirectionSphere::none && away[n] == step - 1;
                 }))
                 away[d] = step;
     std::vector<float> out;
     constexpr float of_steps[] = {0, 0.7f, 0.85f, 1};
-    for (std::size_t d = 0; d < labels.size(); ++d)
+    for (std::size_t d = 0; d < away.size(); ++d)
         out.push_back(std::min(of_steps[away[d]], of_few[std::min<std::ptrdiff_t>(inside[d], 3)]));
     return out;
 }
@@ -304,7 +298,7 @@ BackdropPaint paint_backdrop(const Backdrop& backdrop, std::span<const CoarseVie
     Cuts cuts(sphere, shown, labels);
     for (int round = 0; round < rounds_of_cuts; ++round)
         for (std::size_t l = 0; l < views.size(); ++l) cuts.expand(std::uint8_t(l));
-    BackdropPaint out{labels, coarse_corrections(sphere, labels, shown), trust_of(sphere, labels, shown)};
+    BackdropPaint out{labels, coarse_corrections(sphere, labels, shown), trust_of(sphere, shown)};
     while (sphere.directions.size() < backdrop.positions.size()) {
         sphere = divided(sphere);
         Labels finer = refined(photos, sphere, out.view, threads);

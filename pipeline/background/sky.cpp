@@ -5,7 +5,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/values/srgb.h"
-#include "pipeline/background/view_sample.h"
 
 namespace vantage {
 namespace {
@@ -120,12 +119,10 @@ std::vector<std::uint8_t> sky_directions(std::span<const CoarseView> views, cons
         int shown = 0, as_sky = 0;
         for (std::size_t i = 0; i < views.size(); ++i) {
             const CoarseView& v = views[i];
-            const Eigen::Vector3f p = v.pose.R.cast<float>() * direction;
-            if (sample(v, p, 0).kind != ViewSample::open) continue;
-            const auto x = std::size_t(float(v.k.fx) * p.x() / p.z() + float(v.k.cx)),
-                       y = std::size_t(float(v.k.fy) * p.y() / p.z() + float(v.k.cy));
+            const ViewSample s = sample(v, v.pose.R.cast<float>() * direction, 0);
+            if (s.kind != ViewSample::open) continue;
             ++shown;
-            as_sky += sky.masks[i][y * std::size_t(v.k.width) + x];
+            as_sky += sky.at(i, v, s);
         }
         out[d] = shown < 2 || 2 * as_sky >= shown;
     });

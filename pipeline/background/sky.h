@@ -7,6 +7,7 @@
 #include "pipeline/background/coarse_view.h"
 #include "pipeline/background/depth/depth_sweep.h"
 #include "pipeline/background/direction_sphere.h"
+#include "pipeline/background/view_sample.h"
 
 namespace vantage {
 
@@ -16,6 +17,10 @@ struct Sky {
     std::vector<std::vector<std::uint8_t>> masks;     ///< per view and texel; empty if the scene has no sky
 
     bool any() const { return !masks.empty(); }
+    /// Whether view `i`, `v`, shows sky at an open sample.
+    bool at(std::size_t i, const CoarseView& v, const ViewSample& s) const {
+        return any() && masks[i][texel_of(v, s)];
+    }
 };
 
 /// Smooth, bright texels above the horizon, connected to parts of the backdrop that are far away. There is no

@@ -17,7 +17,13 @@ struct ViewSample {
         open       ///< no mesh: `ln` is the photo's color
     } kind = nothing;
     Eigen::Array3f ln = Eigen::Array3f::Zero();
+    Eigen::Vector2f pixel = Eigen::Vector2f::Zero();  ///< if `open`
 };
+
+/// The texel in which a sample is.
+inline std::size_t texel_of(const CoarseView& v, const ViewSample& s) {
+    return std::size_t(s.pixel.y()) * std::size_t(v.k.width) + std::size_t(s.pixel.x());
+}
 
 /// `p`: the point in camera space times `inverse`, which may be 0 for a point at infinity.
 inline ViewSample sample(const CoarseView& v, const Eigen::Vector3f& p, float inverse) {
@@ -33,7 +39,7 @@ inline ViewSample sample(const CoarseView& v, const Eigen::Vector3f& p, float in
     const Eigen::Array3f ln = (1 - w) * ((1 - u) * v.ln[at] + u * v.ln[at + 1]) +
                               w * ((1 - u) * v.ln[at + width] + u * v.ln[at + width + 1]);
     if (std::isnan(ln[0])) return {};  // one of the four is not open
-    return {ViewSample::open, ln};
+    return {ViewSample::open, ln, {x + 0.5f, y + 0.5f}};
 }
 
 /// Per channel; of an even number, the mean of the two in the middle. Not empty.
