@@ -38,9 +38,4 @@ Backdrop estimate_backdrop(std::span<const CoarseView> views, const MeshPlanes& 
 /// Whether the views allow estimate_backdrop.
 bool have_parallax(std::span<const CoarseView> views);
 
-/// The backdrop's calm color, shown where photos show nothing and where they are not to be believed: per
-/// vertex the median of what the views show, smoothed, and continued from around where none shows anything:
-/// sky, what else is above the horizon, and what is below it, apart. Linear light.
-std::vector<Eigen::Array3f> calm_colors(const Backdrop& backdrop, std::span<const CoarseView> views);
-
 }  // namespace vantage

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <future>
 #include <numeric>
+#include <utility>
 
 #include "base/values/bytes_of.h"
 #include "base/values/quantile.h"
 #include "base/values/srgb.h"
 #include "pipeline/background/backdrop_coverage.h"
+#include "pipeline/background/calm_colors.h"
 #include "pipeline/background/photo_labels.h"
 #include "pipeline/background/validate_background.h"
 #include "pipeline/refine/verdict.h"
@@ -116,10 +118,12 @@ std::vector<std::byte> chunk_of(const BackgroundInput& in, const Backdrop& backd
     content.clusters = backdrop_clusters(backdrop);
     content.coverage.resize(in.photos.size());
     content.visible.resize(in.photos.size());
-    std::future<BackdropPaint> painting =
-        std::async(std::launch::async, [&] { return paint_backdrop(backdrop, some.views, in.threads); });
-    std::future<std::vector<Eigen::Array3f>> calm =
-        std::async(std::launch::async, [&] { return calm_colors(backdrop, some.views); });
+    using Painted = std::pair<BackdropPaint, std::vector<Eigen::Array3f>>;
+    std::future<Painted> painting = std::async(std::launch::async, [&] {
+        BackdropPaint paint = paint_backdrop(backdrop, some.views, in.threads);
+        std::vector<Eigen::Array3f> calm = calm_colors(backdrop, some.views, paint);
+        return Painted{std::move(paint), std::move(calm)};
+    });
     // Some at a time: there may be many photos.
     std::vector<std::uint32_t> with_pixels;
     for (std::uint32_t i = 0; i < in.photos.size(); ++i)
@@ -137,8 +141,9 @@ std::vector<std::byte> chunk_of(const BackgroundInput& in, const Backdrop& backd
             content.coverage[now[i]] = backdrop_coverage(backdrop, content.clusters, views[i], gaps);
         });
     }
-    for (const Eigen::Array3f& c : calm.get()) content.colors.push_back(srgb(c));
-    add_paint(painting.get(), some.views, content);
+    const auto [paint, calm] = painting.get();
+    for (const Eigen::Array3f& c : calm) content.colors.push_back(srgb(c));
+    add_paint(paint, some.views, content);
     return background_chunk(content);
 }
 

@@ -1,4 +1,5 @@
 #include "pipeline/background/backdrop.h"
+#include "pipeline/background/calm_colors.h"
 
 #include <gtest/gtest.h>
 
@@ -217,7 +218,7 @@ TEST(CalmColors, AreWhatMostPhotosShow) {
     for (std::size_t i = 0; i < views[4].ln.size(); ++i)  // leaves before one lens
         if (views[4].is_open(i)) views[4].ln[i] = Eigen::Array3f::Constant(std::log(0.02f));
     const Backdrop b = estimate_backdrop(views, {}, validated_detail, 0);
-    const std::vector<Eigen::Array3f> colors = calm_colors(b, views);
+    const std::vector<Eigen::Array3f> colors = calm_colors(b, views, paint_backdrop(b, views, 0));
     std::size_t right = 0;
     for (const Eigen::Array3f& c : colors) {
         ASSERT_TRUE(c.isFinite().all());
