@@ -250,7 +250,7 @@ void main() {
         accumulated.rgb *= background_light;
     }
     // Where the background has no photo, its calm color is as good as the colors around, but for narrow gaps.
-    if (hole) accumulated *= bare.a == shows_background ? min(64.0 * hole_weight, 1.0) : bare.a > 0.0 ? hole_weight : plain_background_weight;
+    if (hole) accumulated *= bare.a == shows_background ? min(8.0 * hole_weight, 1.0) : bare.a > 0.0 ? hole_weight : plain_background_weight;
 #endif
 #ifdef TRANSPARENCY
     veil = vec4(0.0);
