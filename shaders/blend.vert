@@ -6,12 +6,6 @@ layout(location = normal_attribute) in vec3 normal;
 layout(location = draw_attribute) in uvec2 of_draw;  // first triangle; one bit per photo of the pass that is drawn
 layout(location = clip_from_origin_uniform) uniform mat4 clip_from_origin;
 
-#ifdef BACKGROUND
-layout(location = color_attribute) in vec4 color;
-out vec3 calm_color;  // square root of light
-out float trust;
-flat out uvec3 labels;
-#endif
 out vec3 surface_position;
 out vec3 surface_normal;
 flat out uint draw_photos;
@@ -29,12 +23,6 @@ void main() {
     surface_position = position;
     surface_normal = normal;
     draw_photos = of_draw.y;
-#ifdef BACKGROUND
-    calm_color = pow(color.rgb, vec3(1.1));
-    uint paint = uint(color.a * 255.0 + 0.5);
-    labels = uvec3(paint >> 3);
-    trust = float(paint & 7u) / 7.0;
-#endif
     gl_Position = clip_from_origin * vec4(position, 1.0);
 #ifndef PER_FRAGMENT
     for (uint i = 0u; i < PASS_PHOTOS; ++i) {

@@ -82,6 +82,10 @@ const int lod_bias_uniform = 8;
 const int blend_show_uniform = 9;
 const int first_layers_uniform = 10;
 const int weight_eye_uniform = 11;
+const int background_triangles_uniform = 12;
+const int near_distance_uniform = 14;
+const int nearest_slots_uniform = 15;  // an array
+const int label_slots_uniform = 32;    // an array
 const int background_distance_uniform = 13;
 const int viewer_away_uniform = 31;
 const int field_scale_uniform = 14;
@@ -311,6 +315,16 @@ const float beside = 0.03f;  // the weight in that case
 // The background is painted from where a photo shows them for sure.
 const float background_margin = 8.0f;    // reference pixels per texel of the depth that must not show the mesh
 const float background_least = 0.001f;   // the weight next to the mesh: its silhouette is not exact
+// The photo that a direction is labeled with outweighs the nearest ones by this, but falls as the angle between the rays at the
+// background grows: what is near is shown by photos taken near, what is far never depends on the viewer.
+const float label_weight = 2.0f;
+const float background_sharpness = 0.1f;  // radians: the angle at which a weight is 1/e
+const float near_reach = 4.0f;  // farther than this times the cameras' spread, labels decide
+const int nearest_photos = 3;
+const int background_labels = 32;    // 0: none
+const uint no_slot = 0xffffffffu;
+const float near_ramp = 0.1f;   // share of a photo's width over which the nearest ones fade in from their frame
+const float negligible = 0.3f;  // photos of less than this share of the best one's weight are not shown
 // Seen from where no photo was taken, the background becomes calm: between these distances of the viewer from the nearest camera,
 // times its trust, in units of the distance at which angles are measured.
 const float calm_from = 0.5f, calm_to = 1.0f;

@@ -8,7 +8,7 @@ layout(binding = sums_unit) uniform sampler2D sums;
 layout(binding = surface_unit) uniform sampler2D surface;
 layout(binding = before_unit) uniform sampler2D before;         // the picture of the photos that these replace, holes transparent
 layout(location = progress_uniform) uniform float progress;     // share of these photos; 1: `before` does not count
-layout(location = takes_one_uniform) uniform bool takes_one;    // the sums already hold a color
+layout(location = takes_one_uniform) uniform bool takes_one;    // the sums of the mesh already hold a color
 layout(location = fill_uniform) uniform bool fill;              // shade holes, and fill the background
 layout(location = plain_background_uniform) uniform vec3 plain_background;  // linear, at the top
 layout(location = plain_background_bottom_uniform) uniform vec3 plain_background_bottom;
@@ -200,16 +200,17 @@ void main() {
     vec4 s = texelFetch(sums, at, 0);
     vec3 behind = plain_background_at(plain_background, plain_background_bottom, at.y, frame_size.y);
     accumulated = vec4(0.0);
-    if (s.a > 0.0)
-        accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(takes_one ? s.rgb : mean_light(s)), 1.0);
-    if (progress < 1.0) accumulated = mixed(texelFetch(before, at, 0), accumulated);
-    bool hole = accumulated.a == 0.0;
 #if defined(BACKGROUND) || defined(SCALAR_FIELD) || defined(LIGHT)
     const bool looks = true;
 #else
-    bool looks = hole && fill;
+    bool looks = fill && !(s.a > 0.0);
 #endif
     vec4 bare = looks ? texelFetch(surface, at, 0) : vec4(0.0);
+    bool has_color = takes_one && bare.a != shows_background;
+    if (s.a > 0.0)
+        accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(has_color ? s.rgb : mean_light(s)), 1.0);
+    if (progress < 1.0) accumulated = mixed(texelFetch(before, at, 0), accumulated);
+    bool hole = accumulated.a == 0.0;
     if (hole && fill) accumulated = bare.a > 0.0 ? vec4(bare.rgb, 1.0) : fill_background ? vec4(behind, 1.0) : vec4(0.0);
 #ifdef LIGHT
     if (bare.a == shows_light) {

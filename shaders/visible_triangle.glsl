@@ -5,37 +5,21 @@ layout(binding = triangles_unit) uniform usampler2D triangles;  // numbers plus 
 layout(std430, binding = indices_buffer) readonly buffer Indices { uint indices[]; };
 layout(std430, binding = positions_buffer) readonly buffer Positions { float positions[]; };
 layout(std430, binding = normals_buffer) readonly buffer Normals { float normals[]; };
-layout(std430, binding = triangle_clusters_buffer) readonly buffer TriangleClusters { uint triangle_clusters[]; };
-layout(std430, binding = cluster_photos_buffer) readonly buffer ClusterPhotos { uint cluster_photos[]; };
 layout(location = clip_from_origin_uniform) uniform mat4 clip_from_origin;
 layout(location = frame_size_uniform) uniform ivec2 frame_size;
 #ifdef BEHIND_POINTS
 layout(binding = places_unit) uniform sampler2D places;  // of points in front of the model; 0: none
 #endif
-#ifdef BACKGROUND
-layout(std430, binding = colors_buffer) readonly buffer Colors { uint colors[]; };
-vec3 calm_color = vec3(0.0);  // square root of light
-vec3 label_shares = vec3(0.0);  // of the three labels
-uvec3 labels = uvec3(0u);
-float trust = 0.0;
-#endif
-
 vec3 surface_position = vec3(0.0), surface_normal = vec3(0.0);
-uint draw_photos = 0u;  // one bit per photo of the pass that is drawn; background_bit
+uvec3 corners = uvec3(0u);      // of the triangle, numbers of vertices
+vec3 corner_shares = vec3(0.0);  // of the surface at the pixel
 
-// The triangle at a pixel, numbered from 1, if the pass has photos of it. The best photo so far is copied from pass to pass.
+// The triangle at a pixel, numbered from 1; 0: none.
 uint visible_triangle(ivec2 at) {
 #ifdef BEHIND_POINTS
     if (texelFetch(places, at, 0).x > 0.0) return 0u;
 #endif
-    uint triangle = texelFetch(triangles, at, 0).r;
-    if (triangle == 0u) return 0u;
-    draw_photos = cluster_photos[triangle_clusters[triangle - 1u]];
-#ifdef TAKES_ONE
-    return triangle;
-#else
-    return draw_photos == 0u ? 0u : triangle;
-#endif
+    return texelFetch(triangles, at, 0).r;
 }
 
 vec3 position_of(uint v) { return vec3(positions[3u * v], positions[3u * v + 1u], positions[3u * v + 2u]); }
@@ -68,15 +52,7 @@ void read_surface(uint triangle, out vec3 along_x, out vec3 along_y, out vec3 ac
     along_y = (by_y.y * ab + by_y.z * ac - (by_y.x + by_y.y + by_y.z) * from_corner) * scale.y;
     across = cross(ab, ac);
     surface_position = corner + from_corner;
+    corners = v;
+    corner_shares = shares;
     surface_normal = shares.x * normal_of(v.x) + shares.y * normal_of(v.y) + shares.z * normal_of(v.z);
-#ifdef BACKGROUND
-    if ((draw_photos & background_bit) == 0u) return;
-    label_shares = shares;
-    for (int i = 0; i < 3; ++i) {
-        uint c = colors[v[i]];
-        calm_color += shares[i] * pow(unpackUnorm4x8(c).rgb, vec3(1.1));
-        labels[i] = c >> 27;
-        trust += shares[i] * float(c >> 24 & 7u) / 7.0;
-    }
-#endif
 }

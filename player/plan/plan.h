@@ -5,27 +5,18 @@
 
 #include "player/plan/plan_scene.h"
 #include "player/plan/plan_settings.h"
+#include "player/plan/planned_photo.h"
 #include "player/plan/selection/chosen_photos.h"
-#include "player/plan/selection/tile_needs.h"
 #include "player/view/view.h"
 
 namespace vantage {
-
-struct PlannedPhoto {
-    std::uint32_t photo;
-    double agreement;                     ///< with the view, see agreement(), in [0, 1]
-    bool paints;                          ///< the background alone
-    std::vector<std::uint32_t> clusters;  ///< drawn with this photo, ascending
-    std::vector<float> weights;           ///< of each, relative to the best photo's, at most 1
-    TileNeeds needs;                      ///< for clusters that are seen, see make_plan
-    TileNeeds later;  ///< of those in view that were not seen; complete plans with all tiles
-};
 
 /// The clusters and photos that a view is drawn from; photos by decreasing agreement.
 struct Plan {
     std::vector<std::uint32_t> clusters;     ///< opaque
     std::vector<std::uint32_t> transparent;  ///< clusters that no photo shows
-    std::vector<PlannedPhoto> photos;
+    std::vector<PlannedPhoto> photos;        ///< of the mesh
+    std::vector<PlannedPhoto> behind;        ///< of the background
     PhotoChoice choice;  ///< what they were chosen from, with those that show none of the clusters
     double uncovered =
         0;  ///< share of the surface in view and in some allowed photo that no chosen photo sees

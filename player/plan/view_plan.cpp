@@ -91,7 +91,7 @@ void ViewPlan::plan_drawn(const View& view, const PlanSettings& settings,
                           std::span<const std::uint32_t> photos) {
     kept_.clear();
     std::vector<bool> planned(drawn_.size(), false);
-    for (const PlannedPhoto& p : plan_.photos) planned[p.photo] = !p.paints;
+    for (const PlannedPhoto& p : plan_.photos) planned[p.photo] = true;
     std::vector<std::uint32_t> drawn;
     for (std::uint32_t p = 0; p < drawn_.size(); ++p) {
         const bool allowed = std::ranges::count(photos, p) > 0;
@@ -102,6 +102,7 @@ void ViewPlan::plan_drawn(const View& view, const PlanSettings& settings,
     if (drawn.empty() || settings.complete || (settled() && drawn_ == planned)) return;
     PlanSettings all = settings;
     all.photos = 0;
+    all.background = false;  // it does not change with the photos of the mesh
     kept_ = make_plan(*scene_, view, all, drawn).photos;
 }
 
@@ -110,11 +111,7 @@ void ViewPlan::fade(const PlanSettings& settings, double now, const std::vector<
         settings.complete || settings.reduced ? 1 : std::clamp((now - last_) / fade_seconds, 0.0, 1.0);
     last_ = now;
     std::vector<bool> wanted(drawn_.size(), false);
-    for (const PlannedPhoto& p : plan_.photos) {
-        const bool is_ready = settings.complete || ready[p.photo];
-        wanted[p.photo] = is_ready && !p.paints;
-        paints_[p.photo] = is_ready && p.paints;
-    }
+    for (const PlannedPhoto& p : plan_.photos) wanted[p.photo] = settings.complete || ready[p.photo];
     progress_ = std::min(1.0, progress_ + step);
     if (settled()) before_ = drawn_;
     if (!settled() || wanted == drawn_) return;
@@ -128,8 +125,8 @@ std::vector<const PlannedPhoto*> ViewPlan::drawn() const {
     std::vector<const PlannedPhoto*> out;
     std::vector<bool> planned(drawn_.size(), false);
     for (const PlannedPhoto& p : plan_.photos) {
-        planned[p.photo] = !p.paints;
-        if (p.paints ? paints_[p.photo] && !drawn_[p.photo] : drawn_[p.photo]) out.push_back(&p);
+        planned[p.photo] = true;
+        if (drawn_[p.photo]) out.push_back(&p);
     }
     for (const PlannedPhoto& p : kept_)
         if (drawn_[p.photo] && !planned[p.photo]) out.push_back(&p);
@@ -141,8 +138,6 @@ std::vector<const PlannedPhoto*> ViewPlan::before() const {
     std::vector<const PlannedPhoto*> out;
     for (const PlannedPhoto& p : kept_)
         if (before_[p.photo]) out.push_back(&p);
-    for (const PlannedPhoto& p : plan_.photos)
-        if (p.paints && paints_[p.photo] && !before_[p.photo]) out.push_back(&p);
     return out;
 }
 

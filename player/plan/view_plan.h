@@ -18,13 +18,12 @@ struct SeenTriangles {
 
 /// The plan for the current view, remade when anything it depends on changes, and the transition from the
 /// photos drawn before to those it chooses. During a transition both sets are to be drawn, each blended by
-/// itself at full weight, and the two pictures mixed (photos that only paint the background are in both): if
-/// instead a photo's weight faded, one that far outweighs the others would appear in the first frame and
-/// disappear in the last one.
+/// itself at full weight, and the two pictures mixed: if instead a photo's weight faded, one that far
+/// outweighs the others would appear in the first frame and disappear in the last one.
 class ViewPlan {
   public:
     explicit ViewPlan(const PlanScene& scene)
-        : scene_(&scene), drawn_(scene.photos.size(), false), before_(drawn_), paints_(drawn_) {}
+        : scene_(&scene), drawn_(scene.photos.size(), false), before_(drawn_) {}
 
     /// Remakes the plan if necessary. `settings.samples` applies to one sample per pixel; `side` multiplies
     /// it. `seen` is used if the view has changed little since. Once it is of this very view, it is kept:
@@ -72,7 +71,6 @@ class ViewPlan {
     Plan plan_;
     std::vector<PlannedPhoto> kept_;    ///< see kept()
     std::vector<bool> drawn_, before_;  ///< per photo; the same if no transition is in progress
-    std::vector<bool> paints_;          ///< per photo: planned and ready to paint the background alone
     double progress_ = 1, last_ = 0;    ///< `last_` in seconds
 };
 

@@ -6,8 +6,6 @@
 #include <iterator>
 #include <numbers>
 
-#include "player/plan/selection/photo_cover.h"
-
 namespace vantage {
 namespace {
 
@@ -96,7 +94,7 @@ double agreement(const VisibleSurface& s, std::uint32_t photo) {
     double agrees = 0, all = 0;
     for (std::size_t i = 0; i < s.clusters.size(); i += step) {
         const std::uint32_t c = s.clusters[i];
-        if (s.areas[i] == 0) continue;
+        if (s.areas[i] == 0 || c >= s.scene.first_surrounding) continue;
         all += s.areas[i];
         if (coverage[c].seen == 0) continue;
         agrees += s.areas[i] * coverage[c].seen / 65535.0 *
@@ -107,11 +105,6 @@ double agreement(const VisibleSurface& s, std::uint32_t photo) {
 
 bool sees(const PlanScene& scene, std::uint32_t photo, std::uint32_t t) {
     return scene.visible[photo][package::visible_words(scene.triangles) + t / 64] >> (t % 64) & 1;
-}
-
-bool has_label(const PlanScene& scene, std::uint32_t photo, const package::ClusterRecord& c) {
-    const std::size_t words = package::visible_words(scene.triangles);
-    return count_bits(scene.visible[photo].subspan(words, words), c.first_triangle, c.triangles) > 0;
 }
 
 double ray_angle(const Eigen::Vector3d& point, const Eigen::Vector3d& eye, const Eigen::Vector3d& photo) {

@@ -34,15 +34,12 @@ struct VisibleSurface {
 VisibleSurface visible_surface(const PlanScene& scene, const View& view, std::span<const std::uint32_t> seen,
                                double samples, bool background);
 
-/// How well a photo agrees with the view, in [0, 1]: the share of the visible surface that it sees, weighted
-/// by the angle; 0 if it sees nothing of it.
+/// How well a photo agrees with the view, in [0, 1]: the share of the visible mesh that it sees, weighted by
+/// the angle; 0 if it sees nothing of it.
 double agreement(const VisibleSurface& surface, std::uint32_t photo);
 
 /// The photo sees a triangle at least in part.
 bool sees(const PlanScene& scene, std::uint32_t photo, std::uint32_t triangle);
-
-/// A triangle of a cluster of the background has the photo's label.
-bool has_label(const PlanScene& scene, std::uint32_t photo, const package::ClusterRecord& cluster);
 
 /// Angle between the rays from a point to the viewer and to a photo, radians.
 double ray_angle(const Eigen::Vector3d& point, const Eigen::Vector3d& eye, const Eigen::Vector3d& photo);

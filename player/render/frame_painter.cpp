@@ -113,6 +113,7 @@ void FramePainter::draw_photos(PaintedImageSet& image_set) {
         resolver_->resolve_before(draw_set(before, image_set), image_set);
     }
     const int sums = draw_set(drawn, image_set);
+    draw_background(image_set, sums);
     draw_next_surface(image_set.eye);
     if (shows && !first) draw_points(image_set);
     if (image_set.transparent) draw_transparent(image_set);
@@ -144,11 +145,9 @@ int FramePainter::draw_set(Pass photos, PaintedImageSet& image_set) {
 void FramePainter::draw_passes(Pass photos, PaintedImageSet& image_set, bool transients, int& into) {
     FrameResources& r = *resources_;
     const RenderSettings& settings = image_set.drawn.settings;
-    PointSurface on_points;
-    if (shows_points(settings, r.parts) && photos_on_points(settings, r.parts))
-        on_points = {r.points->places(), settings.points.alone};
+    const PointSurface on_points = point_surface(settings);
     for (Pass rest = photos; !rest.empty(); ++image_set.report.passes) {
-        const Pass pass = rest.first(tiles_->pass_length(rest, settings));
+        const Pass pass = rest.first(tiles_->pass_length(rest, settings, settings.photos_per_pass));
         rest = rest.subspan(pass.size());
         if (is_complete(settings.loading))
             tiles_->load(pass, image_set.drawn, image_set.now, image_set.report);
@@ -156,6 +155,30 @@ void FramePainter::draw_passes(Pass photos, PaintedImageSet& image_set, bool tra
         image_set.report.draws +=
             r.photos.draw(pass, image_set.drawn, r.targets, on_points, transients, into);
     }
+}
+
+/// Adds the photos of the background to these sums.
+void FramePainter::draw_background(PaintedImageSet& image_set, int into) {
+    FrameResources& r = *resources_;
+    const RenderSettings& settings = image_set.drawn.settings;
+    const PointSurface points = point_surface(settings);
+    if (points.alone || !shows_background(settings, r.parts)) return;
+    const std::vector<const PlannedPhoto*> photos =
+        tiles_->ready_behind(settings, image_set.drawn.plan.plan());
+    for (Pass rest = photos; !rest.empty(); ++image_set.report.passes) {
+        const Pass pass = rest.first(tiles_->pass_length(rest, settings, max_photos_per_pass));
+        rest = rest.subspan(pass.size());
+        if (is_complete(settings.loading))
+            tiles_->load(pass, image_set.drawn, image_set.now, image_set.report);
+        image_set.report.draws += r.photos.draw_background(pass, image_set.drawn, r.targets, points, into);
+    }
+}
+
+/// What photos are drawn on beside the model.
+PointSurface FramePainter::point_surface(const RenderSettings& settings) const {
+    const SceneParts& parts = resources_->parts;
+    if (!shows_points(settings, parts) || !photos_on_points(settings, parts)) return {};
+    return {resources_->points->places(), settings.points.alone};
 }
 
 void FramePainter::draw_transparent(PaintedImageSet& image_set) {

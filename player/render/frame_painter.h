@@ -39,6 +39,8 @@ class FramePainter {
     void draw_photos(PaintedImageSet& image_set);
     int draw_set(Pass photos, PaintedImageSet& image_set);
     void draw_passes(Pass photos, PaintedImageSet& image_set, bool transients, int& into);
+    void draw_background(PaintedImageSet& image_set, int into);
+    PointSurface point_surface(const RenderSettings& settings) const;
     void draw_points(PaintedImageSet& image_set);
     void draw_transparent(PaintedImageSet& image_set);
     void count_fragments(const PaintedImageSet& image_set, FrameReport& report);

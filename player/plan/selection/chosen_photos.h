@@ -6,8 +6,7 @@ namespace vantage {
 
 struct ChosenPhoto {
     std::uint32_t photo;
-    double agreement;     ///< with the view, see agreement()
-    bool paints = false;  ///< the background alone
+    double agreement;  ///< with the view, see agreement()
     bool operator==(const ChosenPhoto&) const = default;
 };
 

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "player/plan/selection/photo_cover.h"
 
@@ -36,9 +35,8 @@ std::vector<Candidate> candidates(const VisibleSurface& s, std::span<const std::
 CoverProblem cover_problem(const VisibleSurface& s, const std::vector<Candidate>& candidates) {
     CoverProblem problem;
     const std::size_t step = std::max<std::size_t>(1, s.triangles.size() / 16384);
-    const std::size_t behind = s.scene.first_triangle_behind();
     for (std::size_t i = 0; i < s.triangles.size(); i += step)
-        if (s.triangles[i] >= behind)
+        if (s.triangles[i] >= s.scene.first_triangle_behind())
             continue;
         else if (!problem.runs.empty() && problem.runs.back().first == s.triangles[i])
             ++problem.runs.back().area;
@@ -61,27 +59,6 @@ CoverProblem cover_problem(const VisibleSurface& s, const std::vector<Candidate>
     return problem;
 }
 
-/// The triangles of the background that are seen, with repetitions.
-std::vector<std::uint32_t> triangles_behind(const VisibleSurface& s) {
-    std::vector<std::uint32_t> out;
-    const std::size_t first = s.scene.first_triangle_behind();
-    std::ranges::copy_if(s.triangles, std::back_inserter(out), [&](std::uint32_t t) { return t >= first; });
-    return out;
-}
-
-/// Whether the background in view has labels of a photo. `behind`: see triangles_behind.
-bool paints(const VisibleSurface& s, std::span<const std::uint32_t> behind, std::uint32_t photo) {
-    if (!s.triangles.empty()) {
-        constexpr double least = 0.001;  // of the frame
-        const auto shown =
-            std::ranges::count_if(behind, [&](std::uint32_t t) { return sees(s.scene, photo, t); });
-        return double(shown) > least * double(s.triangles.size());
-    }
-    return std::ranges::any_of(s.clusters, [&](std::uint32_t index) {
-        return index >= s.scene.first_surrounding && has_label(s.scene, photo, s.scene.clusters[index]);
-    });
-}
-
 }  // namespace
 
 PhotoChoice choose_photos(const VisibleSurface& s, const PlanSettings& settings,
@@ -99,10 +76,6 @@ PhotoChoice choose_photos(const VisibleSurface& s, const PlanSettings& settings,
         if (within(all[i]) && !std::ranges::count(chosen, i)) chosen.push_back(i);
     PhotoChoice out{{}, uncovered_share(problem, chosen)};
     for (const std::size_t i : chosen) out.photos.push_back({all[i].photo, all[i].agreement});
-    const std::vector<std::uint32_t> behind = triangles_behind(s);
-    for (std::size_t i = 0; i < all.size() && s.scene.has_background(); ++i)
-        if (!std::ranges::count(chosen, i) && paints(s, behind, all[i].photo))
-            out.photos.push_back({all[i].photo, all[i].agreement, true});
     std::ranges::stable_sort(out.photos, std::ranges::greater{}, &ChosenPhoto::agreement);
     return out;
 }

@@ -11,7 +11,7 @@ gl::Program make_blend_program(const BlendVariant& v, const package::SceneRecord
     EffectSet effects = scene.effects & ~effect_bit(Effect::per_fragment);
     if (v.per_fragment) effects |= effect_bit(Effect::per_fragment);
     if (!v.refined_colors) effects &= ~effects_from(Basis::colors);
-    if (!v.background) effects &= ~effect_bit(Effect::background);
+    effects &= ~effect_bit(Effect::background);
     std::vector<std::string> defines = shader_defines("blend", effects);
     defines.push_back("PASS_PHOTOS " + std::to_string(v.photos));
     const BlendRow& row = blend_row(v.blend);
@@ -21,13 +21,14 @@ gl::Program make_blend_program(const BlendVariant& v, const package::SceneRecord
     if (v.traces_texels) defines.emplace_back("TRACE_TEXELS");
     if (!v.trilinear) defines.emplace_back("BILINEAR");
     if (v.anisotropy > 1) defines.push_back("TAPS " + std::to_string(v.anisotropy));
-    if (v.on_points) defines.emplace_back("ON_POINTS");
-    if (v.by_triangle) defines.emplace_back("BY_TRIANGLE");
+    if (v.on == BlendOn::points) defines.emplace_back("ON_POINTS");
+    if (v.on == BlendOn::frame) defines.emplace_back("BY_TRIANGLE");
     if (v.behind_points) defines.emplace_back("BEHIND_POINTS");
-    return gl::make_program("blend",
-                            {{GL_VERTEX_SHADER, v.on_points || v.by_triangle ? "resolve.vert" : "blend.vert"},
-                             {GL_FRAGMENT_SHADER, "blend.frag"}},
-                            defines);
+    return gl::make_program(
+        "blend",
+        {{GL_VERTEX_SHADER, v.on == BlendOn::model ? "blend.vert" : "resolve.vert"},
+         {GL_FRAGMENT_SHADER, v.on == BlendOn::background ? "background.frag" : "blend.frag"}},
+        defines);
 }
 
 }  // namespace vantage

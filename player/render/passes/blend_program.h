@@ -7,6 +7,14 @@
 
 namespace vantage {
 
+/// What a program blends photos on.
+enum class BlendOn {
+    model,       ///< drawn again
+    frame,       ///< the triangles of the mesh that the frame shows
+    background,  ///< those of the background
+    points       ///< of the frame
+};
+
 /// The parameters by which the blending programs of one package differ.
 struct BlendVariant {
     int photos;  ///< per pass, at most
@@ -17,11 +25,9 @@ struct BlendVariant {
     bool trilinear;
     int anisotropy;
     bool refined_colors;
-    bool background;             ///< shown; implies per_fragment
-    EffectSet effects = 0;       ///< of the photos' image set, if the scene has several
-    bool on_points = false;      ///< on the points of a frame, not on the model; implies per_fragment
-    bool by_triangle = false;    ///< on the triangles that the frame shows; implies per_fragment
-    bool behind_points = false;  ///< by_triangle: points may be in front
+    EffectSet effects = 0;        ///< of the photos' image set, if the scene has several
+    BlendOn on = BlendOn::model;  ///< all others imply per_fragment
+    bool behind_points = false;   ///< points may be in front of what the frame shows
 
     auto operator<=>(const BlendVariant&) const = default;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "player/plan/background_photos.h"
 #include "player/render/passes/blend_table.h"
 #include "scene/package/contents/point_cloud.h"
 #include "scene/package/package_shape.h"
@@ -37,12 +38,36 @@ void uniform(GLint location, const Eigen::Vector3d& v) {
     glUniform3f(location, float(v.x()), float(v.y()), float(v.z()));
 }
 
+/// The view that weights are for.
+const View& weighted_from(const DrawnView& drawn) {
+    return drawn.settings.weights_from ? *drawn.settings.weights_from : drawn.view;
+}
+
 std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos,
                                     std::span<const std::uint8_t> labels) {
     std::vector<PhotoBlock> out;
     for (std::uint32_t i = 0; i < photos.size(); ++i)
         out.push_back(make_photo_block(photos[i], i, i < labels.size() ? labels[i] : 0));
     return out;
+}
+
+/// Tells where in the pass the photos of labels are, and the nearest. Returns the photos.
+std::vector<std::uint32_t> set_background_slots(std::span<const PlannedPhoto* const> pass,
+                                                const PlanScene& scene, const std::vector<float>& shares) {
+    std::vector<std::uint32_t> photos;
+    std::array<GLuint, shader::background_labels> of_labels;
+    std::array<GLuint, shader::nearest_photos> nearest;
+    of_labels.fill(shader::no_slot), nearest.fill(shader::no_slot);
+    std::size_t near = 0;
+    for (const PlannedPhoto* p : pass) {
+        const auto slot = GLuint(photos.size());
+        if (const std::uint8_t label = scene.labels[p->photo]) of_labels.at(label) = slot;
+        if (shares[p->photo] > 0 && near < nearest.size()) nearest.at(near++) = slot;
+        photos.push_back(p->photo);
+    }
+    glUniform1uiv(shader::label_slots_uniform, GLsizei(of_labels.size()), of_labels.data());
+    glUniform1uiv(shader::nearest_slots_uniform, GLsizei(nearest.size()), nearest.data());
+    return photos;
 }
 
 static_assert(shader::lens_cells == LensTable::cells);
@@ -88,8 +113,6 @@ void PhotoPasses::use_records(std::span<const package::PhotoRecord> photos) {
 
 bool PhotoPasses::per_fragment(const RenderSettings& settings) const {
     if (points_only(package_->scene()) || !has_coordinates(*package_)) return true;
-    // Triangles of the background are too large for coordinates per vertex.
-    if (shows_background(settings, *parts_)) return true;
     if (settings.coordinates != Coordinates::automatic) return settings.coordinates == Coordinates::fragment;
     return effect_on(package_->scene(), Effect::per_fragment);
 }
@@ -98,7 +121,8 @@ bool PhotoPasses::by_triangle(const RenderSettings& settings) const {
     return trials_->by_triangle && clusters_->model().triangle_clusters && per_fragment(settings);
 }
 
-const gl::Program& PhotoPasses::blend_program(const RenderSettings& settings, bool transients, BlendOn on) {
+const gl::Program& PhotoPasses::blend_program(const RenderSettings& settings, bool transients, BlendOn on,
+                                              bool behind_points) {
     const bool fragment = on != BlendOn::model || per_fragment(settings);
     const Blend blend = settings.show == Show::coverage ? Blend::average : settings.blend;
     // Only programs for per-vertex coordinates depend on the number of photos, through their vertex outputs.
@@ -111,11 +135,9 @@ const gl::Program& PhotoPasses::blend_program(const RenderSettings& settings, bo
                                .trilinear = trials_->trilinear,
                                .anisotropy = trials_->anisotropy,
                                .refined_colors = settings.refined_colors,
-                               .background = shows_background(settings, *parts_),
                                .effects = scene_->image_sets.at(settings.image_sets.shown).effects,
-                               .on_points = on == BlendOn::points,
-                               .by_triangle = on == BlendOn::frame || on == BlendOn::frame_behind_points,
-                               .behind_points = on == BlendOn::frame_behind_points};
+                               .on = on,
+                               .behind_points = behind_points};
     gl::Program& program = blend_programs_[variant];
     if (program) return program;
     package::SceneRecord scene = package_->scene();
@@ -142,10 +164,8 @@ std::size_t PhotoPasses::draw(std::span<const PlannedPhoto* const> pass, const D
     if (transients) glBindTextureUnit(shader::first_sums_unit, targets.sums[1 - into].id());
     const bool frame_wise = by_triangle(settings);
     if (!points.alone) {
-        const BlendOn on = !frame_wise     ? BlendOn::model
-                           : points.places ? BlendOn::frame_behind_points
-                                           : BlendOn::frame;
-        glUseProgram(blend_program(settings, transients, on).id());
+        const BlendOn on = frame_wise ? BlendOn::frame : BlendOn::model;
+        glUseProgram(blend_program(settings, transients, on, frame_wise && points.places).id());
         set_uniforms(pass, drawn, on);
     }
     std::vector<std::uint32_t> photos;
@@ -173,10 +193,15 @@ std::size_t PhotoPasses::draw(std::span<const PlannedPhoto* const> pass, const D
 /// Blends photos on the triangles that the frame shows.
 void PhotoPasses::draw_on_frame(const FrameTargets& targets, const PointSurface& points) {
     const FrameRing::Space photos = ring_.take(4 * cluster_photos_.size());
-    const std::size_t mesh = std::min<std::size_t>(scene_->first_surrounding, cluster_photos_.size());
-    for (std::uint32_t& bits : std::span(cluster_photos_).subspan(mesh))
-        if (bits) bits |= shader::background_bit;
     std::memcpy(photos.memory, cluster_photos_.data(), std::size_t(photos.bytes));
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::cluster_photos_buffer, ring_.buffer(), photos.offset,
+                      photos.bytes);
+    bind_frame(targets, points);
+    draw_frame();
+}
+
+/// Binds what a program reads of the triangles that the frame shows.
+void PhotoPasses::bind_frame(const FrameTargets& targets, const PointSurface& points) const {
     const auto bind = [](int binding, const gl::Buffer& buffer) {
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(binding), buffer.id());
     };
@@ -186,31 +211,55 @@ void PhotoPasses::draw_on_frame(const FrameTargets& targets, const PointSurface&
     bind(shader::normals_buffer, model.normals);
     if (model.colors) bind(shader::colors_buffer, model.colors);
     bind(shader::triangle_clusters_buffer, model.triangle_clusters);
-    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::cluster_photos_buffer, ring_.buffer(), photos.offset,
-                      photos.bytes);
     glUniform2i(shader::frame_size_uniform, targets.width, targets.height);
     glBindTextureUnit(shader::triangles_unit, targets.surface().triangles.id());
     if (points.places) glBindTextureUnit(shader::places_unit, points.places);
+}
+
+void PhotoPasses::draw_frame() const {
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glEnable(GL_DEPTH_TEST);
 }
 
+std::size_t PhotoPasses::draw_background(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
+                                         const FrameTargets& targets, const PointSurface& points, int into) {
+    if (!clusters_->model().triangle_clusters) return 0;
+    bind_target(targets.sums_target(into).id(), targets.size());
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glDepthMask(GL_FALSE);
+    glUseProgram(blend_program(drawn.settings, false, BlendOn::background, points.places != 0).id());
+    set_uniforms(pass, drawn, BlendOn::background);
+    const Eigen::Vector3d eye = weighted_from(drawn).cam_from_origin.center();
+    const double unit = 2 * scene_->spread, away = distance_from_cameras(*scene_, eye);
+    glUniform1f(shader::background_distance_uniform, float(unit));
+    glUniform1f(shader::viewer_away_uniform, float(std::min(away / std::max(unit, 1e-30), 1e6)));
+    glUniform2ui(shader::background_triangles_uniform, GLuint(scene_->first_triangle_behind()),
+                 GLuint(scene_->triangles));
+    const std::vector<float> shares = nearest_shares(*scene_, eye);
+    const std::vector<std::uint32_t> photos = set_background_slots(pass, *scene_, shares);
+    glUniform1f(shader::near_distance_uniform, float(near_distance(*scene_, eye)));
+    ring_.begin();
+    bind_photos(photos, {shares.begin(), shares.end()});
+    bind_frame(targets, points);
+    draw_frame();
+    ring_.end();
+    return 1;
+}
+
 /// Blends the same photos where the frame shows points. What is behind points failed the test of depth.
 void PhotoPasses::draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                                  const PointSurface& points, bool transients) {
-    glDisable(GL_DEPTH_TEST);
-    glUseProgram(blend_program(drawn.settings, transients, BlendOn::points).id());
+    glUseProgram(blend_program(drawn.settings, transients, BlendOn::points, false).id());
     set_uniforms(pass, drawn, BlendOn::points);
     const Intrinsics& k = drawn.view.intrinsics;
     glUniform4f(shader::frame_uniform, float(k.fx), float(k.fy), float(k.cx), float(k.cy));
     const Eigen::Matrix3f axes = drawn.view.cam_from_origin.R.transpose().cast<float>();
     glUniformMatrix3fv(shader::frame_axes_uniform, 1, GL_FALSE, axes.data());
     glBindTextureUnit(shader::places_unit, points.places);
-    glBindVertexArray(no_vertices_.id());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glEnable(GL_DEPTH_TEST);
+    draw_frame();
 }
 
 void PhotoPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
@@ -218,27 +267,21 @@ void PhotoPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const 
     const RenderSettings& settings = drawn.settings;
     if (on != BlendOn::points)
         glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
-    glUniform1ui(shader::pass_count_uniform, GLuint(pass.size()));
-    uniform(shader::eye_uniform, drawn.view.cam_from_origin.center());
-    const View& weighted_from = settings.weights_from ? *settings.weights_from : drawn.view;
-    uniform(shader::weight_eye_uniform, weighted_from.cam_from_origin.center());
-    uniform(shader::view_direction_uniform, overall_direction(weighted_from, package_->scene()));
-    glUniform1ui(shader::switches_uniform, switches(settings.weights));
-    glUniform1f(shader::border_width_uniform, float(package_->scene().border_width));
-    glUniform1f(shader::sharpness_uniform, float(settings.weights.sharpness));
+    uniform(shader::weight_eye_uniform, weighted_from(drawn).cam_from_origin.center());
     glUniform1f(shader::lod_bias_uniform, float(settings.lod_bias - std::log2(drawn.side)));
     glUniform1ui(shader::blend_show_uniform, GLuint(settings.show));
-    if (shows_background(settings, *parts_)) {
-        const double unit = 2 * scene_->spread;
-        const double away = distance_from_cameras(*scene_, weighted_from.cam_from_origin.center());
-        glUniform1f(shader::background_distance_uniform, float(unit));
-        glUniform1f(shader::viewer_away_uniform, float(std::min(away / std::max(unit, 1e-30), 1e6)));
-    }
     if (trace_) {
         const ResidencyLayout& layout = store_->residency().layout();
         glUniform2ui(shader::first_layers_uniform, layout.color, layout.color + layout.weight_maps);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shader::touched_buffer, trace_);
     }
+    if (on == BlendOn::background) return;
+    glUniform1ui(shader::pass_count_uniform, GLuint(pass.size()));
+    uniform(shader::eye_uniform, drawn.view.cam_from_origin.center());
+    uniform(shader::view_direction_uniform, overall_direction(weighted_from(drawn), package_->scene()));
+    glUniform1ui(shader::switches_uniform, switches(settings.weights));
+    glUniform1f(shader::border_width_uniform, float(package_->scene().border_width));
+    glUniform1f(shader::sharpness_uniform, float(settings.weights.sharpness));
     if (on != BlendOn::model || per_fragment(settings)) return;
     std::vector<std::uint32_t> slots;
     for (const PlannedPhoto* p : pass)

@@ -41,6 +41,10 @@ class PhotoPasses {
     /// number of draws.
     std::size_t draw(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                      const FrameTargets& targets, const PointSurface& points, bool transients, int into);
+    /// Adds photos of the background to the sums `into`, see plan_background. Returns the number of draws: 0
+    /// if the driver cannot read the model pixel by pixel.
+    std::size_t draw_background(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
+                                const FrameTargets& targets, const PointSurface& points, int into);
     /// Runs `draw` with one photo, as far as it is resident, bound as photo 0.
     void with_photo(std::uint32_t photo, const std::function<void()>& draw);
 
@@ -49,16 +53,16 @@ class PhotoPasses {
     void trace_texels(GLuint buffer) { trace_ = buffer; }
 
   private:
-    /// What a program blends photos on: the model, drawn again; the triangles that the frame shows, where no
-    /// points are in front of them; points.
-    enum class BlendOn { model, frame, frame_behind_points, points };
     void draw_on_frame(const FrameTargets& targets, const PointSurface& points);
+    void bind_frame(const FrameTargets& targets, const PointSurface& points) const;
+    void draw_frame() const;
     void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn, BlendOn on);
     void draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                         const PointSurface& points, bool transients);
     /// Writes the photos and their pages into the ring, and binds them.
     void bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights);
-    const gl::Program& blend_program(const RenderSettings& settings, bool transients, BlendOn on);
+    const gl::Program& blend_program(const RenderSettings& settings, bool transients, BlendOn on,
+                                     bool behind_points);
 
     const PackageReader* package_;
     const PlanScene* scene_;

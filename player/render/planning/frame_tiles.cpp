@@ -5,6 +5,17 @@
 
 namespace vantage {
 
+namespace {
+
+std::vector<const PlannedPhoto*> all_photos(const Plan& plan) {
+    std::vector<const PlannedPhoto*> out;
+    for (const PlannedPhoto& p : plan.photos) out.push_back(&p);
+    for (const PlannedPhoto& p : plan.behind) out.push_back(&p);
+    return out;
+}
+
+}  // namespace
+
 TileNeeds FrameTiles::comparison_needs(const View& view, const RenderSettings& settings) const {
     const std::uint32_t photo = settings.compare_photo;
     if (settings.compare == Compare::nothing || photo >= resources_->scene.photos.size() ||
@@ -24,15 +35,19 @@ void FrameTiles::stream(const View& view, std::span<const ImageSetFrame> image_s
             resources_->store.need_base(p.photo, coordinates(image_set.settings));
     }
     const Loading loading = settings.loading;
+    // The first picture waits for photos of the mesh alone.
+    for (const ImageSetFrame& image_set : image_sets)
+        for (const PlannedPhoto& p : image_set.plan->plan().behind)
+            if (loading != Loading::beginning) resources_->store.need_base(p.photo, false);
     if (loading == Loading::beginning) report.uploaded += resources_->store.load(settings.upload_bytes);
     for (const ImageSetFrame& image_set : image_sets)
-        for (const PlannedPhoto& p : image_set.plan->plan().photos) {
-            if (resources_->trials.whole_photos) report.uploaded += resources_->store.load_whole(p.photo);
-            report.tiles += p.needs.tiles();
+        for (const PlannedPhoto* p : all_photos(image_set.plan->plan())) {
+            if (resources_->trials.whole_photos) report.uploaded += resources_->store.load_whole(p->photo);
+            report.tiles += p->needs.tiles();
             // Until the visible triangles are known, many tiles would be read unnecessarily.
             const bool known = image_set.plan->uses_seen() || loading == Loading::repeatable;
-            report.tiles_missing += known ? resources_->store.need(p.photo, p.needs) : p.needs.tiles();
-            if (!known) report.tiles_to_come += p.needs.tiles();
+            report.tiles_missing += known ? resources_->store.need(p->photo, p->needs) : p->needs.tiles();
+            if (!known) report.tiles_to_come += p->needs.tiles();
         }
     const TileNeeds comparison = comparison_needs(view, settings);
     report.tiles_missing += resources_->store.need(settings.compare_photo, comparison);
@@ -43,8 +58,8 @@ void FrameTiles::stream(const View& view, std::span<const ImageSetFrame> image_s
         resources_->store.load();
         report.tiles_missing = resources_->store.missing(settings.compare_photo, comparison);
         for (const ImageSetFrame& image_set : image_sets)
-            for (const PlannedPhoto& p : image_set.plan->plan().photos)
-                report.tiles_missing += resources_->store.missing(p.photo, p.needs);
+            for (const PlannedPhoto* p : all_photos(image_set.plan->plan()))
+                report.tiles_missing += resources_->store.missing(p->photo, p->needs);
         return;
     }
     if (report.tiles_missing == 0 && next) prefetch(image_sets, side, *next);
@@ -59,12 +74,11 @@ void FrameTiles::prefetch(std::span<const ImageSetFrame> image_sets, int side, c
     constexpr unsigned every = 4;  // frames; the view to come is further ahead
     if (prefetches_++ % every == 0) {
         ahead_.clear();
-        for (const ImageSetFrame& image_set : image_sets)
-            for (PlannedPhoto& p :
-                 image_set.plan
-                     ->ahead(next, plan_settings(image_set.settings, resources_->trials.anisotropy), side)
-                     .photos)
-                ahead_.push_back(std::move(p));
+        for (const ImageSetFrame& image_set : image_sets) {
+            const Plan plan = image_set.plan->ahead(
+                next, plan_settings(image_set.settings, resources_->trials.anisotropy), side);
+            for (const PlannedPhoto* p : all_photos(plan)) ahead_.push_back(*p);
+        }
     }
     for (const PlannedPhoto& p : ahead_) resources_->store.prefetch(p.photo, p.needs);
 }
@@ -82,8 +96,8 @@ void FrameTiles::load(Pass pass, const DrawnView& drawn, double now, FrameReport
     for (const PlannedPhoto* p : pass) report.tiles_missing += resources_->store.missing(p->photo, p->needs);
 }
 
-std::size_t FrameTiles::pass_length(Pass rest, const RenderSettings& settings) const {
-    const std::size_t most = std::min(rest.size(), std::size_t(settings.photos_per_pass));
+std::size_t FrameTiles::pass_length(Pass rest, const RenderSettings& settings, int longest) const {
+    const std::size_t most = std::min(rest.size(), std::size_t(longest));
     if (!is_complete(settings.loading)) return most;
     const ResidencyLayout& layout = resources_->store.residency().layout();
     std::size_t n = 0, color = 0, weight_maps = 0;
@@ -103,6 +117,15 @@ std::size_t FrameTiles::pass_length(Pass rest, const RenderSettings& settings) c
         ++n;
     }
     return n;
+}
+
+std::vector<const PlannedPhoto*> FrameTiles::ready_behind(const RenderSettings& settings,
+                                                          const Plan& plan) const {
+    std::vector<const PlannedPhoto*> out;
+    for (const PlannedPhoto& p : plan.behind)
+        if (is_complete(settings.loading) || resources_->store.base_resident(p.photo, false))
+            out.push_back(&p);
+    return out;
 }
 
 std::vector<bool> FrameTiles::ready_photos(const RenderSettings& settings, const Plan& plan) const {

@@ -27,9 +27,11 @@ class FrameTiles {
     /// Loads everything that a pass needs, however long it takes. Adds to the report.
     void load(Pass pass, const DrawnView& drawn, double now, FrameReport& report);
 
-    /// How many of the photos one pass draws. Those of a picture that waits for its tiles must fit into
-    /// graphics memory together.
-    std::size_t pass_length(Pass rest, const RenderSettings& settings) const;
+    /// How many of the photos one pass draws, at most `longest`. Those of a picture that waits for its tiles
+    /// must fit into graphics memory together.
+    std::size_t pass_length(Pass rest, const RenderSettings& settings, int longest) const;
+    /// The photos of the background that can be drawn, at least coarsely.
+    std::vector<const PlannedPhoto*> ready_behind(const RenderSettings& settings, const Plan& plan) const;
     /// By number, whether a photo of the scene can be drawn, at least coarsely.
     std::vector<bool> ready_photos(const RenderSettings& settings, const Plan& plan) const;
 

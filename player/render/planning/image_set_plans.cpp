@@ -46,7 +46,10 @@ std::vector<const ViewPlan*> ImageSetPlans::plans() const {
 
 bool ImageSetPlans::uses(std::uint32_t photo) const {
     return std::ranges::any_of(plans(), [&](const ViewPlan* p) {
-        return std::ranges::count(p->plan().photos, photo, &PlannedPhoto::photo) > 0;
+        const auto among = [&](const std::vector<PlannedPhoto>& photos) {
+            return std::ranges::count(photos, photo, &PlannedPhoto::photo) > 0;
+        };
+        return among(p->plan().photos) || among(p->plan().behind);
     });
 }
 

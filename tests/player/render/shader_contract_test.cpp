@@ -31,8 +31,7 @@ TEST(ShaderContract, PhotosHaveTheSameLayoutInCppAndGlsl) {
                                                     .traces_texels = false,
                                                     .trilinear = true,
                                                     .anisotropy = 1,
-                                                    .refined_colors = true,
-                                                    .background = false},
+                                                    .refined_colors = true},
                                                    package::SceneRecord{});
     struct Member {
         const char* name;

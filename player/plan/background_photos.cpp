@@ -1,0 +1,95 @@
+#include "player/plan/background_photos.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "player/plan/selection/photo_cover.h"
+#include "shaders/contract.h"
+
+namespace vantage {
+namespace {
+
+/// The weight of a photo near its own camera, beside `label_weight` (shaders/background.frag).
+double own_weight(const PlanScene& s, double apart) {
+    const double r = shader::own_angle * 2 * s.spread / std::max(apart, 1e-30);
+    return std::min(r * r, 1e6);
+}
+
+/// The triangles of the background that are seen, with repetitions.
+std::vector<std::uint32_t> triangles_behind(const VisibleSurface& s) {
+    std::vector<std::uint32_t> out;
+    for (const std::uint32_t t : s.triangles)
+        if (t >= s.scene.first_triangle_behind()) out.push_back(t);
+    return out;
+}
+
+/// A triangle of a cluster of the background has the photo's label.
+bool has_label(const PlanScene& scene, std::uint32_t photo, const package::ClusterRecord& c) {
+    const std::size_t words = package::visible_words(scene.triangles);
+    return count_bits(scene.visible[photo].subspan(words, words), c.first_triangle, c.triangles) > 0;
+}
+
+/// Whether the background in view has labels of a photo. `behind`: see triangles_behind.
+bool paints(const VisibleSurface& s, std::span<const std::uint32_t> behind, std::uint32_t photo) {
+    if (s.triangles.empty())
+        return std::ranges::any_of(s.clusters, [&](std::uint32_t index) {
+            return index >= s.scene.first_surrounding && has_label(s.scene, photo, s.scene.clusters[index]);
+        });
+    constexpr double least = 0.001;  // of the frame
+    const auto shown =
+        std::ranges::count_if(behind, [&](std::uint32_t t) { return sees(s.scene, photo, t); });
+    return double(shown) > least * double(s.triangles.size());
+}
+
+}  // namespace
+
+std::vector<float> nearest_shares(const PlanScene& s, const Eigen::Vector3d& eye) {
+    constexpr std::size_t most = shader::nearest_photos;
+    std::vector<float> out(s.photos.size(), 0);
+    std::vector<double> near(s.photos.size(), 0), sorted;
+    for (std::size_t i = 0; i < s.photos.size(); ++i)
+        if (s.photos[i].image_set == 0 && s.photos[i].levels)
+            sorted.push_back(near[i] = 1 / std::max((s.poses[i].center() - eye).norm(), 1e-9 * s.size));
+    std::ranges::sort(sorted, std::greater{});
+    const double least = sorted.size() > most ? sorted[most] : 0;
+    double sum = 0;
+    for (double& n : near) sum += n = std::max(0.0, n - least);
+    for (std::size_t i = 0; i < near.size() && sum > 0; ++i) out[i] = float(near[i] / sum);
+    return out;
+}
+
+double near_distance(const PlanScene& s, const Eigen::Vector3d& eye) {
+    const bool own = own_weight(s, distance_from_cameras(s, eye)) > shader::negligible * shader::label_weight;
+    return own ? std::numeric_limits<double>::infinity() : shader::near_reach * s.spread;
+}
+
+std::vector<PlannedPhoto> plan_background(const VisibleSurface& s, const PlanSettings& settings,
+                                          std::span<const std::uint32_t> allowed) {
+    std::vector<PlannedPhoto> out;
+    if (!s.scene.has_background() || !settings.background) return out;
+    constexpr float least = 0.01f;
+    const std::vector<float> shares = nearest_shares(s.scene, s.eye);
+    const std::vector<std::uint32_t> behind = triangles_behind(s);
+    const double reach = near_distance(s.scene, s.eye);
+    for (const std::uint32_t photo : allowed) {
+        if (s.scene.coverage[photo].empty()) continue;
+        const float share = shares[photo];
+        if (share < least && !paints(s, behind, photo)) continue;
+        PlannedPhoto p{photo, share, {}, {}, {}, {}};
+        for (const std::uint32_t c : s.clusters)
+            if (c >= s.scene.first_surrounding && s.scene.coverage[photo][c].seen > 0 &&
+                (share >= least || has_label(s.scene, photo, s.scene.clusters[c])))
+                p.clusters.push_back(c);
+        add_needs(p, s, settings, [&](std::size_t i) {
+            if (s.points.clusters[i] < s.scene.first_surrounding) return 0.0f;
+            if (sees(s.scene, photo, s.points.triangles[i])) return 1.0f;
+            return (s.points.samples[i].position - s.eye).norm() < reach ? share : 0.0f;
+        });
+        if (!p.clusters.empty()) out.push_back(std::move(p));
+    }
+    return out;
+}
+
+}  // namespace vantage

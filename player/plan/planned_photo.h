@@ -1,0 +1,27 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "player/plan/plan_settings.h"
+#include "player/plan/selection/tile_needs.h"
+#include "player/plan/visible_surface.h"
+
+namespace vantage {
+
+struct PlannedPhoto {
+    std::uint32_t photo;
+    double agreement;                     ///< with the view, see agreement(), in [0, 1]
+    std::vector<std::uint32_t> clusters;  ///< drawn with this photo, ascending
+    std::vector<float> weights;           ///< of each, relative to the best photo's, at most 1
+    TileNeeds needs;                      ///< for clusters that are seen, see make_plan
+    TileNeeds later;  ///< of those in view that were not seen; complete plans with all tiles
+};
+
+/// Lists the tiles of a photo for its clusters. `weight`: of the photo at a point of the surface, in [0, 1];
+/// 0 if the photo does not show it.
+void add_needs(PlannedPhoto& photo, const VisibleSurface& surface, const PlanSettings& settings,
+               const std::function<float(std::size_t point)>& weight);
+
+}  // namespace vantage

@@ -1,0 +1,153 @@
+// Photos of the background at pixels that show it: the one that its directions are labeled with, near the cameras those taken
+// there, calm colors where none is to be trusted (docs/method.md). Sums of square roots of light, as in blend.frag.
+#include "photo_color.glsl"
+#include "visible_triangle.glsl"
+
+layout(std430, binding = colors_buffer) readonly buffer Colors { uint colors[]; };
+layout(location = 0) out vec4 accumulated;
+
+layout(location = label_slots_uniform) uniform uint label_slots[background_labels];  // photos of the pass; no_slot
+layout(location = nearest_slots_uniform) uniform uint nearest_slots[nearest_photos];  // likewise, of those nearest to the viewer
+layout(location = near_distance_uniform) uniform float near_distance;                // farther than this, they show nothing
+layout(location = weight_eye_uniform) uniform vec3 weight_eye;            // the viewer, relative to the origin
+layout(location = background_triangles_uniform) uniform uvec2 background_triangles;  // first, and behind the last
+layout(location = background_distance_uniform) uniform float background_distance;
+layout(location = viewer_away_uniform) uniform float viewer_away;         // from the nearest camera, in this unit
+
+// What the background's vertices say of the pixel.
+vec3 calm = vec3(0.0);    // color, square root of light
+float trust = 0.0;        // in the photo
+uvec3 labels = uvec3(0u);  // of the corners
+
+void read_paint() {
+    for (int i = 0; i < 3; ++i) {
+        uint c = colors[corners[i]];
+        calm += corner_shares[i] * pow(unpackUnorm4x8(c).rgb, vec3(1.1));
+        labels[i] = c >> 27;
+        trust += corner_shares[i] * float(c >> 24 & 7u) / 7.0;
+    }
+}
+
+// Angle in radians between the rays from a point to the viewer and to a photo; accurate for small angles.
+float ray_angle(vec3 at, uint photo) {
+    vec3 a = normalize(weight_eye - at), b = normalize(photos[photo].center_hull.xyz - at);
+    return atan(length(cross(a, b)), dot(a, b));
+}
+
+// Share of the area around a photo pixel that does not show the mesh, 0 on the mesh itself.
+float beyond_mesh(uint photo, vec2 pixel, float lod) {
+    WeightPlace at = weight_place(photo, pixel, lod);
+    if (at.level < 0) return 0.0;
+    vec2 fine = depths_at(at);
+    if (!isinf(fine.x)) return isinf(fine.y) ? background_least * 0.1 : 0.0;
+    float level = log2(background_margin * photos[photo].size_weight.x / reference_width);
+    WeightPlace coarse = weight_place(photo, pixel, max(lod, level));
+    vec4 z = textureGather(depth_tiles, coarse.coordinate);
+    vec2 share = fract(coarse.coordinate.xy * tile_size - 0.5);
+    vec4 clear = vec4(isinf(z));
+    float area = mix(mix(clear.w, clear.z, share.x), mix(clear.x, clear.y, share.x), share.y);
+    return max(background_least, smoothstep(0.5, 1.0, area));
+}
+
+// A photo of the pass at this pixel, and its weights.
+struct Candidate {
+    uint photo;
+    vec3 place;    // in the camera
+    vec2 pixel;
+    float label;   // by the label
+    float near;    // for being taken near the viewer
+    float own;     // near its own camera, whose view is the photo
+    float weight;  // all of them, less what the third best has: photos come and go without a step
+};
+
+Candidate candidate_of(uint photo, vec3 seen_near) {
+    Candidate c = Candidate(photo, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0);
+    uint label = uint(photos[photo].false_color.w);
+    c.label = label > 0u ? label_weight * dot(corner_shares, vec3(equal(labels, uvec3(label)))) : 0.0;
+    c.near = photos[photo].size_weight.w;
+    c.place = (photos[photo].cam_from_origin * vec4(surface_position, 1.0)).xyz;
+    c.pixel = photos[photo].focal_center.xy * c.place.xy / max(c.place.z, 1e-30) + photos[photo].focal_center.zw;
+    if (!(c.place.z > 0.0) || !inside(photo, c.pixel)) return c;
+    vec2 size = photos[photo].size_weight.xy, inward = min(c.pixel, size - c.pixel);
+    float falls = max(exp(-ray_angle(surface_position, photo) / background_sharpness), 1e-6);
+    c.label *= falls;
+    c.near *= falls * smoothstep(0.0, near_ramp * size.x, min(inward.x, inward.y));
+    float r = own_angle / max(ray_angle(seen_near, photo), own_least);
+    c.own = r * r;
+    c.weight = c.label + c.near + c.own;
+    return c;
+}
+
+// Share of a photo's color beside the calm one, for a viewer away from all cameras.
+float sure(float trust) { return 1.0 - smoothstep(calm_from * trust, calm_to * trust, viewer_away); }
+
+vec3 calmed(vec3 root, float share) {
+    vec3 off = (root - calm) / sky_spread;
+    // What stands out from the sky is not infinitely far, and would be doubled.
+    if (distance(surface_position, weight_eye) > sky_distance * background_distance) share /= 1.0 + dot(off, off);
+    return max(mix(calm, root, share), vec3(0.0));
+}
+
+// Square root of the color that a photo gives: by its label it continues other photos' colors, and it is calm where it is not to
+// be trusted, but from its own camera.
+vec3 painted(vec3 root, Candidate c) {
+    vec3 labeled = calmed(root + surface_normal, sure(max(trust, 1e-3))), near = calmed(root, sure(1.0));
+    return (c.label * labeled + c.near * near + c.own * root) / (c.label + c.near + c.own);
+}
+
+// The photos of the pass that may show the pixel: those of its labels, and the nearest. Returns how many.
+int slots_here(bool near, out uint slots[3 + nearest_photos]) {
+    int count = 0;
+    for (int i = 0; i < 3 + (near ? nearest_photos : 0); ++i) {
+        uint slot = i < 3 ? label_slots[labels[i]] : nearest_slots[i - 3];
+        bool known = slot == no_slot;
+        for (int k = 0; k < count; ++k) known = known || slots[k] == slot;
+        if (!known) slots[count++] = slot;
+    }
+    return count;
+}
+
+void main() {
+    accumulated = vec4(0.0);
+    uint triangle = visible_triangle(ivec2(gl_FragCoord.xy));
+    if (triangle <= background_triangles.x || triangle > background_triangles.y) discard;
+    vec3 along_x, along_y, across;
+    read_surface(triangle - 1u, along_x, along_y, across);
+    read_paint();
+    // The background may be infinitely far; for photos near their own cameras it is taken for near.
+    vec3 away = surface_position - weight_eye;
+    vec3 seen_near = weight_eye + away * min(1.0, background_distance / length(away));
+    Candidate best[2];
+    best[0] = best[1] = Candidate(0u, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0);
+    float third = 0.0;
+    uint slots[3 + nearest_photos];
+    int count = slots_here(length(away) < near_distance, slots);
+    for (int i = 0; i < count; ++i) {
+        Candidate c = candidate_of(slots[i], seen_near);
+        if (c.weight > best[0].weight) {
+            third = best[1].weight;
+            best[1] = best[0];
+            best[0] = c;
+        } else if (c.weight > best[1].weight) {
+            third = best[1].weight;
+            best[1] = c;
+        } else third = max(third, c.weight);
+    }
+    third = max(third, negligible * best[0].weight);
+    for (int i = 0; i < 2; ++i) {
+        Candidate c = best[i];
+        if (!(c.weight > third)) break;
+        Footprint footprint = footprint_of(c.photo, c.place, along_x, along_y);
+        float open = beyond_mesh(c.photo, c.pixel, footprint.lod);
+        c.label *= open;
+        c.near *= open;
+        float theta = own_angle / sqrt(max(c.own, 1e-12));
+        c.own *= max(open, own_share(theta) - 0.5);
+        float w = (c.label + c.near + c.own) * (1.0 - third / c.weight);
+        if (!(w > 0.0)) continue;
+        vec4 taken = as_shown(c.photo, photo_color(c.photo, c.pixel, footprint, theta));
+        vec3 root = sqrt(taken.rgb);
+        if (show == show_colors) root = painted(root, c);
+        accumulated += show == show_coverage ? vec4(taken.a) : vec4(root, 1.0) * w * taken.a;
+    }
+}
