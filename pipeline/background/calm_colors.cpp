@@ -15,14 +15,18 @@ Side side_of(const Backdrop& b, std::size_t direction) {
     return b.sphere.directions[direction].dot(b.sky.down) < 0 ? Side::above : Side::below;
 }
 
-/// The color that a direction's photo shows, square root of light, with weight 1.
+/// The color that a direction's photo shows, square root of light, with weight 1; nothing of what is
+/// before the sky.
 Eigen::Array4f shown_color(const Backdrop& b, std::span<const CoarseView> views, const BackdropPaint& paint,
                            std::size_t direction) {
     Eigen::Array4f out = Eigen::Array4f::Zero();
     if (paint.view[direction] == BackdropPaint::none) return out;
     const CoarseView& v = views[paint.view[direction]];
     const ViewSample s = sample(v, in_camera(v, b.positions[direction]), 1);
-    if (s.kind == ViewSample::open) out << (root_of(s.ln) + paint.correction[direction]).max(0.0f), 1;
+    const bool before_sky =
+        b.is_sky[direction] && s.kind == ViewSample::open && !b.sky.at(paint.view[direction], v, s);
+    if (s.kind == ViewSample::open && !before_sky)
+        out << (root_of(s.ln) + paint.correction[direction]).max(0.0f), 1;
     return out;
 }
 
@@ -73,6 +77,7 @@ std::vector<Eigen::Array3f> calm_colors(const Backdrop& backdrop, std::span<cons
     std::vector<Eigen::Array4f> shown(n);
     for (std::size_t v = 0; v < n; ++v) shown[v] = shown_color(backdrop, views, paint, v);
     std::vector<Eigen::Array3f> out(n);
+    std::vector<Eigen::Array4f> sky;
     for (const Side side : {Side::sky, Side::above, Side::below}) {
         std::vector<Eigen::Array4f> known = shown;
         for (std::size_t v = 0; v < n; ++v)
@@ -81,6 +86,15 @@ std::vector<Eigen::Array3f> calm_colors(const Backdrop& backdrop, std::span<cons
         continue_colors(sphere, known);
         for (std::size_t v = 0; v < n; ++v)
             if (side_of(backdrop, v) == side) out[v] = known[v].head<3>();
+        if (side == Side::sky) sky = std::move(known);
+        if (side != Side::above || !backdrop.sky.any()) continue;
+        // Haze: what no photo shows above the horizon soon becomes sky.
+        for (std::size_t v = 0; v < n; ++v) {
+            const float rise =
+                std::clamp(-backdrop.sphere.directions[v].dot(backdrop.sky.down) / lowest_alone, 0.0f, 1.0f);
+            if (side_of(backdrop, v) == side && shown[v][3] == 0)
+                out[v] += rise * rise * (sky[v].head<3>() - out[v]);
+        }
     }
     relax(sphere, std::vector<std::uint8_t>(n, 1), smoothing, out);
     out.reserve(backdrop.positions.size());

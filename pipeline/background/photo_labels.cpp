@@ -21,7 +21,6 @@ constexpr float next_to_frame = 0.5f, frame_reach = 6.5f;  ///< texels
 constexpr float coarser = 0.3f;                            ///< per halving of the resolution
 constexpr float not_sky = 0.5f;                            ///< where another view shows sky
 constexpr float seam = 0.02f, seam_contrast = 3;
-constexpr float lowest_alone = 0.1f;  ///< sine of the elevation above which one view is not believed, but sky
 
 /// What one view shows of a direction; `cost` is `invalid` if nothing.
 struct Shown {

@@ -116,15 +116,17 @@ std::vector<std::uint8_t> sky_directions(std::span<const CoarseView> views, cons
     for_each_direction(out.size(), threads, [&](std::size_t d) {
         const Eigen::Vector3f& direction = sphere.directions[d];
         if (direction.dot(sky.down) >= 0) return;
-        int shown = 0, as_sky = 0;
+        std::size_t inside = 0, shown = 0, as_sky = 0;
         for (std::size_t i = 0; i < views.size(); ++i) {
             const CoarseView& v = views[i];
             const ViewSample s = sample(v, v.pose.R.cast<float>() * direction, 0);
+            inside += s.kind != ViewSample::nothing;
             if (s.kind != ViewSample::open) continue;
             ++shown;
             as_sky += sky.at(i, v, s);
         }
-        out[d] = shown < 2 || 2 * as_sky >= shown;
+        const bool hidden = 2 * inside > views.size(), high = -direction.dot(sky.down) > lowest_alone;
+        out[d] = shown < 2 ? hidden || high : 2 * as_sky >= shown;
     });
     return out;
 }

@@ -11,6 +11,9 @@
 
 namespace vantage {
 
+/// Sine of the elevation above which what fewer than two photos show is sky.
+inline constexpr float lowest_alone = 0.1f;
+
 /// Where photos show sky.
 struct Sky {
     Eigen::Vector3f down = Eigen::Vector3f::UnitZ();  ///< unit length
@@ -30,7 +33,7 @@ Sky find_sky(std::span<const CoarseView> views, const SweptDepths& depths, const
              const std::vector<float>& inverse, const Eigen::Vector3d& down);
 
 /// Per direction 1 if it is infinitely far: at least half of the photos that show it show sky, or it is above
-/// the horizon and fewer than two photos show it. All 0 in a scene without sky.
+/// the horizon, fewer than two photos show it, and it is well above or the mesh hides it from most photos. All 0 in a scene without sky.
 std::vector<std::uint8_t> sky_directions(std::span<const CoarseView> views, const Sky& sky,
                                          const DirectionSphere& sphere, unsigned threads);
 
