@@ -81,10 +81,12 @@ Candidate candidate_of(uint photo, vec3 seen_near) {
 // Share of a photo's color beside the calm one, for a viewer away from all cameras.
 float sure(float trust) { return 1.0 - smoothstep(calm_from * trust, calm_to * trust, viewer_away); }
 
+bool is_sky() { return distance(surface_position, weight_eye) > sky_distance * background_distance; }
+
 vec3 calmed(vec3 root, float share) {
     vec3 off = (root - calm) / sky_spread;
     // What stands out from the sky is not infinitely far, and would be doubled.
-    if (distance(surface_position, weight_eye) > sky_distance * background_distance) share /= 1.0 + dot(off, off);
+    if (is_sky()) share /= 1.0 + dot(off, off);
     return max(mix(calm, root, share), vec3(0.0));
 }
 
@@ -134,6 +136,8 @@ void main() {
         } else third = max(third, c.weight);
     }
     third = max(third, negligible * best[0].weight);
+    // A photo does not see the sky where it shows the mesh, though that may be hidden there.
+    if (show == show_colors && trust > 0.8 && is_sky()) accumulated = vec4(calm, 1.0) * background_least;
     for (int i = 0; i < 2; ++i) {
         Candidate c = best[i];
         if (!(c.weight > third)) break;

@@ -13,6 +13,7 @@
 #include "pipeline/background/backdrop_coverage.h"
 #include "pipeline/background/calm_colors.h"
 #include "pipeline/background/photo_labels.h"
+#include "pipeline/background/sky_triangles.h"
 #include "pipeline/background/validate_background.h"
 #include "pipeline/refine/verdict.h"
 #include "pipeline/run/for_each_photo.h"
@@ -110,9 +111,21 @@ void add_paint(const BackdropPaint& paint, std::span<const CoarseView> views, Ba
     }
 }
 
-std::vector<std::byte> chunk_of(const BackgroundInput& in, const Backdrop& backdrop,
-                                const CoarseViews& some) {
+/// See sky_triangles.
+std::vector<std::uint32_t> hidden_triangles(const BackgroundInput& in, const CoarseViews& some,
+                                            const Sky& sky) {
+    if (!sky.any()) return {};
+    using package::Type;
+    return sky_triangles(in.package.records<Eigen::Vector3f>(Type::positions),
+                         in.package.records<std::array<std::uint32_t, 3>>(Type::indices),
+                         read_sky_pictures(in.package, in.photos, some.views, sky, in.threads), sky.down,
+                         in.threads);
+}
+
+std::vector<std::byte> chunk_of(const BackgroundInput& in, const Backdrop& backdrop, const CoarseViews& some,
+                                std::vector<std::uint32_t> hidden) {
     BackgroundContent content;
+    content.hidden = std::move(hidden);
     content.positions = backdrop.positions;
     content.triangles = backdrop.sphere.triangles;
     content.clusters = backdrop_clusters(backdrop);
@@ -167,7 +180,11 @@ Background find_background(const BackgroundInput& in) {
     if (in.validate) out.decision = validated(in, some, mesh, std::move(out.decision));
     if (!out.decision.on) return out;
     const Backdrop backdrop = estimate.get();
-    out.chunk = chunk_of(in, backdrop, some);
+    std::vector<std::uint32_t> hidden = hidden_triangles(in, some, backdrop.sky);
+    if (!hidden.empty())
+        out.decision.evidence +=
+            fmt::format("; {} triangles of the mesh are sky, and are not shown", hidden.size());
+    out.chunk = chunk_of(in, backdrop, some, std::move(hidden));
     return out;
 }
 

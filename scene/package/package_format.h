@@ -134,6 +134,7 @@ struct ClusterRecord {
 /// The head of SURR; scene/package/contents/background.h has what follows.
 struct BackgroundRecord {
     std::uint64_t vertices, triangles, clusters, photos;
+    std::uint64_t hidden;  ///< triangles of the mesh
 };
 
 /// A point of a cloud: x, y and z in 1/2^21 of its node's cube, from the lowest bit, rounded down to a cell

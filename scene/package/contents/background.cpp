@@ -34,7 +34,7 @@ std::vector<T> take(std::span<const std::byte>& bytes, std::size_t count) {
 std::uint64_t size_of(const BackgroundRecord& r) {
     return sizeof r +
            r.photos * (16 * package::visible_words(r.triangles) + r.clusters * sizeof(CoverageRecord)) +
-           r.vertices * 20 + r.photos + r.triangles * 12 + r.clusters * sizeof(ClusterRecord);
+           r.vertices * 20 + r.photos + r.triangles * 12 + r.hidden * 4 + r.clusters * sizeof(ClusterRecord);
 }
 
 /// What is wrong with the content; empty if nothing is.
@@ -58,7 +58,7 @@ const char* problem(const BackgroundContent& s) {
 
 std::vector<std::byte> background_chunk(const BackgroundContent& s) {
     const BackgroundRecord record{s.positions.size(), s.triangles.size(), s.clusters.size(),
-                                  s.coverage.size()};
+                                  s.coverage.size(), s.hidden.size()};
     std::vector<std::byte> out;
     out.reserve(size_of(record));
     const auto head = bytes_of_one(record);
@@ -66,6 +66,7 @@ std::vector<std::byte> background_chunk(const BackgroundContent& s) {
     for (const auto& bits : s.visible) put(out, bits, 2 * package::visible_words(record.triangles));
     put(out, s.positions, s.positions.size());
     put(out, s.triangles, s.triangles.size());
+    put(out, s.hidden, s.hidden.size());
     put(out, s.clusters, s.clusters.size());
     put(out, s.colors, s.colors.size());
     put(out, s.corrections, s.colors.size());
@@ -84,7 +85,7 @@ std::optional<BackgroundContent> read_background(const PackageReader& package) {
     constexpr std::uint64_t most = std::uint64_t(1) << 32;
     if (raw.size() >= sizeof r) std::memcpy(&r, raw.data(), sizeof r);
     if (raw.size() < sizeof r || r.vertices > most || r.triangles > most || r.clusters > r.triangles ||
-        r.photos != package.photos().size() || r.photos > most || size_of(r) != raw.size())
+        r.photos != package.photos().size() || r.photos > most || r.hidden > most || size_of(r) != raw.size())
         throw fail("length does not fit its counts");
     std::span<const std::byte> rest = raw.subspan(sizeof r);
     BackgroundContent s;
@@ -92,12 +93,15 @@ std::optional<BackgroundContent> read_background(const PackageReader& package) {
         s.visible.push_back(take<std::uint64_t>(rest, 2 * package::visible_words(r.triangles)));
     s.positions = take<Eigen::Vector3f>(rest, r.vertices);
     s.triangles = take<std::array<std::uint32_t, 3>>(rest, r.triangles);
+    s.hidden = take<std::uint32_t>(rest, r.hidden);
     s.clusters = take<ClusterRecord>(rest, r.clusters);
     s.colors = take<std::array<std::uint8_t, 4>>(rest, r.vertices);
     s.corrections = take<std::array<std::int8_t, 4>>(rest, r.vertices);
     s.labels = take<std::uint8_t>(rest, r.photos);
     for (std::uint64_t p = 0; p < r.photos; ++p) s.coverage.push_back(take<CoverageRecord>(rest, r.clusters));
     if (const char* why = problem(s); *why) throw fail(why);
+    if (!s.hidden.empty() && std::ranges::max(s.hidden) >= package.scene().triangles)
+        throw fail("a hidden triangle is out of range");
     return s;
 }
 

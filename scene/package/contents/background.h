@@ -24,7 +24,8 @@ struct BackgroundContent {
     std::vector<std::array<std::uint8_t, 4>> colors;
     /// Per vertex: added to that photo's color, square roots of light times `correction_scale`; 0.
     std::vector<std::array<std::int8_t, 4>> corrections;
-    std::vector<std::uint8_t> labels;  ///< per photo, 1 to 31; 0: it shows only its own view
+    std::vector<std::uint32_t> hidden;  ///< triangles of the mesh that are not shown: photos show sky there
+    std::vector<std::uint8_t> labels;   ///< per photo, 1 to 31; 0: it shows only its own view
     std::vector<std::vector<package::CoverageRecord>> coverage;  ///< per photo and cluster; may be empty
     std::vector<std::vector<std::uint64_t>> visible;             ///< per photo, as VISB; may be empty
 };
