@@ -15,7 +15,8 @@ std::vector<float> nearest_shares(const PlanScene& scene, const Eigen::Vector3d&
 /// infinitely far.
 double near_distance(const PlanScene& scene, const Eigen::Vector3d& eye);
 
-/// The photos that show the background in view: those whose labels it has, and the nearest.
+/// The photos that show the background in view: those whose labels it has, and the nearest. Instead of the
+/// agreement, their shares among the nearest.
 std::vector<PlannedPhoto> plan_background(const VisibleSurface& surface, const PlanSettings& settings,
                                           std::span<const std::uint32_t> allowed);
 
