@@ -12,7 +12,8 @@ under_xvfb() {
     done
     export VANTAGE_WINDOW_TEST=$(mktemp -d)
     trap 'rm -rf "$VANTAGE_WINDOW_TEST"' EXIT
-    xvfb-run -a -s "-screen 0 ${screen}x24" "$0" "$@"
+    # By the process's number: of tests that start at once, -a alone gives two the same screen.
+    xvfb-run -n $((1000 + $$ % 30000)) -a -s "-screen 0 ${screen}x24" "$0" "$@"
     exit $?
   fi
   enter_folder
