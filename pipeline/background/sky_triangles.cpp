@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
+#include <iterator>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
-#include <optional>
-#include <utility>
 
 #include "pipeline/run/for_each_photo.h"
+#include "pipeline/visibility/photo_geometry.h"
+#include "pipeline/visibility/triangle_map.h"
 #include "scene/agreement/read_level.h"
 
 namespace vantage {
@@ -16,7 +17,7 @@ namespace {
 
 constexpr int picture_side = 768;
 // Codes are square roots of linear light times 255.
-constexpr float least_light = 130;           ///< of the least_light channel, at least
+constexpr float least_light = 130;           ///< of the brightest channel, at least
 constexpr float largest_step = 5;            ///< between neighboring texels, at most
 constexpr float most_off = 20;               ///< from the sky beside the mesh, at most
 constexpr float saturated = 248;             ///< of all channels: it may be anything
@@ -102,13 +103,11 @@ void vote(const SkyPicture& p, const cv::Mat1b& sky, const std::array<Eigen::Vec
           Votes& out) {
     float seen = 0, shown = 0;
     for (const Eigen::Vector3d& point : points) {
-        const Eigen::Vector3d c = p.pose.R * point + p.pose.t;
-        if (!(c.z() > 0)) continue;
-        const double x = p.k.fx * c.x() / c.z() + p.k.cx, y = p.k.fy * c.y() / c.z() + p.k.cy;
-        if (!(x >= 0 && y >= 0 && x < p.k.width && y < p.k.height)) continue;
-        const int i = int(x), j = int(y);
+        const auto at = project(p.k, p.pose, point);
+        if (!at || !in_frame(p.k, at->pixel)) continue;
+        const int i = int(at->pixel.x()), j = int(at->pixel.y());
         const float z = p.z(j, i);
-        if (std::isinf(z) || std::isnan(p.codes(j, i)[0]) || std::abs(z - c.z()) > same_depth * c.z())
+        if (std::isinf(z) || std::isnan(p.codes(j, i)[0]) || std::abs(z - at->z) > same_depth * at->z)
             continue;
         if (sky(j, i) == 2) continue;
         ++seen, shown += sky(j, i) == 1;
@@ -116,88 +115,47 @@ void vote(const SkyPicture& p, const cv::Mat1b& sky, const std::array<Eigen::Vec
     if (seen > 0) out.all += 1, out.sky += shown / seen;
 }
 
-/// Where a triangle is in a picture; nothing if a corner is behind the camera.
-std::optional<std::array<Eigen::Vector2d, 3>> projected(const SkyPicture& p,
-                                                        const std::array<Eigen::Vector3d, 3>& corners) {
-    std::array<Eigen::Vector2d, 3> out;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Eigen::Vector3d c = p.pose.R * corners[i] + p.pose.t;
-        if (!(c.z() > 0)) return std::nullopt;
-        out[i] = {p.k.fx * c.x() / c.z() + p.k.cx, p.k.fy * c.y() / c.z() + p.k.cy};
-    }
-    return out;
+/// The nearest of these triangles at each texel, by its place in `numbers`; TriangleMap::none.
+std::vector<std::uint32_t> nearest_of(const PhotoProjection& projection,
+                                      std::span<const std::array<std::uint32_t, 3>> triangles,
+                                      std::span<const std::uint32_t> numbers) {
+    std::vector<std::uint32_t> indices;
+    for (const std::uint32_t t : numbers)
+        indices.insert(indices.end(), triangles[t].begin(), triangles[t].end());
+    const std::vector<float> no_values(projection.positions.size(), 0);
+    return rasterize(projection, indices, no_values).triangles;
 }
 
-double cross_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// Calls `visit` for each texel whose middle is in the triangle.
-template <class Visit>
-void for_each_texel(const Intrinsics& k, const std::array<Eigen::Vector2d, 3>& t, const Visit& visit) {
-    const double area = cross_of(t[1] - t[0], t[2] - t[0]);
-    if (area == 0) return;
-    const auto range = [&](int axis, int size) {
-        const auto [low, high] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
-        return std::pair(int(std::clamp(std::floor(low), 0.0, double(size))),
-                         int(std::clamp(std::ceil(high), 0.0, double(size))));
-    };
-    const auto [left, right] = range(0, k.width);
-    const auto [top, bottom] = range(1, k.height);
-    for (int y = top; y < bottom; ++y)
-        for (int x = left; x < right; ++x) {
-            const Eigen::Vector2d at(x + 0.5, y + 0.5);
-            const double a = cross_of(t[1] - t[0], at - t[0]) / area,
-                         b = cross_of(t[2] - t[1], at - t[1]) / area,
-                         c = cross_of(t[0] - t[2], at - t[2]) / area;
-            if (a >= 0 && b >= 0 && c >= 0) visit(x, y);
-        }
-}
-
-/// Whether a picture shows a triangle where other triangles, which are `covered`, lie behind it.
-bool hides_others(const SkyPicture& p, const cv::Mat1b& covered,
-                  const std::array<Eigen::Vector3d, 3>& corners) {
-    const double z = (p.pose.R * ((corners[0] + corners[1] + corners[2]) / 3) + p.pose.t).z();
-    bool found = false;
-    if (const auto at = projected(p, corners))
-        for_each_texel(p.k, *at,
-                       [&](int x, int y) { found |= covered(y, x) && p.z(y, x) > z * (1 - same_depth); });
-    return found;
-}
-
-/// Keeps those behind which no photo has anything else of the mesh: what a photo shows as sky must not come
-/// to lie on it.
+/// Keeps those behind which no photo has anything else of the mesh: it would then show that photo's sky.
 std::vector<std::uint32_t> before_nothing(std::span<const Eigen::Vector3f> positions,
                                           std::span<const std::array<std::uint32_t, 3>> triangles,
                                           std::span<const SkyPicture> pictures,
                                           std::vector<std::uint32_t> hidden, unsigned threads) {
     constexpr int rounds = 4;
-    const auto corners_of = [&](std::size_t t) {
-        std::array<Eigen::Vector3d, 3> out;
-        for (std::size_t i = 0; i < 3; ++i) out[i] = positions[triangles[t][i]].cast<double>();
-        return out;
-    };
-    std::vector<std::uint32_t> others;
-    for (std::uint32_t t = 0; t < triangles.size(); ++t)
-        if (!std::ranges::binary_search(hidden, t)) others.push_back(t);
-    std::vector<cv::Mat1b> covered;
-    for (const SkyPicture& p : pictures) covered.emplace_back(p.z.size(), uchar(0));
-    for (int round = 0; round < rounds && !others.empty(); ++round) {
+    std::vector<std::uint32_t> all(triangles.size());
+    std::iota(all.begin(), all.end(), 0u);
+    std::vector<PhotoProjection> projections(pictures.size());
+    std::vector<std::vector<std::uint32_t>> seen(pictures.size());
+    for_each_photo(pictures.size(), threads, [&](std::size_t i) {
+        const SkyPicture& p = pictures[i];
+        projections[i] = project_model(positions, p.k, p.pose, depth_range(positions, p.pose).x());
+        seen[i] = nearest_of(projections[i], triangles, all);
+    });
+    for (int round = 0; round < rounds && !hidden.empty(); ++round) {
+        std::vector<std::uint32_t> others;
+        std::ranges::set_difference(all, hidden, std::back_inserter(others));
         std::vector<std::vector<std::uint8_t>> stands_before(pictures.size());
         for_each_photo(pictures.size(), threads, [&](std::size_t i) {
-            const SkyPicture& p = pictures[i];
-            for (const std::uint32_t t : others)
-                if (const auto at = projected(p, corners_of(t)))
-                    for_each_texel(p.k, *at, [&](int x, int y) { covered[i](y, x) = 1; });
-            for (const std::uint32_t t : hidden)
-                stands_before[i].push_back(hides_others(p, covered[i], corners_of(t)));
+            const std::vector<std::uint32_t> behind = nearest_of(projections[i], triangles, others);
+            stands_before[i].assign(triangles.size(), 0);
+            for (std::size_t at = 0; at < behind.size(); ++at)
+                if (behind[at] != TriangleMap::none && seen[i][at] != TriangleMap::none)
+                    stands_before[i][seen[i][at]] = 1;
         });
-        std::vector<std::uint32_t> left;
-        others.clear();
-        for (std::size_t h = 0; h < hidden.size(); ++h) {
-            const bool stays =
-                std::ranges::any_of(stands_before, [&](const auto& photo) { return photo[h]; });
-            (stays ? others : left).push_back(hidden[h]);
-        }
-        hidden = std::move(left);
+        const std::size_t erased = std::erase_if(hidden, [&](std::uint32_t t) {
+            return std::ranges::any_of(stands_before, [&](const auto& photo) { return photo[t]; });
+        });
+        if (erased == 0) break;
     }
     return hidden;
 }
