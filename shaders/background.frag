@@ -9,7 +9,6 @@ layout(location = 0) out vec4 accumulated;
 layout(location = label_slots_uniform) uniform uint label_slots[background_labels];  // photos of the pass; no_slot
 layout(location = nearest_slots_uniform) uniform uint nearest_slots[nearest_photos];  // likewise, of those nearest to the viewer
 layout(location = near_distance_uniform) uniform float near_distance;                // farther than this, they show nothing
-layout(location = weight_eye_uniform) uniform vec3 weight_eye;            // the viewer, relative to the origin
 layout(location = background_triangles_uniform) uniform uvec2 background_triangles;  // first, and behind the last
 layout(location = background_distance_uniform) uniform float background_distance;
 layout(location = viewer_away_uniform) uniform float viewer_away;         // from the nearest camera, in this unit
@@ -26,12 +25,6 @@ void read_paint() {
         labels[i] = c >> 27;
         trust += corner_shares[i] * float(c >> 24 & 7u) / 7.0;
     }
-}
-
-// Angle in radians between the rays from a point to the viewer and to a photo; accurate for small angles.
-float ray_angle(vec3 at, uint photo) {
-    vec3 a = normalize(weight_eye - at), b = normalize(photos[photo].center_hull.xyz - at);
-    return atan(length(cross(a, b)), dot(a, b));
 }
 
 // Share of the area around a photo pixel that does not show the mesh, 0 on the mesh itself.
@@ -57,11 +50,12 @@ struct Candidate {
     float label;   // by the label
     float near;    // for being taken near the viewer
     float own;     // near its own camera, whose view is the photo
-    float weight;  // all of them, less what the third best has: photos come and go without a step
+    float weight;  // all of them
+    float theta;   // angle between the rays of viewer and photo to a near place in this direction
 };
 
 Candidate candidate_of(uint photo, vec3 seen_near) {
-    Candidate c = Candidate(photo, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0);
+    Candidate c = Candidate(photo, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
     uint label = uint(photos[photo].false_color.w);
     c.label = label > 0u ? label_weight * dot(corner_shares, vec3(equal(labels, uvec3(label)))) : 0.0;
     c.near = photos[photo].size_weight.w;
@@ -72,8 +66,8 @@ Candidate candidate_of(uint photo, vec3 seen_near) {
     float falls = max(exp(-ray_angle(surface_position, photo) / background_sharpness), 1e-6);
     c.label *= falls;
     c.near *= falls * smoothstep(0.0, near_ramp * size.x, min(inward.x, inward.y));
-    float r = own_angle / max(ray_angle(seen_near, photo), own_least);
-    c.own = r * r;
+    c.theta = ray_angle(seen_near, photo);
+    c.own = own_factor(c.theta);
     c.weight = c.label + c.near + c.own;
     return c;
 }
@@ -120,7 +114,7 @@ void main() {
     vec3 away = surface_position - weight_eye;
     vec3 seen_near = weight_eye + away * min(1.0, background_distance / length(away));
     Candidate best[2];
-    best[0] = best[1] = Candidate(0u, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0);
+    best[0] = best[1] = Candidate(0u, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
     float third = 0.0;
     uint slots[3 + nearest_photos];
     int count = slots_here(length(away) < near_distance, slots);
@@ -135,6 +129,7 @@ void main() {
             best[1] = c;
         } else third = max(third, c.weight);
     }
+    // Less what the third best has, so that photos come and go without a step.
     third = max(third, negligible * best[0].weight);
     // A photo does not see the sky where it shows the mesh, though that may be hidden there.
     if (show == show_colors && trust > 0.8 && is_sky()) accumulated = vec4(calm, 1.0) * background_least;
@@ -145,11 +140,10 @@ void main() {
         float open = beyond_mesh(c.photo, c.pixel, footprint.lod);
         c.label *= open;
         c.near *= open;
-        float theta = own_angle / sqrt(max(c.own, 1e-12));
-        c.own *= max(open, own_share(theta) - 0.5);
+        c.own *= max(open, own_share(c.theta) - 0.5);
         float w = (c.label + c.near + c.own) * (1.0 - third / c.weight);
         if (!(w > 0.0)) continue;
-        vec4 taken = as_shown(c.photo, photo_color(c.photo, c.pixel, footprint, theta));
+        vec4 taken = as_shown(c.photo, photo_color(c.photo, c.pixel, footprint, c.theta));
         vec3 root = sqrt(taken.rgb);
         if (show == show_colors) root = painted(root, c);
         accumulated += show == show_coverage ? vec4(taken.a) : vec4(root, 1.0) * w * taken.a;

@@ -28,7 +28,6 @@ layout(location = 0) out vec4 accumulated;
 
 layout(location = pass_count_uniform) uniform uint pass_count;
 layout(location = eye_uniform) uniform vec3 eye;                        // relative to the origin
-layout(location = weight_eye_uniform) uniform vec3 weight_eye;          // same as `eye`, or the eye at which weights were frozen
 layout(location = view_direction_uniform) uniform vec3 view_direction;  // [P], of the same view: outside the model toward it, inside the camera's own
 layout(location = switches_uniform) uniform uint switches;              // bits as in contract.glsl
 layout(location = border_width_uniform) uniform float border_width;     // reference pixels at which the border weight is 1
@@ -42,12 +41,6 @@ layout(binding = first_sums_unit) uniform sampler2D first_sums;
 
 const float least = 0.001;           // minimum of each weight map: a photo that sees the surface keeps some weight
 const float transient_scale = 0.08;  // square root of linear color: a difference of this much halves the weight
-
-// Angle in radians between the rays from the surface to the viewer and to the photo; accurate for small angles.
-float ray_angle(uint photo) {
-    vec3 a = normalize(weight_eye - surface_position), b = normalize(photos[photo].center_hull.xyz - surface_position);
-    return atan(length(cross(a, b)), dot(a, b));
-}
 
 // Visibility of a fragment in a photo, from the four depths around its pixel: 1 if it is behind none of them, `beside` if
 // behind some, 0 if behind all.
@@ -80,8 +73,7 @@ float angle_weight(float theta) { return (switches & angle_switch) != 0u ? max(e
 
 // Factor by which a photo outweighs the others near its own camera.
 float own_view(float theta) {
-    float r = own_angle / max(theta, own_least);
-    return (switches & angle_switch) == 0u ? 1.0 : 1.0 + r * r;
+    return (switches & angle_switch) == 0u ? 1.0 : 1.0 + own_factor(theta);
 }
 
 // A photo that has less than a pixel for a sample of the picture counts less, and none counts more for having more than the
@@ -169,7 +161,7 @@ void main() {
 #endif
         if (!(w > 0.0)) continue;
         vec4 weight_maps = weights_at(at);
-        float theta = ray_angle(photo);
+        float theta = ray_angle(surface_position, photo);
         w *= weight_of(photo, pixel, weight_maps, theta, footprint);
 #ifdef PHOTO_TRANSIENTS
         // 1 of 255: visible, but contradicted by other photos.

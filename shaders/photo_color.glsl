@@ -1,11 +1,24 @@
 // The color that a photo gives a sample of the picture.
 #include "photos.glsl"
 
+layout(location = weight_eye_uniform) uniform vec3 weight_eye;  // the viewer relative to the origin, or the eye at which weights were frozen
 layout(location = lod_bias_uniform) uniform float lod_bias;
 layout(location = blend_show_uniform) uniform uint show;
 
 bool inside(uint photo, vec2 pixel) {
     return all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, photos[photo].size_weight.xy));
+}
+
+// Angle in radians between the rays from a point to the viewer and to a photo; accurate for small angles.
+float ray_angle(vec3 at, uint photo) {
+    vec3 a = normalize(weight_eye - at), b = normalize(photos[photo].center_hull.xyz - at);
+    return atan(length(cross(a, b)), dot(a, b));
+}
+
+// Weight, beside those of 1, of a photo near its own camera.
+float own_factor(float theta) {
+    float r = own_angle / max(theta, own_least);
+    return r * r;
 }
 
 // Share in [0, 1] of a photo in its own view: 1 at its camera, 1/2 at `own_angle`.

@@ -33,6 +33,7 @@ bool has_label(const PlanScene& scene, std::uint32_t photo, const package::Clust
 
 /// Whether the background in view has labels of a photo. `behind`: see triangles_behind.
 bool paints(const VisibleSurface& s, std::span<const std::uint32_t> behind, std::uint32_t photo) {
+    if (s.scene.labels[photo] == 0) return false;
     if (s.triangles.empty())
         return std::ranges::any_of(s.clusters, [&](std::uint32_t index) {
             return index >= s.scene.first_surrounding && has_label(s.scene, photo, s.scene.clusters[index]);
@@ -82,11 +83,12 @@ std::vector<PlannedPhoto> plan_background(const VisibleSurface& s, const PlanSet
             if (c >= s.scene.first_surrounding && s.scene.coverage[photo][c].seen > 0 &&
                 (share >= least || has_label(s.scene, photo, s.scene.clusters[c])))
                 p.clusters.push_back(c);
-        add_needs(p, s, settings, [&](std::size_t i) {
+        const auto weight = [&](std::size_t i) {
             if (s.points.clusters[i] < s.scene.first_surrounding) return 0.0f;
             if (sees(s.scene, photo, s.points.triangles[i])) return 1.0f;
             return (s.points.samples[i].position - s.eye).norm() < reach ? share : 0.0f;
-        });
+        };
+        if (settings.tiles) add_needs(p, s, settings, weight);
         if (!p.clusters.empty()) out.push_back(std::move(p));
     }
     return out;

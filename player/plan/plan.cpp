@@ -71,6 +71,7 @@ Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& set
     assign_clusters(surface, settings, plan.photos);
     std::vector<float> weights(scene.clusters.size());
     for (PlannedPhoto& p : plan.photos) {
+        if (!settings.tiles) break;
         std::ranges::fill(weights, 0.0f);
         for (std::size_t i = 0; i < p.clusters.size(); ++i) weights[p.clusters[i]] = p.weights[i];
         add_needs(p, surface, settings, [&](std::size_t i) {

@@ -28,7 +28,6 @@ double spared_levels(double weight) { return std::clamp(-std::log2(8 * weight) /
 
 void add_needs(PlannedPhoto& p, const VisibleSurface& s, const PlanSettings& settings,
                const std::function<float(std::size_t)>& weight) {
-    if (!settings.tiles) return;
     if (!(settings.worth > 0) || s.triangles.empty()) {
         p.needs = needs_of_clusters(s, p, true, settings.samples);
         if (settings.complete && settings.worth == 0)

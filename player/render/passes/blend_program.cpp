@@ -11,7 +11,6 @@ gl::Program make_blend_program(const BlendVariant& v, const package::SceneRecord
     EffectSet effects = scene.effects & ~effect_bit(Effect::per_fragment);
     if (v.per_fragment) effects |= effect_bit(Effect::per_fragment);
     if (!v.refined_colors) effects &= ~effects_from(Basis::colors);
-    effects &= ~effect_bit(Effect::background);
     std::vector<std::string> defines = shader_defines("blend", effects);
     defines.push_back("PASS_PHOTOS " + std::to_string(v.photos));
     const BlendRow& row = blend_row(v.blend);

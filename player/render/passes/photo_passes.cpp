@@ -124,7 +124,8 @@ bool PhotoPasses::by_triangle(const RenderSettings& settings) const {
 const gl::Program& PhotoPasses::blend_program(const RenderSettings& settings, bool transients, BlendOn on,
                                               bool behind_points) {
     const bool fragment = on != BlendOn::model || per_fragment(settings);
-    const Blend blend = settings.show == Show::coverage ? Blend::average : settings.blend;
+    const bool one_way = on == BlendOn::background || settings.show == Show::coverage;
+    const Blend blend = one_way ? Blend::average : settings.blend;
     // Only programs for per-vertex coordinates depend on the number of photos, through their vertex outputs.
     const int photos = fragment ? max_photos_per_pass : settings.photos_per_pass;
     const BlendVariant variant{.photos = photos,

@@ -1,6 +1,7 @@
 #include "player/render/planning/frame_tiles.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace vantage {
@@ -28,17 +29,16 @@ TileNeeds FrameTiles::comparison_needs(const View& view, const RenderSettings& s
 void FrameTiles::stream(const View& view, std::span<const ImageSetFrame> image_sets, int side,
                         const View* next, FrameReport& report) {
     const RenderSettings& settings = image_sets.front().settings;
+    const Loading loading = settings.loading;
     for (const ImageSetFrame& image_set : image_sets) {
         for (const PlannedPhoto& p : image_set.plan->plan().photos)
             resources_->store.need_base(p.photo, coordinates(image_set.settings));
         for (const PlannedPhoto& p : image_set.plan->kept())
             resources_->store.need_base(p.photo, coordinates(image_set.settings));
-    }
-    const Loading loading = settings.loading;
-    // The first picture waits for photos of the mesh alone.
-    for (const ImageSetFrame& image_set : image_sets)
+        if (loading == Loading::beginning) continue;  // the first picture waits for photos of the mesh alone
         for (const PlannedPhoto& p : image_set.plan->plan().behind)
-            if (loading != Loading::beginning) resources_->store.need_base(p.photo, false);
+            resources_->store.need_base(p.photo, false);
+    }
     if (loading == Loading::beginning) report.uploaded += resources_->store.load(settings.upload_bytes);
     for (const ImageSetFrame& image_set : image_sets)
         for (const PlannedPhoto* p : all_photos(image_set.plan->plan())) {
@@ -75,9 +75,10 @@ void FrameTiles::prefetch(std::span<const ImageSetFrame> image_sets, int side, c
     if (prefetches_++ % every == 0) {
         ahead_.clear();
         for (const ImageSetFrame& image_set : image_sets) {
-            const Plan plan = image_set.plan->ahead(
+            Plan plan = image_set.plan->ahead(
                 next, plan_settings(image_set.settings, resources_->trials.anisotropy), side);
-            for (const PlannedPhoto* p : all_photos(plan)) ahead_.push_back(*p);
+            std::ranges::move(plan.photos, std::back_inserter(ahead_));
+            std::ranges::move(plan.behind, std::back_inserter(ahead_));
         }
     }
     for (const PlannedPhoto& p : ahead_) resources_->store.prefetch(p.photo, p.needs);
