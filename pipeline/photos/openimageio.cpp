@@ -122,22 +122,29 @@ bool is_clear(const RgbaImage& image) {
     return true;
 }
 
+/// By a reader of its own: ImageBuf would read by a cache that the whole process shares, which returns wrong
+/// pixels or aborts where threads read one file at the same time. On one thread, as photos are read side by
+/// side.
 RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
     using OIIO::TypeDesc;
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
-    OIIO::ImageBuf image(file.string(), 0, 0, nullptr, &config);
-    const auto profile =
-        profiles ? profile_of(image.spec(), image.file_format_name().c_str(), file) : nullptr;
+    const auto in = OIIO::ImageInput::open(file.string(), &config);
+    if (!in) fail_to_open(file, OIIO::geterror());
+    in->threads(1);
+    OIIO::ImageSpec spec = in->spec();
+    const std::string format = in->format_name();
+    const auto profile = profiles ? profile_of(spec, format, file) : nullptr;
     const bool converts = profile && profile->use.converts;
-    const bool linear = !converts && is_linear(image.spec(), image.file_format_name());
-    const bool words = converts && image.nativespec().format.size() > 1;
-    expect_readable(image.nativespec(), std::string(image.file_format_name()), file);
+    const bool linear = !converts && is_linear(spec, format);
+    const bool words = converts && spec.format.size() > 1;
+    expect_readable(spec, format, file);
     // Of 8 bits and fewer, OpenImageIO inverts them.
-    const bool negative = is_tiff_of(image.nativespec(), std::string(image.file_format_name()), 0) &&
-                          image.nativespec().format != TypeDesc::UINT8;
-    if (!image.read(0, 0, true, linear ? TypeDesc::FLOAT : words ? TypeDesc::UINT16 : TypeDesc::UINT8))
-        fail(file, "cannot read: " + image.geterror());
+    const bool negative = is_tiff_of(spec, format, 0) && spec.format != TypeDesc::UINT8;
+    spec.set_format(linear ? TypeDesc::FLOAT : words ? TypeDesc::UINT16 : TypeDesc::UINT8);
+    OIIO::ImageBuf image(spec, OIIO::InitializePixels::No);
+    if (!in->read_image(0, 0, 0, spec.nchannels, spec.format, image.localpixels()))
+        fail(file, "cannot read: " + in->geterror());
     const auto bytes_of = [&](const OIIO::ImageBuf& rgba) {
         if (linear) return srgb_bytes(values_of<float>(rgba, file));
         if (words) return profile->converted(values_of<std::uint16_t>(rgba, file));
@@ -145,7 +152,7 @@ RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
         if (converts) profile->convert(bytes);
         return bytes;
     };
-    RgbaImage photo = blank_image(image.spec().width, image.spec().height);
+    RgbaImage photo = blank_image(spec.width, spec.height);
     // Some rows at a time: only the photo itself is in memory twice.
     constexpr int rows = 64;
     auto to = photo.rgba.begin();
@@ -154,7 +161,7 @@ RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
         to = std::ranges::copy(bytes_of(as_rgba(OIIO::ImageBufAlgo::cut(image, part), negative)), to).out;
     }
     // The fourth byte may mean nothing, but OpenImageIO has multiplied the colors by it.
-    if (image.file_format_name() == "bmp" && is_clear(photo))
+    if (format == "bmp" && is_clear(photo))
         fail(file, "its pixels have 32 bits and no opacity, expected a BMP of 24 bits");
     return photo;
 }

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <thread>
 
 #include "base/text/error.h"
 #include "pipeline/input/file_identity.h"
@@ -129,6 +130,16 @@ void write_tiff(const fs::path& file, std::initializer_list<std::pair<int, int>>
                     : TIFFWriteEncodedStrip(tiff, 0, pixels.data(), bytes),
               bytes);
     TIFFClose(tiff);
+}
+
+TEST_F(Photos, ManyThreadsMayReadOneFile) {
+    const fs::path file = write<std::uint8_t>("a.png", 4, 4, {200, 100, 50});
+    const RgbaImage alone = read_photo(file, {4, 4});
+    std::vector<std::jthread> threads;
+    for (int t = 0; t < 8; ++t)
+        threads.emplace_back([&] {
+            for (int n = 0; n < 3000; ++n) ASSERT_TRUE(read_photo(file, {4, 4}).rgba == alone.rgba);
+        });
 }
 
 TEST_F(Photos, TiffsMayCountFromWhiteOrHaveOtherChannels) {
