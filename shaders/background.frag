@@ -6,8 +6,9 @@
 layout(std430, binding = colors_buffer) readonly buffer Colors { uint colors[]; };
 layout(location = 0) out vec4 accumulated;
 
-layout(location = label_slots_uniform) uniform uint label_slots[background_labels];  // photos of the pass; no_slot
-layout(location = nearest_slots_uniform) uniform uint nearest_slots[nearest_photos];  // likewise, of those nearest to the viewer
+// Bits of photos of the pass: of each label; of those nearest to the viewer.
+layout(location = label_bits_uniform) uniform uint label_bits[background_labels];
+layout(location = nearest_bits_uniform) uniform uint nearest_bits;
 layout(location = near_distance_uniform) uniform float near_distance;                // farther than this, they show nothing
 layout(location = background_triangles_uniform) uniform uvec2 background_triangles;  // first, and behind the last
 layout(location = background_distance_uniform) uniform float background_distance;
@@ -54,14 +55,16 @@ struct Candidate {
     float theta;   // angle between the rays of viewer and photo to a near place in this direction
 };
 
-Candidate candidate_of(uint photo, vec3 seen_near) {
+// Of the first of the photos with these bits.
+Candidate candidate_of(uint bits, vec3 seen_near) {
+    uint photo = uint(max(findLSB(bits), 0));
     Candidate c = Candidate(photo, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
     uint label = uint(photos[photo].false_color.w);
     c.label = label > 0u ? label_weight * dot(corner_shares, vec3(equal(labels, uvec3(label)))) : 0.0;
     c.near = photos[photo].size_weight.w;
     c.place = (photos[photo].cam_from_origin * vec4(surface_position, 1.0)).xyz;
     c.pixel = photos[photo].focal_center.xy * c.place.xy / max(c.place.z, 1e-30) + photos[photo].focal_center.zw;
-    if (!(c.place.z > 0.0) || !inside(photo, c.pixel)) return c;
+    if (bits == 0u || !(c.place.z > 0.0) || !inside(photo, c.pixel)) return c;
     vec2 size = photos[photo].size_weight.xy, inward = min(c.pixel, size - c.pixel);
     float falls = max(exp(-ray_angle(surface_position, photo) / background_sharpness), 1e-6);
     c.label *= falls;
@@ -91,16 +94,26 @@ vec3 painted(vec3 root, Candidate c) {
     return (c.label * labeled + c.near * near + c.own * root) / (c.label + c.near + c.own);
 }
 
-// The photos of the pass that may show the pixel: those of its labels, and the nearest. Returns how many.
-int slots_here(bool near, out uint slots[3 + nearest_photos]) {
-    int count = 0;
-    for (int i = 0; i < 3 + (near ? nearest_photos : 0); ++i) {
-        uint slot = i < 3 ? label_slots[labels[i]] : nearest_slots[i - 3];
-        bool known = slot == no_slot;
-        for (int k = 0; k < count; ++k) known = known || slots[k] == slot;
-        if (!known) slots[count++] = slot;
-    }
-    return count;
+// Bits of the photos of the pass that are in the pixel's labels, and of the nearest.
+uint photos_here(bool near) {
+    uint here = near ? nearest_bits : 0u;
+    for (int i = 0; i < 3; ++i) here |= label_bits[labels[i]];
+    return here;
+}
+
+// Adds a photo where it does not show the mesh.
+void show_photo(Candidate c, float share, vec3 along_x, vec3 along_y) {
+    Footprint footprint = footprint_of(c.photo, c.place, along_x, along_y);
+    float open = beyond_mesh(c.photo, c.pixel, footprint.lod);
+    c.label *= open;
+    c.near *= open;
+    c.own *= max(open, own_share(c.theta) - 0.5);
+    float w = (c.label + c.near + c.own) * share;
+    if (!(w > 0.0)) return;
+    vec4 taken = as_shown(c.photo, photo_color(c.photo, c.pixel, footprint, c.theta));
+    vec3 root = sqrt(taken.rgb);
+    if (show == show_colors) root = painted(root, c);
+    accumulated += show == show_coverage ? vec4(taken.a) : vec4(root, 1.0) * w * taken.a;
 }
 
 void main() {
@@ -113,13 +126,13 @@ void main() {
     // The background may be infinitely far; for photos near their own cameras it is taken for near.
     vec3 away = surface_position - weight_eye;
     vec3 seen_near = weight_eye + away * min(1.0, background_distance / length(away));
+    uint here = photos_here(length(away) < near_distance);
     Candidate best[2];
     best[0] = best[1] = Candidate(0u, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
     float third = 0.0;
-    uint slots[3 + nearest_photos];
-    int count = slots_here(length(away) < near_distance, slots);
-    for (int i = 0; i < count; ++i) {
-        Candidate c = candidate_of(slots[i], seen_near);
+    // Loops end at their bottom: software renderers go through a loop's body once more where it ends at the top.
+    do {
+        Candidate c = candidate_of(here, seen_near);
         if (c.weight > best[0].weight) {
             third = best[1].weight;
             best[1] = best[0];
@@ -128,24 +141,18 @@ void main() {
             third = best[1].weight;
             best[1] = c;
         } else third = max(third, c.weight);
-    }
+        here &= here - 1u;
+    } while (here != 0u);
     // Less what the third best has, so that photos come and go without a step.
     third = max(third, negligible * best[0].weight);
     // A photo does not see the sky where it shows the mesh, though that may be hidden there.
     if (show == show_colors && trust > 0.8 && is_sky()) accumulated = vec4(calm, 1.0) * background_least;
-    for (int i = 0; i < 2; ++i) {
-        Candidate c = best[i];
-        if (!(c.weight > third)) break;
-        Footprint footprint = footprint_of(c.photo, c.place, along_x, along_y);
-        float open = beyond_mesh(c.photo, c.pixel, footprint.lod);
-        c.label *= open;
-        c.near *= open;
-        c.own *= max(open, own_share(c.theta) - 0.5);
-        float w = (c.label + c.near + c.own) * (1.0 - third / c.weight);
-        if (!(w > 0.0)) continue;
-        vec4 taken = as_shown(c.photo, photo_color(c.photo, c.pixel, footprint, c.theta));
-        vec3 root = sqrt(taken.rgb);
-        if (show == show_colors) root = painted(root, c);
-        accumulated += show == show_coverage ? vec4(taken.a) : vec4(root, 1.0) * w * taken.a;
-    }
+    Candidate c = best[0];
+    bool second = best[1].weight > third, more;
+    do {
+        show_photo(c, 1.0 - third / max(c.weight, 1e-30), along_x, along_y);
+        more = second;
+        second = false;
+        c = best[1];
+    } while (more);
 }

@@ -139,8 +139,12 @@ void main() {
     Footprint chosen_footprint;
     float chosen_theta = 0.0;
 #endif
-    for (uint photo = 0u; photo < pass_count; ++photo) {
-        if ((draw_photos >> photo & 1u) == 0u) continue;
+    uint left = draw_photos & ((1u << pass_count) - 1u);
+    // It ends at its bottom: software renderers go through a loop's body once more where it ends at the top.
+    do {
+        if (left == 0u) break;
+        uint photo = uint(findLSB(left));
+        left &= left - 1u;
 #ifndef ON_POINTS
         // A photo taken from behind shows the other side of the surface.
         if (dot(facing, photos[photo].center_hull.xyz - surface_position) < 0.0) continue;
@@ -187,7 +191,7 @@ void main() {
         // When photos are counted, all have the same weight.
         accumulated += show == show_coverage ? vec4(c.a) : vec4(sqrt(c.rgb), 1.0) * w * c.a;
 #endif
-    }
+    } while (left != 0u);
 #ifdef TAKES_ONE
     if (chosen >= 0) {
         vec4 c = as_shown(uint(chosen), photo_color(uint(chosen), chosen_pixel, chosen_footprint, chosen_theta));

@@ -51,22 +51,22 @@ std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos
     return out;
 }
 
-/// Tells where in the pass the photos of labels are, and the nearest. Returns the photos.
-std::vector<std::uint32_t> set_background_slots(std::span<const PlannedPhoto* const> pass,
-                                                const PlanScene& scene, const std::vector<float>& shares) {
+/// Tells which photos of the pass have which label, and which are the nearest, by a bit for each. Returns the
+/// photos.
+std::vector<std::uint32_t> set_background_bits(std::span<const PlannedPhoto* const> pass,
+                                               const PlanScene& scene, const std::vector<float>& shares) {
+    static_assert(max_photos_per_pass < 32);
     std::vector<std::uint32_t> photos;
-    std::array<GLuint, shader::background_labels> of_labels;
-    std::array<GLuint, shader::nearest_photos> nearest;
-    of_labels.fill(shader::no_slot), nearest.fill(shader::no_slot);
-    std::size_t near = 0;
+    std::array<GLuint, shader::background_labels> of_labels{};
+    GLuint nearest = 0;
     for (const PlannedPhoto* p : pass) {
-        const auto slot = GLuint(photos.size());
-        if (const std::uint8_t label = scene.labels[p->photo]) of_labels.at(label) = slot;
-        if (shares[p->photo] > 0 && near < nearest.size()) nearest.at(near++) = slot;
+        const GLuint bit = 1u << photos.size();
+        if (const std::uint8_t label = scene.labels[p->photo]) of_labels.at(label) |= bit;
+        if (shares[p->photo] > 0) nearest |= bit;
         photos.push_back(p->photo);
     }
-    glUniform1uiv(shader::label_slots_uniform, GLsizei(of_labels.size()), of_labels.data());
-    glUniform1uiv(shader::nearest_slots_uniform, GLsizei(nearest.size()), nearest.data());
+    glUniform1uiv(shader::label_bits_uniform, GLsizei(of_labels.size()), of_labels.data());
+    glUniform1ui(shader::nearest_bits_uniform, nearest);
     return photos;
 }
 
@@ -240,7 +240,7 @@ std::size_t PhotoPasses::draw_background(std::span<const PlannedPhoto* const> pa
     glUniform2ui(shader::background_triangles_uniform, GLuint(scene_->first_triangle_behind()),
                  GLuint(scene_->triangles));
     const std::vector<float> shares = nearest_shares(*scene_, eye);
-    const std::vector<std::uint32_t> photos = set_background_slots(pass, *scene_, shares);
+    const std::vector<std::uint32_t> photos = set_background_bits(pass, *scene_, shares);
     glUniform1f(shader::near_distance_uniform, float(near_distance(*scene_, eye)));
     ring_.begin();
     bind_photos(photos, {shares.begin(), shares.end()});
