@@ -1,26 +1,36 @@
-// A level of the pyramid that fills holes: means of 4x4 texels of the finer one, by a tent and by weight. Square roots of
-// light times weight; weights are at most 1, so that a texel without holes outweighs any number of holes.
+// A level of the two pyramids that fill holes, those of the mesh and those of the background, for which the mesh counts little:
+// means of 4x4 texels of the finer one, by a tent and by weight. Square roots of light times weight; weights are at most 1, so
+// that a texel without holes outweighs any number of holes.
 #include "contract.glsl"
 
 layout(location = 0) out vec4 averaged;
+layout(location = 1) out vec4 averaged_behind;
 layout(binding = finer_unit) uniform sampler2D finer;
+layout(binding = finer_behind_unit) uniform sampler2D finer_behind;
+layout(binding = surface_unit) uniform sampler2D surface;       // of the frame's pixels, which tell where the background is
 layout(location = frame_size_uniform) uniform ivec2 size;       // of `finer`, as far as it is used
 layout(location = average_samples_uniform) uniform float samples;  // of the frame's pixels; 0: `finer` is a level
 
 void main() {
     const float tent[4] = float[](0.25, 0.75, 0.75, 0.25);
     ivec2 first = 2 * ivec2(gl_FragCoord.xy) - 1;
-    vec4 sum = vec4(0.0);
+    averaged = averaged_behind = vec4(0.0);
     float inside = 0.0;
     for (int i = 0; i < 16; ++i) {
         ivec2 at = first + ivec2(i & 3, i >> 2);
         if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) continue;
-        vec4 c = texelFetch(finer, at, 0);
-        if (samples > 0.0 && c.a > 0.0) c = vec4(sqrt(max(c.rgb / c.a, 0.0)), 1.0) * min(c.a / samples, 1.0);
+        vec4 c = texelFetch(finer, at, 0), behind;
+        if (samples > 0.0) {
+            c = c.a > 0.0 ? vec4(sqrt(max(c.rgb / c.a, 0.0)), 1.0) * min(c.a / samples, 1.0) : vec4(0.0);
+            behind = texelFetch(surface, at, 0).a == shows_background ? c : mesh_behind * c;
+        } else behind = texelFetch(finer_behind, at, 0);
         float t = tent[i & 3] * tent[i >> 2];
-        sum += t * c;
+        averaged += t * c;
+        averaged_behind += t * behind;
         inside += t;
     }
-    sum *= 4.0 / inside;
-    averaged = sum / max(sum.a, 1.0);
+    averaged *= 4.0 / inside;
+    averaged /= max(averaged.a, 1.0);
+    averaged_behind *= 4.0 / inside;
+    averaged_behind /= max(averaged_behind.a, 1.0);
 }

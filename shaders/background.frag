@@ -28,12 +28,11 @@ void read_paint() {
     }
 }
 
-// Share of the area around a photo pixel that does not show the mesh, 0 on the mesh itself.
+// Share of the area around a photo pixel that does not show the mesh, 0 on the mesh itself and on its edge.
 float beyond_mesh(uint photo, vec2 pixel, float lod) {
     WeightPlace at = weight_place(photo, pixel, lod);
     if (at.level < 0) return 0.0;
-    vec2 fine = depths_at(at);
-    if (!isinf(fine.x)) return isinf(fine.y) ? background_least * 0.1 : 0.0;
+    if (!isinf(depths_at(at).x)) return 0.0;
     float level = log2(background_margin * photos[photo].size_weight.x / reference_width);
     WeightPlace coarse = weight_place(photo, pixel, max(lod, level));
     vec4 z = textureGather(depth_tiles, coarse.coordinate);

@@ -19,6 +19,8 @@ layout(location = show_plain_background_bottom_uniform) uniform vec3 plain_backg
 layout(location = edges_opaque_uniform) uniform bool edges_opaque;  // fade into the background, else into nothing
 #ifdef BACKGROUND
 layout(binding = filled_unit) uniform sampler2D filled;   // square roots of light at half the size
+layout(binding = filled_behind_unit) uniform sampler2D filled_behind;  // in the background
+layout(binding = shown_surface_unit) uniform sampler2D surface;  // tells where the background is
 layout(location = fills_uniform) uniform bool fills;      // show `filled` in place of holes
 #endif
 
@@ -53,7 +55,9 @@ vec4 shown_color(vec4 a, ivec2 at, bool fills) {
     float share = a.a / samples;
     if (fills && a.a > 0.0 && share < 0.999) {
         vec2 texel = min((vec2(at) + 0.5) / 2.0, vec2((frame_size + 1) / 2) - 0.5);
-        vec3 around = texture(filled, texel / vec2(textureSize(filled, 0))).rgb;
+        texel /= vec2(textureSize(filled, 0));
+        bool behind = texelFetch(surface, at, 0).a == shows_background;
+        vec3 around = (behind ? texture(filled_behind, texel) : texture(filled, texel)).rgb;
 #ifdef TRANSPARENCY
         vec4 v = veil_of(at, share);
         around = sqrt(max(v.rgb + (1.0 - v.a) * around * around, 0.0));

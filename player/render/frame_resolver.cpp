@@ -197,7 +197,7 @@ void FrameResolver::show(const View& view, const RenderSettings& settings, const
                other_fills = image_sets.second && fills_in(*image_sets.second);
     if (fills || other_fills) {
         const gl::Texture& clean = veils(target.eye) ? samples.clean : samples.sum;
-        r.filling->fill(fills ? clean : samples.other, targets.width, targets.height, count);
+        r.filling->fill(fills ? clean : samples.other, targets.surface().shaded, targets.size(), count);
     }
     begin_full_frame(show_program_, target.framebuffer, frame_size(view));
     glUniform2i(shader::frame_size_uniform, targets.width, targets.height);
@@ -210,6 +210,8 @@ void FrameResolver::show(const View& view, const RenderSettings& settings, const
     if (r.filling) {
         glUniform1i(shader::fills_uniform, fills);
         glBindTextureUnit(shader::filled_unit, r.filling->filled().id());
+        glBindTextureUnit(shader::filled_behind_unit, r.filling->filled_behind().id());
+        glBindTextureUnit(shader::shown_surface_unit, targets.surface().shaded.id());
         if (r.transparent) {
             glUniform1i(shader::veils_uniform, fills && veils(target.eye));
             glBindTextureUnit(shader::veil_unit, samples.veil.id());

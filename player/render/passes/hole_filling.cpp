@@ -34,9 +34,10 @@ void HoleFilling::fit(int width, int height) {
     levels_.clear();
     for (std::size_t i = 0; i < level_count({width, height}); ++i) {
         const auto [w, h] = level_size({width, height}, i);
-        gl::Texture texture = gl::make_texture_2d("filled holes", GL_RGBA32F, w, h, GL_LINEAR);
-        gl::Framebuffer target = gl::make_framebuffer("filled holes", std::array{texture.id()}, 0);
-        levels_.push_back({std::move(texture), std::move(target)});
+        gl::Texture whole = gl::make_texture_2d("filled holes", GL_RGBA32F, w, h, GL_LINEAR),
+                    behind = gl::make_texture_2d("filled background", GL_RGBA32F, w, h, GL_LINEAR);
+        gl::Framebuffer target = gl::make_framebuffer("filled holes", std::array{whole.id(), behind.id()}, 0);
+        levels_.push_back({std::move(whole), std::move(behind), std::move(target)});
     }
 }
 
@@ -44,7 +45,7 @@ std::uint64_t HoleFilling::bytes(int width, int height) {
     std::uint64_t out = 0;
     for (std::size_t i = 0; i < level_count({width, height}); ++i) {
         const auto [w, h] = level_size({width, height}, i);
-        out += 16 * std::uint64_t(w) * std::uint64_t(h);
+        out += 32 * std::uint64_t(w) * std::uint64_t(h);
     }
     return out;
 }
@@ -54,8 +55,8 @@ float HoleFilling::hole_weight(int width, int height) {
     return 1 / std::max(side * side, 1.0f);
 }
 
-void HoleFilling::fill(const gl::Texture& accumulated, int width, int height, double samples) {
-    const FrameSize frame{width, height};
+void HoleFilling::fill(const gl::Texture& accumulated, const gl::Texture& surface, FrameSize frame,
+                       double samples) {
     const std::size_t levels = level_count(frame);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
@@ -65,11 +66,13 @@ void HoleFilling::fill(const gl::Texture& accumulated, int width, int height, do
         glDrawArrays(GL_TRIANGLES, 0, 3);
     };
     glUseProgram(average_program_.id());
+    glBindTextureUnit(shader::surface_unit, surface.id());
     for (std::size_t i = 0; i < levels; ++i) {
         const FrameSize finer = i == 0 ? frame : level_size(frame, i - 1);
         glUniform2i(shader::frame_size_uniform, finer.width, finer.height);
         glUniform1f(shader::average_samples_uniform, i == 0 ? float(samples) : 0.0f);
-        glBindTextureUnit(shader::finer_unit, i == 0 ? accumulated.id() : levels_[i - 1].texture.id());
+        glBindTextureUnit(shader::finer_unit, i == 0 ? accumulated.id() : levels_[i - 1].whole.id());
+        glBindTextureUnit(shader::finer_behind_unit, i == 0 ? 0 : levels_[i - 1].behind.id());
         draw_to(i);
     }
     glUseProgram(fill_program_.id());
@@ -78,7 +81,8 @@ void HoleFilling::fill(const gl::Texture& accumulated, int width, int height, do
     for (std::size_t i = levels - 1; i-- > 0;) {
         const FrameSize coarser = level_size(frame, i + 1);
         glUniform2i(shader::frame_size_uniform, coarser.width, coarser.height);
-        glBindTextureUnit(shader::coarser_unit, levels_[i + 1].texture.id());
+        glBindTextureUnit(shader::coarser_unit, levels_[i + 1].whole.id());
+        glBindTextureUnit(shader::coarser_behind_unit, levels_[i + 1].behind.id());
         draw_to(i);
     }
     glDisable(GL_BLEND);

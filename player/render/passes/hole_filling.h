@@ -10,7 +10,8 @@ namespace vantage {
 
 /// Gives pixels that no photo shows the colors around them, by a pyramid of means that is averaged downward
 /// and filled in upward (after the pull-push of Gortler et al. 1996). Holes count with their own color, too,
-/// but so little that it shows only far from all others.
+/// but so little that it shows only far from all others. For holes of the background, the mesh's colors
+/// count little: they are of something nearer.
 class HoleFilling {
   public:
     HoleFilling();
@@ -21,14 +22,17 @@ class HoleFilling {
     /// The weight of a hole's own color: it counts as much as what surrounds it at an eighth of the frame.
     static float hole_weight(int width, int height);
 
-    /// Fills the pyramid from the samples accumulated for a frame of this size, `samples` per pixel.
-    void fill(const gl::Texture& accumulated, int width, int height, double samples);
+    /// Fills the pyramids from the samples accumulated for a frame of this size, `samples` per pixel.
+    /// `surface`: as in SurfaceTargets::shaded.
+    void fill(const gl::Texture& accumulated, const gl::Texture& surface, FrameSize frame, double samples);
     /// Square roots of light at half the frame's size, without holes; from the texture's first texel.
-    const gl::Texture& filled() const { return levels_.front().texture; }
+    const gl::Texture& filled() const { return levels_.front().whole; }
+    /// The same for holes of the background.
+    const gl::Texture& filled_behind() const { return levels_.front().behind; }
 
   private:
     struct Level {
-        gl::Texture texture;
+        gl::Texture whole, behind;
         gl::Framebuffer target;
     };
     std::vector<Level> levels_;

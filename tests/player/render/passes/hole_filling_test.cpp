@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/gl/context.h"
+#include "shaders/contract.h"
 
 using namespace vantage;
 
@@ -15,27 +16,33 @@ namespace {
 
 struct Color {
     float red, weight;
+    bool background = false;
 };
 
-/// The red of the filled picture at half the size, of samples as drawn: red by weight and weight.
+/// The red of the filled picture at half the size, of samples as drawn: red by weight and weight. `behind`:
+/// as holes of the background get it.
 std::vector<float> filled(int width, int height, const std::function<Color(int x, int y)>& drawn,
-                          float samples = 1) {
+                          float samples = 1, bool behind = false) {
     const gl::HeadlessContext context;
     const FrameTargets frame = make_frame_targets({width, height});
-    std::vector<float> texels;
+    std::vector<float> texels, surface;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const Color c = drawn(x, y);
             texels.insert(texels.end(), {samples * c.weight * c.red, 0, 0, samples * c.weight});
+            surface.insert(surface.end(), {0, 0, 0, c.background ? shader::shows_background : 1.0f});
         }
     glTextureSubImage2D(frame.samples.front().sum.id(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT,
                         texels.data());
+    glTextureSubImage2D(frame.surface().shaded.id(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT,
+                        surface.data());
     HoleFilling filling;
     filling.fit(width, height);
-    filling.fill(frame.samples.front().sum, width, height, samples);
+    filling.fill(frame.samples.front().sum, frame.surface().shaded, {width, height}, samples);
     const int w = (width + 1) / 2, h = (height + 1) / 2;
     std::vector<float> out(std::size_t(w) * std::size_t(h));
-    glGetTextureImage(filling.filled().id(), 0, GL_RED, GL_FLOAT, GLsizei(4 * out.size()), out.data());
+    glGetTextureImage((behind ? filling.filled_behind() : filling.filled()).id(), 0, GL_RED, GL_FLOAT,
+                      GLsizei(4 * out.size()), out.data());
     for (float& root : out) root *= root;
     return out;
 }
@@ -65,6 +72,16 @@ TEST(HoleFilling, BetweenTwoColorsAHoleGoesFromOneToTheOther) {
         EXPECT_LE(row[x] - row[x - 1], 0.1) << "no edge at " << x;
     }
     EXPECT_NEAR(row[31] + row[32], 1, 0.1);
+}
+
+TEST(HoleFilling, BesideTheMeshAHoleOfTheBackgroundHasTheBackgroundsColor) {
+    const int w = 128, h = 32;
+    const auto at = [](int x, int) {
+        return Color{x < 64 ? 0.2f : 0.8f, x < 64 || x >= 80 ? 1.0f : 0.0f, x >= 64};
+    };
+    const std::size_t middle = std::size_t(h / 4) * (w / 2) + 36;
+    EXPECT_NEAR(filled(w, h, at)[middle], 0.5, 0.1);
+    EXPECT_GT(filled(w, h, at, 1, true)[middle], 0.62);
 }
 
 TEST(HoleFilling, FarFromOtherColorsAHoleHasItsOwn) {
