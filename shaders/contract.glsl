@@ -332,7 +332,9 @@ const float negligible = 0.3f;  // photos of less than this share of the best on
 // Seen from where no photo was taken, the background becomes calm: between these distances of the viewer from the nearest camera,
 // times its trust, in units of the distance at which angles are measured.
 const float calm_from = 0.5f, calm_to = 1.0f;
-const float sky_distance = 100.0f;  // farther is sky, times the distance at which angles are measured
+// Farther is sky, times the distance at which angles are measured: a third of the way to its vertices, so that triangles between a
+// hill and the sky have the sky's calm color where they are sky.
+const float sky_distance = 700.0f;
 const float sky_spread = 0.15f;     // square root of light: half the weight at this distance from the calm color
 
 const uint not_resident = 0xffffffffu;  // in place of a page's entry

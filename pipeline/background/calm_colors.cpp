@@ -84,6 +84,7 @@ std::vector<Eigen::Array3f> calm_colors(const Backdrop& backdrop, std::span<cons
             if (side_of(backdrop, v) != side) known[v].setZero();
         if (std::ranges::all_of(known, [](const Eigen::Array4f& c) { return c[3] == 0; })) known = shown;
         continue_colors(sphere, known);
+        relax(sphere, std::vector<std::uint8_t>(n, 1), smoothing, known);
         for (std::size_t v = 0; v < n; ++v)
             if (side_of(backdrop, v) == side) out[v] = known[v].head<3>();
         if (side == Side::sky) sky = std::move(known);
@@ -96,10 +97,16 @@ std::vector<Eigen::Array3f> calm_colors(const Backdrop& backdrop, std::span<cons
                 out[v] += rise * rise * (sky[v].head<3>() - out[v]);
         }
     }
-    relax(sphere, std::vector<std::uint8_t>(n, 1), smoothing, out);
+    // Sky and what photos show keep their edge: above a hill, the sky has nothing of the hill's color.
+    std::vector<std::uint8_t> soft;
+    for (std::size_t v = 0; v < n; ++v) soft.push_back(shown[v][3] == 0 && !backdrop.is_sky[v]);
+    relax(sphere, soft, smoothing, out);
     out.reserve(backdrop.positions.size());
     for (std::size_t v = n; v < backdrop.positions.size(); ++v) {
-        const auto [a, b] = backdrop.sphere.ends[v];
+        auto [a, b] = backdrop.sphere.ends[v];
+        // Of one end, if the other is on the other side of the sky's edge.
+        if (backdrop.is_sky[a] != backdrop.is_sky[v]) a = b;
+        if (backdrop.is_sky[b] != backdrop.is_sky[v]) b = a;
         out.push_back((out[a] + out[b]) / 2);
     }
     for (Eigen::Array3f& c : out) c = c.square();

@@ -1,5 +1,4 @@
 #include "pipeline/background/backdrop.h"
-#include "pipeline/background/calm_colors.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "pipeline/background/calm_colors.h"
 #include "pipeline/background/depth/walls_beyond.h"
 #include "tests/pipeline/background/yard.h"
 
@@ -225,4 +225,22 @@ TEST(CalmColors, AreWhatMostPhotosShow) {
         right += (c - Eigen::Array3f(0.2f, 0.4f, 0.6f)).abs().maxCoeff() < 0.1f;
     }
     EXPECT_GT(double(right), 0.9 * double(colors.size())) << "all but what only the photo with leaves shows";
+}
+
+TEST(CalmColors, OfTheSkyHaveNothingOfTheHillBelow) {
+    const std::vector<CoarseView> views = yard::photos();
+    const Backdrop b = estimate_backdrop(views, {}, {}, 0);
+    ASSERT_TRUE(b.sky.any());
+    const std::vector<Eigen::Array3f> colors = calm_colors(b, views, paint_backdrop(b, views, 0));
+    std::size_t sky = 0, blue = 0;
+    for (std::size_t d = 0; d < colors.size(); ++d) {
+        const Eigen::Vector3d direction = b.sphere.directions[d].cast<double>();
+        if (!b.is_sky[d] || std::isfinite(yard::distance(b.center, direction))) continue;
+        const auto inside = [&](const CoarseView& v) {
+            return sample(v, v.pose.R.cast<float>() * b.sphere.directions[d], 1).kind == ViewSample::open;
+        };
+        if (std::ranges::count_if(views, inside) < 3) continue;
+        ++sky, blue += colors[d].z() > colors[d].y() + 0.05f;  // by 0.1, where the green hill ends
+    }
+    EXPECT_GT(double(blue), 0.98 * double(sky)) << sky;
 }
