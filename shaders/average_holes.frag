@@ -12,23 +12,26 @@ layout(location = frame_size_uniform) uniform ivec2 size;       // of `finer`, a
 layout(location = average_samples_uniform) uniform float samples;  // of the frame's pixels; 0: `finer` is a level
 
 void main() {
+    // Of the frame's pixels, 2x2 alone: they are many.
     const float tent[4] = float[](0.25, 0.75, 0.75, 0.25);
+    int side = samples > 0.0 ? 2 : 4;
     ivec2 first = 2 * ivec2(gl_FragCoord.xy) - 1;
     averaged = averaged_behind = vec4(0.0);
     float inside = 0.0;
-    for (int i = 0; i < 16; ++i) {
-        ivec2 at = first + ivec2(i & 3, i >> 2);
+    int i = 0;
+    do {
+        ivec2 tap = ivec2(i % side, i / side) + 2 - side / 2, at = first + tap;
         if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) continue;
         vec4 c = texelFetch(finer, at, 0), behind;
         if (samples > 0.0) {
             c = c.a > 0.0 ? vec4(sqrt(max(c.rgb / c.a, 0.0)), 1.0) * min(c.a / samples, 1.0) : vec4(0.0);
             behind = texelFetch(surface, at, 0).a == shows_background ? c : mesh_behind * c;
         } else behind = texelFetch(finer_behind, at, 0);
-        float t = tent[i & 3] * tent[i >> 2];
+        float t = tent[tap.x] * tent[tap.y];
         averaged += t * c;
         averaged_behind += t * behind;
         inside += t;
-    }
+    } while (++i < side * side);
     averaged *= 4.0 / inside;
     averaged /= max(averaged.a, 1.0);
     averaged_behind *= 4.0 / inside;
