@@ -174,7 +174,7 @@ find_window() {
 }
 focus() {  # gives the window the keyboard, and waits until it has it
   window=$(xdotool search --name Vantage | tail -1)
-  xdotool windowfocus --sync "$window"
+  timeout 20 xdotool windowfocus --sync "$window" || fail "the window does not get the keyboard"
 }
 start() {  # start ARGUMENTS...: the window, with a file of its controls
   rm -f places
@@ -207,13 +207,10 @@ rests() {
   return 1
 }
 await_exit() {  # await_exit WHAT [CODE]: expects the player to exit with this code or 0; WHAT: what it was told by
-  local late first code
-  sleep 10 &
-  late=$!
-  wait -n -p first $pid $late
+  local code
+  timeout 10 tail --pid=$pid -s 0.05 -f /dev/null || { kill -9 $pid; fail "$1 did not quit"; return; }
+  wait $pid
   code=$?
-  kill $late 2>/dev/null
-  [ "$first" = $pid ] || { kill -9 $pid; fail "$1 did not quit"; return; }
   [ $code = "${2:-0}" ] || fail "the player ended with $code, expected ${2:-0}: $(cat says)"
 }
 remembers() { grep -q "\"$1\": $2" config/vantage/player.json || fail "$1 is not remembered as $2"; }

@@ -90,7 +90,7 @@ key F1
 key F4
 
 # The window follows its size and covers the screen.
-xdotool windowsize --sync "$window" 1200 800
+timeout 20 xdotool windowsize --sync "$window" 1200 800
 frames 3
 at=$(place "Bar Expert")
 [ "${at%% *}" -gt 1050 ] && [ "${at##* }" -gt 740 ] || fail "at 1200x800, Expert is at $at"
