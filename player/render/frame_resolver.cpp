@@ -195,9 +195,10 @@ void FrameResolver::show(const View& view, const RenderSettings& settings, const
     };
     const bool fills = fills_in(image_sets.first),
                other_fills = image_sets.second && fills_in(*image_sets.second);
+    const GLuint surface = targets.surfaces[std::min(target.eye, targets.surfaces.size() - 1)].shaded.id();
     if (fills || other_fills) {
         const gl::Texture& clean = veils(target.eye) ? samples.clean : samples.sum;
-        r.filling->fill(fills ? clean : samples.other, targets.surface().shaded, targets.size(), count);
+        r.filling->fill(fills ? clean : samples.other, surface, targets.size(), count);
     }
     begin_full_frame(show_program_, target.framebuffer, frame_size(view));
     glUniform2i(shader::frame_size_uniform, targets.width, targets.height);
@@ -211,7 +212,7 @@ void FrameResolver::show(const View& view, const RenderSettings& settings, const
         glUniform1i(shader::fills_uniform, fills);
         glBindTextureUnit(shader::filled_unit, r.filling->filled().id());
         glBindTextureUnit(shader::filled_behind_unit, r.filling->filled_behind().id());
-        glBindTextureUnit(shader::shown_surface_unit, targets.surface().shaded.id());
+        glBindTextureUnit(shader::shown_surface_unit, surface);
         if (r.transparent) {
             glUniform1i(shader::veils_uniform, fills && veils(target.eye));
             glBindTextureUnit(shader::veil_unit, samples.veil.id());

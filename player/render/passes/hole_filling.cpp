@@ -55,8 +55,7 @@ float HoleFilling::hole_weight(int width, int height) {
     return 1 / std::max(side * side, 1.0f);
 }
 
-void HoleFilling::fill(const gl::Texture& accumulated, const gl::Texture& surface, FrameSize frame,
-                       double samples) {
+void HoleFilling::fill(const gl::Texture& accumulated, GLuint surface, FrameSize frame, double samples) {
     const std::size_t levels = level_count(frame);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
@@ -66,7 +65,7 @@ void HoleFilling::fill(const gl::Texture& accumulated, const gl::Texture& surfac
         glDrawArrays(GL_TRIANGLES, 0, 3);
     };
     glUseProgram(average_program_.id());
-    glBindTextureUnit(shader::surface_unit, surface.id());
+    glBindTextureUnit(shader::surface_unit, surface);
     for (std::size_t i = 0; i < levels; ++i) {
         const FrameSize finer = i == 0 ? frame : level_size(frame, i - 1);
         glUniform2i(shader::frame_size_uniform, finer.width, finer.height);
