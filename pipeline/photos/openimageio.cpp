@@ -69,9 +69,15 @@ void expect_readable(const OIIO::ImageSpec& spec, const std::string& format,
               : "not a readable photo: " + reason);
 }
 
-PhotoHeader read_header(const std::filesystem::path& file) {
-    const auto in = OIIO::ImageInput::open(file.string());
+/// Throws Error(input).
+std::unique_ptr<OIIO::ImageInput> opened(const std::filesystem::path& file, const OIIO::ImageSpec& config) {
+    auto in = OIIO::ImageInput::open(file.string(), &config);
     if (!in) fail_to_open(file, OIIO::geterror());
+    return in;
+}
+
+PhotoHeader read_header(const std::filesystem::path& file) {
+    const auto in = opened(file, {});
     const OIIO::ImageSpec& spec = in->spec();
     expect_readable(spec, in->format_name(), file);
     const auto profile = profile_of(spec, in->format_name(), file);
@@ -129,8 +135,7 @@ RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
     using OIIO::TypeDesc;
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
-    const auto in = OIIO::ImageInput::open(file.string(), &config);
-    if (!in) fail_to_open(file, OIIO::geterror());
+    const auto in = opened(file, config);
     in->threads(1);
     OIIO::ImageSpec spec = in->spec();
     const std::string format = in->format_name();
