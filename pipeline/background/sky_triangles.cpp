@@ -115,13 +115,17 @@ void vote(const SkyPicture& p, const cv::Mat1b& sky, const std::array<Eigen::Vec
     if (seen > 0) out.all += 1, out.sky += shown / seen;
 }
 
-/// The nearest of these triangles at each texel, by its place in `numbers`; TriangleMap::none.
-std::vector<std::uint32_t> nearest_of(const PhotoProjection& projection,
-                                      std::span<const std::array<std::uint32_t, 3>> triangles,
+/// The vertices of these triangles, three for each.
+std::vector<std::uint32_t> indices_of(std::span<const std::array<std::uint32_t, 3>> triangles,
                                       std::span<const std::uint32_t> numbers) {
-    std::vector<std::uint32_t> indices;
-    for (const std::uint32_t t : numbers)
-        indices.insert(indices.end(), triangles[t].begin(), triangles[t].end());
+    std::vector<std::uint32_t> out;
+    for (const std::uint32_t t : numbers) out.insert(out.end(), triangles[t].begin(), triangles[t].end());
+    return out;
+}
+
+/// The nearest triangle at each texel, by its place in `indices`; TriangleMap::none.
+std::vector<std::uint32_t> nearest_of(const PhotoProjection& projection,
+                                      std::span<const std::uint32_t> indices) {
     const std::vector<float> no_values(projection.positions.size(), 0);
     return rasterize(projection, indices, no_values).triangles;
 }
@@ -134,19 +138,21 @@ std::vector<std::uint32_t> before_nothing(std::span<const Eigen::Vector3f> posit
     constexpr int rounds = 4;
     std::vector<std::uint32_t> all(triangles.size());
     std::iota(all.begin(), all.end(), 0u);
+    const std::vector<std::uint32_t> all_indices = indices_of(triangles, all);
     std::vector<PhotoProjection> projections(pictures.size());
     std::vector<std::vector<std::uint32_t>> seen(pictures.size());
     for_each_photo(pictures.size(), threads, [&](std::size_t i) {
         const SkyPicture& p = pictures[i];
         projections[i] = project_model(positions, p.k, p.pose, depth_range(positions, p.pose).x());
-        seen[i] = nearest_of(projections[i], triangles, all);
+        seen[i] = nearest_of(projections[i], all_indices);
     });
     for (int round = 0; round < rounds && !hidden.empty(); ++round) {
         std::vector<std::uint32_t> others;
         std::ranges::set_difference(all, hidden, std::back_inserter(others));
+        const std::vector<std::uint32_t> other_indices = indices_of(triangles, others);
         std::vector<std::vector<std::uint8_t>> stands_before(pictures.size());
         for_each_photo(pictures.size(), threads, [&](std::size_t i) {
-            const std::vector<std::uint32_t> behind = nearest_of(projections[i], triangles, others);
+            const std::vector<std::uint32_t> behind = nearest_of(projections[i], other_indices);
             stands_before[i].assign(triangles.size(), 0);
             for (std::size_t at = 0; at < behind.size(); ++at)
                 if (behind[at] != TriangleMap::none && seen[i][at] != TriangleMap::none)
