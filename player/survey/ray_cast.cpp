@@ -74,12 +74,6 @@ void look_in_cluster(const PlanScene& scene, const package::ClusterRecord& clust
 
 }  // namespace
 
-Ray ray_through(const View& view, const Eigen::Vector2d& pixel) {
-    const Intrinsics& k = view.intrinsics;
-    const Eigen::Vector3d ahead((pixel.x() - k.cx) / k.fx, (pixel.y() - k.cy) / k.fy, 1);
-    return {view.cam_from_origin.center(), view.cam_from_origin.R.transpose() * ahead.normalized()};
-}
-
 std::optional<MeshHit> first_hit(const PlanScene& scene, const Ray& ray, RayRange range) {
     if (!ray.from.allFinite() || !ray.along.allFinite() || !(ray.along.squaredNorm() > 0)) return {};
     std::optional<MeshHit> nearest;

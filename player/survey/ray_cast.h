@@ -5,17 +5,9 @@
 #include <optional>
 
 #include "player/plan/plan_scene.h"
-#include "player/view/view.h"
+#include "player/view/ray.h"
 
 namespace vantage {
-
-/// A half line, relative to the package's origin; the direction has any length above 0.
-struct Ray {
-    Eigen::Vector3d from, along;
-};
-/// The ray through a position in the view's picture, in pixels from its upper left corner. `along` has length
-/// 1.
-Ray ray_through(const View& view, const Eigen::Vector2d& pixel);
 
 /// Where a ray meets the mesh.
 struct MeshHit {

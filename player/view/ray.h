@@ -1,0 +1,16 @@
+#pragma once
+#include <Eigen/Core>
+
+#include "player/view/view.h"
+
+namespace vantage {
+
+/// A half line, relative to the package's origin; the direction has any length above 0.
+struct Ray {
+    Eigen::Vector3d from, along;
+};
+/// The ray through a position in the view's picture, in pixels from its upper left corner. `along` has length
+/// 1.
+Ray ray_through(const View& view, const Eigen::Vector2d& pixel);
+
+}  // namespace vantage
