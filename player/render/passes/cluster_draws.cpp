@@ -8,8 +8,9 @@
 namespace vantage {
 namespace {
 
-/// Depth of the background, behind everything of the mesh: a power of two keeps the precision of floats.
+/// Depth of the background: a power of two keeps the precision of floats.
 constexpr float background_depth = 0x1p-60f;
+static_assert(background_depth < depth_behind_mesh);
 
 /// Upper bound on the bytes that one pass writes for draws.
 std::size_t draw_bytes(std::size_t clusters) {

@@ -6,6 +6,9 @@
 
 namespace vantage {
 
+/// What is nearer is the mesh, or points.
+inline constexpr float depth_behind_mesh = 0x1p-55f;
+
 /// Draws clusters of the model with the program that is current. Belongs to the OpenGL thread; the scene must
 /// outlive it.
 class ClusterDraws {

@@ -198,7 +198,7 @@ void PhotoPasses::draw_on_frame(const FrameTargets& targets, const PointSurface&
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::cluster_photos_buffer, ring_.buffer(), photos.offset,
                       photos.bytes);
     bind_frame(targets, points);
-    draw_frame();
+    draw_frame(GL_LESS);
 }
 
 /// Binds what a program reads of the triangles that the frame shows.
@@ -217,11 +217,15 @@ void PhotoPasses::bind_frame(const FrameTargets& targets, const PointSurface& po
     if (points.places) glBindTextureUnit(shader::places_unit, points.places);
 }
 
-void PhotoPasses::draw_frame() const {
-    glDisable(GL_DEPTH_TEST);
+/// At one depth, between the mesh and the background: `nearer` is GL_LESS for the pixels of the mesh,
+/// GL_GREATER for all others. A test of depth comes before the shader, which is spared what it would discard.
+void PhotoPasses::draw_frame(GLenum nearer) const {
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(nearer);
+    glDepthRangef(depth_behind_mesh, depth_behind_mesh);
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glEnable(GL_DEPTH_TEST);
+    glDepthRangef(0, 1);
 }
 
 std::size_t PhotoPasses::draw_background(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
@@ -245,7 +249,7 @@ std::size_t PhotoPasses::draw_background(std::span<const PlannedPhoto* const> pa
     ring_.begin();
     bind_photos(photos, {shares.begin(), shares.end()});
     bind_frame(targets, points);
-    draw_frame();
+    draw_frame(GL_GREATER);
     ring_.end();
     return 1;
 }
@@ -260,7 +264,7 @@ void PhotoPasses::draw_on_points(std::span<const PlannedPhoto* const> pass, cons
     const Eigen::Matrix3f axes = drawn.view.cam_from_origin.R.transpose().cast<float>();
     glUniformMatrix3fv(shader::frame_axes_uniform, 1, GL_FALSE, axes.data());
     glBindTextureUnit(shader::places_unit, points.places);
-    draw_frame();
+    draw_frame(GL_ALWAYS);
 }
 
 void PhotoPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
