@@ -31,14 +31,15 @@ bool has_label(const PlanScene& scene, std::uint32_t photo, const package::Clust
     return count_bits(scene.visible[photo].subspan(words, words), c.first_triangle, c.triangles) > 0;
 }
 
-/// Whether the background in view has labels of a photo. `behind`: see triangles_behind.
-bool paints(const VisibleSurface& s, std::span<const std::uint32_t> behind, std::uint32_t photo) {
+/// Whether the background in view has labels of a photo, on more than this share of the frame. `behind`: see
+/// triangles_behind.
+bool paints(const VisibleSurface& s, std::span<const std::uint32_t> behind, std::uint32_t photo,
+            double least) {
     if (s.scene.labels[photo] == 0) return false;
     if (s.triangles.empty())
         return std::ranges::any_of(s.clusters, [&](std::uint32_t index) {
             return index >= s.scene.first_surrounding && has_label(s.scene, photo, s.scene.clusters[index]);
         });
-    constexpr double least = 0.001;  // of the frame
     const auto shown =
         std::ranges::count_if(behind, [&](std::uint32_t t) { return sees(s.scene, photo, t); });
     return double(shown) > least * double(s.triangles.size());
@@ -77,8 +78,8 @@ std::vector<PlannedPhoto> plan_background(const VisibleSurface& s, const PlanSet
     for (const std::uint32_t photo : allowed) {
         if (s.scene.coverage[photo].empty()) continue;
         const float share = shares[photo];
-        if (share < least && !paints(s, behind, photo)) continue;
-        PlannedPhoto p{photo, share, {}, {}, {}, {}};
+        if (share < least && !paints(s, behind, photo, settings.complete ? 0 : 0.001)) continue;
+        PlannedPhoto p{photo, share, {}, {}, {}};
         for (const std::uint32_t c : s.clusters)
             if (c >= s.scene.first_surrounding && s.scene.coverage[photo][c].seen > 0 &&
                 (share >= least || has_label(s.scene, photo, s.scene.clusters[c])))

@@ -60,14 +60,13 @@ void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
 
 Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
                std::span<const std::uint32_t> allowed, const PlanContext& context) {
-    VisibleSurface surface =
-        visible_surface(scene, view, context.seen, settings.samples, settings.background);
+    VisibleSurface surface = visible_surface(scene, view, context.seen, settings);
     Plan plan;
     plan.choice =
         context.chosen ? *context.chosen : choose_photos(surface, settings, allowed, context.previous);
     plan.uncovered = plan.choice.uncovered;
     for (const ChosenPhoto& c : plan.choice.photos)
-        plan.photos.push_back({c.photo, c.agreement, {}, {}, {}, {}});
+        plan.photos.push_back({c.photo, c.agreement, {}, {}, {}});
     assign_clusters(surface, settings, plan.photos);
     std::vector<float> weights(scene.clusters.size());
     for (PlannedPhoto& p : plan.photos) {
@@ -87,7 +86,9 @@ Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& set
 }
 
 std::vector<double> agreements(const PlanScene& scene, const View& view) {
-    const VisibleSurface surface = visible_surface(scene, view, {}, 1, false);
+    PlanSettings settings;
+    settings.background = false;
+    const VisibleSurface surface = visible_surface(scene, view, {}, settings);
     std::vector<double> out;
     for (std::uint32_t p = 0; p < scene.photos.size(); ++p) out.push_back(agreement(surface, p));
     return out;

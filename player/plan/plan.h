@@ -25,9 +25,9 @@ struct Plan {
 /// What is known of a view from frames before.
 struct PlanContext {
     std::span<const std::uint32_t> previous{};  ///< photos that are slightly preferred, to avoid flicker
-    /// The triangles at pixels of this view or a recent one, numbered from 1 (0: none). With them the plan
-    /// covers the visible surface, without them everything in view.
-    std::span<const std::uint32_t> seen{};
+    /// With the triangles that were seen, the plan covers the visible surface, without them everything in
+    /// view.
+    Seen seen{};
     const PhotoChoice* chosen = nullptr;  ///< the photos are these, as they were chosen for another view
 };
 

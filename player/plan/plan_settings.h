@@ -26,7 +26,4 @@ struct PlanSettings {
     bool operator==(const PlanSettings&) const = default;
 };
 
-/// Whether plans depend on which triangles are seen.
-inline bool reads_seen(const PlanSettings& s) { return !s.complete || s.photos > 0 || s.worth > 0; }
-
 }  // namespace vantage

@@ -8,15 +8,13 @@
 namespace vantage {
 namespace {
 
-/// The tiles of one photo for its clusters that are seen (`seen`) or not seen (otherwise). While visibility
-/// is unknown, all clusters count as seen.
-TileNeeds needs_of_clusters(const VisibleSurface& s, const PlannedPhoto& p, bool seen, double samples) {
+/// The tiles of one photo for its clusters, while it is not known which of them are seen.
+TileNeeds needs_of_clusters(const VisibleSurface& s, const PlannedPhoto& p, double samples) {
     std::vector<ClusterLevels> levels;
     const Intrinsics& k = s.scene.intrinsics[p.photo];
     for (const std::uint32_t c : p.clusters)
-        if ((s.triangles.empty() || s.seen[c]) == seen)
-            levels.push_back(
-                {c, sampled_levels(s.scene.clusters[c], k, s.scene.poses[p.photo], s.view, samples)});
+        levels.push_back(
+            {c, sampled_levels(s.scene.clusters[c], k, s.scene.poses[p.photo], s.view, samples)});
     return tile_needs(s.scene.photos[p.photo], s.scene.lenses.of(p.photo), s.scene.coverage[p.photo], levels);
 }
 
@@ -28,22 +26,19 @@ double spared_levels(double weight) { return std::clamp(-std::log2(8 * weight) /
 
 void add_needs(PlannedPhoto& p, const VisibleSurface& s, const PlanSettings& settings,
                const std::function<float(std::size_t)>& weight) {
-    if (!(settings.worth > 0) || s.triangles.empty()) {
-        p.needs = needs_of_clusters(s, p, true, settings.samples);
-        if (settings.complete && settings.worth == 0)
-            p.later = needs_of_clusters(s, p, false, settings.samples);
+    if (s.triangles.empty()) {
+        p.needs = needs_of_clusters(s, p, settings.samples);
         return;
     }
-    // The tiles that the visible points show enough of.
     std::vector<SurfaceSample> samples;
     for (std::size_t i = 0; i < s.points.samples.size(); ++i) {
         const float w = weight(i);
         if (!(w > 0)) continue;
         samples.push_back(s.points.samples[i]);
-        samples.back().coarser = spared_levels(w);
+        if (settings.worth > 0) samples.back().coarser = spared_levels(w);
     }
     p.needs = shown_tiles(s.scene.photos[p.photo], s.scene.lenses.of(p.photo), s.scene.poses[p.photo],
-                          samples, s.points.pixels, settings.worth);
+                          {samples, s.points.pixels, s.points.reach}, settings.worth);
 }
 
 }  // namespace vantage

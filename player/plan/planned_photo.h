@@ -15,8 +15,7 @@ struct PlannedPhoto {
     double agreement;                     ///< with the view, see agreement(), in [0, 1]
     std::vector<std::uint32_t> clusters;  ///< drawn with this photo, ascending
     std::vector<float> weights;           ///< of each, relative to the best photo's, at most 1
-    TileNeeds needs;                      ///< for clusters that are seen, see make_plan
-    TileNeeds later;  ///< of those in view that were not seen; complete plans with all tiles
+    TileNeeds needs;                      ///< for what is seen of them
 };
 
 /// Lists the tiles of a photo for its clusters. `weight`: of the photo at a point of the surface, in [0, 1];

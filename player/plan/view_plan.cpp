@@ -57,8 +57,7 @@ void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<
         return;
     const std::vector<std::uint32_t> previous = photos_of(plan_.photos);
     if (!at_rest) {
-        uses_seen_ =
-            reads_seen(settings) && !seen.triangles.empty() && shows_much_of(seen.view, view, *scene_);
+        uses_seen_ = !seen.triangles.empty() && shows_much_of(seen.view, view, *scene_);
         at_rest_.clear();
         // After other settings, the triangles may be from before the change.
         if (uses_seen_ && same_settings && same_view(seen.view, view))
@@ -70,7 +69,10 @@ void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<
     std::span<const std::uint32_t> known = at_rest_;
     if (uses_seen_ && known.empty()) known = seen.triangles;
     if (keeps) shared = &choice;
-    plan_ = make_plan(*scene_, widened(view), with_side(settings, side), photos, {previous, known, shared});
+    const Seen pixels{known, known.empty() || !seen.at_pixels ? nullptr
+                             : at_rest_.empty()               ? &seen.view
+                                                              : &view};
+    plan_ = make_plan(*scene_, widened(view), with_side(settings, side), photos, {previous, pixels, shared});
     plan_drawn(widened(view), settings, photos);
     made_for_ = Key{view, settings, side, {photos.begin(), photos.end()}, seen.version};
 }

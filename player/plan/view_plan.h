@@ -8,12 +8,12 @@
 
 namespace vantage {
 
-/// The triangles that a view showed, numbered from 1 (0: none), one per sampled pixel; empty until the first
-/// readback. Equal versions mean equal triangles.
+/// The triangles that a view showed; empty until the first readback. Equal versions mean equal triangles.
 struct SeenTriangles {
-    std::span<const std::uint32_t> triangles;
+    std::span<const std::uint32_t> triangles;  ///< as in Seen
     const View& view;
     std::uint64_t version;
+    bool at_pixels = true;  ///< else they are of several views
 };
 
 /// The plan for the current view, remade when anything it depends on changes, and the transition from the

@@ -2,9 +2,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <optional>
+
+#include "player/view/ray.h"
 
 namespace vantage {
 namespace {
@@ -19,64 +23,114 @@ double area_in_view(const package::ClusterRecord& c, const View& view) {
     return std::min(double(k.width) * k.height, std::numbers::pi * r * r * k.fx * k.fy);
 }
 
-/// One point on each of up to 8192 triangles, spread by the plastic ratio's sequence (Roberts 2018).
-/// `looked`: the number of pixels at which triangles were sampled.
-VisibleSurface::Points points_on(const PlanScene& scene, const View& view,
-                                 std::span<const std::uint32_t> triangles,
-                                 std::span<const std::uint32_t> clusters, std::size_t looked,
-                                 double samples) {
-    constexpr std::size_t most = 8192;
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+Corners corners_of(const PlanScene& scene, std::uint32_t triangle) {
+    Corners out;
+    for (std::size_t v = 0; v < 3; ++v) {
+        const std::size_t vertex = scene.indices[3 * std::size_t(triangle) + v];
+        out[v] = scene.positions[std::min(vertex, scene.positions.size() - 1)].cast<double>();
+    }
+    return out;
+}
+
+/// The middle of a pixel that was sampled, by its number.
+Eigen::Vector2d sampled_pixel(FrameSize frame, std::size_t number) {
+    const FrameSize n = Seen::samples(frame);
+    const double x = double(number % std::size_t(n.width)) + 0.5,
+                 y = double(number / std::size_t(n.width)) + 0.5;
+    return {std::floor(x * frame.width / n.width) + 0.5, std::floor(y * frame.height / n.height) + 0.5};
+}
+
+/// Where a view shows a triangle at a pixel, if it does.
+std::optional<Eigen::Vector3d> point_at_pixel(const Corners& corner, const View& view,
+                                              const Eigen::Vector2d& pixel) {
+    constexpr double slack = 1e-3;
+    const Ray ray = ray_through(view, pixel);
+    const Eigen::Vector3d e = corner[1] - corner[0], f = corner[2] - corner[0], across = ray.along.cross(f);
+    const Eigen::Vector3d from = ray.from - corner[0], other = from.cross(e);
+    const double a = from.dot(across) / e.dot(across), b = ray.along.dot(other) / e.dot(across);
+    if (!(a >= -slack && b >= -slack && a + b <= 1 + slack)) return {};
+    return corner[0] + a * e + b * f;
+}
+
+/// One of a triangle's points, spread by the plastic ratio's sequence (Roberts 2018).
+Eigen::Vector3d spread_point(const Corners& corner, std::size_t number) {
+    const auto share = [&](double step) { return double(number) * step - std::floor(double(number) * step); };
+    double a = share(0.7548776662466927), b = share(0.5698402909980532);
+    if (a + b > 1) a = 1 - a, b = 1 - b;
+    return corner[0] + a * (corner[1] - corner[0]) + b * (corner[2] - corner[0]);
+}
+
+/// Which of the triangles seen have points: about `most`, evenly drawn. Returns how many each stands for.
+double draw_points(const Seen& seen, std::size_t most, std::vector<std::size_t>& out) {
+    const std::size_t all = seen.triangles.size();
+    if (!seen.view) {
+        const std::size_t step = std::max<std::size_t>(1, all / most);
+        for (std::size_t i = 0; i < all; i += step) out.push_back(i);
+        return double(step);
+    }
+    const auto columns = std::size_t(Seen::samples(frame_size(*seen.view)).width), rows = all / columns;
+    const auto step = std::max<std::size_t>(1, std::size_t(std::sqrt(double(all) / double(most))));
+    for (std::size_t y = step / 2; y < rows; y += step)
+        for (std::size_t x = step / 2; x < columns; x += step) out.push_back(y * columns + x);
+    return double(step * step);
+}
+
+VisibleSurface::Points points_on(const PlanScene& scene, const View& view, const Seen& seen,
+                                 std::span<const std::uint32_t> clusters, const PlanSettings& settings) {
+    constexpr std::size_t most = 8192, most_if_complete = 65536;
+    std::vector<std::size_t> drawn;
+    const double each = draw_points(seen, settings.worth > 0 ? most : most_if_complete, drawn);
     VisibleSurface::Points out;
-    const std::size_t step = std::max<std::size_t>(1, triangles.size() / most);
-    out.samples.reserve(triangles.size() / step + 1);
-    for (std::size_t i = 0; i < triangles.size(); i += step) {
-        Eigen::Vector3d corner[3];
-        for (std::size_t v = 0; v < 3; ++v) {
-            const std::size_t vertex = scene.indices[3 * std::size_t(triangles[i]) + v];
-            corner[v] = scene.positions[std::min(vertex, scene.positions.size() - 1)].cast<double>();
-        }
-        const auto share = [&](double step) { return double(i) * step - std::floor(double(i) * step); };
-        double a = share(0.7548776662466927), b = share(0.5698402909980532);
-        if (a + b > 1) a = 1 - a, b = 1 - b;
-        const Eigen::Vector3d e = corner[1] - corner[0], f = corner[2] - corner[0];
-        const Eigen::Vector3d point = corner[0] + a * e + b * f;
-        const auto seen = project(view.intrinsics, view.cam_from_origin, point);
-        const auto s = surface_sample(view, point, e.cross(f).normalized(), samples);
-        if (!s || !seen || !in_frame(view.intrinsics, seen->pixel)) continue;
+    out.samples.reserve(drawn.size());
+    for (const std::size_t i : drawn) {
+        if (clusters[i] == ~0u) continue;
+        const std::uint32_t triangle = seen.triangles[i] - 1;
+        const Corners corner = corners_of(scene, triangle);
+        std::optional<Eigen::Vector3d> point;
+        if (seen.view) point = point_at_pixel(corner, *seen.view, sampled_pixel(frame_size(*seen.view), i));
+        if (!point) point = spread_point(corner, i);
+        const Eigen::Vector3d normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
+        const auto shown = project(view.intrinsics, view.cam_from_origin, *point);
+        const auto s = surface_sample(view, *point, normal, settings.samples);
+        if (!s || !shown || !in_frame(view.intrinsics, shown->pixel)) continue;
         out.samples.push_back(*s);
-        out.triangles.push_back(triangles[i]);
+        out.triangles.push_back(triangle);
         out.clusters.push_back(clusters[i]);
     }
-    if (looked > 0)
-        out.pixels = double(view.intrinsics.width) * view.intrinsics.height / double(looked) * double(step) *
-                     samples * samples;
+    if (seen.triangles.empty()) return out;
+    const double pixels =
+        double(view.intrinsics.width) * view.intrinsics.height / double(seen.triangles.size()) * each;
+    out.pixels = pixels * settings.samples * settings.samples;
+    out.reach = std::sqrt(out.pixels) / 2;
     return out;
 }
 
 }  // namespace
 
-VisibleSurface visible_surface(const PlanScene& scene, const View& view, std::span<const std::uint32_t> seen,
-                               double samples, bool background) {
+VisibleSurface visible_surface(const PlanScene& scene, const View& view, const Seen& seen,
+                               const PlanSettings& settings) {
     VisibleSurface s{scene, view, view.cam_from_origin.center(),
                      clusters_in_view(scene.tree, scene.clusters, view)};
-    if (!background) std::erase_if(s.clusters, [&](std::uint32_t c) { return c >= scene.first_surrounding; });
+    if (!settings.background)
+        std::erase_if(s.clusters, [&](std::uint32_t c) { return c >= scene.first_surrounding; });
     const auto is_transparent = [&](std::uint32_t c) {
         return c >= scene.first_transparent && c < scene.first_surrounding;
     };
     std::ranges::copy_if(s.clusters, std::back_inserter(s.transparent), is_transparent);
     std::erase_if(s.clusters, is_transparent);
-    const std::vector<std::uint32_t> all = clusters_of(scene, seen);
-    std::vector<std::uint32_t> count(scene.clusters.size(), 0), clusters;
-    s.triangles.reserve(seen.size());
-    clusters.reserve(seen.size());
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        if (all[i] == ~0u) continue;
-        ++count[all[i]];
-        s.triangles.push_back(seen[i] - 1);
-        clusters.push_back(all[i]);
+    const std::vector<std::uint32_t> clusters = clusters_of(scene, seen.triangles);
+    std::vector<std::uint32_t> count(scene.clusters.size(), 0);
+    s.triangles.reserve(seen.triangles.size());
+    s.clusters_of_triangles.reserve(seen.triangles.size());
+    for (std::size_t i = 0; i < seen.triangles.size(); ++i) {
+        if (clusters[i] == ~0u) continue;
+        ++count[clusters[i]];
+        s.triangles.push_back(seen.triangles[i] - 1);
+        s.clusters_of_triangles.push_back(clusters[i]);
     }
-    s.points = points_on(scene, view, s.triangles, clusters, seen.size(), samples);
-    for (const std::uint32_t n : count) s.seen.push_back(n > 0);
+    s.points = points_on(scene, view, seen, clusters, settings);
     const auto guessed = [&](std::uint32_t c) {
         // Nearly all of the frame is in the sphere around a cluster that reaches to the horizon.
         return area_in_view(scene.clusters[c], view) * (c < scene.first_surrounding ? 1 : 1e-4);

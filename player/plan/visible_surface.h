@@ -1,38 +1,53 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "player/plan/cluster_tree.h"
 #include "player/plan/plan_scene.h"
+#include "player/plan/plan_settings.h"
 #include "player/plan/selection/shown_tiles.h"
 #include "player/view/view.h"
 
 namespace vantage {
+
+/// The triangles that a view, or a recent one, showed.
+struct Seen {
+    static constexpr int step = 2;  ///< pixels
+    /// At every second pixel of every second row, from the top; numbered from 1 (0: none).
+    std::span<const std::uint32_t> triangles{};
+    const View* view = nullptr;  ///< null: they are of several views
+
+    /// How many of a frame's pixels are sampled, across and down.
+    static FrameSize samples(FrameSize frame) {
+        return {std::max(1, frame.width / step), std::max(1, frame.height / step)};
+    }
+};
 
 /// What a view shows of the model, regardless of the photos.
 struct VisibleSurface {
     const PlanScene& scene;
     const View& view;
     Eigen::Vector3d eye;
-    std::vector<std::uint32_t> clusters;       ///< in view, opaque
-    std::vector<double> areas{};               ///< per cluster in view; any unit, 0: hidden
-    std::vector<std::uint32_t> triangles{};    ///< seen, with repetitions; none: unknown
-    std::vector<std::uint32_t> transparent{};  ///< clusters in view
-    std::vector<bool> seen{};                  ///< per cluster of the scene: some of it was seen
+    std::vector<std::uint32_t> clusters;                 ///< in view, opaque
+    std::vector<double> areas{};                         ///< per cluster in view; any unit, 0: hidden
+    std::vector<std::uint32_t> triangles{};              ///< seen, with repetitions; none: unknown
+    std::vector<std::uint32_t> clusters_of_triangles{};  ///< of each of them
+    std::vector<std::uint32_t> transparent{};            ///< clusters in view
     /// Points on some of the triangles seen, with their triangles and clusters.
     struct Points {
         std::vector<SurfaceSample> samples;
         std::vector<std::uint32_t> triangles, clusters;
         double pixels = 0;  ///< samples of the picture that each point stands for
+        double reach = 0;   ///< samples from a point to what it stands for, along rows and columns
     } points{};
 };
 
-/// `seen`: the triangles at pixels of this view or a recent one, numbered from 1 (0: none). `samples`: per
-/// side of a pixel. `background`: whether they are shown.
-VisibleSurface visible_surface(const PlanScene& scene, const View& view, std::span<const std::uint32_t> seen,
-                               double samples, bool background);
+/// Without the background unless `settings` have it. On complete pictures there are more points.
+VisibleSurface visible_surface(const PlanScene& scene, const View& view, const Seen& seen,
+                               const PlanSettings& settings);
 
 /// How well a photo agrees with the view, in [0, 1]: the share of the visible mesh that it sees, weighted by
 /// the angle; 0 if it sees nothing of it.

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
-#include "player/render/passes/triangle_readback.h"
 
 namespace vantage {
 
 std::uint32_t seen_triangle(const SeenTriangles& seen, const Eigen::Vector2d& pixel) {
     const Intrinsics& k = seen.view.intrinsics;
     if (seen.triangles.empty() || !in_frame(k, pixel)) return 0;
-    const std::size_t across = std::size_t(std::max(1, k.width / TriangleReadback::step)),
+    const std::size_t across = std::size_t(Seen::samples({k.width, k.height}).width),
                       down = seen.triangles.size() / across;
     if (down == 0) return 0;
     const std::size_t x = std::min(across - 1, std::size_t(pixel.x() * double(across) / k.width)),

@@ -7,11 +7,18 @@
 
 namespace vantage {
 
-/// The tiles of one photo worth loading to show these samples, each of which stands for `pixels` samples of
-/// the picture: those with at least the share `worth` of their texels shown (twice that for weight maps,
-/// which come with depth). `lens`: null if the photo has none. A tile below that is replaced by the next
-/// coarser one; on the coarsest level all tiles count.
+/// Samples of a surface, each of which stands for `pixels` samples of the picture, that many around it.
+struct SampledSurface {
+    std::span<const SurfaceSample> samples;
+    double pixels = 1;
+    double reach = 0;  ///< samples to each side
+};
+
+/// The tiles of one photo worth loading to show this: those with at least the share `worth` of their texels
+/// shown (twice that for weight maps, which come with depth). `lens`: null if the photo has none. A tile
+/// below that is replaced by the next coarser one; on the coarsest level all tiles count. With a worth of 0,
+/// all tiles within the samples' reach.
 TileNeeds shown_tiles(const package::PhotoRecord& photo, const LensTable* lens, const Pose& photo_from_origin,
-                      std::span<const SurfaceSample> samples, double pixels, double worth);
+                      const SampledSurface& surface, double worth);
 
 }  // namespace vantage

@@ -14,16 +14,14 @@ void TriangleReadback::release() {
 
 void TriangleReadback::capture(const FrameTargets& targets, const View& view) {
     if (pixels_.pending()) return;
-    const auto smaller = [](int pixels) { return std::max(1, pixels / step); };
-    if (const FrameSize size{smaller(targets.allocated.width), smaller(targets.allocated.height)};
-        size != allocated_) {
+    if (const FrameSize size = Seen::samples(targets.allocated); size != allocated_) {
         small_ = gl::make_texture_2d("seen triangles", GL_R32UI, size.width, size.height);
         small_target_ = gl::make_framebuffer("seen triangles", std::array{small_.id()}, 0);
         pixels_.allocate("seen triangles", std::size_t(size.width) * std::size_t(size.height));
         allocated_ = size;
     }
     if (!pixels_) return;
-    const int width = smaller(targets.width), height = smaller(targets.height);
+    const auto [width, height] = Seen::samples(targets.size());
     captured_pixels_ = std::size_t(width) * std::size_t(height);
     glNamedFramebufferReadBuffer(targets.surface().target.id(), GL_COLOR_ATTACHMENT1);
     glBlitNamedFramebuffer(targets.surface().target.id(), small_target_.id(), 0, 0, targets.width,

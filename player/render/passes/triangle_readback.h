@@ -11,15 +11,14 @@
 
 namespace vantage {
 
-/// Reads back which triangles a frame shows, at every second pixel of every second row, without waiting for
-/// the graphics card unless asked to. Plans cover what is seen, not what lies behind it.
+/// Reads back which triangles a frame shows (see Seen), without waiting for the graphics card unless asked
+/// to. Plans cover what is seen, not what lies behind it.
 class TriangleReadback {
   public:
-    static constexpr int step = 2;  ///< pixels
-
     /// Graphics memory for frames of this size.
-    static std::uint64_t bytes(int width, int height) {
-        return std::uint64_t(width / step + 1) * std::uint64_t(height / step + 1) * 8;
+    static std::uint64_t bytes(FrameSize frame) {
+        const FrameSize samples = Seen::samples(frame);
+        return std::uint64_t(samples.width + 1) * std::uint64_t(samples.height + 1) * 8;
     }
     /// Frees the graphics memory until the next capture.
     void release();

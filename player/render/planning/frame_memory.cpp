@@ -23,7 +23,7 @@ std::uint64_t bytes_of(const FrameResources& r, const FrameNeeds& n) {
            (r.filling ? HoleFilling::bytes(width, height) : 0) +
            (r.points ? PointPass::bytes(width, height, n.points_placed) + r.points->growth() : 0) +
            (r.transparent ? r.transparent->bytes(width, height, n.transparency) : 0) +
-           n.eyes * TriangleReadback::bytes(width, height);
+           n.eyes * TriangleReadback::bytes(n.capacity);
 }
 
 }  // namespace

@@ -133,15 +133,19 @@ void FramePlanner::plan_eye(PlannedEye& eye) {
         const ImageSetFrame& image_set = eye.image_sets[b];
         const bool complete = is_complete(image_set.settings.loading);
         PlanSettings how = plan_settings(image_set.settings, resources_->trials.anisotropy);
-        if (complete && reads_seen(how) && frame_.sample.index == 0) find_seen(eye, image_set);
+        // On points, photos show more than the triangles that are seen.
+        const bool on_points = photos_on_points(image_set.settings, resources_->parts);
+        if (complete && !on_points && frame_.sample.index == 0) find_seen(eye, image_set);
         const PhotoChoice* photos = nullptr;
         if (&eye != &first && !complete) {
             photos = &first.image_sets.at(b).plan->plan().choice;
             how.tiles = false;
         }
         const bool both = !complete && frame_.eyes.size() > 1;
+        const SeenTriangles seen = both ? seen_by_both(eye) : eye.readback.seen(),
+                            none{{}, seen.view, seen.version};
         image_set.plan->update(eye.view, how, image_set.photos, frame_.sample.side,
-                               both ? seen_by_both(eye) : eye.readback.seen(), photos);
+                               complete && on_points ? none : seen, photos);
     }
 }
 
@@ -149,8 +153,9 @@ void FramePlanner::plan_eye(PlannedEye& eye) {
 void FramePlanner::find_seen(PlannedEye& eye, const ImageSetFrame& image_set) {
     FrameResources& r = *resources_;
     const int side = frame_.sample.side;
-    image_set.plan->update(eye.view, plan_settings(image_set.settings, r.trials.anisotropy), image_set.photos,
-                           side, eye.readback.seen());
+    PlanSettings surface = plan_settings(image_set.settings, r.trials.anisotropy);
+    surface.tiles = false;
+    image_set.plan->update(eye.view, surface, {}, side, eye.readback.seen());
     r.surface.draw(drawn_view(r, eye.view, image_set, side, suits_coarse(r, eye.view, image_set)), r.targets);
     take_seen(eye, true);
     eye.readback.capture(r.targets, eye.view);
@@ -165,7 +170,7 @@ SeenTriangles FramePlanner::seen_by_both(const PlannedEye& eye) {
         seen_by_both_.assign(left.triangles.begin(), left.triangles.end());
         seen_by_both_.insert(seen_by_both_.end(), right.triangles.begin(), right.triangles.end());
     }
-    return {seen_by_both_, eye.readback.seen().view, seen_version_};
+    return {seen_by_both_, eye.readback.seen().view, seen_version_, false};
 }
 
 void FramePlanner::stream_points(const PlannedEye& eye, FrameReport& report) {

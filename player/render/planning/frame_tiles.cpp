@@ -89,7 +89,6 @@ void FrameTiles::load(Pass pass, const DrawnView& drawn, double now, FrameReport
     for (const PlannedPhoto* p : pass) {
         resources_->store.need_base(p->photo, coordinates(drawn.settings));
         resources_->store.need(p->photo, p->needs);
-        resources_->store.need(p->photo, p->later);
         report.tiles += p->needs.tiles();
     }
     resources_->store.need(drawn.settings.compare_photo, comparison_needs(drawn.view, drawn.settings));
