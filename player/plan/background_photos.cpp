@@ -45,6 +45,15 @@ bool paints(const VisibleSurface& s, std::span<const std::uint32_t> behind, std:
     return double(shown) > least * double(s.triangles.size());
 }
 
+/// The photo that outweighs all others, because the viewer is at its camera.
+std::optional<std::uint32_t> own_photo(const VisibleSurface& s, std::span<const std::uint32_t> allowed) {
+    for (const std::uint32_t photo : allowed)
+        if (s.scene.photos[photo].image_set == 0 && !s.scene.coverage[photo].empty() &&
+            own_weight(s.scene, (s.scene.poses[photo].center() - s.eye).norm()) >= 1e5)
+            return photo;
+    return {};
+}
+
 }  // namespace
 
 std::vector<float> nearest_shares(const PlanScene& s, const Eigen::Vector3d& eye) {
@@ -75,8 +84,9 @@ std::vector<PlannedPhoto> plan_background(const VisibleSurface& s, const PlanSet
     const std::vector<float> shares = nearest_shares(s.scene, s.eye);
     const std::vector<std::uint32_t> behind = triangles_behind(s);
     const double reach = near_distance(s.scene, s.eye);
+    const std::optional<std::uint32_t> own = own_photo(s, allowed);
     for (const std::uint32_t photo : allowed) {
-        if (s.scene.coverage[photo].empty()) continue;
+        if (s.scene.coverage[photo].empty() || (own && photo != *own)) continue;
         const float share = shares[photo];
         if (share < least && !paints(s, behind, photo, settings.complete ? 0 : 0.001)) continue;
         PlannedPhoto p{photo, share, {}, {}, {}};

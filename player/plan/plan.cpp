@@ -2,13 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "player/plan/background_photos.h"
 #include "player/plan/selection/photo_choice.h"
 #include "player/plan/selection/photo_cover.h"
+#include "shaders/contract.h"
 
 namespace vantage {
 namespace {
+
+struct CameraOfPhoto {
+    std::uint32_t photo;
+    Eigen::Vector3d center;
+};
 
 /// Whether a photo sees the same side of a cluster as the viewer: if the cluster faces away from the viewer,
 /// it must face away from the photo, too.
@@ -16,43 +24,116 @@ bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d
     return !away || faces_away(c, photo);
 }
 
-/// Assigns each cluster to the chosen photos that see it. With `worth`, omits photos whose weight relative to
-/// a photo that sees the whole cluster is below 1/1024, less than one color code: they would show only where
-/// the other photo's weight maps are 0. A reduced plan has only photos that weigh much.
-void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
+/// A photo's weight where rays to it and to the viewer make this angle (shaders/blend.frag).
+double angle_weight(const PlanSettings& settings, double theta) {
+    if (!(settings.sharpness > 0)) return 1;
+    const double own = shader::own_angle / std::max(theta, double(shader::own_least));
+    return std::exp(-theta / settings.sharpness) * (settings.own_views ? 1 + own * own : 1);
+}
+
+/// The largest and the smallest weight that a photo has in a cluster, where it sees it, and if no border is
+/// near.
+struct WeightRange {
+    double most, least;
+};
+WeightRange weight_range(const VisibleSurface& s, const PlanSettings& settings, std::uint32_t cluster,
+                         const CameraOfPhoto& camera) {
+    const package::ClusterRecord& c = s.scene.clusters[cluster];
+    const double distance = std::max((center(c) - s.eye).norm(), 1e-30);
+    const double theta = ray_angle(center(c), s.eye, camera.center),
+                 turn = c.radius * std::abs(1 / distance - 1 / (center(c) - camera.center).norm());
+    // Samples of the picture per unit of the surface.
+    const double wanted = settings.samples * s.view.intrinsics.fx / distance;
+    const double rate =
+        std::min(std::exp2(s.scene.coverage[camera.photo][cluster].log2_density / 256.0) / wanted, 1.0);
+    const double sampled = settings.sharpness > 0 ? rate : 1;
+    return {sampled * angle_weight(settings, std::max(0.0, theta - turn)),
+            sampled * angle_weight(settings, theta + turn)};
+}
+
+/// Of each cluster, whether a photo sees all triangles that are seen, at least in part.
+std::vector<bool> sees_all_seen(const VisibleSurface& s, std::uint32_t photo) {
+    std::vector<bool> out(s.scene.clusters.size(), !s.triangles.empty());
+    for (std::size_t i = 0; i < s.triangles.size(); ++i)
+        if (!sees(s.scene, photo, s.triangles[i])) out[s.clusters_of_triangles[i]] = false;
+    return out;
+}
+
+/// The chosen photos, and what is known of them.
+struct Candidates {
+    std::vector<CameraOfPhoto> cameras;
+    /// The one at whose camera the viewer is: there, it sees what the viewer sees.
+    std::optional<std::size_t> own;
+    std::vector<bool> own_sees;  ///< per cluster: all that is seen of it
+};
+
+Candidates candidates_of(const VisibleSurface& s, const PlanSettings& settings,
+                         const std::vector<PlannedPhoto>& photos) {
+    Candidates out;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const PlannedPhoto& p : photos) {
+        out.cameras.push_back({p.photo, s.scene.poses[p.photo].center()});
+        const double apart = (out.cameras.back().center - s.eye).norm();
+        if (settings.own_views && apart < nearest) nearest = apart, out.own = out.cameras.size() - 1;
+    }
+    const double close = 1e-6 * s.scene.size;
+    if (!(nearest < close) || s.triangles.empty()) out.own.reset();
+    if (out.own) out.own_sees = sees_all_seen(s, photos[*out.own].photo);
+    return out;
+}
+
+/// Assigns each cluster to the chosen photos that see it, but for those whose weight relative to a photo that
+/// sees the whole cluster is less than one color code: they would show only where the other photo's weight
+/// maps are 0. A complete plan has those, too, if the weight maps are hardly above 0. A reduced plan has only
+/// photos that weigh much.
+void assign_clusters(const VisibleSurface& s, const PlanSettings& settings, const Candidates& candidates,
                      std::vector<PlannedPhoto>& photos) {
-    const double least = !(settings.worth > 0) ? 0 : settings.reduced ? 0.3 : 1.0 / 1024;
+    const double least = settings.reduced ? 0.3 : settings.complete ? 1e-5 : 1.0 / 1024;
     const std::size_t words = package::visible_words(s.scene.triangles);
-    std::vector<Eigen::Vector3d> centers;
-    for (const PlannedPhoto& p : photos) centers.push_back(s.scene.poses[p.photo].center());
     std::vector<double> weights(photos.size());
     for (const std::uint32_t index : s.clusters) {
         if (index >= s.scene.first_surrounding) continue;
         const package::ClusterRecord& c = s.scene.clusters[index];
         const bool away = faces_away(c, s.eye);
-        // Samples of the picture per unit of the surface.
-        const double wanted =
-            settings.samples * s.view.intrinsics.fx / std::max((center(c) - s.eye).norm(), 1e-30);
         double best = 0;
         for (std::size_t i = 0; i < photos.size(); ++i) {
             weights[i] = -1;
-            const std::uint32_t p = photos[i].photo;
-            if (s.scene.coverage[p][index].seen == 0 || !same_side(c, away, centers[i])) continue;
-            // The angle may be smaller elsewhere in the cluster, or the best photo's larger.
-            const double turn =
-                c.radius * std::abs(1 / (center(c) - s.eye).norm() - 1 / (center(c) - centers[i]).norm());
-            const double theta = std::max(0.0, ray_angle(center(c), s.eye, centers[i]) - turn),
-                         rate = std::exp2(s.scene.coverage[p][index].log2_density / 256.0) / wanted;
-            weights[i] =
-                settings.sharpness > 0 ? std::exp(-theta / settings.sharpness) * std::min(rate, 1.0) : 1;
-            if (count_bits(s.scene.visible[p].first(words), c.first_triangle, c.triangles) == c.triangles)
-                best = std::max(best, weights[i]);
+            const CameraOfPhoto& camera = candidates.cameras[i];
+            if (s.scene.coverage[camera.photo][index].seen == 0 || !same_side(c, away, camera.center))
+                continue;
+            const WeightRange range = weight_range(s, settings, index, camera);
+            weights[i] = range.most;
+            const auto sees_it = [&] {
+                return (candidates.own == i && candidates.own_sees[index]) ||
+                       count_bits(s.scene.visible[camera.photo].first(words), c.first_triangle,
+                                  c.triangles) == c.triangles;
+            };
+            if (range.least > best && sees_it()) best = range.least;
         }
         for (std::size_t i = 0; i < photos.size(); ++i)
             if (weights[i] >= 0 && weights[i] >= least * best) {
                 photos[i].clusters.push_back(index);
                 photos[i].weights.push_back(best > 0 ? float(std::min(1.0, weights[i] / best)) : 1.0f);
             }
+    }
+}
+
+/// Lists the tiles of the photos for their clusters; of what the viewer sees from a photo's own camera, that
+/// photo's only.
+void list_tiles(const VisibleSurface& s, const PlanSettings& settings, const Candidates& candidates,
+                std::vector<PlannedPhoto>& photos) {
+    std::vector<float> weights(s.scene.clusters.size());
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        PlannedPhoto& p = photos[i];
+        std::ranges::fill(weights, 0.0f);
+        for (std::size_t c = 0; c < p.clusters.size(); ++c) weights[p.clusters[c]] = p.weights[c];
+        add_needs(p, s, settings, [&](std::size_t point) {
+            const std::uint32_t triangle = s.points.triangles[point];
+            if (!sees(s.scene, p.photo, triangle)) return 0.0f;
+            const bool owned = candidates.own && candidates.own != i &&
+                               sees(s.scene, candidates.cameras[*candidates.own].photo, triangle);
+            return owned ? 0.0f : weights[s.points.clusters[point]];
+        });
     }
 }
 
@@ -65,19 +146,10 @@ Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& set
     plan.choice =
         context.chosen ? *context.chosen : choose_photos(surface, settings, allowed, context.previous);
     plan.uncovered = plan.choice.uncovered;
-    for (const ChosenPhoto& c : plan.choice.photos)
-        plan.photos.push_back({c.photo, c.agreement, {}, {}, {}});
-    assign_clusters(surface, settings, plan.photos);
-    std::vector<float> weights(scene.clusters.size());
-    for (PlannedPhoto& p : plan.photos) {
-        if (!settings.tiles) break;
-        std::ranges::fill(weights, 0.0f);
-        for (std::size_t i = 0; i < p.clusters.size(); ++i) weights[p.clusters[i]] = p.weights[i];
-        add_needs(p, surface, settings, [&](std::size_t i) {
-            return sees(scene, p.photo, surface.points.triangles[i]) ? weights[surface.points.clusters[i]]
-                                                                     : 0.0f;
-        });
-    }
+    for (const ChosenPhoto& c : plan.choice.photos) plan.photos.push_back({c.photo, c.agreement, {}, {}, {}});
+    const Candidates candidates = candidates_of(surface, settings, plan.photos);
+    assign_clusters(surface, settings, candidates, plan.photos);
+    if (settings.tiles) list_tiles(surface, settings, candidates, plan.photos);
     std::erase_if(plan.photos, [](const PlannedPhoto& p) { return p.clusters.empty(); });
     plan.behind = plan_background(surface, settings, allowed);
     plan.clusters = std::move(surface.clusters);

@@ -16,6 +16,9 @@ struct PlanSettings {
     double angle_limit = 0;  ///< radians between viewing directions; a photo beyond it is used only for
                              ///< surfaces that no other photo sees; 0: no limit
     double samples = 1;      ///< per side of a pixel
+    /// Near its own camera, a photo outweighs all others (shaders/blend.frag). Not for windows, whose photos
+    /// would change more often.
+    bool own_views = false;
     double worth = 0;        ///< a tile is needed if at least this share of its texels is shown; 0: any
     bool tiles = true;       ///< list the tiles needed; otherwise use only thumbnails
     bool background = true;  ///< shown, if the package has them

@@ -25,6 +25,7 @@ PlanSettings plan_settings(const RenderSettings& s, int anisotropy) {
         p.worth = 0.1;  // half the bytes, and at least 47 dB from all tiles that may be sampled
     const bool falls = s.weights.angle && !s.weights.angle_per_photo && s.show != Show::coverage;
     if (falls && blend_row(s.blend).by_angle) p.sharpness = s.weights.sharpness;
+    p.own_views = p.complete && p.sharpness > 0 && s.blend == Blend::lumigraph;
     return p;
 }
 
