@@ -44,6 +44,20 @@ void PhotoStore::fit(std::uint64_t bytes, bool with_coordinates) {
     residency_ = std::make_unique<Residency>(*package_, pages_, layout);
 }
 
+void PhotoStore::make_room(std::uint32_t color, std::uint32_t weight_maps, std::uint64_t bytes) {
+    ResidencyLayout layout = residency_->layout();
+    if (layout.color >= color && layout.weight_maps >= weight_maps) return;
+    // With some to spare: the next picture may need a few more.
+    const auto enough = [](std::uint32_t tiles, std::uint32_t pages) {
+        return std::min(tiles + tiles / 4, pages);
+    };
+    layout.color = std::max(layout.color, enough(color, pages_.color));
+    layout.weight_maps = std::max(layout.weight_maps, enough(weight_maps, pages_.weight_maps));
+    if (layout.bytes() > bytes || std::max(layout.color, layout.weight_maps) > max_layers()) return;
+    residency_.reset();
+    residency_ = std::make_unique<Residency>(*package_, pages_, layout);
+}
+
 void PhotoStore::use_weights(std::function<const TransientMap*(std::uint32_t photo)> weights) {
     weights_ = std::move(weights);
     if (residency_) residency_->evict_weight_maps();

@@ -19,13 +19,13 @@ std::uint32_t pieces_of(std::uint32_t vertices) {
     return std::uint32_t((std::uint64_t(vertices) * 8 + piece_bytes - 1) / piece_bytes);
 }
 
+}  // namespace
+
 std::uint32_t max_layers() {
     GLint most = 0;
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
     return std::uint32_t(std::max(1, int(most)));
 }
-
-}  // namespace
 
 std::uint64_t ResidencyLayout::bytes() const {
     return std::uint64_t(color + 2 * weight_maps) * tile_bytes +

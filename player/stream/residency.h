@@ -22,6 +22,9 @@ struct ResidencyLayout {
     bool operator==(const ResidencyLayout&) const = default;
 };
 
+/// Of an array texture.
+std::uint32_t max_layers();
+
 /// Divides `bytes` of graphics memory: first thumbnails and coordinates (if `with_coordinates`), at most an
 /// eighth each, then tiles; never more than the package has, and never fewer than 16 of color and of weight
 /// maps, even if these do not fit.

@@ -66,6 +66,7 @@ FrameReport FramePlanner::plan(const FrameRequest& request) {
     const auto planning = std::chrono::steady_clock::now();
     for (PlannedEye& eye : frame_.eyes) plan_eye(eye);
     report.plan_ms = milliseconds_since(planning);
+    if (complete) make_room();
     stream_points(frame_.eyes.front(), report);
     report.clusters = frame_.plan().clusters.size();
     report.uncovered = frame_.plan().uncovered;
@@ -147,6 +148,24 @@ void FramePlanner::plan_eye(PlannedEye& eye) {
         image_set.plan->update(eye.view, how, image_set.photos, frame_.sample.side,
                                complete && on_points ? none : seen, photos);
     }
+}
+
+/// A picture whose tiles fit into graphics memory reads each of them once, for all of its samples.
+void FramePlanner::make_room() {
+    constexpr std::uint64_t most = std::uint64_t(1) << 30;
+    if (budget_.graphics > 0) return;
+    std::size_t color = 0, weight_maps = 0;
+    for (const ImageSetFrame& image_set : image_sets_)
+        for (const std::vector<PlannedPhoto>* photos :
+             {&image_set.plan->plan().photos, &image_set.plan->plan().behind})
+            for (const PlannedPhoto& p : *photos) {
+                for (const auto& level : p.needs.color) color += level.size();
+                for (const auto& level : p.needs.weight_maps) weight_maps += level.size();
+                ++weight_maps;  // the coarsest
+            }
+    const std::uint64_t before = resources_->store.bytes();
+    resources_->store.make_room(std::uint32_t(color), std::uint32_t(weight_maps), most);
+    graphics_budget_ += resources_->store.bytes() - before;
 }
 
 /// Finds out which triangles the view shows before photos are chosen for it. Waits for the graphics card.

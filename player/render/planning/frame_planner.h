@@ -47,6 +47,7 @@ class FramePlanner {
     void choose_image_sets(const FrameRequest& request, const RenderSettings& settings);
     void fit();
     void plan_eye(PlannedEye& eye);
+    void make_room();
     void find_seen(PlannedEye& eye, const ImageSetFrame& image_set);
     bool take_seen(PlannedEye& eye, bool wait);
     SeenTriangles seen_by_both(const PlannedEye& eye);
