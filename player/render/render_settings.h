@@ -146,7 +146,7 @@ struct RenderSettings {
     double angle_limit = 150;     ///< degrees between viewing directions [M]
     bool fill_holes = false;      ///< plain shading where no photo contributes, and a background
     bool fill_background = true;  ///< if holes are filled; otherwise the background stays transparent
-    int photos_per_pass = 8;      ///< 1 to 16
+    int photos_per_pass = max_photos_per_pass;
     double lod_bias = 0;          ///< levels; below 0 is sharper
     bool thumbnails = false;      ///< nothing finer than thumbnails
     Show show = Show::colors;
