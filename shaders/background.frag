@@ -30,16 +30,23 @@ void read_paint() {
 
 // Share of the area around a photo pixel that does not show the mesh, 0 on the mesh itself and on its edge.
 float beyond_mesh(uint photo, vec2 pixel, float lod) {
-    WeightPlace at = weight_place(photo, pixel, lod);
-    if (at.level < 0) return 0.0;
-    if (!isinf(depths_at(at).x)) return 0.0;
-    float level = log2(background_margin * photos[photo].size_weight.x / reference_width);
-    WeightPlace coarse = weight_place(photo, pixel, max(lod, level));
-    vec4 z = textureGather(depth_tiles, coarse.coordinate);
-    vec2 share = fract(coarse.coordinate.xy * tile_size - 0.5);
-    vec4 clear = vec4(isinf(z));
-    float area = mix(mix(clear.w, clear.z, share.x), mix(clear.x, clear.y, share.x), share.y);
-    return max(background_least, smoothstep(0.5, 1.0, area));
+    float level = max(lod, log2(background_margin * photos[photo].size_weight.x / reference_width)), open = 0.0;
+    bool near = false;
+    // First coarsely; finely where that shows some of the mesh, which software renderers then can spare elsewhere.
+    do {
+        WeightPlace at = weight_place(photo, pixel, level);
+        if (at.level < 0) return 0.0;
+        vec4 z = textureGather(depth_tiles, at.coordinate);
+        vec2 share = fract(at.coordinate.xy * tile_size - 0.5);
+        vec4 clear = vec4(isinf(z));
+        bool all_clear = clear == vec4(1.0);
+        if (near) return all_clear ? open : 0.0;
+        float area = mix(mix(clear.w, clear.z, share.x), mix(clear.x, clear.y, share.x), share.y);
+        open = max(background_least, smoothstep(0.5, 1.0, area));
+        near = !all_clear;
+        level = lod;
+    } while (near);
+    return open;
 }
 
 // A photo of the pass at this pixel, and its weights.
