@@ -97,14 +97,15 @@ TileSize tile_size_for(int width) {
     return {tile_pixels, int(std::clamp<std::int64_t>(rows, 16, tile_pixels))};
 }
 
-std::size_t draw_orthophoto(Renderer& renderer, const Orthophoto& o, const PictureSpec& spec, TileSize tile,
-                            const std::function<void(std::span<const std::uint8_t>)>& row,
-                            const std::function<void(std::size_t done, std::size_t all)>& progress) {
+TilesNotShown draw_orthophoto(Renderer& renderer, const Orthophoto& o, const PictureSpec& spec, TileSize tile,
+                              const std::function<void(std::span<const std::uint8_t>)>& row,
+                              const std::function<void(std::size_t done, std::size_t all)>& progress) {
     const View whole = view_of(o, renderer.package().scene());
     const auto across = std::size_t((o.width + tile.width - 1) / tile.width),
                down = std::size_t((o.height + tile.height - 1) / tile.height);
     const std::size_t stride = 4 * std::size_t(o.width);
-    std::size_t damaged = 0, done = 0;
+    TilesNotShown lacking;
+    std::size_t done = 0;
     std::vector<std::uint8_t> rows(stride * std::size_t(std::min(tile.height, o.height)));
     for (int top = 0; top < o.height; top += tile.height) {
         const int height = std::min(tile.height, o.height - top);
@@ -113,7 +114,7 @@ std::size_t draw_orthophoto(Renderer& renderer, const Orthophoto& o, const Pictu
             const View view =
                 cut(whole, left, top, std::min(tile.width, o.width), std::min(tile.height, o.height));
             const Picture part = take_picture(renderer, view, spec.settings, spec.photos, spec.side);
-            damaged = std::max(damaged, part.report.tiles_damaged);
+            lacking.add(part.report);
             const int bytes = 4 * std::min(part.width, o.width - left);
             for (int y = 0; y < height; ++y)
                 std::copy_n(part.rgba.begin() + std::ptrdiff_t(y) * part.width * 4, bytes,
@@ -123,7 +124,7 @@ std::size_t draw_orthophoto(Renderer& renderer, const Orthophoto& o, const Pictu
         for (std::size_t y = 0; y < std::size_t(height); ++y)
             row(std::span(rows).subspan(stride * y, stride));
     }
-    return damaged;
+    return lacking;
 }
 
 int run_orthophoto(const PackageReader& package, const OrthophotoOptions& o) {
@@ -136,10 +137,10 @@ int run_orthophoto(const PackageReader& package, const OrthophotoOptions& o) {
     Renderer renderer(package, memory_budget(o.memory));
     if (files.picture.has_parent_path()) make_folder(files.picture.parent_path());
     const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
-    std::size_t damaged = 0;
+    TilesNotShown lacking;
     const auto write = [&](auto&& file) {
         ProgressLine progress(o.output.quiet ? ProgressStyle::none : ProgressStyle::automatic, 10);
-        damaged = draw_orthophoto(
+        lacking = draw_orthophoto(
             renderer, picture, {settings, photos, o.samples}, tile_size_for(picture.width),
             [&](std::span<const std::uint8_t> row) { file.add(row); },
             [&](std::size_t done, std::size_t all) {
@@ -154,11 +155,10 @@ int run_orthophoto(const PackageReader& package, const OrthophotoOptions& o) {
         replace_file(files.world, world_file_text(picture.upper_left, picture.resolution));
     }
     if (!o.output.quiet)
-        std::printf("%s  %dx%d, %g units per pixel, upper left corner %.10g, %.10g%s\n",
-                    files.picture.c_str(), picture.width, picture.height, picture.resolution,
-                    picture.upper_left.x(), picture.upper_left.y(),
-                    damaged ? "  damaged tiles were replaced by coarser ones" : "");
-    return damaged ? int(Exit::damaged) : int(Exit::ok);
+        std::printf("%s  %dx%d, %g units per pixel, upper left corner %.10g, %.10g\n", files.picture.c_str(),
+                    picture.width, picture.height, picture.resolution, picture.upper_left.x(),
+                    picture.upper_left.y());
+    return exit_for(package, lacking);
 }
 
 }  // namespace vantage

@@ -10,6 +10,7 @@
 #include "player/options/shown/blending_options.h"
 #include "player/options/shown/light_options.h"
 #include "player/options/shown/package_options.h"
+#include "player/options/tiles_not_shown.h"
 #include "player/render/picture.h"
 #include "player/survey/picture_plane.h"
 
@@ -46,10 +47,10 @@ TileSize tile_size_for(int width);
 
 /// Renders the picture, tile by tile, from the top; `row` takes its rows, RGBA, alpha 0 where nothing is.
 /// The tiles' size does not matter for what is drawn. `progress` gets the number of tiles that are done, and
-/// of all. Returns how many tiles of the package were damaged.
-std::size_t draw_orthophoto(Renderer& renderer, const Orthophoto& picture, const PictureSpec& spec,
-                            TileSize tile, const std::function<void(std::span<const std::uint8_t>)>& row,
-                            const std::function<void(std::size_t done, std::size_t all)>& progress);
+/// of all. Returns the tiles of the package that are lacking.
+TilesNotShown draw_orthophoto(Renderer& renderer, const Orthophoto& picture, const PictureSpec& spec,
+                              TileSize tile, const std::function<void(std::span<const std::uint8_t>)>& row,
+                              const std::function<void(std::size_t done, std::size_t all)>& progress);
 
 /// Writes the picture and its world file. Returns the exit code. Throws Error.
 int run_orthophoto(const PackageReader& package, const OrthophotoOptions& options);

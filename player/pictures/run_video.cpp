@@ -12,7 +12,7 @@
 #include "base/gl/context.h"
 #include "base/text/error.h"
 #include "player/composition/stereo_picture.h"
-#include "player/options/damaged_tiles.h"
+#include "player/options/tiles_not_shown.h"
 #include "player/pictures/flight_frames.h"
 #include "player/pictures/frame_files.h"
 #include "player/pictures/video_encoder.h"
@@ -101,16 +101,16 @@ class Frames {
     bool settled_ = false;
 };
 
-/// Renders all frames to the output. Returns how many tiles were damaged.
-std::size_t write_frames(Frames& frames, const std::vector<Navigation>& flight, const Output& output,
-                         VideoEncoder* encoder, const ShowOptions& o, ProgressLine& progress) {
+/// Renders all frames to the output. Returns what they lack.
+TilesNotShown write_frames(Frames& frames, const std::vector<Navigation>& flight, const Output& output,
+                           VideoEncoder* encoder, const ShowOptions& o, ProgressLine& progress) {
     const FrameSize size = size_of_eye(o);
     const std::atomic<bool>& stop = stop_on_signals(InFlight::abandoned);
-    std::size_t damaged = 0;
+    TilesNotShown lacking;
     progress.show({"frames", "", 0, flight.size()});
     for (std::size_t i = 0; i < flight.size(); ++i) {
         const Picture picture = frames.picture(flight[i], size, double(i) / o.video.frame_rate);
-        damaged = std::max(damaged, picture.report.tiles_damaged);
+        lacking.add(picture.report);
         if (stop && !encoder)
             throw Error(Exit::interrupted, o.output.file + ": interrupted after " + std::to_string(i) +
                                                " of " + std::to_string(flight.size()) +
@@ -122,7 +122,7 @@ std::size_t write_frames(Frames& frames, const std::vector<Navigation>& flight, 
         progress.show({"frames", "", i + 1, flight.size()});
     }
     if (encoder) encoder->finish(stop);
-    return damaged;
+    return lacking;
 }
 
 void print_result(const ShowOptions& o, std::size_t count, bool frames, double seconds) {
@@ -154,15 +154,15 @@ int run_video(const PackageReader& package, const ShowOptions& o, const std::vec
         encoder.emplace(output.video,
                         VideoFormat{frame.width, frame.height, o.video.frame_rate, transparent});
     Frames frames(package, o, objects, story);
-    std::size_t damaged = 0;
+    TilesNotShown lacking;
     double seconds = 0;
     {
         ProgressLine progress(o.output.quiet ? ProgressStyle::none : ProgressStyle::automatic, 10);
-        damaged = write_frames(frames, flight, output, encoder ? &*encoder : nullptr, o, progress);
+        lacking = write_frames(frames, flight, output, encoder ? &*encoder : nullptr, o, progress);
         seconds = progress.seconds();
     }
     if (!o.output.quiet) print_result(o, flight.size(), to_folder, seconds);
-    return exit_for_damaged_tiles(package, damaged);
+    return exit_for(package, lacking);
 }
 
 }  // namespace vantage

@@ -17,7 +17,7 @@
 #include "player/composition/object_set.h"
 #include "player/composition/panorama_picture.h"
 #include "player/composition/stereo_picture.h"
-#include "player/options/damaged_tiles.h"
+#include "player/options/tiles_not_shown.h"
 #include "player/render/picture.h"
 #include "player/survey/survey.h"
 #include "player/view/shots.h"
@@ -151,7 +151,7 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
         const std::vector<View> eyes = views_of(options.stereo, shot.view, shot.distance);
         return take_picture(scene, stereo, options.stereo.mode, eyes, {settings, photos, side});
     };
-    std::size_t damaged = 0;
+    TilesNotShown lacking;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const Shot& shot = wanted[i];
         const std::filesystem::path& file = files[i];
@@ -164,7 +164,7 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
         write_picture(file, picture, options);
         const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const FrameReport& r = picture.report;
-        damaged = r.tiles_damaged;
+        lacking.add(r);
         if (!options.output.quiet)
             std::printf("%s  %dx%d%s  %.3f %% colored  %.2f s\n", file.c_str(), picture.width, picture.height,
                         o.panorama ? "" : consisted_of(r).c_str(), 100 * colored_share(picture), s);
@@ -176,7 +176,7 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
                 file.c_str(), r.fragments_approximated, r.fragments, shader::max_sorted_fragments);
         std::fflush(stdout);
     }
-    return exit_for_damaged_tiles(package, damaged);
+    return exit_for(package, lacking);
 }
 
 }  // namespace vantage
