@@ -40,7 +40,6 @@ const int blend_buffers = 9;  // that a blending program reads, at most
 const int color_tiles_unit = 0;
 const int weight_tiles_unit = 1;
 const int depth_tiles_unit = 2;
-const int thumbnails_unit = 3;
 const int best_so_far_unit = 4;  // blend
 const int first_sums_unit = 5;
 const int color_map_unit = 4;  // surface
@@ -339,6 +338,7 @@ const float sky_spread = 0.15f;     // square root of light: half the weight at 
 
 const uint not_resident = 0xffffffffu;  // in place of a page's entry
 const int level_count = 12;             // of a photo's pyramid, at most
+const int levels_of_base = 2;           // photos that are shown have the finest of so many coarsest levels
 
 // One photo of a pass.
 struct Photo {
@@ -347,7 +347,6 @@ struct Photo {
     vec4 size_weight;         // width, height, number of levels, dynamic weight for this view
     vec4 center_hull;         // camera center relative to the origin; share of the photo that the model fills
     vec4 direction;           // corrected viewing direction [P]; index in `pages` of its lens table, -1: it has none
-    vec4 thumbnail;           // layer (-1: none), share of the layer's width and height, width in pixels
     vec4 false_color;         // linear; its label in the background, 0: none
     vec4 gain;                // factors to the mean photo's exposure, linear light; 2 / diagonal, 1/pixels
     vec4 vignetting;             // of the lens: ln of its loss, times r^2, r^4, r^6; square of its range (scene/package/contents/lens_table.h)

@@ -14,10 +14,10 @@ using mat4 = float[16];  ///< column-major
 #include "shaders/contract.glsl"
 
 // std430: vectors at multiples of 16 bytes, uints packed, the whole a multiple of 16.
-static_assert(offsetof(Photo, focal_center) == 64 && offsetof(Photo, color_base) == 192);
+static_assert(offsetof(Photo, focal_center) == 64 && offsetof(Photo, color_base) == 176);
 static_assert(sizeof(PointSizes) == 16);
 static_assert(sizeof(TransparentFragment) == 20);
-static_assert(sizeof(Photo) == 192 + 2 * 4 * level_count && sizeof(Photo) % 16 == 0);
+static_assert(sizeof(Photo) == 176 + 2 * 4 * level_count && sizeof(Photo) % 16 == 0);
 
 static_assert(tile_texels == tile_size && tile_border_texels == tile_border &&
               tile_content_texels == tile_content && first_weight_level == weight_map_level);

@@ -7,7 +7,6 @@ layout(std430, binding = pages_buffer) readonly buffer Pages { uint pages[]; };
 layout(binding = color_tiles_unit) uniform sampler2DArray color_tiles;
 layout(binding = weight_tiles_unit) uniform sampler2DArray weight_tiles;
 layout(binding = depth_tiles_unit) uniform sampler2DArray depth_tiles;
-layout(binding = thumbnails_unit) uniform sampler2DArray thumbnails;
 
 const float tile_size = float(tile_texels), tile_border = float(tile_border_texels), tile_content = float(tile_content_texels);
 
@@ -76,38 +75,26 @@ LensPlace lens_place(uint photo, vec2 pixel) {
 }
 #endif
 
-bool has_thumbnail(uint photo) { return photos[photo].thumbnail.x >= 0.0; }
-
-vec4 thumbnail_at(uint photo, vec2 pixel) {
-    vec4 t = photos[photo].thumbnail;
-    vec2 half_texel = 0.5 / vec2(textureSize(thumbnails, 0).xy);
-    vec2 at = clamp(pixel / photos[photo].size_weight.xy * t.yz, half_texel, t.yz - half_texel);
-    return textureLod(thumbnails, vec3(at, t.x), 0.0);
-}
-
-// Linear color at a photo pixel on one level. A tile that is fading in is mixed with the next coarser resident one; the
-// thumbnail replaces all levels of its own resolution and coarser.
+// Linear color at a photo pixel on one level. A tile that is fading in is mixed with the next coarser resident one; behind the
+// coarsest comes the level that every photo has that is shown.
 vec4 color_at_level(uint photo, int level, vec2 pixel) {
     vec2 size = photos[photo].size_weight.xy;
-    int levels = int(photos[photo].size_weight.z);
+    int levels = int(photos[photo].size_weight.z), next = level;
     vec4 c = vec4(0.0);
     float open = 1.0;
-    for (int l = level; l < levels; ++l) {
+    // Loops end at their bottom: software renderers go through a loop's body once more where it ends at the top.
+    do {
+        int l = next < levels ? next : max(levels - levels_of_base, 0);
         TilePlace p = tile_place(size, l, pixel / float(1 << l), photos[photo].color_base[l]);
         uint entry = pages[p.page];
-        if (entry != not_resident) {
-            float shown = float(entry >> 16) / 255.0;
+        if (entry == not_resident) continue;
+        float shown = float(entry >> 16) / 255.0;
 #ifdef TRACE_TEXELS
-            touch(0u, vec3(p.coordinate, float(entry & 0xffffu)));
+        touch(0u, vec3(p.coordinate, float(entry & 0xffffu)));
 #endif
-            c += open * shown * textureLod(color_tiles, vec3(p.coordinate, float(entry & 0xffffu)), 0.0);
-            open *= 1.0 - shown;
-            if (open <= 0.0) return c;
-        } else if (has_thumbnail(photo) && float(level_size(size, l).x) <= photos[photo].thumbnail.w * 1.01) {
-            break;
-        }
-    }
-    if (has_thumbnail(photo)) return c + open * thumbnail_at(photo, pixel);
+        c += open * shown * textureLod(color_tiles, vec3(p.coordinate, float(entry & 0xffffu)), 0.0);
+        open *= 1.0 - shown;
+    } while (open > 0.0 && next++ < levels);
     return open < 1.0 ? c / (1.0 - open) : vec4(0.0);
 }
 
@@ -126,8 +113,9 @@ struct WeightPlace {
     int level;  // -1: none is resident
 };
 WeightPlace weight_place(uint photo, vec2 pixel, float lod) {
-    int end = max(int(photos[photo].size_weight.z), first_weight_level + 1);
-    for (int l = clamp(int(lod), first_weight_level, end - 1); l < end; ++l) {
+    int end = max(int(photos[photo].size_weight.z), first_weight_level + 1), l = clamp(int(lod), first_weight_level, end - 1);
+    WeightPlace found = WeightPlace(vec3(0.0), -1);
+    do {
         TilePlace p = tile_place(photos[photo].size_weight.xy, l, pixel / float(1 << l), photos[photo].weight_base[l]);
         uint entry = pages[p.page];
         if (entry == not_resident) continue;
@@ -135,9 +123,9 @@ WeightPlace weight_place(uint photo, vec2 pixel, float lod) {
         touch(first_layers.x, vec3(p.coordinate, float(entry & 0xffffu)));
         touch(first_layers.y, vec3(p.coordinate, float(entry & 0xffffu)));
 #endif
-        return WeightPlace(vec3(p.coordinate, float(entry & 0xffffu)), l);
-    }
-    return WeightPlace(vec3(0.0), -1);
+        found = WeightPlace(vec3(p.coordinate, float(entry & 0xffffu)), l);
+    } while (found.level < 0 && ++l < end);
+    return found;
 }
 
 // Angle, depth, border and transient mask.

@@ -27,8 +27,6 @@ PhotoBlock make_photo_block(const package::PhotoRecord& p, std::uint32_t index, 
     }
     b.center_hull[3] = float(p.hull_area);
     b.direction[3] = -1;
-    b.thumbnail[0] = -1;
-    b.thumbnail[3] = float(p.thumbnail_width);
     const FalseColor c = false_color(index);
     const float linear[] = {std::pow(c.r, 2.2f), std::pow(c.g, 2.2f), std::pow(c.b, 2.2f)};
     for (int i = 0; i < 3; ++i) {

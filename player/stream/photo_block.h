@@ -11,7 +11,7 @@ namespace vantage {
 using PhotoBlock = shader::Photo;
 static_assert(shader::level_count == max_levels);
 
-/// The fields that do not change from frame to frame; no thumbnail, nothing resident. `label`: see
+/// The fields that do not change from frame to frame; nothing is resident. `label`: see
 /// BackgroundContent.
 PhotoBlock make_photo_block(const package::PhotoRecord& photo, std::uint32_t index, std::uint8_t label = 0);
 

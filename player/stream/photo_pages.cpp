@@ -50,6 +50,21 @@ StreamRequest weight_map_request(const PackageReader& package, const PackagePage
     return r;
 }
 
+std::uint32_t base_level(const package::PhotoRecord& photo) {
+    return std::uint32_t(std::max(int(photo.levels) - shader::levels_of_base, 0));
+}
+
+std::vector<StreamRequest> base_requests(const PackageReader& package, const PackagePages& pages,
+                                         std::uint32_t photo) {
+    const package::PhotoRecord& p = package.photos()[photo];
+    const std::uint32_t level = base_level(p);
+    std::vector<StreamRequest> out;
+    const int tiles = level_size(int(p.width), int(p.height), int(level)).tiles();
+    for (std::uint32_t t = 0; t < std::uint32_t(tiles); ++t)
+        out.push_back(color_request(package, pages, photo, level, t));
+    return out;
+}
+
 StreamRequest thumbnail_request(const PackageReader& package, std::uint32_t photo) {
     StreamRequest r{Resource::thumbnail, photo, package.find(Type::thumbnail, photo)};
     const package::PhotoRecord& p = package.photos()[photo];

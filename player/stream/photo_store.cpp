@@ -81,7 +81,7 @@ void PhotoStore::want(StreamRequest request, Urgency urgency, std::uint32_t leve
 }
 
 void PhotoStore::need_base(std::uint32_t photo, bool coordinates) {
-    want(thumbnail_request(*package_, photo), Urgency::base);
+    for (const StreamRequest& r : base_requests(*package_, pages_, photo)) want(r, Urgency::base);
     want(weight_map_request(*package_, pages_, photo, coarsest_weight_maps(photos_[photo]), 0),
          Urgency::base);
     if (!coordinates) return;
@@ -183,11 +183,13 @@ std::size_t PhotoStore::load_whole(std::uint32_t photo) {
 }
 
 bool PhotoStore::base_resident(std::uint32_t photo, bool coordinates) const {
-    const StreamRequest thumbnail = thumbnail_request(*package_, photo),
-                        weight_maps = weight_map_request(*package_, pages_, photo,
-                                                         coarsest_weight_maps(photos_[photo]), 0);
-    return (residency_->holds(thumbnail) || residency_->failed(thumbnail)) &&
-           residency_->holds(weight_maps) && (!coordinates || residency_->coordinate_slot(photo));
+    const auto arrived = [&](const StreamRequest& r) {
+        return residency_->holds(r) || residency_->failed(r);
+    };
+    return std::ranges::all_of(base_requests(*package_, pages_, photo), arrived) &&
+           residency_->holds(
+               weight_map_request(*package_, pages_, photo, coarsest_weight_maps(photos_[photo]), 0)) &&
+           (!coordinates || residency_->coordinate_slot(photo));
 }
 
 std::size_t PhotoStore::table_words(std::uint32_t photo) const {
@@ -197,19 +199,15 @@ std::size_t PhotoStore::table_words(std::uint32_t photo) const {
 void PhotoStore::write_pages(std::uint32_t photo, PhotoBlock& block, std::byte* table,
                              std::uint32_t& next) const {
     const PhotoPages& pages = pages_.photos[photo];
-    const ResidencyLayout& layout = residency_->layout();
-    if (const auto layer = residency_->thumbnail_layer(photo)) {
-        block.thumbnail[0] = float(*layer);
-        block.thumbnail[1] = float(photos_[photo].thumbnail_width) / float(layout.thumbnail_width);
-        block.thumbnail[2] = float(photos_[photo].thumbnail_height) / float(layout.thumbnail_height);
-    }
     for (std::size_t l = 0; l < max_levels; ++l) {
         block.color_base[l] = next + pages.color[l] - pages.color_first;
         block.weight_base[l] = next + pages.color_count + pages.weight_maps[l] - pages.weight_map_first;
     }
     const auto write = [&](std::uint32_t entry) { std::memcpy(table + std::size_t(next++) * 4, &entry, 4); };
-    for (std::uint32_t i = 0; i < pages.color_count; ++i)
-        write(residency_->color_entry(pages.color_first + i));
+    // A first picture, and a photo that becomes one of those shown, has nothing coarser to fade in from.
+    const std::uint32_t at_once = pages.color[base_level(photos_[photo])];
+    for (std::uint32_t page = pages.color_first; page < pages.color_first + pages.color_count; ++page)
+        write(residency_->color_entry(page, page < at_once));
     for (std::uint32_t i = 0; i < pages.weight_map_count; ++i)
         write(residency_->weight_map_entry(pages.weight_map_first + i));
 }
@@ -218,7 +216,6 @@ void PhotoStore::bind() const {
     glBindTextureUnit(shader::color_tiles_unit, residency_->colors());
     glBindTextureUnit(shader::weight_tiles_unit, residency_->weight_maps());
     glBindTextureUnit(shader::depth_tiles_unit, residency_->depths());
-    glBindTextureUnit(shader::thumbnails_unit, residency_->thumbnails());
 }
 
 }  // namespace vantage

@@ -37,8 +37,8 @@ class PhotoStore {
 
     /// Begins a frame at `now` seconds; without `fade`, tiles are shown in full as soon as they arrive.
     void begin_frame(double now, bool fade);
-    /// Requests the minimum for showing a photo: thumbnail, coarsest weight maps, and texture coordinates if
-    /// `coordinates`.
+    /// Requests the minimum for showing a photo: coarse color (base_requests), coarsest weight maps, and
+    /// texture coordinates if `coordinates`.
     void need_base(std::uint32_t photo, bool coordinates);
     /// Requests tiles. Returns how many are not resident (damaged ones excepted).
     std::size_t need(std::uint32_t photo, const TileNeeds& needs);

@@ -268,12 +268,12 @@ std::optional<std::uint32_t> Residency::coordinate_slot(std::uint32_t photo) con
     return slot && slots_[*slot].missing == 0 ? slot : std::nullopt;
 }
 
-std::uint32_t Residency::entry(const LayerPool& pool, const std::vector<double>& arrivals,
-                               std::uint32_t page) const {
+std::uint32_t Residency::entry(const LayerPool& pool, const std::vector<double>& arrivals, std::uint32_t page,
+                               bool fades) const {
     const auto layer = pool.layer_of(page);
     if (!layer) return shader::not_resident;
     // An arrival in the future: the clock was set back.
-    const bool fading = fades_ && arrivals[*layer] <= now_;
+    const bool fading = fades && fades_ && arrivals[*layer] <= now_;
     const double age = fading ? std::clamp((now_ - arrivals[*layer]) / fade_seconds, 0.0, 1.0) : 1;
     return *layer | std::uint32_t(std::lround(255 * age)) << 16;
 }

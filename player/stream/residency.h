@@ -60,9 +60,11 @@ class Residency {
 
     /// A page's entry for the shaders: the layer in the low 16 bits, above them how far it has faded in (0
     /// to 255); or shader::not_resident.
-    std::uint32_t color_entry(std::uint32_t page) const { return entry(color_pool_, color_arrivals_, page); }
+    std::uint32_t color_entry(std::uint32_t page, bool fades) const {
+        return entry(color_pool_, color_arrivals_, page, fades);
+    }
     std::uint32_t weight_map_entry(std::uint32_t page) const {
-        return entry(weight_map_pool_, weight_map_arrivals_, page);
+        return entry(weight_map_pool_, weight_map_arrivals_, page, true);
     }
     std::optional<std::uint32_t> thumbnail_layer(std::uint32_t photo) const {
         return thumbnail_pool_.layer_of(photo);
@@ -101,7 +103,8 @@ class Residency {
     /// Fetches all pieces of a photo's texture coordinates again after one was restored: pieces share a
     /// checksum, and the others may have arrived while it mismatched.
     void discard_coordinates(const StreamRequest& restored);
-    std::uint32_t entry(const LayerPool& pool, const std::vector<double>& arrivals, std::uint32_t page) const;
+    std::uint32_t entry(const LayerPool& pool, const std::vector<double>& arrivals, std::uint32_t page,
+                        bool fades) const;
     /// Copies from offset `source` of the unpack buffer, or from address `source` if that is 0. False if
     /// nothing can be evicted.
     bool store(const StreamRequest& request, std::uintptr_t source, GLuint unpack_buffer);

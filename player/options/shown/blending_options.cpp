@@ -34,7 +34,7 @@ void add_blending_options(const Command& c, BlendingOptions& o) {
     c.flag("--original-colors", r.refined_colors,
            "photos as exposed, without gains and vignetting; for comparison", false)
         .group(blending_group);
-    c.flag("--thumbnails", r.thumbnails, "use only thumbnails").group(blending_group);
+    c.flag("--thumbnails", r.thumbnails, "use only the coarsest levels of photos").group(blending_group);
     add_image_set_option(c, o.image_sets);
 }
 

@@ -161,6 +161,7 @@ void FramePlanner::make_room() {
             for (const PlannedPhoto& p : *photos) {
                 for (const auto& level : p.needs.color) color += level.size();
                 for (const auto& level : p.needs.weight_maps) weight_maps += level.size();
+                color += base_requests(resources_->package, resources_->store.pages(), p.photo).size();
                 ++weight_maps;  // the coarsest
             }
     const std::uint64_t before = resources_->store.bytes();

@@ -50,6 +50,7 @@ void FrameTiles::stream(const View& view, std::span<const ImageSetFrame> image_s
             if (!known) report.tiles_to_come += p->needs.tiles();
         }
     const TileNeeds comparison = comparison_needs(view, settings);
+    if (comparison.tiles() > 0) resources_->store.need_base(settings.compare_photo, false);
     report.tiles_missing += resources_->store.need(settings.compare_photo, comparison);
     for (const std::uint32_t p : wanted_thumbnails_)
         if (resources_->scene.photos[p].levels) resources_->store.need_thumbnail(p);
@@ -102,6 +103,7 @@ std::size_t FrameTiles::pass_length(Pass rest, const RenderSettings& settings, i
     const ResidencyLayout& layout = resources_->store.residency().layout();
     std::size_t n = 0, color = 0, weight_maps = 0;
     while (n < most) {
+        color += base_requests(resources_->package, resources_->store.pages(), rest[n]->photo).size();
         for (const auto& level : rest[n]->needs.color) color += level.size();
         for (const auto& level : rest[n]->needs.weight_maps) weight_maps += level.size();
         // Sums do not depend on the split into passes, so a pass ends when graphics memory is full.
@@ -111,7 +113,6 @@ std::size_t FrameTiles::pass_length(Pass rest, const RenderSettings& settings, i
         const bool full =
             exceeds(color, layout.color, resources_->store.pages().color) ||
             exceeds(weight_maps + n + 1, layout.weight_maps, resources_->store.pages().weight_maps) ||
-            exceeds(n + 1, layout.thumbnails, resources_->scene.photos.size()) ||
             (coordinates(settings) && exceeds(n + 1, layout.coordinates, resources_->scene.photos.size()));
         if (n > 0 && full) break;
         ++n;

@@ -42,7 +42,6 @@ TEST(ShaderContract, PhotosHaveTheSameLayoutInCppAndGlsl) {
                             Member{"photos[0].size_weight", offsetof(PhotoBlock, size_weight)},
                             Member{"photos[0].center_hull", offsetof(PhotoBlock, center_hull)},
                             Member{"photos[0].direction", offsetof(PhotoBlock, direction)},
-                            Member{"photos[0].thumbnail", offsetof(PhotoBlock, thumbnail)},
                             Member{"photos[0].false_color", offsetof(PhotoBlock, false_color)},
                             Member{"photos[0].gain", offsetof(PhotoBlock, gain)},
                             Member{"photos[0].vignetting", offsetof(PhotoBlock, vignetting)},
