@@ -99,7 +99,9 @@ std::vector<PlannedPhoto> plan_background(const VisibleSurface& s, const PlanSet
             if (sees(s.scene, photo, s.points.triangles[i])) return 1.0f;
             return (s.points.samples[i].position - s.eye).norm() < reach ? share : 0.0f;
         };
-        if (settings.tiles) add_needs(p, s, settings, weight);
+        const double margin = std::log2(double(shader::background_margin) * s.scene.photos[photo].width /
+                                        double(shader::reference_width));
+        if (settings.tiles) add_needs(p, s, settings, weight, margin);
         if (!p.clusters.empty()) out.push_back(std::move(p));
     }
     return out;

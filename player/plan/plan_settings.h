@@ -19,7 +19,7 @@ struct PlanSettings {
     /// Near its own camera, a photo outweighs all others (shaders/blend.frag). Not for windows, whose photos
     /// would change more often.
     bool own_views = false;
-    double worth = 0;        ///< a tile is needed if at least this share of its texels is shown; 0: any
+    double worth = 0.1;      ///< a tile is needed if at least this share of its texels is shown
     bool tiles = true;       ///< list the tiles needed; otherwise use only thumbnails
     bool background = true;  ///< shown, if the package has them
     bool complete = true;    ///< wait for everything that the picture needs; otherwise photos fade in and out

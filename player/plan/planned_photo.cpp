@@ -25,20 +25,21 @@ double spared_levels(double weight) { return std::clamp(-std::log2(8 * weight) /
 }  // namespace
 
 void add_needs(PlannedPhoto& p, const VisibleSurface& s, const PlanSettings& settings,
-               const std::function<float(std::size_t)>& weight) {
+               const std::function<float(std::size_t)>& weight, double coarse) {
     if (s.triangles.empty()) {
         p.needs = needs_of_clusters(s, p, settings.samples);
         return;
     }
     std::vector<SurfaceSample> samples;
+    samples.reserve(s.points.samples.size());
     for (std::size_t i = 0; i < s.points.samples.size(); ++i) {
         const float w = weight(i);
         if (!(w > 0)) continue;
         samples.push_back(s.points.samples[i]);
-        if (settings.worth > 0) samples.back().coarser = spared_levels(w);
+        samples.back().coarser = spared_levels(w);
     }
     p.needs = shown_tiles(s.scene.photos[p.photo], s.scene.lenses.of(p.photo), s.scene.poses[p.photo],
-                          {samples, s.points.pixels, s.points.reach}, settings.worth);
+                          {samples, s.points.pixels}, settings.worth, coarse);
 }
 
 }  // namespace vantage

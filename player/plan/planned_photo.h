@@ -19,8 +19,9 @@ struct PlannedPhoto {
 };
 
 /// Lists the tiles of a photo for its clusters. `weight`: of the photo at a point of the surface, in [0, 1];
-/// 0 if the photo does not show it.
+/// 0 if the photo does not show it. Its weight maps are read at `coarse`, a level, too, where that is
+/// coarser.
 void add_needs(PlannedPhoto& photo, const VisibleSurface& surface, const PlanSettings& settings,
-               const std::function<float(std::size_t point)>& weight);
+               const std::function<float(std::size_t point)>& weight, double coarse = 0);
 
 }  // namespace vantage

@@ -81,7 +81,7 @@ VisibleSurface::Points points_on(const PlanScene& scene, const View& view, const
                                  std::span<const std::uint32_t> clusters, const PlanSettings& settings) {
     constexpr std::size_t most = 8192, most_if_complete = 65536;
     std::vector<std::size_t> drawn;
-    const double each = draw_points(seen, settings.worth > 0 ? most : most_if_complete, drawn);
+    const double each = draw_points(seen, settings.complete ? most_if_complete : most, drawn);
     VisibleSurface::Points out;
     out.samples.reserve(drawn.size());
     for (const std::size_t i : drawn) {
@@ -103,7 +103,6 @@ VisibleSurface::Points points_on(const PlanScene& scene, const View& view, const
     const double pixels =
         double(view.intrinsics.width) * view.intrinsics.height / double(seen.triangles.size()) * each;
     out.pixels = pixels * settings.samples * settings.samples;
-    out.reach = std::sqrt(out.pixels) / 2;
     return out;
 }
 

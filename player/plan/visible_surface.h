@@ -41,7 +41,6 @@ struct VisibleSurface {
         std::vector<SurfaceSample> samples;
         std::vector<std::uint32_t> triangles, clusters;
         double pixels = 0;  ///< samples of the picture that each point stands for
-        double reach = 0;   ///< samples from a point to what it stands for, along rows and columns
     } points{};
 };
 

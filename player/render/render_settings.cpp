@@ -21,8 +21,8 @@ PlanSettings plan_settings(const RenderSettings& s, int anisotropy) {
     p.angle_limit = s.photos > 0 ? s.angle_limit * std::numbers::pi / 180 : 0;
     // The plan keeps footprints up to 4 times longer than wide sharp; more taps read finer levels.
     p.samples = std::exp2(-s.lod_bias) * std::max(1.0, anisotropy / 4.0);
-    if (s.loading != Loading::complete)
-        p.worth = 0.1;  // half the bytes, and at least 47 dB from all tiles that may be sampled
+    // Half the bytes, and at least 47 dB from all tiles that may be sampled; in pictures at least 60 dB.
+    p.worth = s.loading == Loading::complete ? 0.01 : 0.1;
     const bool falls = s.weights.angle && !s.weights.angle_per_photo && s.show != Show::coverage;
     if (falls && blend_row(s.blend).by_angle) p.sharpness = s.weights.sharpness;
     p.own_views = p.complete && p.sharpness > 0 && s.blend == Blend::lumigraph;

@@ -48,19 +48,16 @@ std::optional<SurfaceSample> surface_sample(const View& view, const Eigen::Vecto
     return SurfaceSample{position, along(0, view.intrinsics.fx), along(1, view.intrinsics.fy)};
 }
 
-PhotoSteps photo_steps(const SurfaceSample& s, const Intrinsics& k, const Pose& pose) {
+double level_of_detail(const SurfaceSample& s, const Intrinsics& k, const Pose& pose) {
     const Eigen::Vector3d q = pose.R * s.position + pose.t;
-    const auto in_photo = [&](const Eigen::Vector3d& along) -> Eigen::Vector2d {
+    const auto length = [&](const Eigen::Vector3d& along) {
         const Eigen::Vector3d step = pose.R * along;
         return Eigen::Vector2d(k.fx * (step.x() - q.x() / q.z() * step.z()),
-                               k.fy * (step.y() - q.y() / q.z() * step.z())) /
+                               k.fy * (step.y() - q.y() / q.z() * step.z()))
+                   .norm() /
                q.z();
     };
-    return {in_photo(s.along_x), in_photo(s.along_y)};
-}
-
-double level_of_detail(const PhotoSteps& steps) {
-    const double a = steps.along_x.norm(), b = steps.along_y.norm();
+    const double a = length(s.along_x), b = length(s.along_y);
     return std::log2(std::max({std::min(a, b), std::max(a, b) / 4, 1e-6}));
 }
 
@@ -80,7 +77,7 @@ LevelRange sampled_levels(const package::ClusterRecord& c, const Intrinsics& pho
         // A normal counts if viewer and photo see the same side.
         if (c.cone_cutoff >= 1 || normal.dot(sight) * normal.dot(ray) <= 1e-6) continue;
         const auto sample = surface_sample(view, center, normal, samples);
-        const double lod = sample ? level_of_detail(photo_steps(*sample, photo, photo_pose)) : head_on;
+        const double lod = sample ? level_of_detail(*sample, photo, photo_pose) : head_on;
         finest = std::min(finest, lod);
         coarsest = std::max(coarsest, lod);
     }

@@ -17,15 +17,9 @@ struct SurfaceSample {
 std::optional<SurfaceSample> surface_sample(const View& view, const Eigen::Vector3d& position,
                                             const Eigen::Vector3d& normal, double samples);
 
-/// The same steps in a photo, pixels. The point must be in front of its camera.
-struct PhotoSteps {
-    Eigen::Vector2d along_x, along_y;
-};
-PhotoSteps photo_steps(const SurfaceSample& sample, const Intrinsics& photo, const Pose& photo_from_origin);
-
 /// log2 of the photo pixels from one sample to the next, along the shorter step but at least a quarter of the
-/// longer, as in footprint_of() in shaders/photo_color.glsl.
-double level_of_detail(const PhotoSteps& steps);
+/// longer, as in footprint_of() in shaders/blend.frag. The point must be in front of the photo's camera.
+double level_of_detail(const SurfaceSample& sample, const Intrinsics& photo, const Pose& photo_from_origin);
 
 /// The range of levels of detail of a surface's samples: level 0 is one photo pixel per sample, each further
 /// level twice as many per side.

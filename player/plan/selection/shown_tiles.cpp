@@ -20,24 +20,11 @@ class Shown {
     }
     int first() const { return first_; }
     int last() const { return int(sizes_.size()) - 1; }
-    /// `around`: photo pixels to each side within which tiles are shown, too, if hardly.
-    void add(const Eigen::Vector2d& pixel, const Eigen::Vector2d& around, int level, double texels) {
-        constexpr double hardly = 1e-9;
+    void add(const Eigen::Vector2d& pixel, int level, double texels) {
         const Level& size = sizes_[std::size_t(level)];
-        const auto tile = [level](double pixels, int tiles) {
-            return std::clamp(int(pixels / (1 << level)) / tile_content, 0, tiles - 1);
-        };
-        std::vector<double>& shown = texels_[std::size_t(level)];
-        const auto column = [&](double x) { return tile(x, size.columns()); };
-        const auto row = [&](double y) { return tile(y, size.rows()) * size.columns(); };
-        shown[std::size_t(row(pixel.y()) + column(pixel.x()))] += texels;
-        // At most one tile to each side.
-        const Eigen::Vector2d least = around.cwiseMin(double(tile_content << level));
-        const int left = column(pixel.x() - least.x()), right = column(pixel.x() + least.x()),
-                  top = row(pixel.y() - least.y()), bottom = row(pixel.y() + least.y());
-        if (left == right && top == bottom) return;
-        for (int y = top; y <= bottom; y += size.columns())
-            for (int x = left; x <= right; ++x) shown[std::size_t(y + x)] += hardly;
+        const int x = std::min(int(pixel.x() / (1 << level)) / tile_content, size.columns() - 1),
+                  y = std::min(int(pixel.y() / (1 << level)) / tile_content, size.rows() - 1);
+        texels_[std::size_t(level)][std::size_t(y * size.columns() + x)] += texels;
     }
     /// Lists the tiles worth loading, by level; the texels of the others count for the next coarser level.
     void list(double worth, std::array<std::vector<std::uint32_t>, max_levels>& out) {
@@ -70,9 +57,9 @@ class Shown {
 }  // namespace
 
 TileNeeds shown_tiles(const package::PhotoRecord& photo, const LensTable* lens, const Pose& pose,
-                      const SampledSurface& surface, double worth) {
+                      const SampledSurface& surface, double worth, double coarse) {
     const Intrinsics k = intrinsics(photo);
-    const double slight = worth > 0 ? 0.25 : 0.05;  // less of the trilinear mix is not loaded
+    constexpr double slight = 0.25;  // a level with a smaller share of the trilinear mix is not loaded
     Shown color(photo, 0, int(photo.levels)),
         weight_maps(photo, weight_map_level, weight_map_levels_end(int(photo.levels)));
     for (const SurfaceSample& s : surface.samples) {
@@ -80,20 +67,16 @@ TileNeeds shown_tiles(const package::PhotoRecord& photo, const LensTable* lens, 
         if (!seen || !in_frame(k, seen->pixel)) continue;
         const Eigen::Vector2d taken = lens ? photo_pixel(*lens, seen->pixel) : seen->pixel;
         if (!in_frame(k, taken)) continue;
-        const PhotoSteps steps = photo_steps(s, k, pose);
-        const double sampled = level_of_detail(steps), lod = sampled + s.coarser;
-        const Eigen::Vector2d around =
-            worth > 0
-                ? Eigen::Vector2d::Zero()
-                : Eigen::Vector2d(surface.reach * (steps.along_x.cwiseAbs() + steps.along_y.cwiseAbs()));
+        const double sampled = level_of_detail(s, k, pose), lod = sampled + s.coarser;
         const auto add = [&](Shown& to, const Eigen::Vector2d& pixel, double level) {
             const int l = int(std::clamp(level, double(to.first()), double(to.last())));
-            to.add(pixel, around, l, surface.pixels * std::exp2(2 * std::min(sampled - l, 1.0)));
+            to.add(pixel, l, surface.pixels * std::exp2(2 * std::min(sampled - l, 1.0)));
             return l;
         };
         const int finest = add(color, taken, std::floor(lod + slight));
         if (std::ceil(lod - slight) > finest) add(color, taken, std::ceil(lod - slight));
-        add(weight_maps, seen->pixel, std::floor(lod));
+        const int closest = add(weight_maps, seen->pixel, std::floor(lod));
+        if (std::floor(coarse) > closest) add(weight_maps, seen->pixel, std::floor(coarse));
     }
     TileNeeds needs;
     color.list(worth, needs.color);

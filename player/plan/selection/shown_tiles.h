@@ -7,18 +7,17 @@
 
 namespace vantage {
 
-/// Samples of a surface, each of which stands for `pixels` samples of the picture, that many around it.
+/// Samples of a surface, each of which stands for `pixels` samples of the picture.
 struct SampledSurface {
     std::span<const SurfaceSample> samples;
     double pixels = 1;
-    double reach = 0;  ///< samples to each side
 };
 
 /// The tiles of one photo worth loading to show this: those with at least the share `worth` of their texels
 /// shown (twice that for weight maps, which come with depth). `lens`: null if the photo has none. A tile
-/// below that is replaced by the next coarser one; on the coarsest level all tiles count. With a worth of 0,
-/// all tiles within the samples' reach.
+/// below that is replaced by the next coarser one; on the coarsest level all tiles count. `coarse`: a level
+/// at which weight maps are read, too, where it is coarser than the samples'.
 TileNeeds shown_tiles(const package::PhotoRecord& photo, const LensTable* lens, const Pose& photo_from_origin,
-                      const SampledSurface& surface, double worth);
+                      const SampledSurface& surface, double worth, double coarse = 0);
 
 }  // namespace vantage

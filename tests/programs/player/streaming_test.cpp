@@ -11,6 +11,7 @@
 #include "base/gl/context.h"
 #include "base/text/error.h"
 #include "base/values/tiling.h"
+#include "player/options/tiles_not_shown.h"
 #include "player/render/picture.h"
 #include "player/render/renderer.h"
 #include "player/view/camera_path.h"
@@ -210,6 +211,42 @@ TEST_F(Streaming, DamagedTilesFallBackToCoarserOnesUntilRestored) {
     EXPECT_LT(mean_difference(shown_picture(renderer, view, settings).rgba,
                               shown_picture(fresh, view, complete).rgba),
               0.1);
+}
+
+TEST_F(Streaming, PicturesReadTheTilesThatTheyShow) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(package, {});
+    const package::PhotoRecord& photo = package.photos()[2];
+    const auto tiles_of_level = [&](int level) {
+        return std::size_t(level_size(int(photo.width), int(photo.height), level).tiles());
+    };
+    // Each of its tiles once, or twice: for the mesh, and for what is beside it.
+    FrameReport report = take_picture(renderer, view_of_photo(photo, 1), {}, all(package), 1).report;
+    EXPECT_EQ(report.tiles_missing, 0u);
+    EXPECT_LE(report.tiles, 2 * (tiles_of_level(0) + tiles_of_level(1)));
+    // At an eighth of the size, no photo's finest level is shown, nor its next.
+    report = take_picture(renderer, view_of_photo(photo, 0.125), {}, all(package), 1).report;
+    EXPECT_EQ(report.tiles_missing, 0u);
+    EXPECT_GT(report.tiles, 0u);
+    const Plan& plan = renderer.planner().frame().plan();
+    for (const std::vector<PlannedPhoto>* photos : {&plan.photos, &plan.behind})
+        for (const PlannedPhoto& p : *photos)
+            EXPECT_EQ(p.needs.color[0].size() + p.needs.color[1].size(), 0u) << "photo " << p.photo;
+}
+
+TEST_F(Streaming, APictureThatLacksTilesIsIncomplete) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context(gl::Debug::on);
+    const View view = view_of_photo(package.photos()[2], 1);
+    const auto exit_with = [&](std::uint64_t graphics) {
+        Renderer renderer(package, {graphics, std::uint64_t(1) << 20});
+        TilesNotShown lacking;
+        lacking.add(take_picture(renderer, view, {}, all(package), 1).report);
+        return exit_for(package, lacking);
+    };
+    EXPECT_EQ(exit_with(std::uint64_t(1) << 20), int(Exit::incomplete)) << "16 tiles fit";
+    EXPECT_EQ(exit_with(0), int(Exit::ok));
 }
 
 TEST_F(Streaming, APictureOfASmallModelComesToRest) {

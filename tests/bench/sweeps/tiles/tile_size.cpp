@@ -58,8 +58,8 @@ Surface surface(const PackageReader& package) {
 /// Marks the blocks that a trilinear sample of the photo reads.
 void mark(const Source& source, const SurfaceSample& sample, const Eigen::Vector2d& pixel, Blocks& out) {
     // As footprint_of() and color_at() in the shaders.
-    const double lod = std::clamp(level_of_detail(photo_steps(sample, source.k, source.pose)) - 0.02, 0.0,
-                                  double(source.levels - 1));
+    const double lod =
+        std::clamp(level_of_detail(sample, source.k, source.pose) - 0.02, 0.0, double(source.levels - 1));
     for (int l = int(lod); l <= int(std::ceil(lod)); ++l) {
         const double scale = 1.0 / (block_size << l);
         out.insert(Block{source.photo, std::uint32_t(l), std::uint32_t(pixel.x() * scale),
