@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "player/plan/own_photo.h"
 #include "player/plan/selection/photo_cover.h"
 #include "shaders/contract.h"
 
@@ -45,15 +46,6 @@ bool paints(const VisibleSurface& s, std::span<const std::uint32_t> behind, std:
     return double(shown) > least * double(s.triangles.size());
 }
 
-/// The photo that outweighs all others, because the viewer is at its camera.
-std::optional<std::uint32_t> own_photo(const VisibleSurface& s, std::span<const std::uint32_t> allowed) {
-    for (const std::uint32_t photo : allowed)
-        if (s.scene.photos[photo].image_set == 0 && !s.scene.coverage[photo].empty() &&
-            own_weight(s.scene, (s.scene.poses[photo].center() - s.eye).norm()) >= 1e5)
-            return photo;
-    return {};
-}
-
 }  // namespace
 
 std::vector<float> nearest_shares(const PlanScene& s, const Eigen::Vector3d& eye) {
@@ -81,12 +73,14 @@ std::vector<PlannedPhoto> plan_background(const VisibleSurface& s, const PlanSet
     std::vector<PlannedPhoto> out;
     if (!s.scene.has_background() || !settings.background) return out;
     constexpr float least = 0.01f;
+    constexpr std::uint32_t none = ~0u;
     const std::vector<float> shares = nearest_shares(s.scene, s.eye);
     const std::vector<std::uint32_t> behind = triangles_behind(s);
     const double reach = near_distance(s.scene, s.eye);
-    const std::optional<std::uint32_t> own = own_photo(s, allowed);
+    std::uint32_t own = own_photo(s.scene, s.view, allowed).value_or(none);
+    if (own != none && s.scene.photos[own].image_set != 0) own = none;  // those show no background
     for (const std::uint32_t photo : allowed) {
-        if (s.scene.coverage[photo].empty() || (own && photo != *own)) continue;
+        if (s.scene.coverage[photo].empty() || (own != none && photo != own)) continue;
         const float share = shares[photo];
         if (share < least && !paints(s, behind, photo, settings.complete ? 0 : 0.001)) continue;
         PlannedPhoto p{photo, share, {}, {}, {}};

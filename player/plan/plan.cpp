@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "player/plan/background_photos.h"
+#include "player/plan/own_photo.h"
 #include "player/plan/selection/photo_choice.h"
 #include "player/plan/selection/photo_cover.h"
 #include "shaders/contract.h"
@@ -62,23 +62,23 @@ std::vector<bool> sees_all_seen(const VisibleSurface& s, std::uint32_t photo) {
 /// The chosen photos, and what is known of them.
 struct Candidates {
     std::vector<CameraOfPhoto> cameras;
-    /// The one at whose camera the viewer is: there, it sees what the viewer sees.
-    std::optional<std::size_t> own;
-    std::vector<bool> own_sees;  ///< per cluster: all that is seen of it
+    std::optional<std::size_t> own;  ///< see own_photo()
+    std::vector<bool> own_sees;      ///< per cluster: all that is seen of it
 };
 
 Candidates candidates_of(const VisibleSurface& s, const PlanSettings& settings,
                          const std::vector<PlannedPhoto>& photos) {
     Candidates out;
-    double nearest = std::numeric_limits<double>::infinity();
+    std::vector<std::uint32_t> numbers;
     for (const PlannedPhoto& p : photos) {
+        numbers.push_back(p.photo);
         out.cameras.push_back({p.photo, s.scene.poses[p.photo].center()});
-        const double apart = (out.cameras.back().center - s.eye).norm();
-        if (settings.own_views && apart < nearest) nearest = apart, out.own = out.cameras.size() - 1;
     }
-    const double close = 1e-6 * s.scene.size;
-    if (!(nearest < close) || s.triangles.empty()) out.own.reset();
-    if (out.own) out.own_sees = sees_all_seen(s, photos[*out.own].photo);
+    if (!settings.own_views || s.triangles.empty()) return out;
+    const std::optional<std::uint32_t> own = own_photo(s.scene, s.view, numbers);
+    if (!own) return out;
+    out.own = std::size_t(std::ranges::find(numbers, *own) - numbers.begin());
+    out.own_sees = sees_all_seen(s, *own);
     return out;
 }
 

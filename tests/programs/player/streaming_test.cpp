@@ -235,6 +235,25 @@ TEST_F(Streaming, PicturesReadTheTilesThatTheyShow) {
             EXPECT_EQ(p.needs.color[0].size() + p.needs.color[1].size(), 0u) << "photo " << p.photo;
 }
 
+TEST_F(Streaming, AtAPhotosCameraOthersShowWhatIsBesideIt) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(package, {});
+    const auto colored = [&](const View& view) {
+        const Picture picture = take_picture(renderer, view, {}, all(package), 1);
+        std::size_t n = 0;
+        for (std::size_t at = 3; at < picture.rgba.size(); at += 4) n += picture.rgba[at] > 0;
+        return double(n);
+    };
+    for (const package::PhotoRecord& photo : package.photos()) {
+        View wide = view_of_photo(photo, 0.25);
+        wide.intrinsics.fx *= 0.5, wide.intrinsics.fy *= 0.5;
+        View beside = wide;  // where no photo is the viewer's own
+        beside.cam_from_origin.t += Eigen::Vector3d(1e-3, 0, 0);
+        EXPECT_NEAR(colored(wide) / colored(beside), 1, 2e-3) << photo.name;
+    }
+}
+
 TEST_F(Streaming, APictureThatLacksTilesIsIncomplete) {
     const PackageReader package(file);
     const gl::HeadlessContext context(gl::Debug::on);
