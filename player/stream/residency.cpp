@@ -13,6 +13,9 @@ namespace {
 
 using package::Type;
 
+// What a first picture has at most, usually: up to four tiles of color for each of ten photos, and one of
+// weight maps for four. Room for all tiles would take longer to make than the picture.
+constexpr std::uint32_t first_color = 40, first_weight_maps = 4;
 constexpr std::uint64_t piece_bytes = 256 * 1024;  ///< of texture coordinates
 
 std::uint32_t pieces_of(std::uint32_t vertices) {
@@ -81,9 +84,9 @@ Residency::Residency(const PackageReader& package, const PackagePages& pages, co
       slot_pool_(layout.coordinates, std::uint32_t(package.photos().size())),
       color_arrivals_(layout.color, 0),
       weight_map_arrivals_(layout.weight_maps, 0),
-      color_("color tiles", GL_SRGB8_ALPHA8, GL_LINEAR, layout.color),
-      weight_maps_("weight map tiles", GL_RGBA8, GL_LINEAR, layout.weight_maps),
-      depths_("depth tiles", GL_R32F, GL_NEAREST, layout.weight_maps),
+      color_("color tiles", GL_SRGB8_ALPHA8, GL_LINEAR, layout.color, first_color),
+      weight_maps_("weight map tiles", GL_RGBA8, GL_LINEAR, layout.weight_maps, first_weight_maps),
+      depths_("depth tiles", GL_R32F, GL_NEAREST, layout.weight_maps, first_weight_maps),
       slots_(layout.coordinates) {
     thumbnails_ = gl::make_texture_array("thumbnails", GL_SRGB8_ALPHA8, layout.thumbnail_width,
                                          layout.thumbnail_height, int(layout.thumbnails), GL_LINEAR);

@@ -8,18 +8,13 @@ namespace vantage {
 
 using shader::tile_texels;
 
-namespace {
-
-constexpr std::uint32_t first_layers = 4;
-
-}  // namespace
-
-TileArray::TileArray(const char* label, GLenum format, GLenum filter, std::uint32_t layers)
+TileArray::TileArray(const char* label, GLenum format, GLenum filter, std::uint32_t layers,
+                     std::uint32_t first)
     : label_(label),
       format_(format),
       filter_(filter),
       all_(std::max(1u, layers)),
-      layers_(std::min(all_, first_layers)),
+      layers_(std::min(all_, first)),
       texture_(made(layers_)) {}
 
 gl::Texture TileArray::made(std::uint32_t layers) const {

@@ -11,8 +11,8 @@ namespace vantage {
 /// thread.
 class TileArray {
   public:
-    /// `label` must outlive it.
-    TileArray(const char* label, GLenum format, GLenum filter, std::uint32_t layers);
+    /// `label` must outlive it. `first`: the layers that it begins with.
+    TileArray(const char* label, GLenum format, GLenum filter, std::uint32_t layers, std::uint32_t first);
 
     GLuint id() const { return texture_.id(); }
     /// Makes sure that the layer, of those asked for, is there; layers keep what they hold.
