@@ -1,9 +1,11 @@
 #include "player/stream/photo_pages.h"
 
+#include <algorithm>
 #include <string>
 
 #include "base/text/error.h"
 #include "base/values/tiling.h"
+#include "shaders/contract.h"
 
 namespace vantage {
 
