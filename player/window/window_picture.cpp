@@ -8,6 +8,7 @@
 #include "base/text/formatted.h"
 #include "base/text/translation.h"
 #include "player/options/frame_goal.h"
+#include "player/view/camera_path.h"
 
 namespace vantage {
 namespace {
