@@ -2,13 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
 #include <optional>
 
-#include "player/view/ray.h"
+#include "player/plan/triangle_corners.h"
 
 namespace vantage {
 namespace {
@@ -23,35 +22,12 @@ double area_in_view(const package::ClusterRecord& c, const View& view) {
     return std::min(double(k.width) * k.height, std::numbers::pi * r * r * k.fx * k.fy);
 }
 
-using Corners = std::array<Eigen::Vector3d, 3>;
-
-Corners corners_of(const PlanScene& scene, std::uint32_t triangle) {
-    Corners out;
-    for (std::size_t v = 0; v < 3; ++v) {
-        const std::size_t vertex = scene.indices[3 * std::size_t(triangle) + v];
-        out[v] = scene.positions[std::min(vertex, scene.positions.size() - 1)].cast<double>();
-    }
-    return out;
-}
-
 /// The middle of a pixel that was sampled, by its number.
 Eigen::Vector2d sampled_pixel(FrameSize frame, std::size_t number) {
     const FrameSize n = Seen::samples(frame);
     const double x = double(number % std::size_t(n.width)) + 0.5,
                  y = double(number / std::size_t(n.width)) + 0.5;
     return {std::floor(x * frame.width / n.width) + 0.5, std::floor(y * frame.height / n.height) + 0.5};
-}
-
-/// Where a view shows a triangle at a pixel, if it does.
-std::optional<Eigen::Vector3d> point_at_pixel(const Corners& corner, const View& view,
-                                              const Eigen::Vector2d& pixel) {
-    constexpr double slack = 1e-3;
-    const Ray ray = ray_through(view, pixel);
-    const Eigen::Vector3d e = corner[1] - corner[0], f = corner[2] - corner[0], across = ray.along.cross(f);
-    const Eigen::Vector3d from = ray.from - corner[0], other = from.cross(e);
-    const double a = from.dot(across) / e.dot(across), b = ray.along.dot(other) / e.dot(across);
-    if (!(a >= -slack && b >= -slack && a + b <= 1 + slack)) return {};
-    return corner[0] + a * e + b * f;
 }
 
 /// One of a triangle's points, spread by the plastic ratio's sequence (Roberts 2018).
@@ -87,13 +63,18 @@ VisibleSurface::Points points_on(const PlanScene& scene, const View& view, const
     for (const std::size_t i : drawn) {
         if (clusters[i] == ~0u) continue;
         const std::uint32_t triangle = seen.triangles[i] - 1;
-        const Corners corner = corners_of(scene, triangle);
-        std::optional<Eigen::Vector3d> point;
-        if (seen.view) point = point_at_pixel(corner, *seen.view, sampled_pixel(frame_size(*seen.view), i));
-        if (!point) point = spread_point(corner, i);
+        const std::optional<Corners> corners = corners_of(scene, triangle);
+        if (!corners) continue;
+        const Corners& corner = *corners;
+        Eigen::Vector3d point = spread_point(corner, i);
+        if (seen.view) {
+            const Ray ray = ray_through(*seen.view, sampled_pixel(frame_size(*seen.view), i));
+            if (const double away = meets(ray, corner, 1e-3); std::isfinite(away))
+                point = ray.from + away * ray.along;
+        }
         const Eigen::Vector3d normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
-        const auto shown = project(view.intrinsics, view.cam_from_origin, *point);
-        const auto s = surface_sample(view, *point, normal, settings.samples);
+        const auto shown = project(view.intrinsics, view.cam_from_origin, point);
+        const auto s = surface_sample(view, point, normal, settings.samples);
         if (!s || !shown || !in_frame(view.intrinsics, shown->pixel)) continue;
         out.samples.push_back(*s);
         out.triangles.push_back(triangle);

@@ -2,38 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "player/plan/triangle_corners.h"
 
 namespace vantage {
 namespace {
 
 constexpr double on_edge = 1e-12;  ///< barycentric: a ray through an edge meets one of its triangles
-
-using Corners = std::array<Eigen::Vector3d, 3>;
-
-/// Nothing if the file was overwritten and an index is out of range.
-std::optional<Corners> corners_of(const PlanScene& scene, std::uint32_t triangle) {
-    Corners out;
-    for (std::size_t c = 0; c < 3; ++c) {
-        const std::size_t at = 3 * std::size_t(triangle) + c;
-        if (at >= scene.indices.size() || scene.indices[at] >= scene.positions.size()) return {};
-        out[c] = scene.positions[scene.indices[at]].cast<double>();
-    }
-    return out;
-}
-
-/// The distance at which a ray meets a triangle; NaN if it does not.
-double meets(const Ray& ray, const Corners& corner) {
-    constexpr double misses = std::numeric_limits<double>::quiet_NaN();
-    const Eigen::Vector3d a = corner[1] - corner[0], b = corner[2] - corner[0], across = ray.along.cross(b);
-    const double volume = a.dot(across);
-    if (!(std::abs(volume) > 1e-15 * ray.along.norm() * a.norm() * b.norm())) return misses;  // edge-on
-    const Eigen::Vector3d from = ray.from - corner[0], other = from.cross(a);
-    const double u = from.dot(across) / volume, v = ray.along.dot(other) / volume;
-    if (!(u >= -on_edge && v >= -on_edge && u + v <= 1 + on_edge)) return misses;
-    return b.dot(other) / volume;
-}
 
 /// Whether the ray enters a box before `range` ends.
 bool enters(const Ray& ray, const Eigen::Vector3d& low, const Eigen::Vector3d& high, RayRange range) {
@@ -65,7 +41,7 @@ void look_in_cluster(const PlanScene& scene, const package::ClusterRecord& clust
         const std::uint32_t triangle = cluster.first_triangle + i;
         const auto corner = corners_of(scene, triangle);
         if (!corner) return;
-        const double distance = meets(ray, *corner);
+        const double distance = meets(ray, *corner, on_edge);
         if (!(distance >= range.nearest && distance <= range.farthest)) continue;
         nearest = MeshHit{triangle, distance, ray.from + ray.along * distance};
         range.farthest = distance;

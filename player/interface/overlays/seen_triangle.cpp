@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-
 namespace vantage {
 
 std::uint32_t seen_triangle(const SeenTriangles& seen, const Eigen::Vector2d& pixel) {

@@ -1,0 +1,22 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "player/plan/plan_scene.h"
+#include "player/view/ray.h"
+
+namespace vantage {
+
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+/// The corners of a triangle, numbered from 0. Nothing if the file was overwritten and an index is out of
+/// range.
+std::optional<Corners> corners_of(const PlanScene& scene, std::uint32_t triangle);
+
+/// The distance at which a ray meets a triangle, in lengths of its direction (Moeller and Trumbore 1997); NaN
+/// if it does not. `slack`: barycentric, by how much it may miss.
+double meets(const Ray& ray, const Corners& corners, double slack);
+
+}  // namespace vantage
