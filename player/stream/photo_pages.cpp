@@ -56,15 +56,8 @@ std::uint32_t base_level(const package::PhotoRecord& photo) {
     return std::uint32_t(std::max(int(photo.levels) - shader::levels_of_base, 0));
 }
 
-std::vector<StreamRequest> base_requests(const PackageReader& package, const PackagePages& pages,
-                                         std::uint32_t photo) {
-    const package::PhotoRecord& p = package.photos()[photo];
-    const std::uint32_t level = base_level(p);
-    std::vector<StreamRequest> out;
-    const int tiles = level_size(int(p.width), int(p.height), int(level)).tiles();
-    for (std::uint32_t t = 0; t < std::uint32_t(tiles); ++t)
-        out.push_back(color_request(package, pages, photo, level, t));
-    return out;
+std::uint32_t base_tiles(const package::PhotoRecord& photo) {
+    return std::uint32_t(level_size(int(photo.width), int(photo.height), int(base_level(photo))).tiles());
 }
 
 StreamRequest thumbnail_request(const PackageReader& package, std::uint32_t photo) {

@@ -28,9 +28,8 @@ StreamRequest weight_map_request(const PackageReader& package, const PackagePage
                                  std::uint32_t level, std::uint32_t tile);
 /// The level of color that a photo needs to be shown at all: the coarsest but one.
 std::uint32_t base_level(const package::PhotoRecord& photo);
-/// Its tiles, at most four.
-std::vector<StreamRequest> base_requests(const PackageReader& package, const PackagePages& pages,
-                                         std::uint32_t photo);
+/// How many tiles that level has, at most four.
+std::uint32_t base_tiles(const package::PhotoRecord& photo);
 StreamRequest thumbnail_request(const PackageReader& package, std::uint32_t photo);
 
 }  // namespace vantage

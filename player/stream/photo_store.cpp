@@ -81,7 +81,9 @@ void PhotoStore::want(StreamRequest request, Urgency urgency, std::uint32_t leve
 }
 
 void PhotoStore::need_base(std::uint32_t photo, bool coordinates) {
-    for (const StreamRequest& r : base_requests(*package_, pages_, photo)) want(r, Urgency::base);
+    const std::uint32_t level = base_level(photos_[photo]);
+    for (std::uint32_t t = 0; t < base_tiles(photos_[photo]); ++t)
+        want(color_request(*package_, pages_, photo, level, t), Urgency::base);
     want(weight_map_request(*package_, pages_, photo, coarsest_weight_maps(photos_[photo]), 0),
          Urgency::base);
     if (!coordinates) return;
@@ -183,13 +185,14 @@ std::size_t PhotoStore::load_whole(std::uint32_t photo) {
 }
 
 bool PhotoStore::base_resident(std::uint32_t photo, bool coordinates) const {
-    const auto arrived = [&](const StreamRequest& r) {
-        return residency_->holds(r) || residency_->failed(r);
-    };
-    return std::ranges::all_of(base_requests(*package_, pages_, photo), arrived) &&
-           residency_->holds(
-               weight_map_request(*package_, pages_, photo, coarsest_weight_maps(photos_[photo]), 0)) &&
-           (!coordinates || residency_->coordinate_slot(photo));
+    const std::uint32_t level = base_level(photos_[photo]);
+    for (std::uint32_t t = 0; t < base_tiles(photos_[photo]); ++t) {
+        const StreamRequest r = color_request(*package_, pages_, photo, level, t);
+        if (!residency_->holds(r) && !residency_->failed(r)) return false;
+    }
+    const StreamRequest weight_maps =
+        weight_map_request(*package_, pages_, photo, coarsest_weight_maps(photos_[photo]), 0);
+    return residency_->holds(weight_maps) && (!coordinates || residency_->coordinate_slot(photo));
 }
 
 std::size_t PhotoStore::table_words(std::uint32_t photo) const {

@@ -37,7 +37,7 @@ class PhotoStore {
 
     /// Begins a frame at `now` seconds; without `fade`, tiles are shown in full as soon as they arrive.
     void begin_frame(double now, bool fade);
-    /// Requests the minimum for showing a photo: coarse color (base_requests), coarsest weight maps, and
+    /// Requests the minimum for showing a photo: color of its base level, coarsest weight maps, and
     /// texture coordinates if `coordinates`.
     void need_base(std::uint32_t photo, bool coordinates);
     /// Requests tiles. Returns how many are not resident (damaged ones excepted).

@@ -150,23 +150,13 @@ void FramePlanner::plan_eye(PlannedEye& eye) {
     }
 }
 
-/// A picture whose tiles fit into graphics memory reads each of them once, for all of its samples.
 void FramePlanner::make_room() {
     constexpr std::uint64_t most = std::uint64_t(1) << 30;
     if (budget_.graphics > 0) return;
-    std::size_t color = 0, weight_maps = 0;
-    for (const ImageSetFrame& image_set : image_sets_)
-        for (const std::vector<PlannedPhoto>* photos :
-             {&image_set.plan->plan().photos, &image_set.plan->plan().behind})
-            for (const PlannedPhoto& p : *photos) {
-                for (const auto& level : p.needs.color) color += level.size();
-                for (const auto& level : p.needs.weight_maps) weight_maps += level.size();
-                color += base_requests(resources_->package, resources_->store.pages(), p.photo).size();
-                ++weight_maps;  // the coarsest
-            }
-    const std::uint64_t before = resources_->store.bytes();
-    resources_->store.make_room(std::uint32_t(color), std::uint32_t(weight_maps), most);
-    graphics_budget_ += resources_->store.bytes() - before;
+    const PhotoStore& store = resources_->store;
+    const std::uint64_t before = store.bytes();
+    tiles_.make_room(image_sets_, most);
+    graphics_budget_ += store.bytes() - before;
 }
 
 /// Finds out which triangles the view shows before photos are chosen for it. Waits for the graphics card.

@@ -15,6 +15,17 @@ std::vector<const PlannedPhoto*> all_photos(const Plan& plan) {
     return out;
 }
 
+/// Layers that a photo takes, its base among them.
+struct Layers {
+    std::size_t color = 0, weight_maps = 0;
+};
+Layers layers_of(const PlannedPhoto& p, const PlanScene& scene) {
+    Layers out{base_tiles(scene.photos[p.photo]), 1};
+    for (const auto& level : p.needs.color) out.color += level.size();
+    for (const auto& level : p.needs.weight_maps) out.weight_maps += level.size();
+    return out;
+}
+
 }  // namespace
 
 TileNeeds FrameTiles::comparison_needs(const View& view, const RenderSettings& settings) const {
@@ -85,6 +96,16 @@ void FrameTiles::prefetch(std::span<const ImageSetFrame> image_sets, int side, c
     for (const PlannedPhoto& p : ahead_) resources_->store.prefetch(p.photo, p.needs);
 }
 
+void FrameTiles::make_room(std::span<const ImageSetFrame> image_sets, std::uint64_t bytes) {
+    std::size_t color = 0, weight_maps = 0;
+    for (const ImageSetFrame& image_set : image_sets)
+        for (const PlannedPhoto* p : all_photos(image_set.plan->plan())) {
+            const Layers more = layers_of(*p, resources_->scene);
+            color += more.color, weight_maps += more.weight_maps;
+        }
+    resources_->store.make_room(std::uint32_t(color), std::uint32_t(weight_maps), bytes);
+}
+
 void FrameTiles::load(Pass pass, const DrawnView& drawn, double now, FrameReport& report) {
     resources_->store.begin_frame(now, false);  // what earlier passes used may be evicted
     for (const PlannedPhoto* p : pass) {
@@ -103,16 +124,15 @@ std::size_t FrameTiles::pass_length(Pass rest, const RenderSettings& settings, i
     const ResidencyLayout& layout = resources_->store.residency().layout();
     std::size_t n = 0, color = 0, weight_maps = 0;
     while (n < most) {
-        color += base_requests(resources_->package, resources_->store.pages(), rest[n]->photo).size();
-        for (const auto& level : rest[n]->needs.color) color += level.size();
-        for (const auto& level : rest[n]->needs.weight_maps) weight_maps += level.size();
+        const Layers more = layers_of(*rest[n], resources_->scene);
+        color += more.color, weight_maps += more.weight_maps;
         // Sums do not depend on the split into passes, so a pass ends when graphics memory is full.
         const auto exceeds = [](std::size_t wanted, std::size_t held, std::size_t all) {
             return wanted > held && held < all;
         };
         const bool full =
             exceeds(color, layout.color, resources_->store.pages().color) ||
-            exceeds(weight_maps + n + 1, layout.weight_maps, resources_->store.pages().weight_maps) ||
+            exceeds(weight_maps, layout.weight_maps, resources_->store.pages().weight_maps) ||
             (coordinates(settings) && exceeds(n + 1, layout.coordinates, resources_->scene.photos.size()));
         if (n > 0 && full) break;
         ++n;
