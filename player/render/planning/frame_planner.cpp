@@ -154,9 +154,9 @@ void FramePlanner::make_room() {
     constexpr std::uint64_t most = std::uint64_t(1) << 30;
     if (budget_.graphics > 0) return;
     const PhotoStore& store = resources_->store;
-    const std::uint64_t before = store.bytes();
+    const std::uint64_t before = store.residency().layout().bytes();
     tiles_.make_room(image_sets_, most);
-    graphics_budget_ += store.bytes() - before;
+    graphics_budget_ += store.residency().layout().bytes() - before;
 }
 
 /// Finds out which triangles the view shows before photos are chosen for it. Waits for the graphics card.
