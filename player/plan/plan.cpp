@@ -24,20 +24,14 @@ bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d
     return !away || faces_away(c, photo);
 }
 
-/// A photo's weight where rays to it and to the viewer make this angle (shaders/blend.frag).
-double angle_weight(const PlanSettings& settings, double theta) {
-    if (!(settings.sharpness > 0)) return 1;
-    const double own = shader::own_angle / std::max(theta, double(shader::own_least));
-    return std::exp(-theta / settings.sharpness) * (settings.own_views ? 1 + own * own : 1);
-}
-
 /// The largest and the smallest weight that a photo has in a cluster, where it sees it, and if no border is
-/// near.
+/// near (shaders/blend.frag).
 struct WeightRange {
-    double most, least;
+    double most = 1, least = 1;
 };
 WeightRange weight_range(const VisibleSurface& s, const PlanSettings& settings, std::uint32_t cluster,
                          const CameraOfPhoto& camera) {
+    if (!(settings.sharpness > 0)) return {};
     const package::ClusterRecord& c = s.scene.clusters[cluster];
     const double distance = std::max((center(c) - s.eye).norm(), 1e-30);
     const double theta = ray_angle(center(c), s.eye, camera.center),
@@ -46,9 +40,11 @@ WeightRange weight_range(const VisibleSurface& s, const PlanSettings& settings, 
     const double wanted = settings.samples * s.view.intrinsics.fx / distance;
     const double rate =
         std::min(std::exp2(s.scene.coverage[camera.photo][cluster].log2_density / 256.0) / wanted, 1.0);
-    const double sampled = settings.sharpness > 0 ? rate : 1;
-    return {sampled * angle_weight(settings, std::max(0.0, theta - turn)),
-            sampled * angle_weight(settings, theta + turn)};
+    const auto weight = [&](double angle) {
+        const double own = shader::own_angle / std::max(angle, double(shader::own_least));
+        return rate * std::exp(-angle / settings.sharpness) * (settings.own_views ? 1 + own * own : 1);
+    };
+    return {weight(std::max(0.0, theta - turn)), weight(theta + turn)};
 }
 
 /// Of each cluster, whether a photo sees all triangles that are seen, at least in part.
