@@ -33,7 +33,7 @@ struct PngRows::State {
         png_set_user_limits(png, max_pixels, max_pixels);
         png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        // A seventh of the time of the library's choice, for files a sixth larger.
+        // Takes a sixth of the time of the default level and filters; files are a sixth larger.
         png_set_compression_level(png, 1);
         png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);

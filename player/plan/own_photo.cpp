@@ -9,7 +9,8 @@
 namespace vantage {
 namespace {
 
-/// Both have the same eye. A pixel of the view is no part of the frame that matters.
+/// Whether the view's frame lies within the photo. Both have the same eye. Tolerates two pixels of the view:
+/// plans are made for frames that are one pixel wider on each side.
 bool shows_all(const PlanScene& scene, std::uint32_t photo, const View& view) {
     const Intrinsics &from = view.intrinsics, &to = scene.intrinsics[photo];
     const LensTable* lens = scene.lenses.of(photo);

@@ -16,11 +16,11 @@ struct PlanSettings {
     double angle_limit = 0;  ///< radians between viewing directions; a photo beyond it is used only for
                              ///< surfaces that no other photo sees; 0: no limit
     double samples = 1;      ///< per side of a pixel
-    /// Near its own camera, a photo outweighs all others (shaders/blend.frag). Not for windows, whose photos
-    /// would change more often.
+    /// Near its own camera, a photo outweighs all others (shaders/blend.frag). Complete plans only: others
+    /// spare photos above a weight at which those still show along the borders of that photo.
     bool own_views = false;
     double worth = 0.1;      ///< a tile is needed if at least this share of its texels is shown
-    bool tiles = true;       ///< list the tiles needed; otherwise use only thumbnails
+    bool tiles = true;       ///< list the tiles needed; otherwise only the base levels are shown
     bool background = true;  ///< shown, if the package has them
     bool complete = true;    ///< wait for everything that the picture needs; otherwise photos fade in and out
     /// For frames in motion that take too long: each surface gets only the photos that matter most there, and

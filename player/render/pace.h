@@ -16,7 +16,7 @@ inline constexpr double least_scale = 0.15;
 /// How many times as long as a reduced frame one takes that is not, at most.
 inline constexpr double max_for_all_photos = 3;
 
-/// Of a first picture, which is made of thumbnails.
+/// Of a first picture, which is made of base levels.
 inline constexpr Pace coarse_pace{0.25, true};
 
 /// The pace of the next frame, after one at `pace` that took `ms`, of which `goal_ms` are allowed. Slows down

@@ -147,8 +147,8 @@ struct RenderSettings {
     bool fill_holes = false;      ///< plain shading where no photo contributes, and a background
     bool fill_background = true;  ///< if holes are filled; otherwise the background stays transparent
     int photos_per_pass = max_photos_per_pass;
-    double lod_bias = 0;          ///< levels; below 0 is sharper
-    bool thumbnails = false;      ///< nothing finer than thumbnails
+    double lod_bias = 0;      ///< levels; below 0 is sharper
+    bool thumbnails = false;  ///< nothing finer than base levels, see base_level()
     Show show = Show::colors;
     ShowBackground background = ShowBackground::on;
     Transparency transparency = Transparency::exact;

@@ -24,8 +24,8 @@ class PhotoStore {
     /// Allocates at most `bytes` of graphics memory. Evicts everything if the allocation changes; it is kept
     /// while it is within the budget and more than half of it. Throws Error(usage) if `bytes` is too little.
     void fit(std::uint64_t bytes, bool with_coordinates);
-    /// Makes room for so many tiles at a time, unless all would take more than `bytes`. What is resident is
-    /// lost if there was less room.
+    /// Enlarges the arrays to hold this many tiles, which evicts everything. Does nothing if they are large
+    /// enough, or if all of them would then exceed `bytes`.
     void make_room(std::uint32_t color, std::uint32_t weight_maps, std::uint64_t bytes);
     std::uint64_t bytes() const { return residency_ ? residency_->bytes() : 0; }
     bool has_coordinates() const { return residency_ && residency_->layout().coordinates > 0; }

@@ -28,7 +28,7 @@ Area free_for_eye(StereoMode mode, const Area& free, FrameSize size) {
     return out;
 }
 
-/// The first picture is made of thumbnails: in software, it need not wait for the pixels between theirs.
+/// The first picture is made of base levels: in software, it need not wait for the pixels between theirs.
 Pace pace_of_first_picture(double goal) {
     return goal > 0 && gl::current_device().software ? coarse_pace : Pace{};
 }

@@ -20,7 +20,7 @@ cd "$work"
 player=$here/bin/vantage-player
 : >"$results"
 note() { printf '%s\n' "$*" | tee -a "$results"; }
-# what it measures, and how long it took or the exit code
+# Notes a command's time, or its exit code and error. Arguments: its name in the results, the command
 run() {
     local name=$1 before code took
     shift
@@ -32,10 +32,10 @@ run() {
     note "$name: $took"
     return $code
 }
-bench() {  # name, scene, options
-    local name=$1 scene=$2
-    shift 2
-    run "bench $name" "$player" bench "$scene" --path-frames "$frames" --repeats 1 "$@" -o bench --force && note "$(cat out.txt)"
+bench() {  # name, options
+    local name=$1
+    shift
+    run "bench $name" "$player" bench demo.vantage --path-frames "$frames" --repeats 1 "$@" -o bench --force && note "$(cat out.txt)"
 }
 
 note "commit $(cat "$here/commit"), $(date -u +%F), $(nproc) cores"
@@ -44,10 +44,10 @@ run "tests of the player" "$here/bin/player_tests" --gtest_brief=1 || note "$(gr
 run "make the demo" "$here/bin/vantage" synth "$here/data/demo.toml" -o demo.scan
 run "prepare the demo" "$here/bin/vantage" prepare demo.scan -o demo.vantage --no-report || exit 1
 for size in "${sizes[@]}"; do
-    bench "in full, $size" demo.vantage --size "$size" --paths still,orbit --modes stream,resident --graphics-memory 4000
-    for fps in 30 60; do bench "in motion, $fps per second, $size" demo.vantage --size "$size" --paths orbit --modes adaptive --fps $fps; done
+    bench "in full, $size" --size "$size" --paths still,orbit --modes stream,resident --graphics-memory 4000
+    for fps in 30 60; do bench "in motion, $fps per second, $size" --size "$size" --paths orbit --modes adaptive --fps $fps; done
 done
-bench "two eyes of $eye, 90 per second" demo.vantage --size "$eye" --stereo side-by-side --paths orbit --modes adaptive --fps 90
+bench "two eyes of $eye, 90 per second" --size "$eye" --stereo side-by-side --paths orbit --modes adaptive --fps 90
 for scale in 0.35 1; do run "a photo's view, scale $scale" "$player" demo.vantage --offscreen --photo 0005 --scale $scale -q -o photo.png --force; done
 run "a view of all photos but one" "$player" demo.vantage --offscreen --photo 0005 --exclude 0005 -q -o other.png --force
 run "an orthophoto" "$player" orthophoto demo.vantage --plane front --resolution 0.005 -q -o front.tif --force

@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// What is nearer is the mesh, or points.
+/// A depth between the background and the mesh. Depth falls with distance; points are in front of it, too.
 inline constexpr float depth_behind_mesh = 0x1p-55f;
 
 /// Draws clusters of the model with the program that is current. Belongs to the OpenGL thread; the scene must

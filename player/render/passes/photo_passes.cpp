@@ -217,11 +217,11 @@ void PhotoPasses::bind_frame(const FrameTargets& targets, const PointSurface& po
     if (points.places) glBindTextureUnit(shader::places_unit, points.places);
 }
 
-/// At one depth, between the mesh and the background: `nearer` is GL_LESS for the pixels of the mesh,
-/// GL_GREATER for all others. A test of depth comes before the shader, which is spared what it would discard.
-void PhotoPasses::draw_frame(GLenum nearer) const {
+/// Draws one triangle over the frame, at the depth between mesh and background. `depth_test`: GL_LESS for the
+/// pixels of the mesh, GL_GREATER for all others; the test rejects the rest before the shader runs.
+void PhotoPasses::draw_frame(GLenum depth_test) const {
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(nearer);
+    glDepthFunc(depth_test);
     glDepthRangef(depth_behind_mesh, depth_behind_mesh);
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -55,7 +55,7 @@ class PhotoPasses {
   private:
     void draw_on_frame(const FrameTargets& targets, const PointSurface& points);
     void bind_frame(const FrameTargets& targets, const PointSurface& points) const;
-    void draw_frame(GLenum nearer) const;
+    void draw_frame(GLenum depth_test) const;
     void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn, BlendOn on);
     void draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                         const PointSurface& points, bool transients);

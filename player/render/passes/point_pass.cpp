@@ -76,7 +76,7 @@ PointPass::PointPass(const PackageReader& package, PointCloud cloud, std::uint64
       program_(make_point_program({})),
       vertices_(make_vertices()) {
     if (cloud_.nodes.empty()) return;
-    // As thumbnails do of photos, the coarsest points fill the first frame.
+    // As base levels do of photos, the coarsest points fill the first frame.
     store_.begin_frame(0);
     store_.need(cloud_.nodes.front());
     store_.load();

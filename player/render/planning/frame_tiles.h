@@ -24,8 +24,8 @@ class FrameTiles {
     /// too; uploads what has arrived. Adds to the report.
     void stream(const View& view, std::span<const ImageSetFrame> image_sets, int side, const View* next,
                 FrameReport& report);
-    /// Makes room for all tiles of a picture, unless that takes more than `bytes`: then each of them is read
-    /// once, for all samples of the pixels.
+    /// Enlarges the arrays to hold all tiles of a picture, so that each is read once for all samples of the
+    /// pixels. Does nothing if they would exceed `bytes`.
     void make_room(std::span<const ImageSetFrame> image_sets, std::uint64_t bytes);
     /// Loads everything that a pass needs, however long it takes. Adds to the report.
     void load(Pass pass, const DrawnView& drawn, double now, FrameReport& report);

@@ -124,7 +124,7 @@ TEST_F(Streaming, UploadBudgetIsKeptAndThePictureConverges) {
     settings.loading = Loading::complete;
     renderer.draw(view, settings, all(package), {}, 100);
     const auto exact = shown_picture(renderer, view, settings).rgba;
-    EXPECT_LT(mean_difference(first, exact), 12) << "thumbnails show the scene, though blurred";
+    EXPECT_LT(mean_difference(first, exact), 12) << "base levels show the scene, though blurred";
     EXPECT_GT(mean_difference(first, exact), 0.2);
     EXPECT_LT(mean_difference(last, exact), 0.1);
 }
