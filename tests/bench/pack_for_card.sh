@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Packs what tests/bench/on_card.sh needs on a machine that has a graphics card, its driver and nothing else: programs, libraries
-# and descriptions of scenes. At most 60 MiB. Usage: tests/bench/pack_for_card.sh [--build FOLDER] [ARCHIVE]
+# Packs what tests/bench/on_card.sh needs on a machine that has a graphics card, its driver and nothing else: programs, libraries,
+# a font and a scan. At most 60 MiB. Usage: tests/bench/pack_for_card.sh [--build FOLDER] [ARCHIVE]
 set -euo pipefail
 source=$(cd "$(dirname "$0")/../.." && pwd)
-build=$source/build archive=for-card.tar.xz
+build=$source/build archive=for-card.tar
 while [ $# -gt 0 ]; do
     case $1 in
         --build) build=$(cd "$2" && pwd) && shift 2 ;;
@@ -13,20 +13,27 @@ while [ $# -gt 0 ]; do
 done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-packed=$work/for-card
-mkdir -p "$packed"/{bin,lib,data}
+packed=$work/packed card=$work/for-card
+mkdir -p "$packed"/{bin,lib} "$card"
 programs=("$build/pipeline/vantage" "$build/player/vantage-player" "$build/tests/player_tests")
 cp "${programs[@]}" "$packed/bin"
 strip "$packed"/bin/*
-# Not the C library and not OpenGL: these are the machine's, and its driver's.
-ldd "${programs[@]}" | awk '$3 ~ /^\// { print $3 }' | sort -u |
-    grep -Ev '/(ld-linux|libc|libm|libpthread|libdl|librt|libresolv|libGL|libEGL|libGLX|libGLdispatch|libOpenGL|libgbm|libdrm)[-._]' |
-    xargs -I{} cp -L {} "$packed/lib"
+path_of() { ldconfig -p | awk -v name="$1" '$1 == name { print $NF; exit }'; }
+# Not the C library: that is the machine's. OpenGL's libraries, which libepoxy loads, are not part of every driver.
+{
+    ldd "${programs[@]}" | awk '$3 ~ /^\// { print $3 }'
+    for name in libEGL.so.1 libOpenGL.so.0; do path_of $name; done
+} | sort -u | grep -Ev '/(ld-linux|libc|libm|libpthread|libdl|librt|libresolv)[-._]' | xargs -I{} cp -L {} "$packed/lib"
 strip --strip-unneeded "$packed"/lib/* 2>/dev/null || true
-cp "$source"/data/*.toml "$packed/data"
-cp "$source/tests/bench/on_card.sh" "$packed"
+cp /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "$packed"
+# Photos are made here: OpenImageIO, which writes them, brings 200 more libraries, too large for the archive.
+"$build/pipeline/vantage" synth "$source/data/demo.toml" -o "$packed/demo.scan" >/dev/null 2>&1
+rm -r "$packed/demo.scan/truth"
 git -C "$source" describe --always --dirty >"$packed/commit"
-tar -C "$work" -cJf "$archive" for-card
+# With xz, which a bare Debian does not have.
+tar -C "$packed" -cJf "$card/packed.tar.xz" .
+cp -L "$(command -v xz)" "$(path_of liblzma.so.5)" "$source/tests/bench/on_card.sh" "$card"
+tar -C "$work" -cf "$archive" for-card
 size=$(stat -c %s "$archive")
 echo "$archive: $((size / 1048576)) MiB"
 [ "$size" -le $((60 * 1048576)) ] || { echo "$archive: expected at most 60 MiB" >&2 && exit 1; }
