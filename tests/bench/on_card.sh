@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # Measures the player on a machine with a graphics card, from the archive that tests/bench/pack_for_card.sh makes, without a network:
-# frames at rest and in motion at three sizes, for one eye and two, and pictures without a display. Writes one file. Usage:
+# its tests, frames at rest and in motion in each mode at three sizes, for one eye and two, and pictures without a display. Writes
+# one file. Usage:
 #   ./on_card.sh [--quick] [RESULTS]
 #   --quick  few frames at one size, to try the script
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-results=$PWD/on-card.txt sizes=(1280x720 1920x1080 3840x2160) frames=300 eye=1440x1600
+results=$PWD/on-card.txt sizes=(1280x720 1920x1080 3840x2160) frames=300 eye=1440x1600 seconds=1
 while [ $# -gt 0 ]; do
     case $1 in
-        --quick) sizes=(320x180) frames=5 eye=160x160 && shift ;;
-        -*) sed -n '2,6s/^# //p' "$0" && exit 2 ;;
+        --quick) sizes=(320x180) frames=6 eye=160x160 seconds=0.1 && shift ;;
+        -*) sed -n '2,7s/^# //p' "$0" && exit 2 ;;
         *) results=$(realpath -m "$1") && shift ;;
     esac
 done
@@ -22,37 +23,51 @@ export LD_LIBRARY_PATH=${LD_LIBRARY_PATH:+$LD_LIBRARY_PATH:}/lib/x86_64-linux-gn
 player=$here/bin/vantage-player
 : >"$results"
 note() { printf '%s\n' "$*" | tee -a "$results"; }
-# Notes a command's time, or its exit code and error. Arguments: its name in the results, the command
+# Notes a command's time, or its exit code and errors. Arguments: its name in the results, the command
 run() {
-    local name=$1 before code took
+    local name=$1 before code
     shift
     before=$(date +%s%N)
-    "$@" >out.txt 2>err.txt
+    timeout 180 "$@" >out.txt 2>err.txt
     code=$?
-    took=$(($(date +%s%N) - before))
-    [ $code -eq 0 ] && took="$((took / 1000000)) ms" || took="exit code $code: $(tail -n 1 err.txt)"
-    note "$name: $took"
+    [ $code -eq 0 ] && note "$name: $((($(date +%s%N) - before) / 1000000)) ms" && return
+    note "$name: exit code $code"
+    note "$(tail -n 3 err.txt)"
     return $code
 }
 bench() {  # name, options
     local name=$1
     shift
-    run "bench $name" "$player" bench demo.vantage --path-frames "$frames" --repeats 1 "$@" -o bench --force && note "$(cat out.txt)"
+    run "bench $name" "$player" bench demo.vantage --repeats 1 --graphics-memory 4000 "$@" -o bench --force || return
+    head -n 1 out.txt | tee -a "$results"
+    paste -d ' ' <(tail -n +2 out.txt) <(awk -F '[":, ]+' '/{$/ { of = $2 } of == "plan_ms" && /"median"/ { median = $3 }
+        of == "plan_ms" && /"p999"/ { printf " plan: median %.2f  99.9 %% %.2f ms\n", median, $3 }' bench/summary.json) | tee -a "$results"
 }
 
-note "commit $(cat "$here/commit"), $(date -u +%F), $(nproc) cores"
+note "commit $(cat "$here/commit"), $(date -u +%F), $(nproc) cores,$(grep -m 1 'model name' /proc/cpuinfo | cut -d : -f 2)"
 command -v nvidia-smi >/dev/null && note "$(nvidia-smi --query-gpu=name,driver_version --format=csv,noheader)"
 font=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf  # where the player looks for it
 [ -e $font ] || { install -D "$here/DejaVuSans.ttf" $font && lent=$font; } ||
     { note "no $font: tests that need it are left out" && without=-PanelPass.TinyTextIsAsBrightAsItShouldBe; }
-run "tests of the player" "$here/bin/player_tests" --gtest_brief=1 --gtest_filter="${without:-*}" || note "$(grep -E 'FAILED|Failure' out.txt | head -20)"
+VANTAGE_DEBUG_GL=1 run "tests of the player" "$here/bin/player_tests" --gtest_brief=1 --gtest_filter="${without:-*}"
+note "$(grep -E '^\[  (PASSED|SKIPPED|FAILED)|Failure|^needs|C\+\+ exception' out.txt | head -n 30)"
 run "prepare the demo" "$here/bin/vantage" prepare "$here/demo.scan" -o demo.vantage --no-report || exit 1
 for size in "${sizes[@]}"; do
-    bench "in full, $size" --size "$size" --paths still,orbit --modes stream,resident --graphics-memory 4000
-    for fps in 30 60; do bench "in motion, $fps per second, $size" --size "$size" --paths orbit --modes adaptive --fps $fps; done
+    bench "in full, $size" --size "$size" --paths still,orbit --modes stream,resident,whole --path-frames $((frames / 3))
+    for fps in 30 60; do
+        bench "in motion, $fps per second, $size" --size "$size" --paths orbit --modes adaptive --fps $fps --path-frames $frames
+    done
 done
-bench "two eyes of $eye, 90 per second" --size "$eye" --stereo side-by-side --paths orbit --modes adaptive --fps 90
-for scale in 0.35 1; do run "a photo's view, scale $scale" "$player" demo.vantage --offscreen --photo 0005 --scale $scale -q -o photo.png --force; done
+eyes=(--size "$eye" --stereo side-by-side --paths orbit)
+bench "two eyes of $eye, 90 per second" "${eyes[@]}" --modes adaptive --fps 90 --path-frames $frames
+bench "two eyes of $eye, in full" "${eyes[@]}" --modes stream,resident --path-frames $((frames / 3))
+export VANTAGE_DEBUG_GL=1  # from here on, the driver's messages about errors end a program
+run "bench in each mode, driver's messages on" "$player" bench demo.vantage --size "${sizes[0]}" --path-frames $((frames / 10 + 2)) \
+    --repeats 1 --modes stream,resident,whole,adaptive -o bench --force
+for scale in 0.35 1; do
+    run "a photo's view, scale $scale" "$player" demo.vantage --offscreen --photo 0005 --scale $scale -q -o photo.png --force
+done
 run "a view of all photos but one" "$player" demo.vantage --offscreen --photo 0005 --exclude 0005 -q -o other.png --force
 run "an orthophoto" "$player" orthophoto demo.vantage --plane front --resolution 0.005 -q -o front.tif --force
-run "30 frames of video" "$player" demo.vantage --turntable --seconds 1 --size 640x360 -q -o frames --force
+run "$seconds s of video" "$player" demo.vantage --turntable --seconds $seconds --size 640x360 -q -o frames --force
+note "OpenGL errors: $(grep -c 'OpenGL failed' "$results"), commands that failed: $(grep -c ': exit code' "$results"), $SECONDS s"
