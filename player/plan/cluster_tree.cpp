@@ -48,8 +48,15 @@ ClusterTree make_cluster_tree(std::span<const package::ClusterRecord> clusters) 
 std::vector<std::uint32_t> clusters_in_view(const ClusterTree& tree,
                                             std::span<const package::ClusterRecord> clusters,
                                             const View& view) {
-    const Frustum planes = frustum(view);
     std::vector<std::uint32_t> out;
+    find_clusters_in_view(tree, clusters, view, out);
+    return out;
+}
+
+void find_clusters_in_view(const ClusterTree& tree, std::span<const package::ClusterRecord> clusters,
+                           const View& view, std::vector<std::uint32_t>& out) {
+    const Frustum planes = frustum(view);
+    out.clear();
     for (std::size_t i = 0; i < tree.nodes.size();) {
         const ClusterTree::Node& node = tree.nodes[i];
         const Side side = side_of(planes, node.low, node.high);
@@ -60,7 +67,6 @@ std::vector<std::uint32_t> clusters_in_view(const ClusterTree& tree,
                     out.push_back(c);
         i = side == Side::across ? i + 1 : node.next;
     }
-    return out;
 }
 
 bool faces_away(const package::ClusterRecord& c, const Eigen::Vector3d& eye) {

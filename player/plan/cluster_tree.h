@@ -29,6 +29,9 @@ ClusterTree make_cluster_tree(std::span<const package::ClusterRecord> clusters);
 std::vector<std::uint32_t> clusters_in_view(const ClusterTree& tree,
                                             std::span<const package::ClusterRecord> clusters,
                                             const View& view);
+/// The same, in place of what is in `found`.
+void find_clusters_in_view(const ClusterTree& tree, std::span<const package::ClusterRecord> clusters,
+                           const View& view, std::vector<std::uint32_t>& found);
 
 /// All triangles of the cluster face away from `eye`, by its normal cone.
 bool faces_away(const package::ClusterRecord& cluster, const Eigen::Vector3d& eye);

@@ -149,7 +149,6 @@ Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& set
     std::erase_if(plan.photos, [](const PlannedPhoto& p) { return p.clusters.empty(); });
     plan.behind = plan_background(surface, settings, allowed);
     plan.clusters = std::move(surface.clusters);
-    plan.transparent = std::move(surface.transparent);
     return plan;
 }
 

@@ -13,10 +13,9 @@ namespace vantage {
 
 /// The clusters and photos that a view is drawn from; photos by decreasing agreement.
 struct Plan {
-    std::vector<std::uint32_t> clusters;     ///< opaque
-    std::vector<std::uint32_t> transparent;  ///< clusters that no photo shows
-    std::vector<PlannedPhoto> photos;        ///< of the mesh
-    std::vector<PlannedPhoto> behind;        ///< of the background, see plan_background
+    std::vector<std::uint32_t> clusters;  ///< opaque
+    std::vector<PlannedPhoto> photos;     ///< of the mesh
+    std::vector<PlannedPhoto> behind;     ///< of the background, see plan_background
     PhotoChoice choice;  ///< what they were chosen from, with those that show none of the clusters
     double uncovered =
         0;  ///< share of the surface in view and in some allowed photo that no chosen photo sees

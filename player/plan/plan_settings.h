@@ -19,6 +19,9 @@ struct PlanSettings {
     /// Near its own camera, a photo outweighs all others (shaders/blend.frag). Complete plans only: others
     /// spare photos above a weight at which those still show along the borders of that photo.
     bool own_views = false;
+    /// Clusters so far outside the frame are planned, too, so that a view that moves can be drawn with the
+    /// plan of the one before; share of the frame's width.
+    double margin = 0;
     double worth = 0.1;      ///< a tile is needed if at least this share of its texels is shown
     bool tiles = true;       ///< list the tiles needed; otherwise only the base levels are shown
     bool background = true;  ///< shown, if the package has them

@@ -24,6 +24,12 @@ double spared_levels(double weight) { return std::clamp(-std::log2(8 * weight) /
 
 }  // namespace
 
+std::vector<std::uint32_t> numbers_of(std::span<const PlannedPhoto> photos) {
+    std::vector<std::uint32_t> out;
+    for (const PlannedPhoto& p : photos) out.push_back(p.photo);
+    return out;
+}
+
 void add_needs(PlannedPhoto& p, const VisibleSurface& s, const PlanSettings& settings,
                const std::function<float(std::size_t)>& weight, double coarse) {
     if (s.triangles.empty()) {

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "player/plan/plan_settings.h"
@@ -17,6 +18,8 @@ struct PlannedPhoto {
     std::vector<float> weights;           ///< of each, relative to the best photo's, at most 1
     TileNeeds needs;                      ///< for what is seen of them
 };
+
+std::vector<std::uint32_t> numbers_of(std::span<const PlannedPhoto> photos);
 
 /// Lists the tiles of a photo for its clusters. `weight`: of the photo at a point of the surface, in [0, 1];
 /// 0 if the photo does not show it. Its weight maps are read at `coarse`, a level, too, where that is

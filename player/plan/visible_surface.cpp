@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "player/plan/triangle_corners.h"
 
@@ -89,17 +89,26 @@ VisibleSurface::Points points_on(const PlanScene& scene, const View& view, const
 
 }  // namespace
 
+void find_clusters(const PlanScene& scene, const View& view, bool background, ClustersInView& found) {
+    find_clusters_in_view(scene.tree, scene.clusters, view, found.opaque);
+    if (!background)
+        std::erase_if(found.opaque, [&](std::uint32_t c) { return c >= scene.first_surrounding; });
+    const auto first = std::ranges::lower_bound(found.opaque, scene.first_transparent),
+               end = std::ranges::lower_bound(found.opaque, scene.first_surrounding);
+    if (first < end) {
+        found.transparent.assign(first, end);
+        found.opaque.erase(first, end);
+    } else {
+        found.transparent.clear();
+    }
+}
+
 VisibleSurface visible_surface(const PlanScene& scene, const View& view, const Seen& seen,
                                const PlanSettings& settings) {
-    VisibleSurface s{scene, view, view.cam_from_origin.center(),
-                     clusters_in_view(scene.tree, scene.clusters, view)};
-    if (!settings.background)
-        std::erase_if(s.clusters, [&](std::uint32_t c) { return c >= scene.first_surrounding; });
-    const auto is_transparent = [&](std::uint32_t c) {
-        return c >= scene.first_transparent && c < scene.first_surrounding;
-    };
-    std::ranges::copy_if(s.clusters, std::back_inserter(s.transparent), is_transparent);
-    std::erase_if(s.clusters, is_transparent);
+    ClustersInView in_view;
+    const double margin = seen.triangles.empty() ? 0 : settings.margin * view.intrinsics.width;
+    find_clusters(scene, widened(view, int(margin)), settings.background, in_view);
+    VisibleSurface s{scene, view, view.cam_from_origin.center(), std::move(in_view.opaque)};
     const std::vector<std::uint32_t> clusters = clusters_of(scene, seen.triangles);
     std::vector<std::uint32_t> count(scene.clusters.size(), 0);
     s.triangles.reserve(seen.triangles.size());

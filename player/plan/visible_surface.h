@@ -26,6 +26,13 @@ struct Seen {
     }
 };
 
+/// The clusters that a view may show, in order.
+struct ClustersInView {
+    std::vector<std::uint32_t> opaque, transparent;
+};
+/// Without the background unless `background`.
+void find_clusters(const PlanScene& scene, const View& view, bool background, ClustersInView& found);
+
 /// What a view shows of the model, regardless of the photos.
 struct VisibleSurface {
     const PlanScene& scene;
@@ -35,7 +42,6 @@ struct VisibleSurface {
     std::vector<double> areas{};                         ///< per cluster in view; any unit, 0: hidden
     std::vector<std::uint32_t> triangles{};              ///< seen, with repetitions; none: unknown
     std::vector<std::uint32_t> clusters_of_triangles{};  ///< of each of them
-    std::vector<std::uint32_t> transparent{};            ///< clusters in view
     /// Points on some of the triangles seen, with their triangles and clusters.
     struct Points {
         std::vector<SurfaceSample> samples;
@@ -44,7 +50,8 @@ struct VisibleSurface {
     } points{};
 };
 
-/// Without the background unless `settings` have it. On complete pictures there are more points.
+/// Without the background unless `settings` have it. On complete pictures there are more points; if seen
+/// triangles are known, clusters within `settings.margin` of the frame count as in view.
 VisibleSurface visible_surface(const PlanScene& scene, const View& view, const Seen& seen,
                                const PlanSettings& settings);
 

@@ -45,7 +45,7 @@ void FramePainter::paint(PlannedFrame& frame, std::size_t number, FrameReport& r
                                .now = frame.now,
                                .eye = number,
                                .second = b.second,
-                               .transparent = shows_transparent(r, b.settings, frame.plan())};
+                               .transparent = shows_transparent(r, b.settings, frame.first_plan())};
     };
     PaintedImageSet first = image_set_of(eye.image_sets.front());
     own.prepared.reset();
@@ -72,7 +72,7 @@ void FramePainter::paint_again(PlannedFrame& frame, const View& view, const Rend
     for (const ImageSetFrame& b : frame.eyes.front().plans.frames(settings, {})) {
         PaintedImageSet image_set{.drawn = drawn_view(r, view, b, 1, coarse_),
                                   .second = b.second,
-                                  .transparent = shows_transparent(r, b.settings, frame.plan())};
+                                  .transparent = shows_transparent(r, b.settings, frame.first_plan())};
         r.surface.draw(image_set.drawn, r.targets);
         draw_photos(image_set);
     }

@@ -38,10 +38,10 @@ std::string FrameResources::failure() const {
     return of_points.empty() ? store.failure() : of_points;
 }
 
-bool shows_transparent(const FrameResources& r, const RenderSettings& settings, const Plan& plan) {
+bool shows_transparent(const FrameResources& r, const RenderSettings& settings, const ViewPlan& plan) {
     const bool hidden = shows_points(settings, r.parts) && settings.points.alone;
     return r.transparent && r.transparent->mode() != Transparency::off && !hidden &&
-           settings.show == Show::colors && !plan.transparent.empty();
+           settings.show == Show::colors && !plan.in_view().transparent.empty();
 }
 
 /// What is shown for a while only does not decide, because new targets take the place of tiles. At once only

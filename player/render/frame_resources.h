@@ -42,9 +42,9 @@ struct FrameResources {
     std::string failure() const;
 };
 
-/// Whether a frame shows transparent surfaces, of which its first plan has these. Only in colors: between
-/// counts or false colors, others would say what is not so.
-bool shows_transparent(const FrameResources& resources, const RenderSettings& settings, const Plan& plan);
+/// Whether a frame shows transparent surfaces, of which its first plan has some in view. Only in colors:
+/// between counts or false colors, others would say what is not so.
+bool shows_transparent(const FrameResources& resources, const RenderSettings& settings, const ViewPlan& plan);
 
 /// How the bare surfaces of a frame are drawn: of two eyes as the trials say; never automatic.
 EyeSurfaces eye_surfaces(const FrameResources& resources, const RenderSettings& settings, std::size_t eyes);

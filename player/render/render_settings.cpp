@@ -23,6 +23,7 @@ PlanSettings plan_settings(const RenderSettings& s, int anisotropy) {
     p.samples = std::exp2(-s.lod_bias) * std::max(1.0, anisotropy / 4.0);
     // Half the bytes, and at least 47 dB from all tiles that may be sampled; in pictures at least 60 dB.
     p.worth = s.loading == Loading::complete ? 0.01 : 0.1;
+    if (!waits_for_tiles(s.loading)) p.margin = 0.1;
     const bool falls = s.weights.angle && !s.weights.angle_per_photo && s.show != Show::coverage;
     if (falls && blend_row(s.blend).by_angle) p.sharpness = s.weights.sharpness;
     p.own_views = p.complete && p.sharpness > 0 && s.blend == Blend::lumigraph;

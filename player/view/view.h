@@ -38,6 +38,15 @@ struct View {
 /// The size of a view's picture.
 inline FrameSize frame_size(const View& view) { return {view.intrinsics.width, view.intrinsics.height}; }
 
+/// With this many more pixels on each side.
+inline View widened(View view, int pixels) {
+    view.intrinsics.width += 2 * pixels;
+    view.intrinsics.height += 2 * pixels;
+    view.intrinsics.cx += pixels;
+    view.intrinsics.cy += pixels;
+    return view;
+}
+
 /// Whether two views show the same, apart from their exposure.
 bool same_view(const View& a, const View& b);
 inline bool operator==(const View& a, const View& b) { return same_view(a, b) && a.exposure == b.exposure; }

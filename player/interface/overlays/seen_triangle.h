@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-#include "player/plan/view_plan.h"
+#include "player/plan/views/view_plan.h"
 
 namespace vantage {
 

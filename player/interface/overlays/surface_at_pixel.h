@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "player/plan/plan_scene.h"
-#include "player/plan/view_plan.h"
+#include "player/plan/views/view_plan.h"
 
 namespace vantage {
 

@@ -10,15 +10,15 @@ namespace {
 
 /// Of the model, and of points if they are shown.
 Eigen::Vector2d depth_range_of(const FrameResources& r, const View& view, const RenderSettings& settings,
-                               const Plan& plan) {
+                               const ClustersInView& in_view) {
     const double reach = model_reach(r.package.scene(), view.cam_from_origin);
     std::vector<std::uint32_t> all;
-    if (!plan.transparent.empty()) {
-        all = plan.clusters;
-        all.insert(all.end(), plan.transparent.begin(), plan.transparent.end());
+    if (!in_view.transparent.empty()) {
+        all = in_view.opaque;
+        all.insert(all.end(), in_view.transparent.begin(), in_view.transparent.end());
     }
     const Eigen::Vector2d model =
-        depth_range(r.scene.clusters, all.empty() ? plan.clusters : all, view, reach);
+        depth_range(r.scene.clusters, all.empty() ? in_view.opaque : all, view, reach);
     const Eigen::Vector2d anything(1, 2);
     if (!shows_points(settings, r.parts)) return model.y() > 0 ? model : anything;
     const Eigen::Vector2d cloud = r.points->range(view, reach);
@@ -28,10 +28,10 @@ Eigen::Vector2d depth_range_of(const FrameResources& r, const View& view, const 
 }
 
 /// The distance within which a tenth of the mesh's clusters in view are, scene units.
-double nearness(const PlanScene& scene, const View& view, const Plan& plan) {
+double nearness(const PlanScene& scene, const View& view, std::span<const std::uint32_t> clusters) {
     const Eigen::Vector3d eye = view.cam_from_origin.center();
     std::vector<double> distances;
-    for (const std::uint32_t c : plan.clusters)
+    for (const std::uint32_t c : clusters)
         if (c < scene.first_surrounding) distances.push_back((center(scene.clusters[c]) - eye).norm());
     if (distances.empty()) return 0;
     const auto tenth = distances.begin() + std::ptrdiff_t(distances.size() / 10);
@@ -44,7 +44,7 @@ double nearness(const PlanScene& scene, const View& view, const Plan& plan) {
 DrawnView drawn_view(const FrameResources& r, const View& view, const ImageSetFrame& image_set, int side,
                      bool coarse) {
     const RenderSettings& settings = image_set.settings;
-    const Eigen::Vector2d range = depth_range_of(r, view, settings, image_set.plan->plan());
+    const Eigen::Vector2d range = depth_range_of(r, view, settings, image_set.plan->in_view());
     return {view,
             settings,
             *image_set.plan,
@@ -63,7 +63,8 @@ bool suits_coarse(const FrameResources& r, const View& view, const ImageSetFrame
     if (!settings.reduced || settings.light.wireframe || mesh.indices.empty() ||
         !r.photos.by_triangle(settings) || view.orthographic_depth > 0)
         return false;
-    return mesh.error * view.intrinsics.fx <= max_pixels * nearness(r.scene, view, image_set.plan->plan());
+    return mesh.error * view.intrinsics.fx <=
+           max_pixels * nearness(r.scene, view, image_set.plan->in_view().opaque);
 }
 
 Eigen::Vector2d depth_terms(const View& view, const Eigen::Vector2d& range) {

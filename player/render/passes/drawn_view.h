@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "player/plan/view_plan.h"
+#include "player/plan/views/view_plan.h"
 #include "player/render/render_settings.h"
 
 namespace vantage {

@@ -183,7 +183,7 @@ std::size_t PhotoPasses::draw(std::span<const PlannedPhoto* const> pass, const D
     if (!points.alone && frame_wise) draw_on_frame(targets, points), ++draws;
     if (!points.alone && !frame_wise) {
         clusters_->begin();
-        draws += clusters_->draw(drawn.plan.plan().clusters, cluster_photos_);
+        draws += clusters_->draw(drawn.plan.in_view().opaque, cluster_photos_);
         clusters_->end();
     }
     if (points.places) draw_on_points(pass, drawn, points, transients), ++draws;

@@ -125,10 +125,10 @@ void SurfacePass::draw_eyes(DrawnEyes eyes, const gl::Framebuffer& target, Frame
 
 /// The clusters that are in view of any eye, in order. Valid until the next call.
 std::span<const std::uint32_t> SurfacePass::clusters_of(DrawnEyes eyes) {
-    const std::vector<std::uint32_t>& first = eyes.front()->plan.plan().clusters;
+    const std::vector<std::uint32_t>& first = eyes.front()->plan.in_view().opaque;
     if (eyes.size() == 1) return first;
     clusters_of_both_.clear();
-    std::ranges::set_union(first, eyes.back()->plan.plan().clusters, std::back_inserter(clusters_of_both_));
+    std::ranges::set_union(first, eyes.back()->plan.in_view().opaque, std::back_inserter(clusters_of_both_));
     return clusters_of_both_;
 }
 
@@ -165,7 +165,7 @@ std::size_t SurfacePass::draw_transparent(const DrawnView& drawn, const Transpar
         glUniform1f(shader::own_light_scale_uniform, normals ? 1.0f : shader::light_gray);
     }
     clusters_->begin();
-    const std::size_t draws = clusters_->draw_mesh(drawn.plan.plan().transparent, {});
+    const std::size_t draws = clusters_->draw_mesh(drawn.plan.in_view().transparent, {});
     clusters_->end();
     end_sections(drawn.settings.sections);
     return draws;

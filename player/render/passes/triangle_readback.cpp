@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace vantage {
 
@@ -38,15 +39,29 @@ bool TriangleReadback::update(bool wait, std::size_t triangles, std::span<const 
     const auto all = pixels_.take(wait);
     if (!all) return false;
     const auto arrived = all->first(captured_pixels_);
-    arrived_.assign(arrived.begin(), arrived.end());
-    for (std::uint32_t& number : arrived_)
-        if (number > triangles && number - triangles <= stands_for.size())
-            number = stands_for[number - triangles - 1] + 1;
     view_ = captured_;
-    if (arrived_ == triangles_) return false;
-    std::swap(arrived_, triangles_);
-    ++version_;
-    return true;
+    const auto shown = [&](std::uint32_t number) {
+        return number > triangles && number - triangles <= stands_for.size()
+                   ? stands_for[number - triangles - 1] + 1
+                   : number;
+    };
+    Numbers numbers = unused();
+    numbers->resize(arrived.size());
+    std::ranges::transform(arrived, numbers->begin(), shown);
+    const bool changed = !triangles_ || *numbers != *triangles_;
+    if (changed) std::swap(numbers, triangles_);
+    if (numbers) others_.push_back(std::move(numbers));
+    if (changed) ++version_;
+    return changed;
+}
+
+/// Numbers that nothing holds.
+TriangleReadback::Numbers TriangleReadback::unused() {
+    const auto free = std::ranges::find(others_, 1, &Numbers::use_count);
+    if (free == others_.end()) return std::make_shared<std::vector<std::uint32_t>>();
+    Numbers out = std::move(*free);
+    others_.erase(free);
+    return out;
 }
 
 }  // namespace vantage

@@ -1,11 +1,12 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "base/gl/object.h"
 #include "base/gl/readback.h"
-#include "player/plan/view_plan.h"
+#include "player/plan/views/seen_triangles.h"
 #include "player/render/passes/frame_targets.h"
 #include "player/view/view.h"
 
@@ -29,6 +30,7 @@ class TriangleReadback {
     /// are taken.
     bool update(bool wait, std::size_t triangles, std::span<const std::uint32_t> stands_for);
 
+    /// Valid for as long as it is held.
     SeenTriangles seen() const { return {triangles_, view_, version_}; }
 
   private:
@@ -38,7 +40,11 @@ class TriangleReadback {
     gl::Framebuffer small_target_;
     gl::Readback pixels_;
     View view_{}, captured_{};
-    std::vector<std::uint32_t> triangles_, arrived_;
+    using Numbers = std::shared_ptr<std::vector<std::uint32_t>>;
+    Numbers unused();
+
+    Numbers triangles_;
+    std::vector<Numbers> others_;  ///< held by plans, or unused
     std::uint64_t version_ = 0;
 };
 

@@ -30,7 +30,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point begin) {
 }  // namespace
 
 FramePlanner::FramePlanner(FrameResources& resources, const MemoryBudget& budget)
-    : resources_(&resources), budget_(budget), tiles_(resources) {
+    : resources_(&resources), budget_(budget), tiles_(resources), maker_(resources.scene) {
     frame_.eyes.emplace_back(resources.scene);
 }
 
@@ -64,15 +64,16 @@ FrameReport FramePlanner::plan(const FrameRequest& request) {
     if (!complete)
         for (PlannedEye& eye : frame_.eyes) take_seen(eye, waits_for_tiles(settings.loading));
     const auto planning = std::chrono::steady_clock::now();
-    for (PlannedEye& eye : frame_.eyes) plan_eye(eye);
+    ordered_.clear();
+    for (PlannedEye& eye : frame_.eyes) order_plans(eye);
+    // Where frames at rest are slow, one more takes longer than its plan.
+    maker_.update(ordered_, settings.loading != Loading::streamed, settings.reduced ? nullptr : request.next);
     report.plan_ms = milliseconds_since(planning);
     if (complete) make_room();
     stream_points(frame_.eyes.front(), report);
-    report.clusters = frame_.plan().clusters.size();
+    report.clusters = frame_.first_plan().in_view().opaque.size();
     report.uncovered = frame_.plan().uncovered;
-    const View* ahead = settings.reduced ? nullptr : request.next;
-    if (!complete)
-        tiles_.stream(frame_.eyes.front().sampled, image_sets_, request.sample.side, ahead, report);
+    if (!complete) tiles_.stream(frame_.eyes.front().sampled, image_sets_, maker_.ahead(), report);
     for (const ImageSetFrame& image_set : image_sets_)
         image_set.plan->fade(plan_settings(image_set.settings, r.trials.anisotropy), frame_.now,
                              tiles_.ready_photos(image_set.settings, image_set.plan->plan()));
@@ -84,7 +85,7 @@ void FramePlanner::choose_image_sets(const FrameRequest& request, const RenderSe
     if (!shows_photos(settings, resources_->parts)) photos = {};
     frame_.sample = request.sample, frame_.now = request.now;
     std::deque<PlannedEye>& eyes = frame_.eyes;
-    if (eyes.size() != request.eyes.size()) seen_version_ = 0;
+    if (eyes.size() != request.eyes.size()) seen_by_both_ = {};
     while (eyes.size() > request.eyes.size()) eyes.pop_back();
     while (eyes.size() < request.eyes.size()) eyes.emplace_back(resources_->scene);
     image_sets_.clear();
@@ -126,9 +127,9 @@ bool FramePlanner::take_seen(PlannedEye& eye, bool wait) {
     return eye.readback.update(wait, resources_->scene.triangles, resources_->clusters.coarse().stands_for);
 }
 
-/// Plans the image sets of an eye. In a frame that is not complete, those of the first eye serve both: the
-/// second one's plan has its photos, and no tiles of its own.
-void FramePlanner::plan_eye(PlannedEye& eye) {
+/// Orders plans for the image sets of an eye. In a frame that is not complete, those of the first eye serve
+/// both: the second one's plan has its photos, and no tiles of its own.
+void FramePlanner::order_plans(PlannedEye& eye) {
     PlannedEye& first = frame_.eyes.front();
     for (std::size_t b = 0; b < eye.image_sets.size(); ++b) {
         const ImageSetFrame& image_set = eye.image_sets[b];
@@ -137,16 +138,15 @@ void FramePlanner::plan_eye(PlannedEye& eye) {
         // On points, photos show more than the triangles that are seen.
         const bool on_points = photos_on_points(image_set.settings, resources_->parts);
         if (complete && !on_points && frame_.sample.index == 0) find_seen(eye, image_set);
-        const PhotoChoice* photos = nullptr;
+        OrderedPlan ordered{image_set.plan};
         if (&eye != &first && !complete) {
-            photos = &first.image_sets.at(b).plan->plan().choice;
+            ordered.shares = first.image_sets.at(b).plan;
             how.tiles = false;
         }
-        const bool both = !complete && frame_.eyes.size() > 1;
-        const SeenTriangles seen = both ? seen_by_both(eye) : eye.readback.seen(),
-                            none{{}, seen.view, seen.version};
-        image_set.plan->update(eye.view, how, image_set.photos, frame_.sample.side,
-                               complete && on_points ? none : seen, photos);
+        SeenTriangles seen = complete || frame_.eyes.size() == 1 ? eye.readback.seen() : seen_by_both();
+        if (complete && on_points) seen.numbers = nullptr;
+        image_set.plan->order(eye.view, how, image_set.photos, frame_.sample.side, seen);
+        ordered_.push_back(ordered);
     }
 }
 
@@ -163,24 +163,25 @@ void FramePlanner::make_room() {
 void FramePlanner::find_seen(PlannedEye& eye, const ImageSetFrame& image_set) {
     FrameResources& r = *resources_;
     const int side = frame_.sample.side;
-    PlanSettings surface = plan_settings(image_set.settings, r.trials.anisotropy);
-    surface.tiles = false;
-    image_set.plan->update(eye.view, surface, {}, side, eye.readback.seen());
+    const PlanSettings surface = plan_settings(image_set.settings, r.trials.anisotropy);
+    image_set.plan->order(eye.view, surface, {}, side, eye.readback.seen());
+    image_set.plan->take(nullptr);  // a picture does not depend on those before
     r.surface.draw(drawn_view(r, eye.view, image_set, side, suits_coarse(r, eye.view, image_set)), r.targets);
     take_seen(eye, true);
     eye.readback.capture(r.targets, eye.view);
     take_seen(eye, true);
 }
 
-/// What the eyes saw, as if this one had seen it all.
-SeenTriangles FramePlanner::seen_by_both(const PlannedEye& eye) {
+/// What the eyes saw, as if each had seen it all.
+const SeenTriangles& FramePlanner::seen_by_both() {
     const SeenTriangles left = frame_.eyes[0].readback.seen(), right = frame_.eyes[1].readback.seen();
-    if (const std::uint64_t version = left.version + right.version; version != seen_version_) {
-        seen_version_ = version;
-        seen_by_both_.assign(left.triangles.begin(), left.triangles.end());
-        seen_by_both_.insert(seen_by_both_.end(), right.triangles.begin(), right.triangles.end());
+    if (const std::uint64_t version = left.version + right.version; version != seen_by_both_.version) {
+        auto numbers = std::make_shared<std::vector<std::uint32_t>>();
+        std::ranges::copy(left.triangles(), std::back_inserter(*numbers));
+        std::ranges::copy(right.triangles(), std::back_inserter(*numbers));
+        seen_by_both_ = {std::move(numbers), left.view, version, false};
     }
-    return {seen_by_both_, eye.readback.seen().view, seen_version_, false};
+    return seen_by_both_;
 }
 
 void FramePlanner::stream_points(const PlannedEye& eye, FrameReport& report) {
@@ -198,7 +199,8 @@ void FramePlanner::finish(FrameReport& report) {
     report.tiles_absent = residency.absent_count() + (points ? points->absent() : 0);
     const bool planned =
         std::ranges::all_of(frame_.eyes, [](const PlannedEye& e) { return e.plans.settled(); });
-    report.settled = report.tiles_to_come == 0 && report.nodes_missing == 0 && planned && residency.settled();
+    report.settled = report.tiles_to_come == 0 && report.nodes_missing == 0 && planned && maker_.current() &&
+                     residency.settled();
     const RenderSettings& settings = frame_.eyes.front().image_sets.front().settings;
     const bool has_time = settings.reduced ? settings.loading != Loading::beginning
                                            : report.settled && !is_complete(settings.loading);

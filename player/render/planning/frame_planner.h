@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "player/plan/views/plan_maker.h"
 #include "player/render/frame_report.h"
 #include "player/render/frame_request.h"
 #include "player/render/frame_resources.h"
@@ -46,20 +47,21 @@ class FramePlanner {
   private:
     void choose_image_sets(const FrameRequest& request, const RenderSettings& settings);
     void fit();
-    void plan_eye(PlannedEye& eye);
+    void order_plans(PlannedEye& eye);
     void make_room();
     void find_seen(PlannedEye& eye, const ImageSetFrame& image_set);
     bool take_seen(PlannedEye& eye, bool wait);
-    SeenTriangles seen_by_both(const PlannedEye& eye);
+    const SeenTriangles& seen_by_both();
 
     FrameResources* resources_;
     MemoryBudget budget_;
     std::uint64_t graphics_budget_ = 0;
     FrameTiles tiles_;
     PlannedFrame frame_;
+    PlanMaker maker_;
     std::vector<ImageSetFrame> image_sets_;  ///< of all eyes
-    std::vector<std::uint32_t> seen_by_both_;
-    std::uint64_t seen_version_ = 0;  ///< of seen_by_both_; 0: none
+    std::vector<OrderedPlan> ordered_;       ///< of all eyes
+    SeenTriangles seen_by_both_;             ///< version 0: none
     std::optional<Coarsening> coarsening_;
 };
 

@@ -1,7 +1,6 @@
 #include "player/render/planning/frame_tiles.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace vantage {
@@ -37,8 +36,8 @@ TileNeeds FrameTiles::comparison_needs(const View& view, const RenderSettings& s
                              view.intrinsics.fx / resources_->scene.intrinsics[photo].fx);
 }
 
-void FrameTiles::stream(const View& view, std::span<const ImageSetFrame> image_sets, int side,
-                        const View* next, FrameReport& report) {
+void FrameTiles::stream(const View& view, std::span<const ImageSetFrame> image_sets,
+                        std::span<const PlannedPhoto> ahead, FrameReport& report) {
     const RenderSettings& settings = image_sets.front().settings;
     const Loading loading = settings.loading;
     for (const ImageSetFrame& image_set : image_sets) {
@@ -74,26 +73,13 @@ void FrameTiles::stream(const View& view, std::span<const ImageSetFrame> image_s
                 report.tiles_missing += resources_->store.missing(p->photo, p->needs);
         return;
     }
-    if (report.tiles_missing == 0 && next) prefetch(image_sets, side, *next);
+    if (report.tiles_missing == 0)
+        for (const PlannedPhoto& p : ahead) resources_->store.prefetch(p.photo, p.needs);
     // Points have taken their part of the frame's budget.
     const std::size_t left = settings.upload_bytes - std::min(settings.upload_bytes, report.uploaded);
     report.uploaded +=
         loading == Loading::uploading ? resources_->store.await(left) : resources_->store.stream(left);
     report.tiles_to_come += resources_->store.to_come();
-}
-
-void FrameTiles::prefetch(std::span<const ImageSetFrame> image_sets, int side, const View& next) {
-    constexpr unsigned every = 4;  // frames; the view to come is further ahead
-    if (prefetches_++ % every == 0) {
-        ahead_.clear();
-        for (const ImageSetFrame& image_set : image_sets) {
-            Plan plan = image_set.plan->ahead(
-                next, plan_settings(image_set.settings, resources_->trials.anisotropy), side);
-            std::ranges::move(plan.photos, std::back_inserter(ahead_));
-            std::ranges::move(plan.behind, std::back_inserter(ahead_));
-        }
-    }
-    for (const PlannedPhoto& p : ahead_) resources_->store.prefetch(p.photo, p.needs);
 }
 
 void FrameTiles::make_room(std::span<const ImageSetFrame> image_sets, std::uint64_t bytes) {

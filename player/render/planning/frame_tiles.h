@@ -20,10 +20,10 @@ class FrameTiles {
     /// Requests this photo's thumbnail with the next frame, for panels.
     void want_thumbnail(std::uint32_t photo) { wanted_thumbnails_.push_back(photo); }
 
-    /// Requests what a frame needs and prefetches what frames to come will need, for the view expected next,
-    /// too; uploads what has arrived. Adds to the report.
-    void stream(const View& view, std::span<const ImageSetFrame> image_sets, int side, const View* next,
-                FrameReport& report);
+    /// Requests what a frame needs and, once that is there, the tiles of `ahead`, of frames to come; uploads
+    /// what has arrived. Adds to the report.
+    void stream(const View& view, std::span<const ImageSetFrame> image_sets,
+                std::span<const PlannedPhoto> ahead, FrameReport& report);
     /// Enlarges the arrays to hold all tiles of a picture, so that each is read once for all samples of the
     /// pixels. Does nothing if they would exceed `bytes`.
     void make_room(std::span<const ImageSetFrame> image_sets, std::uint64_t bytes);
@@ -43,12 +43,9 @@ class FrameTiles {
         return !resources_->photos.per_fragment(settings);
     }
     TileNeeds comparison_needs(const View& view, const RenderSettings& settings) const;
-    void prefetch(std::span<const ImageSetFrame> image_sets, int side, const View& next);
 
     FrameResources* resources_;
     std::vector<std::uint32_t> wanted_thumbnails_;
-    std::vector<PlannedPhoto> ahead_;  ///< of a view to come
-    unsigned prefetches_ = 0;
 };
 
 }  // namespace vantage

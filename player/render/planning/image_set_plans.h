@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "player/plan/view_plan.h"
+#include "player/plan/views/view_plan.h"
 #include "player/render/planning/shown_image_sets.h"
 
 namespace vantage {
@@ -32,7 +32,7 @@ class ImageSetPlans {
     std::vector<ImageSetFrame> frames(const RenderSettings& settings, std::span<const std::uint32_t> photos);
 
     const ShownImageSets& shown() const { return shown_; }
-    const Plan& plan_of_first() const { return first_.plan(); }
+    const ViewPlan& first() const { return first_; }
     /// Whether one of the plans has this photo.
     bool uses(std::uint32_t photo) const;
     /// No photos and no image sets are fading.

@@ -25,7 +25,8 @@ struct PlannedFrame {
     double now = 0;  ///< seconds
 
     /// Of the first eye, and the first image set that is shown.
-    const Plan& plan() const { return eyes.front().plans.plan_of_first(); }
+    const ViewPlan& first_plan() const { return eyes.front().plans.first(); }
+    const Plan& plan() const { return first_plan().plan(); }
 };
 
 }  // namespace vantage

@@ -171,7 +171,7 @@ TEST_F(Frames, ACoarseMeshInMotionLooksLikeTheMesh) {
         squares += std::pow(int(coarse.rgba[i]) - int(of_mesh.rgba[i]), 2);
     EXPECT_GT(10 * std::log10(255 * 255 / (squares / double(coarse.rgba.size()))), 30);
     // What is under a pixel is known as a triangle of the mesh.
-    const auto triangles = renderer.planner().seen().triangles;
+    const auto triangles = renderer.planner().seen().triangles();
     ASSERT_FALSE(triangles.empty());
     EXPECT_LE(std::ranges::max(triangles), renderer.scene().triangles);
     // At rest, the mesh is drawn again.

@@ -71,7 +71,8 @@ TEST(SurfaceAtPixel, IsOnTheTriangleThatIsSeenThere) {
     std::vector<std::uint32_t> numbers(200 * 150, 0);
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = i % 200 < 110 ? 1 : 0;
     const View from = view();
-    const SeenTriangles seen{numbers, from, 1};
+    const auto numbers_seen = std::make_shared<std::vector<std::uint32_t>>(numbers);
+    const SeenTriangles seen{numbers_seen, from, 1};
     // The triangle's plane rises by one for each step ahead, from z = -1 at y = 0: the axis meets it at y
     // = 1.
     const auto middle = surface_at_pixel(scene, seen, {200, 150});
@@ -81,6 +82,6 @@ TEST(SurfaceAtPixel, IsOnTheTriangleThatIsSeenThere) {
     EXPECT_FALSE(surface_at_pixel(scene, seen, {-1, 150}));
     EXPECT_FALSE(surface_at_pixel(scene, seen, {400, 150}));
     EXPECT_FALSE(surface_at_pixel(scene, SeenTriangles{{}, from, 0}, {200, 150}));
-    for (std::uint32_t& n : numbers) n = 7;  // no such triangle
+    for (std::uint32_t& n : *numbers_seen) n = 7;  // no such triangle
     EXPECT_FALSE(surface_at_pixel(scene, seen, {200, 150}));
 }

@@ -1,0 +1,63 @@
+#pragma once
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "player/plan/views/planned_view.h"
+
+namespace vantage {
+
+/// The clusters that a view shows, the newest plan for it, and the transition from the photos drawn before to
+/// those of the plan. During a transition both sets are to be drawn, each blended by itself at full weight,
+/// and the two pictures mixed: if instead a photo's weight faded, one that far outweighs the others would
+/// appear in the first frame and disappear in the last one.
+class ViewPlan {
+  public:
+    explicit ViewPlan(const PlanScene& scene)
+        : scene_(&scene), drawn_(scene.photos.size(), false), before_(drawn_) {}
+
+    /// Finds the clusters in view and orders a plan. Only `photos` are drawn from now on.
+    void order(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos,
+               int side, const SeenTriangles& seen);
+    const PlanOrder& ordered() const { return ordered_; }
+    /// The same, with the photos that frames may draw until the plan is made.
+    const PlanOrder& order_to_make();
+    /// Whether the newest plan is the one that was ordered, see is_current().
+    bool is_current(const PhotoChoice* shared = nullptr) const;
+    /// Whether frames can be drawn with the newest plan until the one that was ordered is made.
+    bool can_stand() const;
+    /// The newest plan; null: none.
+    const std::shared_ptr<const PlannedView>& made() const { return made_; }
+    void take(std::shared_ptr<const PlannedView> plan) { made_ = std::move(plan); }
+
+    /// Advances the transition to `now` seconds. When it has ended, the next one begins if the planned photos
+    /// that are `ready` (one flag per photo) are not those drawn. At once if nothing was drawn before.
+    void fade(const PlanSettings& settings, double now, const std::vector<bool>& ready);
+
+    const ClustersInView& in_view() const { return in_view_; }
+    const Plan& plan() const { return made_ ? made_->plan : no_plan_; }
+    /// The photos to draw: planned ones by decreasing agreement, then those no longer planned.
+    std::vector<const PlannedPhoto*> drawn() const;
+    /// The photos that those of drawn() replace; the same ones if no transition is in progress.
+    std::vector<const PlannedPhoto*> before() const;
+    /// The share of drawn() in the picture, in [0, 1]; 1: no transition is in progress.
+    double progress() const { return progress_; }
+    /// See PlannedView.
+    const std::vector<PlannedPhoto>& kept() const { return made_ ? made_->kept : no_plan_.photos; }
+    bool uses_seen() const { return made_ && made_->uses_seen; }
+    /// No transition is in progress.
+    bool settled() const { return progress_ >= 1; }
+
+  private:
+    const PlanScene* scene_;
+    PlanOrder ordered_;
+    ClustersInView in_view_;
+    std::shared_ptr<const PlannedView> made_;
+    Plan no_plan_;
+    std::vector<bool> drawn_, before_;     ///< per photo; the same if no transition is in progress
+    std::vector<bool> allowed_, planned_;  ///< per photo
+    double progress_ = 1, last_ = 0;       ///< `last_` in seconds
+};
+
+}  // namespace vantage
