@@ -1,9 +1,10 @@
 #include "player/plan/background_photos.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
+#include <utility>
 
 #include "player/plan/own_photo.h"
 #include "player/plan/selection/photo_cover.h"
@@ -48,19 +49,25 @@ bool paints(const VisibleSurface& s, std::span<const std::uint32_t> behind, std:
 
 }  // namespace
 
-std::vector<float> nearest_shares(const PlanScene& s, const Eigen::Vector3d& eye) {
-    constexpr std::size_t most = shader::nearest_photos;
-    std::vector<float> out(s.photos.size(), 0);
-    std::vector<double> near(s.photos.size(), 0), sorted;
-    for (std::size_t i = 0; i < s.photos.size(); ++i)
-        if (s.photos[i].image_set == 0 && s.photos[i].levels)
-            sorted.push_back(near[i] = 1 / std::max((s.poses[i].center() - eye).norm(), 1e-9 * s.size));
-    std::ranges::sort(sorted, std::greater{});
-    const double least = sorted.size() > most ? sorted[most] : 0;
+void find_nearest_shares(const PlanScene& s, const Eigen::Vector3d& eye, std::vector<float>& shares) {
+    // One more than those that have a share; the nearest first.
+    struct Near {
+        std::size_t photo;
+        double nearness;
+    };
+    std::array<Near, shader::nearest_photos + 1> near{};
+    for (std::size_t i = 0; i < s.photos.size(); ++i) {
+        if (s.photos[i].image_set != 0 || !s.photos[i].levels) continue;
+        Near next{i, 1 / std::max((s.poses[i].center() - eye).norm(), 1e-9 * s.size)};
+        for (Near& n : near)
+            if (next.nearness > n.nearness) std::swap(next, n);
+    }
+    const double least = near.back().nearness;
     double sum = 0;
-    for (double& n : near) sum += n = std::max(0.0, n - least);
-    for (std::size_t i = 0; i < near.size() && sum > 0; ++i) out[i] = float(near[i] / sum);
-    return out;
+    for (const Near& n : near) sum += n.nearness - least;
+    shares.assign(s.photos.size(), 0);
+    for (const Near& n : near)
+        if (sum > 0 && n.nearness > least) shares[n.photo] = float((n.nearness - least) / sum);
 }
 
 double near_distance(const PlanScene& s, const Eigen::Vector3d& eye) {
@@ -74,7 +81,8 @@ std::vector<PlannedPhoto> plan_background(const VisibleSurface& s, const PlanSet
     if (!s.scene.has_background() || !settings.background) return out;
     constexpr float least = 0.01f;
     constexpr std::uint32_t none = ~0u;
-    const std::vector<float> shares = nearest_shares(s.scene, s.eye);
+    std::vector<float> shares;
+    find_nearest_shares(s.scene, s.eye, shares);
     const std::vector<std::uint32_t> behind = triangles_behind(s);
     const double reach = near_distance(s.scene, s.eye);
     std::uint32_t own = own_photo(s.scene, s.view, allowed).value_or(none);

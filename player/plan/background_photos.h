@@ -8,8 +8,9 @@
 namespace vantage {
 
 /// The share of each photo among those taken nearest to the viewer, which show what is near of the
-/// background; it changes continuously with the viewer. They sum to 1.
-std::vector<float> nearest_shares(const PlanScene& scene, const Eigen::Vector3d& eye);
+/// background; it changes continuously with the viewer. They sum to 1. One per photo, in place of
+/// what is in `shares`.
+void find_nearest_shares(const PlanScene& scene, const Eigen::Vector3d& eye, std::vector<float>& shares);
 
 /// How far the nearest photos show the background, not those that it is labeled with; at their own cameras
 /// infinitely far.

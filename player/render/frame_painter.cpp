@@ -69,7 +69,9 @@ void FramePainter::paint(PlannedFrame& frame, std::size_t number, FrameReport& r
 void FramePainter::paint_again(PlannedFrame& frame, const View& view, const RenderSettings& settings) {
     FrameResources& r = *resources_;
     r.targets.surface_number = 0;
-    for (const ImageSetFrame& b : frame.eyes.front().plans.frames(settings, {})) {
+    std::vector<ImageSetFrame> image_sets;
+    frame.eyes.front().plans.find_frames(settings, {}, image_sets);
+    for (const ImageSetFrame& b : image_sets) {
         PaintedImageSet image_set{.drawn = drawn_view(r, view, b, 1, coarse_),
                                   .second = b.second,
                                   .transparent = shows_transparent(r, b.settings, frame.first_plan())};
@@ -98,7 +100,7 @@ void FramePainter::draw_next_surface(std::size_t eye) {
 /// Draws the photos on the surface drawn; during a transition also those that they replace.
 void FramePainter::draw_photos(PaintedImageSet& image_set) {
     const ViewPlan& plan = image_set.drawn.plan;
-    const std::vector<const PlannedPhoto*> drawn = plan.drawn();
+    const Pass drawn = plan.drawn();
     image_set.report.photos = drawn.size();
     // Points that photos are drawn on come first: their depth keeps photos off the model behind them.
     const SceneParts& parts = resources_->parts;
@@ -106,7 +108,7 @@ void FramePainter::draw_photos(PaintedImageSet& image_set) {
                first = photos_on_points(image_set.drawn.settings, parts);
     if (shows && first) draw_points(image_set);
     if (!plan.settled()) {
-        const std::vector<const PlannedPhoto*> before = plan.before();
+        const Pass before = plan.before();
         image_set.report.photos += std::size_t(std::ranges::count_if(before, [&](const PlannedPhoto* p) {
             return std::ranges::count(drawn, p->photo, &PlannedPhoto::photo) == 0;
         }));
@@ -163,9 +165,8 @@ void FramePainter::draw_background(PaintedImageSet& image_set, int into) {
     const RenderSettings& settings = image_set.drawn.settings;
     const PointSurface points = point_surface(settings);
     if (points.alone || !shows_background(settings, r.parts)) return;
-    const std::vector<const PlannedPhoto*> photos =
-        tiles_->ready_behind(settings, image_set.drawn.plan.plan());
-    for (Pass rest = photos; !rest.empty(); ++image_set.report.passes) {
+    for (Pass rest = tiles_->ready_behind(settings, image_set.drawn.plan.plan()); !rest.empty();
+         ++image_set.report.passes) {
         const Pass pass = rest.first(tiles_->pass_length(rest, settings, max_photos_per_pass));
         rest = rest.subspan(pass.size());
         if (is_complete(settings.loading))

@@ -191,7 +191,7 @@ void FrameResolver::show(const View& view, const RenderSettings& settings, const
     const PictureSamples& samples = targets.samples[target.eye];
     const double count = std::max(samples.count, 1.0);
     const auto fills_in = [&](std::uint32_t image_set) {
-        return fills_holes(settings_of_image_set(settings, image_set, r.scene), r.parts);
+        return image_set == 0 && fills_holes(settings, r.parts);  // the background is the first one's
     };
     const bool fills = fills_in(image_sets.first),
                other_fills = image_sets.second && fills_in(*image_sets.second);

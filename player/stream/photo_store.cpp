@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <tuple>
 #include <utility>
 
 #include "base/text/error.h"
@@ -77,7 +78,8 @@ void PhotoStore::want(StreamRequest request, Urgency urgency, std::uint32_t leve
     }
     residency_->need(request, missing_);
     for (const StreamRequest& r : missing_)
-        if (wanted_identities_.insert(r.identity()).second) wanted_.push_back({r, urgency, level});
+        if (wanted_identities_.insert(r.identity()).second)
+            wanted_.push_back({r, urgency, level, std::uint32_t(wanted_.size())});
 }
 
 void PhotoStore::need_base(std::uint32_t photo, bool coordinates) {
@@ -89,7 +91,8 @@ void PhotoStore::need_base(std::uint32_t photo, bool coordinates) {
     if (!coordinates) return;
     missing_.clear();
     residency_->need_coordinates(photo, missing_);
-    for (const StreamRequest& r : missing_) wanted_.push_back({r, Urgency::coordinates, 0});
+    for (const StreamRequest& r : missing_)
+        wanted_.push_back({r, Urgency::coordinates, 0, std::uint32_t(wanted_.size())});
 }
 
 void PhotoStore::need_thumbnail(std::uint32_t photo) {
@@ -127,8 +130,8 @@ std::size_t PhotoStore::missing(std::uint32_t photo, const TileNeeds& needs) con
 }
 
 void PhotoStore::sort_wanted() {
-    std::ranges::stable_sort(wanted_, std::ranges::greater(),
-                             [](const Wanted& w) { return std::pair(w.urgency, w.level); });
+    std::ranges::sort(wanted_, std::ranges::greater(),
+                      [](const Wanted& w) { return std::tuple(w.urgency, w.level, ~w.number); });
 }
 
 std::size_t PhotoStore::stream(std::size_t budget) {

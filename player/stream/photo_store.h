@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <unordered_set>
@@ -93,11 +94,12 @@ class PhotoStore {
     struct Wanted {
         StreamRequest request;
         Urgency urgency;
-        std::uint32_t level;  ///< of a tile
+        std::uint32_t level;   ///< of a tile
+        std::uint32_t number;  ///< in the order of requests
     };
     void want(StreamRequest request, Urgency urgency, std::uint32_t level = 0);
     std::size_t want(std::uint32_t photo, const TileNeeds& needs, Urgency urgency);
-    /// Sorts wanted_: the most urgent first, and coarse levels before fine ones.
+    /// Sorts wanted_: the most urgent first, coarse levels before fine ones, else as requested.
     void sort_wanted();
 
     const PackageReader* package_;
@@ -107,8 +109,9 @@ class PhotoStore {
     TileStream stream_;
     std::unique_ptr<Residency> residency_;
     std::function<const TransientMap*(std::uint32_t photo)> weights_;
-    std::vector<Wanted> wanted_;  ///< not resident
-    std::unordered_set<std::uint64_t> wanted_identities_;
+    std::vector<Wanted> wanted_;                         ///< not resident
+    std::pmr::unsynchronized_pool_resource identities_;  ///< their memory, kept from frame to frame
+    std::pmr::unordered_set<std::uint64_t> wanted_identities_{&identities_};
     std::vector<StreamRequest> missing_, ordered_;
     std::size_t to_come_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstring>
+#include <ranges>
 
 #include "base/text/error.h"
 #include "base/values/tiling.h"
@@ -34,9 +35,9 @@ void TileStream::want(std::span<const StreamRequest> requests) {
     {
         const std::scoped_lock lock(mutex_);
         wanted_.clear();
-        for (const StreamRequest& r : requests)
+        for (const StreamRequest& r : std::views::reverse(requests))
             if (!begun_.contains(r.identity())) wanted_.push_back(r);
-        if (remote_) remote_->want(std::vector(wanted_.begin(), wanted_.end()));
+        if (remote_) remote_->want(std::vector(wanted_.rbegin(), wanted_.rend()));
     }
     work_.notify_all();
 }
@@ -102,10 +103,10 @@ std::optional<TileStream::Task> TileStream::next_task() {
     if (remote_) return next_arrival();
     if (wanted_.empty()) return {};
     // A request is started only when the ring has space for it.
-    const auto piece = ring_.take(std::size_t(wanted_.front().size()));
+    const auto piece = ring_.take(std::size_t(wanted_.back().size()));
     if (!piece) return {};
-    const StreamRequest request = wanted_.front();
-    wanted_.pop_front();
+    const StreamRequest request = wanted_.back();
+    wanted_.pop_back();
     return Task{request, piece, {}, {}};
 }
 

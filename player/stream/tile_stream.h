@@ -85,7 +85,7 @@ class TileStream {
     UploadRing ring_;
     mutable std::mutex mutex_;
     std::condition_variable_any work_, fetched_;
-    std::deque<StreamRequest> wanted_;
+    std::vector<StreamRequest> wanted_;  ///< the next one last
     std::deque<Fetched> done_;
     std::unordered_map<std::uint64_t, bool> begun_;  ///< in flight, or fetched and not taken
     StreamedSoFar streamed_;

@@ -1,6 +1,7 @@
 #include "player/plan/views/view_plan.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace vantage {
 namespace {
@@ -37,6 +38,11 @@ const PlanOrder& ViewPlan::order_to_make() {
     return ordered_;
 }
 
+void ViewPlan::take(std::shared_ptr<const PlannedView> plan) {
+    made_ = std::move(plan);
+    find_photos();
+}
+
 bool ViewPlan::is_current(const PhotoChoice* shared) const {
     return made_ && vantage::is_current(*made_, ordered_, shared);
 }
@@ -49,35 +55,31 @@ void ViewPlan::fade(const PlanSettings& settings, double now, const std::vector<
     const double step =
         settings.complete || settings.reduced ? 1 : std::clamp((now - last_) / fade_seconds, 0.0, 1.0);
     last_ = now;
-    std::vector<bool> wanted(drawn_.size(), false);
-    for (const PlannedPhoto& p : plan().photos) wanted[p.photo] = settings.complete || ready[p.photo];
+    wanted_.assign(drawn_.size(), false);
+    for (const PlannedPhoto& p : plan().photos) wanted_[p.photo] = settings.complete || ready[p.photo];
     progress_ = std::min(1.0, progress_ + step);
     if (settled()) before_ = drawn_;
-    if (!settled() || wanted == drawn_) return;
-    const bool first = std::ranges::count(drawn_, true) == 0;
-    drawn_ = std::move(wanted);
-    progress_ = first ? 1 : step;
-    if (settled()) before_ = drawn_;
+    if (settled() && wanted_ != drawn_) {
+        const bool first = std::ranges::count(drawn_, true) == 0;
+        std::swap(drawn_, wanted_);
+        progress_ = first ? 1 : step;
+        if (settled()) before_ = drawn_;
+    }
+    find_photos();
 }
 
-std::vector<const PlannedPhoto*> ViewPlan::drawn() const {
-    std::vector<const PlannedPhoto*> out;
-    std::vector<bool> planned(drawn_.size(), false);
+/// Finds the photos of drawn() and before() in the newest plan.
+void ViewPlan::find_photos() {
+    planned_.assign(drawn_.size(), false);
+    drawn_photos_.clear(), before_photos_.clear();
     for (const PlannedPhoto& p : plan().photos) {
-        planned[p.photo] = true;
-        if (drawn_[p.photo]) out.push_back(&p);
+        planned_[p.photo] = true;
+        if (drawn_[p.photo]) drawn_photos_.push_back(&p);
     }
     for (const PlannedPhoto& p : kept())
-        if (drawn_[p.photo] && !planned[p.photo]) out.push_back(&p);
-    return out;
-}
-
-std::vector<const PlannedPhoto*> ViewPlan::before() const {
-    if (settled()) return drawn();
-    std::vector<const PlannedPhoto*> out;
+        if (drawn_[p.photo] && !planned_[p.photo]) drawn_photos_.push_back(&p);
     for (const PlannedPhoto& p : kept().empty() ? plan().photos : kept())
-        if (before_[p.photo]) out.push_back(&p);
-    return out;
+        if (before_[p.photo]) before_photos_.push_back(&p);
 }
 
 }  // namespace vantage

@@ -29,7 +29,7 @@ class ViewPlan {
     bool can_stand() const;
     /// The newest plan; null: none.
     const std::shared_ptr<const PlannedView>& made() const { return made_; }
-    void take(std::shared_ptr<const PlannedView> plan) { made_ = std::move(plan); }
+    void take(std::shared_ptr<const PlannedView> plan);
 
     /// Advances the transition to `now` seconds. When it has ended, the next one begins if the planned photos
     /// that are `ready` (one flag per photo) are not those drawn. At once if nothing was drawn before.
@@ -38,9 +38,9 @@ class ViewPlan {
     const ClustersInView& in_view() const { return in_view_; }
     const Plan& plan() const { return made_ ? made_->plan : no_plan_; }
     /// The photos to draw: planned ones by decreasing agreement, then those no longer planned.
-    std::vector<const PlannedPhoto*> drawn() const;
+    std::span<const PlannedPhoto* const> drawn() const { return drawn_photos_; }
     /// The photos that those of drawn() replace; the same ones if no transition is in progress.
-    std::vector<const PlannedPhoto*> before() const;
+    std::span<const PlannedPhoto* const> before() const { return settled() ? drawn_photos_ : before_photos_; }
     /// The share of drawn() in the picture, in [0, 1]; 1: no transition is in progress.
     double progress() const { return progress_; }
     /// See PlannedView.
@@ -50,14 +50,17 @@ class ViewPlan {
     bool settled() const { return progress_ >= 1; }
 
   private:
+    void find_photos();
+
     const PlanScene* scene_;
     PlanOrder ordered_;
     ClustersInView in_view_;
     std::shared_ptr<const PlannedView> made_;
     Plan no_plan_;
-    std::vector<bool> drawn_, before_;     ///< per photo; the same if no transition is in progress
-    std::vector<bool> allowed_, planned_;  ///< per photo
-    double progress_ = 1, last_ = 0;       ///< `last_` in seconds
+    std::vector<bool> drawn_, before_;              ///< per photo; the same if no transition is in progress
+    std::vector<bool> allowed_, planned_, wanted_;  ///< per photo
+    std::vector<const PlannedPhoto*> drawn_photos_, before_photos_;  ///< of `made_`
+    double progress_ = 1, last_ = 0;                                 ///< `last_` in seconds
 };
 
 }  // namespace vantage

@@ -44,6 +44,7 @@ double nearness(const PlanScene& scene, const View& view, std::span<const std::u
 DrawnView drawn_view(const FrameResources& r, const View& view, const ImageSetFrame& image_set, int side,
                      bool coarse) {
     const RenderSettings& settings = image_set.settings;
+    const bool weighted = settings.blend == Blend::average || settings.show == Show::coverage;
     const Eigen::Vector2d range = depth_range_of(r, view, settings, image_set.plan->in_view());
     return {view,
             settings,
@@ -51,8 +52,9 @@ DrawnView drawn_view(const FrameResources& r, const View& view, const ImageSetFr
             side,
             range,
             clip_from_origin(view, range).cast<float>(),
-            weights_in_image_set(settings.weights_from.value_or(view), settings.weights,
-                                 settings.image_sets.shown, r.scene),
+            weighted ? weights_in_image_set(settings.weights_from.value_or(view), settings.weights,
+                                            settings.image_sets.shown, r.scene)
+                     : std::vector<double>(),
             coarse};
 }
 

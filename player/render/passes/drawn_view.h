@@ -18,7 +18,7 @@ struct DrawnView {
     int side;                     ///< samples per side of a pixel
     Eigen::Vector2d depth_range;  ///< nearest and farthest, scene units
     Eigen::Matrix4f clip_from_origin;
-    std::vector<double> weights;  ///< dynamic, per photo
+    std::vector<double> weights;  ///< dynamic, per photo; empty: all are 1, or the blend mode uses none
     bool coarse;                  ///< the coarse mesh stands for the mesh
 };
 

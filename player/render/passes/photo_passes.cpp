@@ -51,23 +51,32 @@ std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos
     return out;
 }
 
-/// Tells which photos of the pass have which label, and which are the nearest, by a bit for each. Returns the
-/// photos.
-std::vector<std::uint32_t> set_background_bits(std::span<const PlannedPhoto* const> pass,
-                                               const PlanScene& scene, const std::vector<float>& shares) {
+/// The numbers of a pass's photos.
+class PhotosOfPass {
+  public:
+    explicit PhotosOfPass(std::span<const PlannedPhoto* const> pass) : count_(pass.size()) {
+        for (std::size_t i = 0; i < count_; ++i) numbers_.at(i) = pass[i]->photo;
+    }
+    operator std::span<const std::uint32_t>() const { return {numbers_.data(), count_}; }
+
+  private:
+    std::array<std::uint32_t, max_photos_per_pass> numbers_{};
+    std::size_t count_;
+};
+
+/// Tells which photos of the pass have which label, and which are the nearest, by a bit for each.
+void set_background_bits(std::span<const std::uint32_t> photos, const PlanScene& scene,
+                         const std::vector<float>& shares) {
     static_assert(max_photos_per_pass < 32);
-    std::vector<std::uint32_t> photos;
     std::array<GLuint, shader::background_labels> of_labels{};
     GLuint nearest = 0;
-    for (const PlannedPhoto* p : pass) {
-        const GLuint bit = 1u << photos.size();
-        if (const std::uint8_t label = scene.labels[p->photo]) of_labels.at(label) |= bit;
-        if (shares[p->photo] > 0) nearest |= bit;
-        photos.push_back(p->photo);
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        const GLuint bit = 1u << i;
+        if (const std::uint8_t label = scene.labels[photos[i]]) of_labels.at(label) |= bit;
+        if (shares[photos[i]] > 0) nearest |= bit;
     }
     glUniform1uiv(shader::label_bits_uniform, GLsizei(of_labels.size()), of_labels.data());
     glUniform1ui(shader::nearest_bits_uniform, nearest);
-    return photos;
 }
 
 static_assert(shader::lens_cells == LensTable::cells);
@@ -169,16 +178,13 @@ std::size_t PhotoPasses::draw(std::span<const PlannedPhoto* const> pass, const D
         glUseProgram(blend_program(settings, transients, on, frame_wise && points.places).id());
         set_uniforms(pass, drawn, on);
     }
-    std::vector<std::uint32_t> photos;
     // The best color so far is copied from target to target, so every cluster is drawn.
     const std::uint32_t always = takes_one(settings.blend) ? 1u << max_photos_per_pass : 0;
     cluster_photos_.assign(scene_->clusters.size(), always);
-    for (const PlannedPhoto* p : pass) {
-        for (const std::uint32_t c : p->clusters) cluster_photos_[c] |= 1u << photos.size();
-        photos.push_back(p->photo);
-    }
+    for (std::size_t i = 0; i < pass.size(); ++i)
+        for (const std::uint32_t c : pass[i]->clusters) cluster_photos_[c] |= 1u << i;
     ring_.begin();
-    bind_photos(photos, drawn.weights);
+    bind_photos<double>(PhotosOfPass(pass), drawn.weights);
     std::size_t draws = 0;
     if (!points.alone && frame_wise) draw_on_frame(targets, points), ++draws;
     if (!points.alone && !frame_wise) {
@@ -243,11 +249,12 @@ std::size_t PhotoPasses::draw_background(std::span<const PlannedPhoto* const> pa
     glUniform1f(shader::viewer_away_uniform, float(std::min(away / std::max(unit, 1e-30), 1e6)));
     glUniform2ui(shader::background_triangles_uniform, GLuint(scene_->first_triangle_behind()),
                  GLuint(scene_->triangles));
-    const std::vector<float> shares = nearest_shares(*scene_, eye);
-    const std::vector<std::uint32_t> photos = set_background_bits(pass, *scene_, shares);
+    const PhotosOfPass photos(pass);
+    find_nearest_shares(*scene_, eye, shares_);
+    set_background_bits(photos, *scene_, shares_);
     glUniform1f(shader::near_distance_uniform, float(near_distance(*scene_, eye)));
     ring_.begin();
-    bind_photos(photos, {shares.begin(), shares.end()});
+    bind_photos<float>(photos, shares_);
     bind_frame(targets, points);
     draw_frame(GL_GREATER);
     ring_.end();
@@ -288,16 +295,16 @@ void PhotoPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const 
     glUniform1f(shader::border_width_uniform, float(package_->scene().border_width));
     glUniform1f(shader::sharpness_uniform, float(settings.weights.sharpness));
     if (on != BlendOn::model || per_fragment(settings)) return;
-    std::vector<std::uint32_t> slots;
-    for (const PlannedPhoto* p : pass)
-        slots.push_back(store_->residency().coordinate_slot(p->photo).value_or(0));
-    slots.resize(std::size_t(settings.photos_per_pass), slots.front());
+    std::array<GLuint, max_photos_per_pass> slots{};
+    for (std::size_t i = 0; i < slots.size(); ++i)
+        slots.at(i) = store_->residency().coordinate_slot(pass[i < pass.size() ? i : 0]->photo).value_or(0);
     glUniform1ui(shader::vertex_count_uniform, clusters_->model().vertex_count);
-    glUniform1uiv(shader::pass_slots_uniform, GLsizei(slots.size()), slots.data());
+    glUniform1uiv(shader::pass_slots_uniform, settings.photos_per_pass, slots.data());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shader::coordinates_buffer, store_->residency().coordinates());
 }
 
-void PhotoPasses::bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights) {
+template <class Weight>
+void PhotoPasses::bind_photos(std::span<const std::uint32_t> photos, std::span<const Weight> weights) {
     std::size_t words = 0;
     for (const std::uint32_t p : photos)
         words += store_->table_words(p) + (scene_->lenses.of(p) ? lens_words : 0);
@@ -307,7 +314,7 @@ void PhotoPasses::bind_photos(std::span<const std::uint32_t> photos, const std::
     for (std::size_t i = 0; i < photos.size(); ++i) {
         const std::uint32_t p = photos[i];
         PhotoBlock b = blocks_[p];
-        b.size_weight[3] = float(weights[p]);
+        b.size_weight[3] = weights.empty() ? 1.0f : float(weights[p]);
         store_->write_pages(p, b, table.memory, next);
         if (const LensTable* lens = scene_->lenses.of(p)) write_lens(*lens, b, table.memory, next);
         std::memcpy(blocks.memory + i * sizeof b, &b, sizeof b);
@@ -322,7 +329,7 @@ void PhotoPasses::bind_photos(std::span<const std::uint32_t> photos, const std::
 void PhotoPasses::with_photo(std::uint32_t photo, const std::function<void()>& draw) {
     if (photo >= scene_->photos.size()) return draw();  // none to compare with
     ring_.begin();
-    bind_photos(std::array{photo}, std::vector<double>(scene_->photos.size(), 1));
+    bind_photos<float>(std::array{photo}, {});
     draw();
     ring_.end();
 }

@@ -59,8 +59,9 @@ class PhotoPasses {
     void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn, BlendOn on);
     void draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                         const PointSurface& points, bool transients);
-    /// Writes the photos and their pages into the ring, and binds them.
-    void bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights);
+    /// Writes the photos and their pages into the ring, and binds them. `weights`: by number; empty: all 1.
+    template <class Weight>
+    void bind_photos(std::span<const std::uint32_t> photos, std::span<const Weight> weights);
     const gl::Program& blend_program(const RenderSettings& settings, bool transients, BlendOn on,
                                      bool behind_points);
 
@@ -77,6 +78,7 @@ class PhotoPasses {
     gl::VertexArray no_vertices_;
     std::map<BlendVariant, gl::Program> blend_programs_;
     std::vector<std::uint32_t> cluster_photos_;  ///< per cluster: one bit per photo of the pass
+    std::vector<float> shares_;                  ///< see find_nearest_shares
     GLuint trace_ = 0;
 };
 

@@ -73,10 +73,11 @@ FrameReport FramePlanner::plan(const FrameRequest& request) {
     stream_points(frame_.eyes.front(), report);
     report.clusters = frame_.first_plan().in_view().opaque.size();
     report.uncovered = frame_.plan().uncovered;
-    if (!complete) tiles_.stream(frame_.eyes.front().sampled, image_sets_, maker_.ahead(), report);
-    for (const ImageSetFrame& image_set : image_sets_)
-        image_set.plan->fade(plan_settings(image_set.settings, r.trials.anisotropy), frame_.now,
-                             tiles_.ready_photos(image_set.settings, image_set.plan->plan()));
+    if (!complete) tiles_.stream(frame_, maker_.ahead(), report);
+    for (const PlannedEye& eye : frame_.eyes)
+        for (const ImageSetFrame& image_set : eye.image_sets)
+            image_set.plan->fade(plan_settings(image_set.settings, r.trials.anisotropy), frame_.now,
+                                 tiles_.ready_photos(image_set.settings, image_set.plan->plan()));
     return report;
 }
 
@@ -88,7 +89,6 @@ void FramePlanner::choose_image_sets(const FrameRequest& request, const RenderSe
     if (eyes.size() != request.eyes.size()) seen_by_both_ = {};
     while (eyes.size() > request.eyes.size()) eyes.pop_back();
     while (eyes.size() < request.eyes.size()) eyes.emplace_back(resources_->scene);
-    image_sets_.clear();
     for (std::size_t i = 0; i < eyes.size(); ++i) {
         PlannedEye& eye = eyes[i];
         eye.view = request.eyes[i];
@@ -97,8 +97,7 @@ void FramePlanner::choose_image_sets(const FrameRequest& request, const RenderSe
             eye.plans.choose(settings, request.now);
         else
             eye.plans.follow(eyes.front().plans);  // else one eye might fade while the other has done so
-        eye.image_sets = eye.plans.frames(settings, photos);
-        image_sets_.insert(image_sets_.end(), eye.image_sets.begin(), eye.image_sets.end());
+        eye.plans.find_frames(settings, photos, eye.image_sets);
     }
 }
 
@@ -155,7 +154,7 @@ void FramePlanner::make_room() {
     if (budget_.graphics > 0) return;
     const PhotoStore& store = resources_->store;
     const std::uint64_t before = store.residency().layout().bytes();
-    tiles_.make_room(image_sets_, most);
+    tiles_.make_room(frame_, most);
     graphics_budget_ += store.residency().layout().bytes() - before;
 }
 

@@ -19,7 +19,8 @@ class FramePlanner {
   public:
     FramePlanner(FrameResources& resources, const MemoryBudget& budget);
 
-    /// Plans a frame, makes targets for it, and streams its tiles and the first eye's points. Unless
+    /// Plans a frame, makes targets for it, and streams its tiles and the first eye's points. With
+    /// Loading::streamed, the plan may be that of a frame before, see PlanMaker. Unless
     /// is_complete(), photos and tiles are chosen once, for what both eyes see: these would see different
     /// colors otherwise, and it takes most of a plan. Throws Error(usage) for a view that cannot be drawn.
     FrameReport plan(const FrameRequest& request);
@@ -59,9 +60,8 @@ class FramePlanner {
     FrameTiles tiles_;
     PlannedFrame frame_;
     PlanMaker maker_;
-    std::vector<ImageSetFrame> image_sets_;  ///< of all eyes
-    std::vector<OrderedPlan> ordered_;       ///< of all eyes
-    SeenTriangles seen_by_both_;             ///< version 0: none
+    std::vector<OrderedPlan> ordered_;  ///< of all eyes
+    SeenTriangles seen_by_both_;        ///< version 0: none
     std::optional<Coarsening> coarsening_;
 };
 

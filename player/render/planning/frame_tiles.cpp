@@ -7,11 +7,14 @@ namespace vantage {
 
 namespace {
 
-std::vector<const PlannedPhoto*> all_photos(const Plan& plan) {
-    std::vector<const PlannedPhoto*> out;
-    for (const PlannedPhoto& p : plan.photos) out.push_back(&p);
-    for (const PlannedPhoto& p : plan.behind) out.push_back(&p);
-    return out;
+/// Calls `visit` with each photo, of the mesh and of the background.
+template <class Visit>
+void for_photos(const PlannedFrame& frame, const Visit& visit) {
+    for (const PlannedEye& eye : frame.eyes)
+        for (const ImageSetFrame& image_set : eye.image_sets) {
+            for (const PlannedPhoto& p : image_set.plan->plan().photos) visit(image_set, p);
+            for (const PlannedPhoto& p : image_set.plan->plan().behind) visit(image_set, p);
+        }
 }
 
 /// Layers that a photo takes, its base among them.
@@ -36,29 +39,35 @@ TileNeeds FrameTiles::comparison_needs(const View& view, const RenderSettings& s
                              view.intrinsics.fx / resources_->scene.intrinsics[photo].fx);
 }
 
-void FrameTiles::stream(const View& view, std::span<const ImageSetFrame> image_sets,
-                        std::span<const PlannedPhoto> ahead, FrameReport& report) {
-    const RenderSettings& settings = image_sets.front().settings;
-    const Loading loading = settings.loading;
-    for (const ImageSetFrame& image_set : image_sets) {
-        for (const PlannedPhoto& p : image_set.plan->plan().photos)
-            resources_->store.need_base(p.photo, coordinates(image_set.settings));
-        for (const PlannedPhoto& p : image_set.plan->kept())
-            resources_->store.need_base(p.photo, coordinates(image_set.settings));
-        if (loading == Loading::beginning) continue;  // the first picture waits for photos of the mesh alone
-        for (const PlannedPhoto& p : image_set.plan->plan().behind)
-            resources_->store.need_base(p.photo, false);
-    }
-    if (loading == Loading::beginning) report.uploaded += resources_->store.load(settings.upload_bytes);
-    for (const ImageSetFrame& image_set : image_sets)
-        for (const PlannedPhoto* p : all_photos(image_set.plan->plan())) {
-            if (resources_->trials.whole_photos) report.uploaded += resources_->store.load_whole(p->photo);
-            report.tiles += p->needs.tiles();
-            // Until the visible triangles are known, many tiles would be read unnecessarily.
-            const bool known = image_set.plan->uses_seen() || loading == Loading::repeatable;
-            report.tiles_missing += known ? resources_->store.need(p->photo, p->needs) : p->needs.tiles();
-            if (!known) report.tiles_to_come += p->needs.tiles();
+void FrameTiles::need_bases(const PlannedFrame& frame) {
+    for (const PlannedEye& eye : frame.eyes)
+        for (const ImageSetFrame& image_set : eye.image_sets) {
+            const bool with_coordinates = coordinates(image_set.settings);
+            for (const PlannedPhoto& p : image_set.plan->plan().photos)
+                resources_->store.need_base(p.photo, with_coordinates);
+            for (const PlannedPhoto& p : image_set.plan->kept())
+                resources_->store.need_base(p.photo, with_coordinates);
+            // The first picture waits for photos of the mesh alone.
+            if (image_set.settings.loading == Loading::beginning) continue;
+            for (const PlannedPhoto& p : image_set.plan->plan().behind)
+                resources_->store.need_base(p.photo, false);
         }
+}
+
+void FrameTiles::stream(const PlannedFrame& frame, std::span<const PlannedPhoto> ahead, FrameReport& report) {
+    const View& view = frame.eyes.front().sampled;
+    const RenderSettings& settings = frame.eyes.front().image_sets.front().settings;
+    const Loading loading = settings.loading;
+    need_bases(frame);
+    if (loading == Loading::beginning) report.uploaded += resources_->store.load(settings.upload_bytes);
+    for_photos(frame, [&](const ImageSetFrame& image_set, const PlannedPhoto& p) {
+        if (resources_->trials.whole_photos) report.uploaded += resources_->store.load_whole(p.photo);
+        report.tiles += p.needs.tiles();
+        // Until the visible triangles are known, many tiles would be read unnecessarily.
+        const bool known = image_set.plan->uses_seen() || loading == Loading::repeatable;
+        report.tiles_missing += known ? resources_->store.need(p.photo, p.needs) : p.needs.tiles();
+        if (!known) report.tiles_to_come += p.needs.tiles();
+    });
     const TileNeeds comparison = comparison_needs(view, settings);
     if (comparison.tiles() > 0) resources_->store.need_base(settings.compare_photo, false);
     report.tiles_missing += resources_->store.need(settings.compare_photo, comparison);
@@ -68,9 +77,9 @@ void FrameTiles::stream(const View& view, std::span<const ImageSetFrame> image_s
     if (loading == Loading::repeatable) {
         resources_->store.load();
         report.tiles_missing = resources_->store.missing(settings.compare_photo, comparison);
-        for (const ImageSetFrame& image_set : image_sets)
-            for (const PlannedPhoto* p : all_photos(image_set.plan->plan()))
-                report.tiles_missing += resources_->store.missing(p->photo, p->needs);
+        for_photos(frame, [&](const ImageSetFrame&, const PlannedPhoto& p) {
+            report.tiles_missing += resources_->store.missing(p.photo, p.needs);
+        });
         return;
     }
     if (report.tiles_missing == 0)
@@ -82,13 +91,12 @@ void FrameTiles::stream(const View& view, std::span<const ImageSetFrame> image_s
     report.tiles_to_come += resources_->store.to_come();
 }
 
-void FrameTiles::make_room(std::span<const ImageSetFrame> image_sets, std::uint64_t bytes) {
+void FrameTiles::make_room(const PlannedFrame& frame, std::uint64_t bytes) {
     std::size_t color = 0, weight_maps = 0;
-    for (const ImageSetFrame& image_set : image_sets)
-        for (const PlannedPhoto* p : all_photos(image_set.plan->plan())) {
-            const Layers more = layers_of(*p, resources_->scene);
-            color += more.color, weight_maps += more.weight_maps;
-        }
+    for_photos(frame, [&](const ImageSetFrame&, const PlannedPhoto& p) {
+        const Layers more = layers_of(p, resources_->scene);
+        color += more.color, weight_maps += more.weight_maps;
+    });
     resources_->store.make_room(std::uint32_t(color), std::uint32_t(weight_maps), bytes);
 }
 
@@ -126,20 +134,19 @@ std::size_t FrameTiles::pass_length(Pass rest, const RenderSettings& settings, i
     return n;
 }
 
-std::vector<const PlannedPhoto*> FrameTiles::ready_behind(const RenderSettings& settings,
-                                                          const Plan& plan) const {
-    std::vector<const PlannedPhoto*> out;
+FrameTiles::Pass FrameTiles::ready_behind(const RenderSettings& settings, const Plan& plan) {
+    ready_behind_.clear();
     for (const PlannedPhoto& p : plan.behind)
         if (is_complete(settings.loading) || resources_->store.base_resident(p.photo, false))
-            out.push_back(&p);
-    return out;
+            ready_behind_.push_back(&p);
+    return ready_behind_;
 }
 
-std::vector<bool> FrameTiles::ready_photos(const RenderSettings& settings, const Plan& plan) const {
-    std::vector<bool> ready(resources_->scene.photos.size(), false);
+const std::vector<bool>& FrameTiles::ready_photos(const RenderSettings& settings, const Plan& plan) {
+    ready_.assign(resources_->scene.photos.size(), false);
     for (const PlannedPhoto& p : plan.photos)
-        ready[p.photo] = resources_->store.base_resident(p.photo, coordinates(settings));
-    return ready;
+        ready_[p.photo] = resources_->store.base_resident(p.photo, coordinates(settings));
+    return ready_;
 }
 
 }  // namespace vantage

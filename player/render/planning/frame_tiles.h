@@ -6,7 +6,7 @@
 
 #include "player/render/frame_report.h"
 #include "player/render/frame_resources.h"
-#include "player/render/planning/image_set_plans.h"
+#include "player/render/planning/planned_frame.h"
 
 namespace vantage {
 
@@ -22,30 +22,32 @@ class FrameTiles {
 
     /// Requests what a frame needs and, once that is there, the tiles of `ahead`, of frames to come; uploads
     /// what has arrived. Adds to the report.
-    void stream(const View& view, std::span<const ImageSetFrame> image_sets,
-                std::span<const PlannedPhoto> ahead, FrameReport& report);
+    void stream(const PlannedFrame& frame, std::span<const PlannedPhoto> ahead, FrameReport& report);
     /// Enlarges the arrays to hold all tiles of a picture, so that each is read once for all samples of the
     /// pixels. Does nothing if they would exceed `bytes`.
-    void make_room(std::span<const ImageSetFrame> image_sets, std::uint64_t bytes);
+    void make_room(const PlannedFrame& frame, std::uint64_t bytes);
     /// Loads everything that a pass needs, however long it takes. Adds to the report.
     void load(Pass pass, const DrawnView& drawn, double now, FrameReport& report);
 
     /// How many of the photos one pass draws, at most `longest`. Those of a picture that waits for its tiles
     /// must fit into graphics memory together.
     std::size_t pass_length(Pass rest, const RenderSettings& settings, int longest) const;
-    /// The photos of the background that can be drawn, at least coarsely.
-    std::vector<const PlannedPhoto*> ready_behind(const RenderSettings& settings, const Plan& plan) const;
-    /// By number, whether a photo of the scene can be drawn, at least coarsely.
-    std::vector<bool> ready_photos(const RenderSettings& settings, const Plan& plan) const;
+    /// The photos of the background that can be drawn, at least coarsely. Valid until the next call.
+    Pass ready_behind(const RenderSettings& settings, const Plan& plan);
+    /// By number, whether a photo of the scene can be drawn, at least coarsely. Valid until the next call.
+    const std::vector<bool>& ready_photos(const RenderSettings& settings, const Plan& plan);
 
   private:
     bool coordinates(const RenderSettings& settings) const {
         return !resources_->photos.per_fragment(settings);
     }
+    void need_bases(const PlannedFrame& frame);
     TileNeeds comparison_needs(const View& view, const RenderSettings& settings) const;
 
     FrameResources* resources_;
     std::vector<std::uint32_t> wanted_thumbnails_;
+    std::vector<const PlannedPhoto*> ready_behind_;
+    std::vector<bool> ready_;
 };
 
 }  // namespace vantage

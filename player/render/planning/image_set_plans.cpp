@@ -27,34 +27,31 @@ void ImageSetPlans::show(const ShownImageSets& wanted) {
     shown_ = wanted;
 }
 
-std::vector<ImageSetFrame> ImageSetPlans::frames(const RenderSettings& settings,
-                                                 std::span<const std::uint32_t> photos) {
-    const auto frame = [&](std::uint32_t image_set, ViewPlan& plan, bool second) {
-        return ImageSetFrame{settings_of_image_set(settings, image_set, *scene_),
-                             photos_of_image_set(photos, image_set, *scene_), &plan, second};
-    };
-    std::vector<ImageSetFrame> out{frame(shown_.first, first_, false)};
-    if (shown_.second) out.push_back(frame(*shown_.second, *second_, true));
-    return out;
-}
-
-std::vector<const ViewPlan*> ImageSetPlans::plans() const {
-    std::vector<const ViewPlan*> out{&first_};
-    if (second_) out.push_back(&*second_);
-    return out;
+void ImageSetPlans::find_frames(const RenderSettings& settings, std::span<const std::uint32_t> photos,
+                                std::vector<ImageSetFrame>& frames) {
+    frames.resize(shown_.second ? 2 : 1);
+    for (ImageSetFrame& frame : frames) {
+        frame.second = &frame != &frames.front();
+        frame.plan = frame.second ? &*second_ : &first_;
+        const std::uint32_t image_set = frame.second ? *shown_.second : shown_.first;
+        frame.settings = settings;
+        choose_image_set(frame.settings, image_set, *scene_);
+        frame.photos.clear();
+        for (const std::uint32_t p : photos)
+            if (scene_->photos[p].image_set == image_set) frame.photos.push_back(p);
+    }
 }
 
 bool ImageSetPlans::uses(std::uint32_t photo) const {
-    return std::ranges::any_of(plans(), [&](const ViewPlan* p) {
-        const auto among = [&](const std::vector<PlannedPhoto>& photos) {
-            return std::ranges::count(photos, photo, &PlannedPhoto::photo) > 0;
-        };
-        return among(p->plan().photos) || among(p->plan().behind);
-    });
+    const auto among = [&](const std::vector<PlannedPhoto>& photos) {
+        return std::ranges::count(photos, photo, &PlannedPhoto::photo) > 0;
+    };
+    const auto has = [&](const Plan& plan) { return among(plan.photos) || among(plan.behind); };
+    return has(first_.plan()) || (second_ && has(second_->plan()));
 }
 
 bool ImageSetPlans::settled() const {
-    return change_.settled() && std::ranges::all_of(plans(), [](const ViewPlan* p) { return p->settled(); });
+    return change_.settled() && first_.settled() && (!second_ || second_->settled());
 }
 
 }  // namespace vantage

@@ -11,10 +11,10 @@ namespace vantage {
 
 /// An image set of a frame and what it is drawn from.
 struct ImageSetFrame {
-    RenderSettings settings;
-    std::vector<std::uint32_t> photos;
-    ViewPlan* plan;
-    bool second;  ///< of two image sets
+    RenderSettings settings{};
+    std::vector<std::uint32_t> photos{};
+    ViewPlan* plan = nullptr;
+    bool second = false;  ///< of two image sets
 };
 
 /// The plans of the image sets that are shown, one or two; each image set keeps its own as long as it is
@@ -28,8 +28,10 @@ class ImageSetPlans {
     void choose(const RenderSettings& settings, double now);
     /// Instead of choose(): shows the image sets that another eye's plans have chosen.
     void follow(const ImageSetPlans& other) { show(other.shown_); }
-    /// The chosen image sets, drawn from those of `photos` that are theirs. Valid until the next choice.
-    std::vector<ImageSetFrame> frames(const RenderSettings& settings, std::span<const std::uint32_t> photos);
+    /// The chosen image sets, drawn from those of `photos` that are theirs, in place of what is in `frames`.
+    /// Valid until the next choice.
+    void find_frames(const RenderSettings& settings, std::span<const std::uint32_t> photos,
+                     std::vector<ImageSetFrame>& frames);
 
     const ShownImageSets& shown() const { return shown_; }
     const ViewPlan& first() const { return first_; }
@@ -40,7 +42,6 @@ class ImageSetPlans {
 
   private:
     void show(const ShownImageSets& wanted);
-    std::vector<const ViewPlan*> plans() const;
 
     const PlanScene* scene_;
     ViewPlan first_;

@@ -21,22 +21,13 @@ ShownImageSets shown_image_sets(const ImageSetSettings& s, std::size_t image_set
     return out;
 }
 
-RenderSettings settings_of_image_set(RenderSettings settings, std::uint32_t image_set,
-                                     const PlanScene& scene) {
+void choose_image_set(RenderSettings& settings, std::uint32_t image_set, const PlanScene& scene) {
     settings.image_sets = {.shown = image_set};
-    if (image_set == 0 || !scene.has_background()) return settings;
+    if (image_set == 0 || !scene.has_background()) return;
     const bool shown = settings.background != ShowBackground::off;
     settings.background = ShowBackground::off;
     // As with a background: a change of image sets must not need other data of the photos.
     if (shown && settings.coordinates == Coordinates::automatic) settings.coordinates = Coordinates::fragment;
-    return settings;
-}
-
-std::vector<std::uint32_t> photos_of_image_set(std::span<const std::uint32_t> photos, std::uint32_t image_set,
-                                               const PlanScene& scene) {
-    std::vector<std::uint32_t> out(photos.begin(), photos.end());
-    std::erase_if(out, [&](std::uint32_t p) { return scene.photos[p].image_set != image_set; });
-    return out;
 }
 
 std::vector<double> weights_in_image_set(const View& view, const WeightSettings& settings,

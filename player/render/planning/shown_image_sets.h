@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "player/plan/plan_scene.h"
@@ -21,14 +20,9 @@ struct ShownImageSets {
 /// or none, and a mix with all or nothing of an image set is one image set.
 ShownImageSets shown_image_sets(const ImageSetSettings& settings, std::size_t image_sets);
 
-/// The settings with which one image set is drawn. The background is that of the first image set and is
-/// shown with it only.
-RenderSettings settings_of_image_set(RenderSettings settings, std::uint32_t image_set,
-                                     const PlanScene& scene);
-
-/// Those of `photos` that are of the image set.
-std::vector<std::uint32_t> photos_of_image_set(std::span<const std::uint32_t> photos, std::uint32_t image_set,
-                                               const PlanScene& scene);
+/// Makes the settings those with which one image set is drawn. The background is that of the first image set
+/// and is shown with it only.
+void choose_image_set(RenderSettings& settings, std::uint32_t image_set, const PlanScene& scene);
 
 /// Dynamic weights per photo, relative to the others of the image set; 1 for photos of other image sets.
 std::vector<double> weights_in_image_set(const View& view, const WeightSettings& settings,
