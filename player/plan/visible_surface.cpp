@@ -53,15 +53,30 @@ double draw_points(const Seen& seen, std::size_t most, std::vector<std::size_t>&
     return double(step * step);
 }
 
+/// All triangles seen; for a plan in motion some, evenly drawn: enough to rank photos.
+std::vector<std::uint32_t> drawn_triangles(const Seen& seen, const PlanSettings& settings) {
+    constexpr std::size_t most = 4096;
+    // Odd, so that it does not divide the rows.
+    const std::size_t step = settings.complete ? 1 : seen.triangles.size() / most | 1;
+    std::vector<std::uint32_t> out;
+    out.reserve(seen.triangles.size() / step + 1);
+    for (std::size_t i = 0; i < seen.triangles.size(); i += step) out.push_back(seen.triangles[i]);
+    return out;
+}
+
 VisibleSurface::Points points_on(const PlanScene& scene, const View& view, const Seen& seen,
-                                 std::span<const std::uint32_t> clusters, const PlanSettings& settings) {
-    constexpr std::size_t most = 8192, most_if_complete = 65536;
+                                 const PlanSettings& settings) {
+    constexpr std::size_t most = 2048, most_if_complete = 65536;
     std::vector<std::size_t> drawn;
     const double each = draw_points(seen, settings.complete ? most_if_complete : most, drawn);
+    std::vector<std::uint32_t> numbers;
+    for (const std::size_t i : drawn) numbers.push_back(seen.triangles[i]);
+    const std::vector<std::uint32_t> clusters = clusters_of(scene, numbers);
     VisibleSurface::Points out;
     out.samples.reserve(drawn.size());
-    for (const std::size_t i : drawn) {
-        if (clusters[i] == ~0u) continue;
+    for (std::size_t n = 0; n < drawn.size(); ++n) {
+        if (clusters[n] == ~0u) continue;
+        const std::size_t i = drawn[n];
         const std::uint32_t triangle = seen.triangles[i] - 1;
         const std::optional<Corners> corners = corners_of(scene, triangle);
         if (!corners) continue;
@@ -78,7 +93,7 @@ VisibleSurface::Points points_on(const PlanScene& scene, const View& view, const
         if (!s || !shown || !in_frame(view.intrinsics, shown->pixel)) continue;
         out.samples.push_back(*s);
         out.triangles.push_back(triangle);
-        out.clusters.push_back(clusters[i]);
+        out.clusters.push_back(clusters[n]);
     }
     if (seen.triangles.empty()) return out;
     const double pixels =
@@ -109,17 +124,18 @@ VisibleSurface visible_surface(const PlanScene& scene, const View& view, const S
     const double margin = seen.triangles.empty() ? 0 : settings.margin * view.intrinsics.width;
     find_clusters(scene, widened(view, int(margin)), settings.background, in_view);
     VisibleSurface s{scene, view, view.cam_from_origin.center(), std::move(in_view.opaque)};
-    const std::vector<std::uint32_t> clusters = clusters_of(scene, seen.triangles);
+    const std::vector<std::uint32_t> numbers = drawn_triangles(seen, settings);
+    const std::vector<std::uint32_t> clusters = clusters_of(scene, numbers);
     std::vector<std::uint32_t> count(scene.clusters.size(), 0);
-    s.triangles.reserve(seen.triangles.size());
-    s.clusters_of_triangles.reserve(seen.triangles.size());
-    for (std::size_t i = 0; i < seen.triangles.size(); ++i) {
+    s.triangles.reserve(numbers.size());
+    s.clusters_of_triangles.reserve(numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (clusters[i] == ~0u) continue;
         ++count[clusters[i]];
-        s.triangles.push_back(seen.triangles[i] - 1);
+        s.triangles.push_back(numbers[i] - 1);
         s.clusters_of_triangles.push_back(clusters[i]);
     }
-    s.points = points_on(scene, view, seen, clusters, settings);
+    s.points = points_on(scene, view, seen, settings);
     const auto guessed = [&](std::uint32_t c) {
         // Nearly all of the frame is in the sphere around a cluster that reaches to the horizon.
         return area_in_view(scene.clusters[c], view) * (c < scene.first_surrounding ? 1 : 1e-4);

@@ -27,7 +27,19 @@ void for_words(std::uint32_t first, std::uint32_t count, const Visit& visit) {
 /// Triangles still to be covered: `whole` those that some set sees entirely, `part` at least in part.
 struct Open {
     std::vector<std::uint64_t> whole, part;
+    std::vector<std::uint32_t> words;  ///< those that have triangles of the problem, ascending
 };
+
+std::vector<std::uint32_t> words_of(std::span<const CoverProblem::Run> runs) {
+    std::vector<std::uint32_t> out;
+    for (const CoverProblem::Run& run : runs)
+        for (std::uint32_t w = run.first / 64; std::uint64_t(w) * 64 < std::uint64_t(run.first) + run.count;
+             ++w)
+            out.push_back(w);
+    std::ranges::sort(out);
+    out.erase(std::ranges::unique(out).begin(), out.end());
+    return out;
+}
 
 Open all_open(const CoverProblem& problem) {
     Open open;
@@ -35,8 +47,9 @@ Open all_open(const CoverProblem& problem) {
     const std::size_t words = problem.sets.front().whole.size();
     open.whole.assign(words, 0);
     open.part.assign(words, 0);
+    open.words = words_of(problem.runs);
     for (const CoverProblem::Set& s : problem.sets)
-        for (std::size_t w = 0; w < words; ++w) {
+        for (const std::uint32_t w : open.words) {
             open.whole[w] |= s.whole[w];
             open.part[w] |= s.part[w];
         }
@@ -74,7 +87,7 @@ double gain(const CoverProblem& problem, const Open& open, const CoverProblem::S
 }
 
 void close(Open& open, const CoverProblem::Set& s) {
-    for (std::size_t w = 0; w < open.whole.size(); ++w) {
+    for (const std::uint32_t w : open.words) {
         open.whole[w] &= ~s.whole[w];
         open.part[w] &= ~s.part[w];
     }
