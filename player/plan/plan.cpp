@@ -25,9 +25,9 @@ bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d
 }
 
 /// The largest and the smallest weight that a photo has in a cluster, where it sees it, and if no border is
-/// near (shaders/blend.frag).
+/// near (shaders/blend.frag); with and without the factor near its own camera.
 struct WeightRange {
-    double most = 1, least = 1;
+    double most = 1, least = 1, most_plain = 1, least_plain = 1;
 };
 WeightRange weight_range(const VisibleSurface& s, const PlanSettings& settings, std::uint32_t cluster,
                          const CameraOfPhoto& camera) {
@@ -40,11 +40,14 @@ WeightRange weight_range(const VisibleSurface& s, const PlanSettings& settings, 
     const double wanted = settings.samples * s.view.intrinsics.fx / distance;
     const double rate =
         std::min(std::exp2(s.scene.coverage[camera.photo][cluster].log2_density / 256.0) / wanted, 1.0);
-    const auto weight = [&](double angle) {
+    const double nearest = std::max(0.0, theta - turn), farthest = theta + turn;
+    const auto plain = [&](double angle) { return rate * std::exp(-angle / settings.sharpness); };
+    const auto factor = [&](double angle) {
         const double own = shader::own_angle / std::max(angle, double(shader::own_least));
-        return rate * std::exp(-angle / settings.sharpness) * (settings.own_views ? 1 + own * own : 1);
+        return settings.own_views ? 1 + own * own : 1;
     };
-    return {weight(std::max(0.0, theta - turn)), weight(theta + turn)};
+    const double most = plain(nearest), least = plain(farthest);
+    return {most * factor(nearest), least * factor(farthest), most, least};
 }
 
 /// Of each cluster, whether a photo sees all triangles that are seen, at least in part.
@@ -80,37 +83,41 @@ Candidates candidates_of(const VisibleSurface& s, const PlanSettings& settings,
 
 /// Assigns each cluster to the chosen photos that see it, but for those whose weight relative to a photo that
 /// sees the whole cluster is less than one color code: they would show only where the other photo's weight
-/// maps are 0. A complete plan has those, too, if the weight maps are hardly above 0. A reduced plan has only
-/// photos that weigh much.
+/// maps are 0. A photo at whose own camera the viewer is outweighs others by more, so that they show along
+/// its borders. A reduced plan has only photos that weigh much.
 void assign_clusters(const VisibleSurface& s, const PlanSettings& settings, const Candidates& candidates,
                      std::vector<PlannedPhoto>& photos) {
-    const double least = settings.reduced ? 0.3 : settings.complete ? 1e-5 : 1.0 / 1024;
+    const double least = settings.reduced ? 0.3 : 1.0 / 1024, least_own = 1e-5;
     const std::size_t words = package::visible_words(s.scene.triangles);
-    std::vector<double> weights(photos.size());
+    std::vector<WeightRange> ranges(photos.size());
     for (const std::uint32_t index : s.clusters) {
         if (index >= s.scene.first_surrounding) continue;
         const package::ClusterRecord& c = s.scene.clusters[index];
         const bool away = faces_away(c, s.eye);
-        double best = 0;
+        double best = 0, best_plain = 0;
         for (std::size_t i = 0; i < photos.size(); ++i) {
-            weights[i] = -1;
+            ranges[i].most = -1;
             const CameraOfPhoto& camera = candidates.cameras[i];
             if (s.scene.coverage[camera.photo][index].seen == 0 || !same_side(c, away, camera.center))
                 continue;
-            const WeightRange range = weight_range(s, settings, index, camera);
-            weights[i] = range.most;
+            const WeightRange range = ranges[i] = weight_range(s, settings, index, camera);
             const auto sees_it = [&] {
                 return (candidates.own == i && candidates.own_sees[index]) ||
                        count_bits(s.scene.visible[camera.photo].first(words), c.first_triangle,
                                   c.triangles) == c.triangles;
             };
-            if (range.least > best && sees_it()) best = range.least;
-        }
-        for (std::size_t i = 0; i < photos.size(); ++i)
-            if (weights[i] >= 0 && weights[i] >= least * best) {
-                photos[i].clusters.push_back(index);
-                photos[i].weights.push_back(best > 0 ? float(std::min(1.0, weights[i] / best)) : 1.0f);
+            if ((range.least > best || range.least_plain > best_plain) && sees_it()) {
+                best = std::max(best, range.least);
+                best_plain = std::max(best_plain, range.least_plain);
             }
+        }
+        for (std::size_t i = 0; i < photos.size(); ++i) {
+            const WeightRange& range = ranges[i];
+            if (range.most < 0 || range.most < least_own * best || range.most_plain < least * best_plain)
+                continue;
+            photos[i].clusters.push_back(index);
+            photos[i].weights.push_back(best > 0 ? float(std::min(1.0, range.most / best)) : 1.0f);
+        }
     }
 }
 
