@@ -7,6 +7,7 @@
 #include "base/gl/object.h"
 #include "base/gl/readback.h"
 #include "player/plan/views/seen_triangles.h"
+#include "player/plan/visible_surface.h"
 #include "player/render/passes/frame_targets.h"
 #include "player/view/view.h"
 
