@@ -22,15 +22,16 @@ class PlanMaker {
     explicit PlanMaker(const PlanScene& scene) : scene_(&scene) {}
 
     /// Makes what the frame's views have ordered, those whose photos others share first. `at_once`: before
-    /// this returns. `next`: the view expected next, to be looked at, too; null: none.
+    /// this returns. `next`: the view expected next, whose tiles are planned, too; null: none.
     void update(std::span<const OrderedPlan> views, bool at_once, const View* next);
     /// Whether the views have the plans that they ordered.
     bool current() const { return current_; }
-    /// What the view expected next needs.
+    /// The photos of the view expected next, with their tiles.
     std::span<const PlannedPhoto> ahead() const { return ahead_; }
 
   private:
     void take(std::span<const OrderedPlan> views, bool wait);
+    /// Unless the thread is still at other plans.
     void begin(std::span<const OrderedPlan> views, const View* next, bool only_next);
 
     const PlanScene* scene_;
