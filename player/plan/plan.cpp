@@ -68,12 +68,9 @@ struct Candidates {
 Candidates candidates_of(const VisibleSurface& s, const PlanSettings& settings,
                          const std::vector<PlannedPhoto>& photos) {
     Candidates out;
-    std::vector<std::uint32_t> numbers;
-    for (const PlannedPhoto& p : photos) {
-        numbers.push_back(p.photo);
-        out.cameras.push_back({p.photo, s.scene.poses[p.photo].center()});
-    }
+    for (const PlannedPhoto& p : photos) out.cameras.push_back({p.photo, s.scene.poses[p.photo].center()});
     if (!settings.own_views || s.triangles.empty()) return out;
+    const std::vector<std::uint32_t> numbers = numbers_of(photos);
     const std::optional<std::uint32_t> own = own_photo(s.scene, s.view, numbers);
     if (!own) return out;
     out.own = std::size_t(std::ranges::find(numbers, *own) - numbers.begin());

@@ -51,8 +51,7 @@ std::vector<Navigation> path_of(const PackageReader& package, const SmoothnessOp
 }
 
 std::vector<std::uint32_t> planned_photos(const Renderer& renderer) {
-    std::vector<std::uint32_t> out;
-    for (const PlannedPhoto& p : renderer.planner().frame().plan().photos) out.push_back(p.photo);
+    std::vector<std::uint32_t> out = numbers_of(renderer.planner().frame().plan().photos);
     std::ranges::sort(out);
     return out;
 }

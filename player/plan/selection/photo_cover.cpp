@@ -33,9 +33,7 @@ struct Open {
 std::vector<std::uint32_t> words_of(std::span<const CoverProblem::Run> runs) {
     std::vector<std::uint32_t> out;
     for (const CoverProblem::Run& run : runs)
-        for (std::uint32_t w = run.first / 64; std::uint64_t(w) * 64 < std::uint64_t(run.first) + run.count;
-             ++w)
-            out.push_back(w);
+        for_words(run.first, run.count, [&](std::uint32_t w, std::uint64_t) { out.push_back(w); });
     std::ranges::sort(out);
     out.erase(std::ranges::unique(out).begin(), out.end());
     return out;

@@ -50,7 +50,7 @@ void PlanMaker::update(std::span<const OrderedPlan> views, bool at_once, const V
         current_ = all_current(views);
     }
     if (!current_ && can_stand()) {
-        if (!thread_ || !thread_->busy()) begin(views, looks_ahead ? next : nullptr, false);
+        begin(views, looks_ahead ? next : nullptr, false);
         return;
     }
     if (!current_) {
@@ -58,7 +58,7 @@ void PlanMaker::update(std::span<const OrderedPlan> views, bool at_once, const V
         give(views, plans_of(*scene_, job_));
         current_ = true;
     }
-    if (looks_ahead && (!thread_ || !thread_->busy())) begin(views, next, true);
+    if (looks_ahead) begin(views, next, true);
 }
 
 void PlanMaker::take(std::span<const OrderedPlan> views, bool wait) {
@@ -68,6 +68,7 @@ void PlanMaker::take(std::span<const OrderedPlan> views, bool wait) {
 
 void PlanMaker::begin(std::span<const OrderedPlan> views, const View* next, bool only_next) {
     if (!thread_) thread_.emplace(*scene_);
+    if (thread_->busy()) return;
     fill(job_, views);
     job_.next = next ? std::optional(*next) : std::nullopt;
     job_.only_next = only_next;

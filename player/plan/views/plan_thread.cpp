@@ -1,5 +1,6 @@
 #include "player/plan/views/plan_thread.h"
 
+#include <algorithm>
 #include <iterator>
 #include <new>
 #include <utility>
@@ -7,14 +8,19 @@
 namespace vantage {
 namespace {
 
-/// Without memory for them, nothing is prefetched.
-std::optional<std::vector<PlannedPhoto>> photos_ahead_if_possible(const PlanScene& scene,
-                                                                  const PlanJob& job) {
-    try {
-        return photos_ahead(scene, job);
-    } catch (const std::bad_alloc&) {
-        return {};
+/// What the photos of the plans before show of the view expected next. Without memory for it, nothing.
+std::vector<PlannedPhoto> photos_ahead(const PlanScene& scene, const PlanJob& job) try {
+    std::vector<PlannedPhoto> out;
+    for (const PlanJob::One& one : job.plans) {
+        if (one.shares || !one.before) continue;
+        const std::vector<std::uint32_t> photos = numbers_of(one.before->plan.photos);
+        Plan plan = make_plan(scene, *job.next, settings_for_samples(one.order), photos);
+        std::ranges::move(plan.photos, std::back_inserter(out));
+        std::ranges::move(plan.behind, std::back_inserter(out));
     }
+    return out;
+} catch (const std::bad_alloc&) {
+    return {};
 }
 
 }  // namespace
@@ -25,20 +31,6 @@ PlanThread::Plans plans_of(const PlanScene& scene, const PlanJob& job) {
         const PhotoChoice* const shared = one.shares ? &out.at(*one.shares)->plan.choice : nullptr;
         out.push_back(
             std::make_shared<const PlannedView>(plan_view(scene, one.order, one.before.get(), shared)));
-    }
-    return out;
-}
-
-std::vector<PlannedPhoto> photos_ahead(const PlanScene& scene, const PlanJob& job) {
-    std::vector<PlannedPhoto> out;
-    for (const PlanJob::One& one : job.plans) {
-        if (one.shares || !one.before) continue;
-        PlanSettings settings = one.order.settings;
-        settings.samples *= one.order.side;
-        const std::vector<std::uint32_t> photos = numbers_of(one.before->plan.photos);
-        Plan plan = make_plan(scene, *job.next, settings, photos);
-        std::ranges::move(plan.photos, std::back_inserter(out));
-        std::ranges::move(plan.behind, std::back_inserter(out));
     }
     return out;
 }
@@ -86,7 +78,7 @@ void PlanThread::work(const std::stop_token& stop) {
         changed_.notify_all();
         if (job.next && !failure) {
             lock.unlock();
-            std::optional<std::vector<PlannedPhoto>> ahead = photos_ahead_if_possible(*scene_, job);
+            std::vector<PlannedPhoto> ahead = photos_ahead(*scene_, job);
             lock.lock();
             ahead_ = std::move(ahead);
         }

@@ -27,9 +27,6 @@ struct PlanJob {
 /// The plans of a job, in its order. A pure function.
 std::vector<std::shared_ptr<const PlannedView>> plans_of(const PlanScene& scene, const PlanJob& job);
 
-/// What the photos of the plans before show of the view expected next.
-std::vector<PlannedPhoto> photos_ahead(const PlanScene& scene, const PlanJob& job);
-
 /// Makes plans on a thread of its own, so that frames do not wait for them. The scene must outlive it.
 class PlanThread {
   public:

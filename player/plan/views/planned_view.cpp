@@ -64,6 +64,12 @@ PlannedView begun_plan(const PlanScene& scene, PlanOrder order, const PlannedVie
 
 }  // namespace
 
+PlanSettings settings_for_samples(const PlanOrder& order) {
+    PlanSettings settings = order.settings;
+    settings.samples *= order.side;
+    return settings;
+}
+
 bool suits(const PlannedView& plan, const PlanOrder& order) {
     const PlanOrder& made_for = plan.made_for;
     return made_for.settings == order.settings && made_for.side == order.side &&
@@ -108,12 +114,10 @@ PlannedView plan_view(const PlanScene& scene, PlanOrder order, const PlannedView
     const Seen seen{known, known.empty() || !made_for.seen.at_pixels ? nullptr
                            : out.at_rest                             ? &made_for.view
                                                                      : &made_for.seen.view};
-    PlanSettings settings = made_for.settings;
-    settings.samples *= made_for.side;
     const std::vector<std::uint32_t> previous =
         before ? numbers_of(before->plan.photos) : std::vector<std::uint32_t>();
-    out.plan =
-        make_plan(scene, with_samples(made_for.view), settings, made_for.photos, {previous, seen, shared});
+    out.plan = make_plan(scene, with_samples(made_for.view), settings_for_samples(made_for), made_for.photos,
+                         {previous, seen, shared});
     out.kept = plan_drawn(scene, made_for, out.plan);
     return out;
 }

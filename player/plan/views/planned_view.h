@@ -34,6 +34,9 @@ struct PlannedView {
     int plans_of_choice = 0;           ///< that had these photos
 };
 
+/// The settings for all samples of a pixel.
+PlanSettings settings_for_samples(const PlanOrder& order);
+
 /// Whether the plan is of the same photos, with the same settings.
 bool suits(const PlannedView& plan, const PlanOrder& order);
 
