@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "player/render/pace.h"
+#include "player/render/timing/pace.h"
 
 namespace vantage {
 

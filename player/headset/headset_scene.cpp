@@ -10,7 +10,7 @@
 #include "player/interface/sections/cut_section.h"
 #include "player/interface/tour/story_panel.h"
 #include "player/options/frame_goal.h"
-#include "player/render/pace.h"
+#include "player/render/timing/pace.h"
 #include "player/survey/survey.h"
 #include "player/survey/survey_file.h"
 #include "player/tour/tour_stop.h"

@@ -14,7 +14,7 @@
 #include "player/interface/state/session.h"
 #include "player/options/show_options.h"
 #include "player/panels/mark_pass.h"
-#include "player/render/frame_clock.h"
+#include "player/render/timing/frame_clock.h"
 #include "player/window/loaded_scene.h"
 
 namespace vantage {

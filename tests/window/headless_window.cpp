@@ -10,7 +10,7 @@
 #include "base/gl/context.h"
 #include "base/text/translation.h"
 #include "player/interface/style.h"
-#include "player/render/pace.h"
+#include "player/render/timing/pace.h"
 #include "player/window/input/input.h"
 #include "player/window/new_frame.h"
 #include "player/window/start_session.h"

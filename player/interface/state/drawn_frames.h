@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "player/render/frame_statistics.h"
-#include "player/render/pace.h"
 #include "player/render/render_settings.h"
+#include "player/render/timing/frame_statistics.h"
+#include "player/render/timing/pace.h"
 
 namespace vantage {
 

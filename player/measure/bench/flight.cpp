@@ -11,7 +11,7 @@
 #include "player/measure/bench/frame_timer.h"
 #include "player/measure/bench/touched_texels.h"
 #include "player/options/frame_goal.h"
-#include "player/render/pace.h"
+#include "player/render/timing/pace.h"
 #include "scene/package/contents/first_photo.h"
 
 namespace vantage {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "base/files/replace_file.h"
-#include "player/render/frame_statistics.h"
+#include "player/render/timing/frame_statistics.h"
 
 namespace vantage {
 

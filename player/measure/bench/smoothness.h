@@ -1,7 +1,7 @@
 #pragma once
 #include "player/measure/bench/color_step.h"
 #include "player/measure/bench/flight.h"
-#include "player/render/frame_statistics.h"
+#include "player/render/timing/frame_statistics.h"
 
 namespace vantage {
 

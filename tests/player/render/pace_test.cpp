@@ -1,4 +1,4 @@
-#include "player/render/pace.h"
+#include "player/render/timing/pace.h"
 
 #include <gtest/gtest.h>
 

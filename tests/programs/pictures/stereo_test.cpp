@@ -9,7 +9,7 @@
 
 #include "base/gl/context.h"
 #include "player/composition/stereo_picture.h"
-#include "player/render/pace.h"
+#include "player/render/timing/pace.h"
 #include "tests/made_scenes.h"
 #include "tests/programs/garden_package.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/gl/object.h"
-#include "player/render/pace.h"
+#include "player/render/timing/pace.h"
 
 namespace vantage {
 

@@ -1,4 +1,4 @@
-#include "player/render/frame_statistics.h"
+#include "player/render/timing/frame_statistics.h"
 
 #include <algorithm>
 #include <cmath>

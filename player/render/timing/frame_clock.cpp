@@ -1,4 +1,4 @@
-#include "player/render/frame_clock.h"
+#include "player/render/timing/frame_clock.h"
 
 #include <algorithm>
 #include <utility>
