@@ -28,6 +28,7 @@ void FramePainter::begin(const PlannedFrame& frame) {
             drawn_view(r, eye.sampled, eye.image_sets.front(), frame.sample.side, coarse_));
     }
     if (how_ != EyeSurfaces::at_once) return;
+    r.pass_clock.begin(TimedPass::surface);
     r.surface.draw_both(*surfaces_[0].prepared, *surfaces_[1].prepared, r.targets);
     for (OwnSurface& surface : surfaces_) surface.drawn = true;
 }
@@ -59,10 +60,12 @@ void FramePainter::paint(PlannedFrame& frame, std::size_t number, FrameReport& r
     for (const ImageSetFrame& b : std::span(eye.image_sets).subspan(1)) {
         PaintedImageSet second = image_set_of(b);
         // With its own surface, because it may lack background.
+        r.pass_clock.begin(TimedPass::surface);
         r.surface.draw(second.drawn, r.targets);
         draw_photos(second);
         report = joined(report, second.report);
     }
+    r.pass_clock.end();
     count_fragments(first, report);
 }
 
@@ -85,6 +88,7 @@ void FramePainter::draw_surface(std::size_t eye, const DrawnView& drawn) {
     FrameTargets& targets = resources_->targets;
     targets.surface_number = how_ == EyeSurfaces::in_turn ? 0 : eye;
     OwnSurface& surface = surfaces_.at(eye);
+    resources_->pass_clock.begin(TimedPass::surface);
     if (!surface.drawn) resources_->surface.draw(drawn, targets);
     surface.drawn = true;
 }
@@ -124,6 +128,7 @@ void FramePainter::draw_photos(PaintedImageSet& image_set) {
 
 void FramePainter::draw_points(PaintedImageSet& image_set) {
     PointPass& points = *resources_->points;
+    resources_->pass_clock.begin(TimedPass::points);
     image_set.report.points =
         points.draw(image_set.drawn.view, image_set.drawn.clip_from_origin, image_set.drawn.settings.points);
     image_set.report.draws += points.drawn().size();
@@ -132,6 +137,7 @@ void FramePainter::draw_points(PaintedImageSet& image_set) {
 /// Blends photos into empty sums. Returns the number of the sums.
 int FramePainter::draw_set(Pass photos, PaintedImageSet& image_set) {
     const RenderSettings& settings = image_set.drawn.settings;
+    resources_->pass_clock.begin(TimedPass::photos);
     const std::array<float, 4> zero{};
     for (const int sums : {0, 1})
         glClearNamedFramebufferfv(resources_->targets.sums_target(sums).id(), GL_COLOR, 0, zero.data());
@@ -165,6 +171,7 @@ void FramePainter::draw_background(PaintedImageSet& image_set, int into) {
     const RenderSettings& settings = image_set.drawn.settings;
     const PointSurface points = point_surface(settings);
     if (points.alone || !shows_background(settings, r.parts)) return;
+    r.pass_clock.begin(TimedPass::background);
     for (Pass rest = tiles_->ready_behind(settings, image_set.drawn.plan.plan()); !rest.empty();
          ++image_set.report.passes) {
         const Pass pass = rest.first(tiles_->pass_length(rest, settings, max_photos_per_pass));
@@ -184,6 +191,7 @@ PointSurface FramePainter::point_surface(const RenderSettings& settings) const {
 
 void FramePainter::draw_transparent(PaintedImageSet& image_set) {
     TransparentPass& pass = *resources_->transparent;
+    resources_->pass_clock.begin(TimedPass::transparent);
     pass.collect(resources_->targets.size(), [&] {
         image_set.report.draws += resources_->surface.draw_transparent(
             image_set.drawn, {pass.mode() == Transparency::exact, pass.row(), pass.capacity()});

@@ -89,6 +89,7 @@ void FrameResolver::resolve_before(int sums, const PaintedImageSet& image_set) {
 
 /// `before`: the picture that is being replaced, which the other one then mixes in and finishes.
 void FrameResolver::draw_resolved(int sums, const PaintedImageSet& image_set, bool before) {
+    resources_->pass_clock.begin(TimedPass::resolve);
     const RenderSettings& settings = image_set.drawn.settings;
     const FrameTargets& targets = resources_->targets;
     const double progress = before ? 1 : image_set.drawn.plan.progress();
@@ -187,6 +188,7 @@ void FrameResolver::set_exposure(const DrawnView& drawn) const {
 void FrameResolver::show(const View& view, const RenderSettings& settings, const ShownImageSets& image_sets,
                          const ShowTarget& target) {
     FrameResources& r = *resources_;
+    r.pass_clock.begin(TimedPass::show);
     const FrameTargets& targets = r.targets;
     const PictureSamples& samples = targets.samples[target.eye];
     const double count = std::max(samples.count, 1.0);
@@ -223,6 +225,7 @@ void FrameResolver::show(const View& view, const RenderSettings& settings, const
     glBindTextureUnit(shader::accumulated_unit, samples.sum.id());
     glBindVertexArray(no_vertices_.id());
     r.photos.with_photo(settings.compare_photo, [] { glDrawArrays(GL_TRIANGLES, 0, 3); });
+    r.pass_clock.end();
     gl::check("showing a view");
 }
 

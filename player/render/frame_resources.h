@@ -12,6 +12,7 @@
 #include "player/render/passes/transparent_pass.h"
 #include "player/render/render_trials.h"
 #include "player/render/scene_parts.h"
+#include "player/render/timing/pass_clock.h"
 
 namespace vantage {
 
@@ -37,6 +38,7 @@ struct FrameResources {
     std::optional<TransparentPass> transparent;  ///< if some of the mesh is not opaque
     std::optional<HoleFilling> filling;          ///< if there is a background
     FrameTargets targets;                        ///< of the last frame
+    PassClock pass_clock{};                      ///< off unless a measurement starts it
 
     /// Why a server did not give all that was requested recently; empty if it did, and for a file.
     std::string failure() const;

@@ -39,9 +39,7 @@ bench() {  # name, options
     local name=$1
     shift
     run "bench $name" "$player" bench demo.vantage --repeats 1 --graphics-memory 4000 "$@" -o bench --force || return
-    head -n 1 out.txt | tee -a "$results"
-    paste -d ' ' <(tail -n +2 out.txt) <(awk -F '[":, ]+' '/{$/ { of = $2 } of == "plan_ms" && /"median"/ { median = $3 }
-        of == "plan_ms" && /"p999"/ { printf " plan: median %.2f  99.9 %% %.2f ms\n", median, $3 }' bench/summary.json) | tee -a "$results"
+    tee -a "$results" <out.txt
 }
 
 note "commit $(cat "$here/commit"), $(date -u +%F), $(nproc) cores,$(grep -m 1 'model name' /proc/cpuinfo | cut -d : -f 2)"

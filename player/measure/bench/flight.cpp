@@ -125,6 +125,7 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
         };
         pacing.pace = first_pace(time_at_rest(first, settings, timer, draw), goal);
     }
+    renderer.resources().pass_clock.start();
     const auto begin = Clock::now();
     const std::chrono::duration<double, std::ratio<60>> minutes(o.minutes);
     const int frames = int(path.frames.size()), jump = path.name == "jump" ? frames / 2 : -1;
@@ -161,6 +162,7 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
             if (o.until_exact) break;
         }
     }
+    flight.pass_ms = renderer.resources().pass_clock.finish();
     flight.streamed = objects.streamed();
     flight.graphics_budget = objects.graphics_budget();
     return flight;

@@ -11,6 +11,7 @@
 #include "player/options/shown/package_options.h"
 #include "player/options/shown/point_options.h"
 #include "player/options/stereo_options.h"
+#include "player/render/timing/pass_clock.h"
 #include "player/stream/streamed_so_far.h"
 #include "player/view/camera_path.h"
 #include "player/view/shots.h"
@@ -50,6 +51,7 @@ struct Flight {
     std::string path, mode;
     int repeat;
     std::vector<FrameRecord> frames;
+    PassTimes pass_ms{};  ///< of the first object, all frames together
     StreamedSoFar streamed{};
     std::uint64_t graphics_budget = 0;
     // Of "still", and of the jump in "jump", if there is a single object:

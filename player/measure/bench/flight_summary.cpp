@@ -10,6 +10,21 @@
 
 namespace vantage {
 
+namespace {
+
+/// Mean milliseconds per frame of each pass that took any.
+nlohmann::json pass_times(const std::vector<const Flight*>& flights) {
+    nlohmann::json out = nlohmann::json::object();
+    for (std::size_t pass = 0; pass < timed_pass_names.size(); ++pass) {
+        double ms = 0, frames = 0;
+        for (const Flight* f : flights) ms += f->pass_ms.at(pass), frames += double(f->frames.size());
+        if (ms > 0) out[timed_pass_names.at(pass)] = ms / std::max(1.0, frames);
+    }
+    return out;
+}
+
+}  // namespace
+
 nlohmann::json summarize(const std::vector<const Flight*>& flights, std::size_t upload_budget) {
     std::vector<double> all, medians, ratios, scales, plans;
     std::uint64_t uploaded = 0, over = 0, graphics = 0, process = 0, missing = 0;
@@ -39,6 +54,7 @@ nlohmann::json summarize(const std::vector<const Flight*>& flights, std::size_t 
         {"repeats", flights.size()},
         {"frames", all.size()},
         {"ms", {{"mean", s.mean}, {"median", s.median}, {"p99", s.p99}, {"p999", s.p999}, {"max", s.max}}},
+        {"pass_ms", pass_times(flights)},
         {"plan_ms", {{"median", planning.median}, {"p999", planning.p999}}},
         {"scale", {{"median", frame_statistics(scales).median}, {"least", std::ranges::min(scales)}}},
         {"median_spread", low > 0 ? high / low : 0},
@@ -84,7 +100,12 @@ void print_summary(const nlohmann::json& s) {
     if (s["mode"] == "resident" && s["uploaded_bytes_a_frame_max"] > 0)
         std::printf(
             "  not all of it fits into graphics memory: frames upload tiles again (--graphics-memory)");
-    std::printf("\n");
+    const auto& plan = s["plan_ms"];
+    std::printf("\n    plan %.2f, 99.9 %% %.2f ms; mean of passes:", plan["median"].get<double>(),
+                plan["p999"].get<double>());
+    for (const auto& [name, ms_of_pass] : s["pass_ms"].items())
+        std::printf("  %s %.2f", name.c_str(), ms_of_pass.get<double>());
+    std::printf(" ms\n");
     std::fflush(stdout);
 }
 

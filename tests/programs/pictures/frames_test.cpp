@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <functional>
 #include <utility>
 
 #include "base/gl/context.h"
@@ -55,6 +57,14 @@ Difference difference(const std::vector<std::uint8_t>& a, const std::vector<std:
     d.share_above_one = double(above_one) / double(std::max<std::size_t>(1, a.size()));
     d.share_above_24 = double(above_24) / double(std::max<std::size_t>(1, a.size()));
     return d;
+}
+
+/// Milliseconds that `draw` takes until the graphics card has finished.
+double ms_of(const std::function<void()>& draw) {
+    const auto begin = std::chrono::steady_clock::now();
+    draw();
+    glFinish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
 /// Compares what a picture with sections shows with rays that end at them.
@@ -259,4 +269,32 @@ TEST_F(Frames, SmallerOnesAreShownEnlarged) {
         return sum / (3.0 * p.width);
     };
     EXPECT_LT(edge_off(half), 12);
+}
+
+TEST_F(Frames, PassesThatAreTimedTakeNoMoreThanTheFrames) {
+    const gl::HeadlessContext context;
+    const PackageReader package(file);
+    Renderer renderer(package, {});
+    const View view = views(package)[1];
+    RenderSettings settings;
+    settings.fill_holes = true;
+    take_picture(renderer, view, settings, all(package), 1);
+    glFinish();
+    PassClock& clock = renderer.resources().pass_clock;
+    EXPECT_EQ(clock.finish(), PassTimes()) << "nothing is timed unless it is asked for";
+    PassTimes times{};
+    const double all_ms = ms_of([&] {
+        clock.start();
+        for (int i = 0; i < 3; ++i) take_picture(renderer, view, settings, all(package), 1);
+        times = clock.finish();
+    });
+    double sum = 0;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const auto pass = TimedPass(i);
+        const bool drawn = pass != TimedPass::points && pass != TimedPass::transparent;
+        EXPECT_EQ(times.at(i) > 0, drawn) << timed_pass_names.at(i);
+        sum += times.at(i);
+    }
+    EXPECT_LT(sum, all_ms);
+    EXPECT_GT(sum, 0.1 * all_ms) << "in milliseconds";
 }
