@@ -8,6 +8,7 @@ layout(location = 1) out vec4 averaged_behind;
 layout(binding = finer_unit) uniform sampler2D finer;
 layout(binding = finer_behind_unit) uniform sampler2D finer_behind;
 layout(binding = surface_unit) uniform sampler2D surface;       // of the frame's pixels, which tell where the background is
+layout(location = fine_uniform) uniform int fine;  // texels of `surface` per side of a pixel
 layout(location = frame_size_uniform) uniform ivec2 size;       // of `finer`, as far as it is used
 layout(location = average_samples_uniform) uniform float samples;  // of the frame's pixels; 0: `finer` is a level
 
@@ -25,7 +26,7 @@ void main() {
         vec4 c = texelFetch(finer, at, 0), behind;
         if (samples > 0.0) {
             c = c.a > 0.0 ? vec4(sqrt(max(c.rgb / c.a, 0.0)), 1.0) * min(c.a / samples, 1.0) : vec4(0.0);
-            behind = texelFetch(surface, at, 0).a == shows_background ? c : mesh_behind * c;
+            behind = texelFetch(surface, at * fine + fine - 1, 0).a == shows_background ? c : mesh_behind * c;
         } else behind = texelFetch(finer_behind, at, 0);
         float t = tent[tap.x] * tent[tap.y];
         averaged += t * c;

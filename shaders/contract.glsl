@@ -113,6 +113,9 @@ const int frame_axes_uniform = 14;
 // Of blend, resolve, show, average_holes, fill_holes, compose, enlarge, stereo and panorama: pixels of the frame, or texels
 // of the level, that is read. Its texture may be larger.
 const int frame_size_uniform = 29;
+// Of blend, background, resolve, show and average_holes: samples per side of a pixel, each of which has a texel of surface and
+// sums.
+const int fine_uniform = 22;
 
 // Uniforms of resolve.
 const int takes_one_uniform = 0;

@@ -1,4 +1,4 @@
-// Turns the sums of one sample of each pixel into a color and adds it to the pixel's samples with weight 1. A sample
+// Turns the sums of the drawn samples of each pixel into colors and adds them to the pixel's samples, each with weight 1. A sample
 // without weight is a hole, whatever its color; with a background, holes that are to be filled have a small weight.
 #include "contract.glsl"
 #include "background.glsl"
@@ -16,7 +16,8 @@ layout(location = fill_background_uniform) uniform bool fill_background;  // if 
 layout(location = max_uniform) uniform float most;             // coverage: number of photos with the brightest color; else 0
 layout(location = exposure_uniform) uniform vec3 exposure;      // exposure of the view, relative to the mean photo's
 layout(location = vignetting_uniform) uniform vec3 vignetting;        // of the view's lens: ln, times r^2, r^4, r^6
-layout(location = frame_size_uniform) uniform ivec2 frame_size;
+layout(location = frame_size_uniform) uniform ivec2 frame_size;  // in samples, as all coordinates here
+layout(location = fine_uniform) uniform int fine;
 layout(location = lens_uniform) uniform vec3 lens;              // principal point, pixels; 2 / diagonal, 1/pixels
 
 // Dark blue through green to yellow, after viridis (van der Walt and Smith 2015), in linear light.
@@ -168,8 +169,8 @@ vec3 mean_light(vec4 sums) {
     return root * root;
 }
 
-vec3 exposed(vec3 c) {
-    vec2 off = (gl_FragCoord.xy - lens.xy) * lens.z;
+vec3 exposed(vec3 c, ivec2 at) {
+    vec2 off = (vec2(at) + 0.5 - lens.xy) * lens.z;
     float r2 = dot(off, off);
     return c * exposure * exp(-r2 * (vignetting.x + r2 * (vignetting.y + r2 * vignetting.z)));
 }
@@ -195,11 +196,10 @@ bool at_edge(ivec2 at) {
 }
 #endif
 
-void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+vec4 sample_at(ivec2 at) {
     vec4 s = texelFetch(sums, at, 0);
     vec3 behind = plain_background_at(plain_background, plain_background_bottom, at.y, frame_size.y);
-    accumulated = vec4(0.0);
+    vec4 color = vec4(0.0);
 #if defined(BACKGROUND) || defined(SCALAR_FIELD) || defined(LIGHT)
     const bool looks = true;
 #else
@@ -208,61 +208,70 @@ void main() {
     vec4 bare = looks ? texelFetch(surface, at, 0) : vec4(0.0);
     bool has_color = takes_one && bare.a != shows_background;
     if (s.a > 0.0)
-        accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(has_color ? s.rgb : mean_light(s)), 1.0);
-    if (progress < 1.0) accumulated = mixed(texelFetch(before, at, 0), accumulated);
-    bool hole = accumulated.a == 0.0;
-    if (hole && fill) accumulated = bare.a > 0.0 ? vec4(bare.rgb, 1.0) : fill_background ? vec4(behind, 1.0) : vec4(0.0);
+        color = vec4(most > 0.0 ? count_color(s.a / most) : exposed(has_color ? s.rgb : mean_light(s), at), 1.0);
+    if (progress < 1.0) color = mixed(texelFetch(before, at, 0), color);
+    bool hole = color.a == 0.0;
+    if (hole && fill) color = bare.a > 0.0 ? vec4(bare.rgb, 1.0) : fill_background ? vec4(behind, 1.0) : vec4(0.0);
 #ifdef LIGHT
     if (bare.a == shows_light) {
-        if (!light_on_photos || (hole && fill)) accumulated = vec4(bare.rgb * light_scale, 1.0);
-        else accumulated.rgb *= bare.rgb;
+        if (!light_on_photos || (hole && fill)) color = vec4(bare.rgb * light_scale, 1.0);
+        else color.rgb *= bare.rgb;
         hole = hole && light_on_photos && !fill;
     }
 #endif
 #ifdef SCALAR_FIELD
     if (bare.a == shows_value && field_share > 0.0) {
-        vec3 root = mix(sqrt(max(accumulated.rgb, 0.0)), sqrt(bare.rgb), hole ? 1.0 : field_share);
-        accumulated = vec4(root * root, 1.0);
+        vec3 root = mix(sqrt(max(color.rgb, 0.0)), sqrt(bare.rgb), hole ? 1.0 : field_share);
+        color = vec4(root * root, 1.0);
         hole = false;
     }
 #endif
 #ifdef WIREFRAME
     const vec3 wire = vec3(1.0, 0.35, 0.05);
     if (at_edge(at) && bare.a != shows_background) {
-        accumulated = vec4(mix(accumulated.rgb, wire, 0.7), 1.0);
+        color = vec4(mix(color.rgb, wire, 0.7), 1.0);
         hole = false;
     }
 #endif
 #ifdef POINTS
     vec4 point = shows_points ? texelFetch(points, at, 0) : vec4(0.0);
     if (point.a > 0.0) {
-        if (!photos_on_points || hole) accumulated = vec4(point.rgb * shade(at), 1.0);
+        if (!photos_on_points || hole) color = vec4(point.rgb * shade(at), 1.0);
         hole = false;
         bare = vec4(0.0);
     } else if (shows_points && points_alone) {
-        accumulated = fill && fill_background ? vec4(behind, 1.0) : vec4(0.0);
+        color = fill && fill_background ? vec4(behind, 1.0) : vec4(0.0);
         hole = !fill;
         bare = vec4(0.0);
     }
 #endif
 #ifdef BACKGROUND
     if (bare.a == shows_background) {
-        if (hole) accumulated = vec4(exposed(bare.rgb), 1.0);
-        accumulated.rgb *= background_light;
+        if (hole) color = vec4(exposed(bare.rgb, at), 1.0);
+        color.rgb *= background_light;
     }
     // Where the background has no photo, its calm color is as good as the colors around, but for narrow gaps.
-    if (hole) accumulated *= bare.a == shows_background ? min(8.0 * hole_weight, 1.0) : bare.a > 0.0 ? hole_weight : plain_background_weight;
+    if (hole) color *= bare.a == shows_background ? min(8.0 * hole_weight, 1.0) : bare.a > 0.0 ? hole_weight : plain_background_weight;
 #endif
 #ifdef TRANSPARENCY
     veil = vec4(0.0);
-    clean = accumulated;
+    clean = color;
     if (shows_transparent) {
         vec4 layers = transparent_layers(at);
         if (hole && veils_holes) {
             // Over the part of the sample that is filled later, and over its own color.
-            veil = (1.0 - accumulated.a) * vec4(layers.rgb, 1.0 - layers.a);
-            accumulated.rgb = accumulated.a * layers.rgb + layers.a * accumulated.rgb;
-        } else accumulated = vec4(layers.rgb + layers.a * accumulated.rgb, 1.0 - layers.a + layers.a * accumulated.a);
+            veil = (1.0 - color.a) * vec4(layers.rgb, 1.0 - layers.a);
+            color.rgb = color.a * layers.rgb + layers.a * color.rgb;
+        } else color = vec4(layers.rgb + layers.a * color.rgb, 1.0 - layers.a + layers.a * color.a);
     }
 #endif
+    return color;
+}
+
+void main() {
+    ivec2 first = ivec2(gl_FragCoord.xy) * fine;
+    accumulated = vec4(0.0);
+    int i = 0;
+    do accumulated += sample_at(first + ivec2(i % fine, i / fine));
+    while (++i < fine * fine);
 }

@@ -21,6 +21,7 @@ layout(location = edges_opaque_uniform) uniform bool edges_opaque;  // fade into
 layout(binding = filled_unit) uniform sampler2D filled;   // square roots of light at half the size
 layout(binding = filled_behind_unit) uniform sampler2D filled_behind;  // in the background
 layout(binding = shown_surface_unit) uniform sampler2D surface;  // tells where the background is
+layout(location = fine_uniform) uniform int fine;  // its texels per side of a pixel
 layout(location = fills_uniform) uniform bool fills;      // show `filled` in place of holes
 #endif
 
@@ -56,7 +57,7 @@ vec4 shown_color(vec4 a, ivec2 at, bool fills) {
     if (fills && a.a > 0.0 && share < 0.999) {
         vec2 texel = min((vec2(at) + 0.5) / 2.0, vec2((frame_size + 1) / 2) - 0.5);
         texel /= vec2(textureSize(filled, 0));
-        bool behind = texelFetch(surface, at, 0).a == shows_background;
+        bool behind = texelFetch(surface, at * fine + fine - 1, 0).a == shows_background;
         vec3 around = (behind ? texture(filled_behind, texel) : texture(filled, texel)).rgb;
 #ifdef TRANSPARENCY
         vec4 v = veil_of(at, share);

@@ -7,6 +7,7 @@ layout(std430, binding = positions_buffer) readonly buffer Positions { float pos
 layout(std430, binding = normals_buffer) readonly buffer Normals { float normals[]; };
 layout(location = clip_from_origin_uniform) uniform mat4 clip_from_origin;
 layout(location = frame_size_uniform) uniform ivec2 frame_size;
+layout(location = fine_uniform) uniform int fine;
 #ifdef BEHIND_POINTS
 layout(binding = places_unit) uniform sampler2D places;  // of points in front of the model; 0: none
 #endif
@@ -32,7 +33,7 @@ vec3 seen_from(vec2 pixel, vec3 corner) {
     return vec3(c.xy - pixel * c.z, c.z);
 }
 
-// Sets the surface of a triangle, numbered from 0, at this pixel; how it changes from pixel to pixel; the triangle's normal.
+// Sets the surface of a triangle, numbered from 0, at this sample; how it changes from pixel to pixel; the triangle's normal.
 // Shares of the corners by homogeneous edge functions (Olano and Greer 1997), which hold for corners behind the viewer, too.
 void read_surface(uint triangle, out vec3 along_x, out vec3 along_y, out vec3 across) {
     uvec3 v = uvec3(indices[3u * triangle], indices[3u * triangle + 1u], indices[3u * triangle + 2u]);
@@ -47,7 +48,7 @@ void read_surface(uint triangle, out vec3 along_x, out vec3 along_y, out vec3 ac
     // The derivatives of the edge functions by the pixel's place.
     vec3 by_x = vec3(b.y * c.z - b.z * c.y, c.y * a.z - c.z * a.y, a.y * b.z - a.z * b.y),
          by_y = vec3(b.z * c.x - b.x * c.z, c.z * a.x - c.x * a.z, a.z * b.x - a.x * b.z);
-    vec2 scale = degenerate ? vec2(0.0) : 2.0 / (sum * vec2(frame_size));
+    vec2 scale = degenerate ? vec2(0.0) : 2.0 * float(fine) / (sum * vec2(frame_size));
     along_x = (by_x.y * ab + by_x.z * ac - (by_x.x + by_x.y + by_x.z) * from_corner) * scale.x;
     along_y = (by_y.y * ab + by_y.z * ac - (by_y.x + by_y.y + by_y.z) * from_corner) * scale.y;
     across = cross(ab, ac);

@@ -132,7 +132,10 @@ void ObjectSet::use_trials(const RenderTrials& trials) {
     for (const auto& o : others_) o->renderer->resources().trials = trials;
 }
 
-bool ObjectSet::alone() const { return others_.empty() && first_object_.shown && first_object_.opacity == 1; }
+bool ObjectSet::alone() const {
+    const bool others = std::ranges::any_of(others_, [](const auto& o) { return o->object.shown; });
+    return !others && first_object_.shown && first_object_.opacity == 1;
+}
 
 RenderSettings ObjectSet::settings_of_others(const RenderSettings& settings) const {
     RenderSettings out = settings;
@@ -155,6 +158,12 @@ FrameReport ObjectSet::draw(const View& view, const RenderSettings& settings,
 
 bool ObjectSet::draws_first(const RenderSettings& settings) const {
     return first_object_.shown || settings.compare != Compare::nothing;
+}
+
+std::vector<PixelSample> ObjectSet::samples(std::span<const View> eyes, const RenderSettings& settings,
+                                            int side) const {
+    const bool one_picture = alone() && eyes.size() == 1;
+    return one_picture ? first_.samples(eyes.front(), settings, side) : single_samples(side);
 }
 
 FrameReport ObjectSet::draw_eyes(const FrameRequest& request,
@@ -251,20 +260,21 @@ DrawnDepth ObjectSet::depth(const RenderSettings& settings, double near) {
 FrameReport draw_samples(ObjectSet& objects, const View& view, const RenderSettings& settings,
                          std::span<const std::uint32_t> photos, int side, double now) {
     FrameReport report;
-    for (int i = 0; i < side * side; ++i) report = objects.draw(view, settings, photos, {i, side}, now);
+    for (const PixelSample sample : objects.samples({&view, 1}, settings, side))
+        report = objects.draw(view, settings, photos, sample, now);
     return report;
 }
 
 FrameReport draw_eye_samples(ObjectSet& objects, std::span<const View> eyes, const PictureSpec& spec,
                              const std::function<GLuint(std::size_t eye)>& target) {
     FrameReport report;
-    const int samples = spec.side * spec.side;
-    for (int i = 0; i < samples; ++i)
-        report = objects.draw_eyes({eyes, spec.settings, spec.photos, {i, spec.side}, spec.now},
-                                   [&](std::size_t eye) {
-                                       if (i + 1 == samples)
-                                           objects.show(eyes[eye], spec.settings, {target(eye), false, eye});
-                                   });
+    const std::vector<PixelSample> samples = objects.samples(eyes, spec.settings, spec.side);
+    for (const PixelSample& sample : samples)
+        report =
+            objects.draw_eyes({eyes, spec.settings, spec.photos, sample, spec.now}, [&](std::size_t eye) {
+                if (&sample == &samples.back())
+                    objects.show(eyes[eye], spec.settings, {target(eye), false, eye});
+            });
     return report;
 }
 

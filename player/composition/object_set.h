@@ -62,6 +62,9 @@ class ObjectSet {
     /// comparisons are those of the first object.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
+    /// As Renderer::samples() of all objects; one for each sample with two eyes or several objects.
+    std::vector<PixelSample> samples(std::span<const View> eyes, const RenderSettings& settings,
+                                     int side) const;
     /// The same for one eye or two, see Renderer::prepare. Calls `drawn` after each eye, which show() shows
     /// as long as the other one has not been drawn.
     FrameReport draw_eyes(const FrameRequest& request, const std::function<void(std::size_t eye)>& drawn);

@@ -9,9 +9,9 @@ namespace vantage {
 void FramePainter::begin(const PlannedFrame& frame) {
     FrameResources& r = *resources_;
     const DrawnRegion region(r.targets);
-    for (OwnSurface& surface : surfaces_) {
-        surface.prepared.reset();
-        surface.drawn = false;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        surfaces_.at(i).prepared.reset();
+        surfaces_.at(i).drawn = i < frame.eyes.size() && frame.eyes[i].surface_drawn;
     }
     coarse_ = std::ranges::all_of(frame.eyes, [&](const PlannedEye& eye) {
         return suits_coarse(r, eye.sampled, eye.image_sets.front());
@@ -140,7 +140,8 @@ int FramePainter::draw_set(Pass photos, PaintedImageSet& image_set) {
     resources_->pass_clock.begin(TimedPass::photos);
     const std::array<float, 4> zero{};
     for (const int sums : {0, 1})
-        glClearNamedFramebufferfv(resources_->targets.sums_target(sums).id(), GL_COLOR, 0, zero.data());
+        if (resources_->targets.sums[sums])
+            glClearNamedFramebufferfv(resources_->targets.sums_target(sums).id(), GL_COLOR, 0, zero.data());
     int into = 0;
     draw_passes(photos, image_set, false, into);
     if (settings.transients && !takes_one(settings.blend)) {

@@ -7,6 +7,12 @@
 
 namespace vantage {
 
+std::vector<PixelSample> single_samples(int side) {
+    std::vector<PixelSample> out;
+    for (int i = 0; i < side * side; ++i) out.push_back({i, side});
+    return out;
+}
+
 void check_view(const View& view) {
     const Intrinsics& k = view.intrinsics;
     const Pose& pose = view.cam_from_origin;

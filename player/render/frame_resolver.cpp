@@ -65,6 +65,7 @@ void FrameResolver::resolve(int sums, const PaintedImageSet& image_set) {
     PictureSamples& samples = resources_->targets.samples[image_set.eye];
     const gl::Framebuffer& target = image_set.second ? samples.other_target : samples.sum_target;
     const bool veiled = veils(image_set.eye) && !image_set.second;
+    const int side = image_set.sample.drawn();
     if (image_set.sample.index == 0) {
         const std::array<float, 4> zero{};
         glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, zero.data());
@@ -72,7 +73,7 @@ void FrameResolver::resolve(int sums, const PaintedImageSet& image_set) {
             if (veiled) glClearNamedFramebufferfv(samples.veiled_target.id(), GL_COLOR, apart, zero.data());
         if (!image_set.second) samples.count = 0;
     }
-    if (!image_set.second) ++samples.count;
+    if (!image_set.second) samples.count += side * side;
     bind_target((veiled ? samples.veiled_target : target).id(), resources_->targets.size());
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
@@ -81,7 +82,8 @@ void FrameResolver::resolve(int sums, const PaintedImageSet& image_set) {
 }
 
 void FrameResolver::resolve_before(int sums, const PaintedImageSet& image_set) {
-    bind_target(resources_->targets.before_target.id(), resources_->targets.size());
+    resources_->targets.add_before();
+    bind_target(resources_->targets.before_target.id(), resources_->targets.fine_size());
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     draw_resolved(sums, image_set, true);
@@ -100,7 +102,8 @@ void FrameResolver::draw_resolved(int sums, const PaintedImageSet& image_set, bo
     glUniform1i(shader::takes_one_uniform, takes_one(settings.blend) && !counts);
     glUniform1i(shader::fill_uniform, !before && settings.fill_holes);
     glUniform1f(shader::progress_uniform, float(progress));
-    glUniform2i(shader::frame_size_uniform, targets.width, targets.height);
+    glUniform2i(shader::frame_size_uniform, targets.fine_size().width, targets.fine_size().height);
+    glUniform1i(shader::fine_uniform, before ? 1 : targets.fine);
     if (resources_->parts.background) set_holes(image_set, before);
     if (resources_->parts.points) set_points(image_set.drawn, before);
     if (resources_->transparent) set_transparent(image_set, before);
@@ -200,7 +203,7 @@ void FrameResolver::show(const View& view, const RenderSettings& settings, const
     const GLuint surface = targets.surfaces[std::min(target.eye, targets.surfaces.size() - 1)].shaded.id();
     if (fills || other_fills) {
         const gl::Texture& clean = veils(target.eye) ? samples.clean : samples.sum;
-        r.filling->fill(fills ? clean : samples.other, surface, targets.size(), count);
+        r.filling->fill(fills ? clean : samples.other, surface, targets, count);
     }
     begin_full_frame(show_program_, target.framebuffer, frame_size(view));
     glUniform2i(shader::frame_size_uniform, targets.width, targets.height);
@@ -211,6 +214,7 @@ void FrameResolver::show(const View& view, const RenderSettings& settings, const
     glUniform3fv(shader::show_plain_background_bottom_uniform, 1, settings.plain_background.bottom.data());
     glUniform1i(shader::edges_opaque_uniform, settings.fill_holes && settings.fill_background);
     if (r.filling) {
+        glUniform1i(shader::fine_uniform, targets.fine);
         glUniform1i(shader::fills_uniform, fills);
         glBindTextureUnit(shader::filled_unit, r.filling->filled().id());
         glBindTextureUnit(shader::filled_behind_unit, r.filling->filled_behind().id());

@@ -14,7 +14,8 @@ namespace vantage {
 Picture take_picture(Renderer& renderer, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side) {
     FrameReport report;
-    for (int i = 0; i < side * side; ++i) report = renderer.draw(view, settings, photos, {i, side}, 0);
+    for (const PixelSample sample : renderer.samples(view, settings, side))
+        report = renderer.draw(view, settings, photos, sample, 0);
     Picture p = shown_picture(renderer, view, settings);
     p.report = report;
     return p;

@@ -1,6 +1,7 @@
 #include "player/render/renderer.h"
 
 #include "base/gl/context.h"
+#include "player/render/planning/frame_memory.h"
 
 namespace vantage {
 
@@ -19,6 +20,13 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
     FrameReport report = prepare({{&view, 1}, settings, photos, sample, now, next});
     paint(0, report);
     return report;
+}
+
+std::vector<PixelSample> Renderer::samples(const View& view, const RenderSettings& given, int side) const {
+    const RenderSettings settings = usable(given, resources_.parts);
+    if (draws_samples_at_once(resources_, settings, frame_size(view), side, planner_.budget()))
+        return {{.side = side, .all = true}};
+    return single_samples(side);
 }
 
 FrameReport Renderer::prepare(const FrameRequest& request) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "player/render/frame_painter.h"
 #include "player/render/frame_resolver.h"
@@ -20,6 +21,9 @@ class Renderer {
     /// be drawn.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
+    /// The samples that frames for one eye draw so that each pixel has `side` * `side`: one frame for all, or
+    /// one for each.
+    std::vector<PixelSample> samples(const View& view, const RenderSettings& settings, int side) const;
     /// The same in steps, for one eye or two. Plans for all of them, and streams what they need; paint() then
     /// draws one, and may draw the surface of the next. See FramePlanner::plan().
     FrameReport prepare(const FrameRequest& request);

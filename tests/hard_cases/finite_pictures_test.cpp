@@ -152,7 +152,7 @@ TEST_F(FinitePictures, CountsInjectedNonFiniteValues) {
     const std::array<float, 4> one_bad{0, bad, 0, 1}, all_endless{infinite, -infinite, infinite, infinite};
     glClearNamedFramebufferfv(t.samples.front().sum_target.id(), GL_COLOR, 0, one_bad.data());
     EXPECT_EQ(count_non_finite(t).samples, pixels);
-    glClearNamedFramebufferfv(t.sums_target(1).id(), GL_COLOR, 0, all_endless.data());
+    glClearNamedFramebufferfv(t.sums_target(0).id(), GL_COLOR, 0, all_endless.data());
     EXPECT_EQ(count_non_finite(t).sums, 4 * pixels);
     glClearNamedFramebufferfv(t.surface().target.id(), GL_COLOR, 0, one_bad.data());
     EXPECT_EQ(count_non_finite(t).surface, pixels);

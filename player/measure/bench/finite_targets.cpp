@@ -7,8 +7,12 @@
 namespace vantage {
 namespace {
 
-std::size_t count(const gl::Texture& texture, const FrameTargets& t, GLenum layout, std::size_t channels) {
-    std::vector<float> values(std::size_t(t.width) * std::size_t(t.height) * channels);
+std::size_t count(const gl::Texture& texture, GLenum layout, std::size_t channels) {
+    if (!texture) return 0;
+    GLint width = 0, height = 0;
+    glGetTextureLevelParameteriv(texture.id(), 0, GL_TEXTURE_WIDTH, &width);
+    glGetTextureLevelParameteriv(texture.id(), 0, GL_TEXTURE_HEIGHT, &height);
+    std::vector<float> values(std::size_t(width) * std::size_t(height) * channels);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glGetTextureImage(texture.id(), 0, layout, GL_FLOAT, GLsizei(values.size() * sizeof(float)),
                       values.data());
@@ -19,10 +23,10 @@ std::size_t count(const gl::Texture& texture, const FrameTargets& t, GLenum layo
 
 NonFinite count_non_finite(const FrameTargets& t) {
     NonFinite found;
-    found.depth = count(t.surface().depth, t, GL_DEPTH_COMPONENT, 1);
-    found.surface = count(t.surface().shaded, t, GL_RGBA, 4);
-    for (const gl::Texture& sums : t.sums) found.sums += count(sums, t, GL_RGBA, 4);
-    found.samples = count(t.samples.front().sum, t, GL_RGBA, 4);
+    found.depth = count(t.surface().depth, GL_DEPTH_COMPONENT, 1);
+    found.surface = count(t.surface().shaded, GL_RGBA, 4);
+    for (const gl::Texture& sums : t.sums) found.sums += count(sums, GL_RGBA, 4);
+    found.samples = count(t.samples.front().sum, GL_RGBA, 4);
     return found;
 }
 

@@ -43,6 +43,16 @@ SurfaceTargets layer_of(const SurfaceTargets& layers, int layer) {
         gl::make_layer_view("frame triangles", layers.triangles, triangles_format, layer));
 }
 
+FrameSize fine_of(FrameSize frame, int fine) { return {frame.width * fine, frame.height * fine}; }
+
+gl::Texture make_sums(FrameSize size) {
+    return gl::make_texture_2d("frame sums", GL_RGBA32F, size.width, size.height);
+}
+
+gl::Framebuffer make_sums_target(const gl::Texture& sums, const SurfaceTargets& surface) {
+    return gl::make_framebuffer("frame sums", std::array{sums.id()}, surface.depth.id());
+}
+
 }  // namespace
 
 void bind_target(GLuint framebuffer, FrameSize size) {
@@ -51,15 +61,33 @@ void bind_target(GLuint framebuffer, FrameSize size) {
 }
 
 std::vector<std::uint32_t> read_triangles(const FrameTargets& targets) {
-    std::vector<std::uint32_t> out(std::size_t(targets.width) * std::size_t(targets.height));
+    const auto [width, height] = targets.fine_size();
+    std::vector<std::uint32_t> all(std::size_t(width) * std::size_t(height)), out;
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glGetTextureSubImage(targets.surface().triangles.id(), 0, 0, 0, 0, targets.width, targets.height, 1,
-                         GL_RED_INTEGER, GL_UNSIGNED_INT, GLsizei(out.size() * 4), out.data());
+    glGetTextureSubImage(targets.surface().triangles.id(), 0, 0, 0, 0, width, height, 1, GL_RED_INTEGER,
+                         GL_UNSIGNED_INT, GLsizei(all.size() * 4), all.data());
+    for (int y = targets.fine - 1; y < height; y += targets.fine)
+        for (int x = targets.fine - 1; x < width; x += targets.fine)
+            out.push_back(all[std::size_t(y) * std::size_t(width) + std::size_t(x)]);
     return out;
 }
 
-FrameTargets make_frame_targets(FrameSize allocated, std::size_t eyes, std::size_t surfaces) {
-    const auto [width, height] = allocated;
+void FrameTargets::add_second_sums() {
+    if (sums[1]) return;
+    sums[1] = make_sums(fine_of(allocated, fine));
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+        sums_targets[i][1] = make_sums_target(sums[1], surfaces[i]);
+}
+
+void FrameTargets::add_before() {
+    if (before) return;
+    const FrameSize size = fine_of(allocated, fine);
+    before = gl::make_texture_2d("frame before", GL_RGBA16F, size.width, size.height);
+    before_target = gl::make_framebuffer("frame before", std::array{before.id()}, 0);
+}
+
+FrameTargets make_frame_targets(FrameSize allocated, std::size_t eyes, std::size_t surfaces, int fine) {
+    const auto [width, height] = fine_of(allocated, fine);
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     if (width < 1 || height < 1 || width > most || height > most)
@@ -67,30 +95,25 @@ FrameTargets make_frame_targets(FrameSize allocated, std::size_t eyes, std::size
                                      ", expected 1 to " + std::to_string(most) + " along each side");
     FrameTargets t;
     t.allocated = allocated;
-    t.width = width;
-    t.height = height;
+    t.fine = fine;
+    t.width = allocated.width;
+    t.height = allocated.height;
     if (surfaces > 1) {
-        t.layers = make_layers(allocated);
+        t.layers = make_layers({width, height});
         for (const int layer : {0, 1}) t.surfaces.push_back(layer_of(t.layers, layer));
     } else {
-        t.surfaces.push_back(make_surface(allocated));
+        t.surfaces.push_back(make_surface({width, height}));
     }
-    for (gl::Texture& sums : t.sums) sums = gl::make_texture_2d("frame sums", GL_RGBA32F, width, height);
-    const auto sums_target = [](const gl::Texture& sums, const SurfaceTargets& surface) {
-        return gl::make_framebuffer("frame sums", std::array{sums.id()}, surface.depth.id());
-    };
-    for (const SurfaceTargets& s : t.surfaces)
-        t.sums_targets.push_back({sums_target(t.sums[0], s), sums_target(t.sums[1], s)});
-    t.before = gl::make_texture_2d("frame before", GL_RGBA16F, width, height);
-    t.before_target = gl::make_framebuffer("frame before", std::array{t.before.id()}, 0);
+    t.sums[0] = make_sums({width, height});
+    for (const SurfaceTargets& s : t.surfaces) t.sums_targets.push_back({make_sums_target(t.sums[0], s), {}});
     for (std::size_t eye = 0; eye < eyes; ++eye) t.samples.push_back(make_picture_samples(allocated));
     return t;
 }
 
-std::uint64_t FrameTargets::bytes(FrameSize allocated, std::size_t eyes, std::size_t surfaces) {
-    const auto [width, height] = allocated;
+std::uint64_t FrameTargets::bytes(FrameSize allocated, std::size_t eyes, std::size_t surfaces, int fine) {
+    const auto [width, height] = fine_of(allocated, fine);
     return std::uint64_t(width) * std::uint64_t(height) * (surfaces * (4 + 8 + 4) + 8 + 32) +
-           eyes * PictureSamples::bytes(width, height);
+           eyes * PictureSamples::bytes(allocated.width, allocated.height);
 }
 
 }  // namespace vantage

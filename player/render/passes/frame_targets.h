@@ -20,12 +20,13 @@ struct SurfaceTargets {
 /// float targets of sums (best photo and transient masking read one and write the other), and the samples of
 /// each eye's picture. They may be allocated for larger frames.
 struct FrameTargets {
-    int width = 0, height = 0;             ///< of the frame, pixels; up to `allocated`
-    FrameSize allocated;                   ///< of the textures
-    SurfaceTargets layers;                 ///< of both eyes, if each has its own surface
+    int width = 0, height = 0;  ///< of the frame, pixels; up to `allocated`
+    FrameSize allocated;        ///< of the largest frame
+    int fine = 1;               ///< samples per side of a pixel; each has a texel of surface and sums
+    SurfaceTargets layers;      ///< of both eyes, if each has its own surface
     std::vector<SurfaceTargets> surfaces;  ///< one per eye, from `layers`; or one that eyes use in turn
     std::size_t surface_number = 0;        ///< of the eye that was painted last
-    gl::Texture sums[2], before;
+    gl::Texture sums[2], before;           ///< all but the first only if they are used
     std::vector<std::array<gl::Framebuffer, 2>> sums_targets;  ///< per surface, which gives them its depth
     gl::Framebuffer before_target;
     std::vector<PictureSamples> samples;  ///< per eye
@@ -33,12 +34,17 @@ struct FrameTargets {
     Eigen::Vector2d depth_terms = Eigen::Vector2d::Zero();
 
     FrameSize size() const { return {width, height}; }
+    FrameSize fine_size() const { return {width * fine, height * fine}; }
+    /// Make what is lacking: the second sums, `before`.
+    void add_second_sums();
+    void add_before();
     /// Of the eye that was painted last. There must be targets.
     const SurfaceTargets& surface() const { return surfaces[surface_number]; }
     const gl::Framebuffer& sums_target(int sums) const {
         return sums_targets[surface_number][std::size_t(sums)];
     }
-    static std::uint64_t bytes(FrameSize allocated, std::size_t eyes = 1, std::size_t surfaces = 1);
+    static std::uint64_t bytes(FrameSize allocated, std::size_t eyes = 1, std::size_t surfaces = 1,
+                               int fine = 1);
 };
 
 /// Draws into a framebuffer, in a frame of this size.
@@ -49,19 +55,20 @@ class DrawnRegion {
   public:
     explicit DrawnRegion(const FrameTargets& targets) {
         glEnable(GL_SCISSOR_TEST);
-        glScissor(0, 0, targets.width, targets.height);
+        glScissor(0, 0, targets.fine_size().width, targets.fine_size().height);
     }
     ~DrawnRegion() { glDisable(GL_SCISSOR_TEST); }
     DrawnRegion(const DrawnRegion&) = delete;
     DrawnRegion& operator=(const DrawnRegion&) = delete;
 };
 
-/// The triangle at each pixel of the frame drawn last, row by row from the top, numbered from 1; 0: none.
-/// Waits for the graphics card.
+/// The triangle at each pixel's last sample of the frame drawn last, row by row from the top, numbered from
+/// 1; 0: none. Waits for the graphics card.
 std::vector<std::uint32_t> read_triangles(const FrameTargets& targets);
 
-/// For frames of at most this size, drawn for one eye or two, with as many surfaces or one. Throws
-/// Error(usage) for a size that the graphics card cannot draw.
-FrameTargets make_frame_targets(FrameSize allocated, std::size_t eyes = 1, std::size_t surfaces = 1);
+/// For frames of at most this size, drawn for one eye or two, with as many surfaces or one, `fine` * `fine`
+/// samples per pixel at once. Throws Error(usage) for a size that the graphics card cannot draw.
+FrameTargets make_frame_targets(FrameSize allocated, std::size_t eyes = 1, std::size_t surfaces = 1,
+                                int fine = 1);
 
 }  // namespace vantage

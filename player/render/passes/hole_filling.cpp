@@ -55,7 +55,9 @@ float HoleFilling::hole_weight(int width, int height) {
     return 1 / std::max(side * side, 1.0f);
 }
 
-void HoleFilling::fill(const gl::Texture& accumulated, GLuint surface, FrameSize frame, double samples) {
+void HoleFilling::fill(const gl::Texture& accumulated, GLuint surface, const FrameTargets& targets,
+                       double samples) {
+    const FrameSize frame = targets.size();
     const std::size_t levels = level_count(frame);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
@@ -66,6 +68,7 @@ void HoleFilling::fill(const gl::Texture& accumulated, GLuint surface, FrameSize
     };
     glUseProgram(average_program_.id());
     glBindTextureUnit(shader::surface_unit, surface);
+    glUniform1i(shader::fine_uniform, targets.fine);
     for (std::size_t i = 0; i < levels; ++i) {
         const FrameSize finer = i == 0 ? frame : level_size(frame, i - 1);
         glUniform2i(shader::frame_size_uniform, finer.width, finer.height);

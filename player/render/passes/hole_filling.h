@@ -24,7 +24,7 @@ class HoleFilling {
 
     /// Fills the pyramids from the samples accumulated for a frame of this size, `samples` per pixel.
     /// `surface`: as in SurfaceTargets::shaded.
-    void fill(const gl::Texture& accumulated, GLuint surface, FrameSize frame, double samples);
+    void fill(const gl::Texture& accumulated, GLuint surface, const FrameTargets& targets, double samples);
     /// Square roots of light at half the frame's size, without holes; from the texture's first texel.
     const gl::Texture& filled() const { return levels_.front().whole; }
     /// The same for holes of the background.

@@ -160,7 +160,7 @@ std::size_t PhotoPasses::draw(std::span<const PlannedPhoto* const> pass, const D
                               const FrameTargets& targets, const PointSurface& points, bool transients,
                               int into) {
     const RenderSettings& settings = drawn.settings;
-    bind_target(targets.sums_target(into).id(), targets.size());
+    bind_target(targets.sums_target(into).id(), targets.fine_size());
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_EQUAL);
@@ -218,7 +218,8 @@ void PhotoPasses::bind_frame(const FrameTargets& targets, const PointSurface& po
     bind(shader::normals_buffer, model.normals);
     if (model.colors) bind(shader::colors_buffer, model.colors);
     bind(shader::triangle_clusters_buffer, model.triangle_clusters);
-    glUniform2i(shader::frame_size_uniform, targets.width, targets.height);
+    glUniform2i(shader::frame_size_uniform, targets.fine_size().width, targets.fine_size().height);
+    glUniform1i(shader::fine_uniform, targets.fine);
     glBindTextureUnit(shader::triangles_unit, targets.surface().triangles.id());
     if (points.places) glBindTextureUnit(shader::places_unit, points.places);
 }
@@ -237,7 +238,7 @@ void PhotoPasses::draw_frame(GLenum depth_test) const {
 std::size_t PhotoPasses::draw_background(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                                          const FrameTargets& targets, const PointSurface& points, int into) {
     if (!clusters_->model().triangle_clusters) return 0;
-    bind_target(targets.sums_target(into).id(), targets.size());
+    bind_target(targets.sums_target(into).id(), targets.fine_size());
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     glDepthMask(GL_FALSE);

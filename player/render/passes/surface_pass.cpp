@@ -89,11 +89,11 @@ std::vector<std::string> SurfacePass::own_defines() const {
 }
 
 void SurfacePass::draw(const DrawnView& drawn, const FrameTargets& targets) {
-    draw_eyes(std::array{&drawn}, targets.surface().target, targets.size());
+    draw_eyes(std::array{&drawn}, targets.surface().target, targets.fine_size());
 }
 
 void SurfacePass::draw_both(const DrawnView& left, const DrawnView& right, const FrameTargets& targets) {
-    draw_eyes(std::array{&left, &right}, targets.layers.target, targets.size());
+    draw_eyes(std::array{&left, &right}, targets.layers.target, targets.fine_size());
 }
 
 void SurfacePass::draw_eyes(DrawnEyes eyes, const gl::Framebuffer& target, FrameSize frame) {

@@ -25,8 +25,9 @@ void TriangleReadback::capture(const FrameTargets& targets, const View& view) {
     const auto [width, height] = Seen::samples(targets.size());
     captured_pixels_ = std::size_t(width) * std::size_t(height);
     glNamedFramebufferReadBuffer(targets.surface().target.id(), GL_COLOR_ATTACHMENT1);
-    glBlitNamedFramebuffer(targets.surface().target.id(), small_target_.id(), 0, 0, targets.width,
-                           targets.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    const FrameSize all = targets.fine_size();
+    glBlitNamedFramebuffer(targets.surface().target.id(), small_target_.id(), 0, 0, all.width, all.height, 0,
+                           0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, pixels_.id());
     glGetTextureSubImage(small_.id(), 0, 0, 0, 0, width, height, 1, GL_RED_INTEGER, GL_UNSIGNED_INT,
                          GLsizei(4 * captured_pixels_), nullptr);

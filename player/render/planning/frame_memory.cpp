@@ -17,7 +17,7 @@ std::uint64_t tiles_for(FrameSize frame) {
 /// Of all but tiles that frames of the needs' capacity need, beside what is held.
 std::uint64_t bytes_of(const FrameResources& r, const FrameNeeds& n) {
     const auto [width, height] = n.capacity;
-    return FrameTargets::bytes(n.capacity, n.eyes, n.surfaces) +
+    return FrameTargets::bytes(n.capacity, n.eyes, n.surfaces, n.fine) +
            (r.scene.image_sets.size() > 1 ? n.eyes * PictureSamples::bytes(width, height) : 0) +
            (n.veiled ? n.eyes * PictureSamples::veil_bytes(width, height) : 0) +
            (r.filling ? HoleFilling::bytes(width, height) : 0) +
@@ -29,11 +29,12 @@ std::uint64_t bytes_of(const FrameResources& r, const FrameNeeds& n) {
 }  // namespace
 
 FrameNeeds needs_of(const FrameResources& r, FrameSize frame, std::span<const ImageSetFrame> image_sets,
-                    std::size_t eyes) {
+                    std::size_t eyes, int fine) {
     const RenderSettings& settings = image_sets.front().settings;
     FrameNeeds n;
     n.capacity = enclosing(frame, settings.capacity);
     n.eyes = eyes;
+    n.fine = fine;
     // A first picture, which may be coarse, does not wait for the memory of those that follow.
     n.allocated = settings.loading == Loading::beginning ? frame : n.capacity;
     n.surfaces = eye_surfaces(r, settings, eyes) == EyeSurfaces::in_turn ? 1 : eyes;
@@ -45,9 +46,25 @@ FrameNeeds needs_of(const FrameResources& r, FrameSize frame, std::span<const Im
     return n;
 }
 
+bool draws_samples_at_once(const FrameResources& r, const RenderSettings& settings, FrameSize frame, int side,
+                           const MemoryBudget& budget) {
+    constexpr double most = 1 << 22;  // samples
+    GLint longest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &longest);
+    const bool transparent = r.transparent && settings.transparency != Transparency::off;
+    const bool in_pixels = shows_points(settings, r.parts) || transparent || settings.light.wireframe ||
+                           r.fields.shows(settings) || !r.photos.by_triangle(settings);
+    // The rest is for tiles.
+    const bool fits = budget.graphics == 0 || FrameTargets::bytes(frame, 1, 1, side) <= budget.graphics / 4;
+    return side > 1 && !in_pixels && r.scene.image_sets.size() == 1 && fits &&
+           std::max(frame.width, frame.height) <= longest / side &&
+           double(frame.width) * frame.height * side * side <= most;
+}
+
 bool has(const FrameResources& r, const FrameNeeds& n) {
-    return r.targets.allocated == n.allocated && r.targets.samples.size() == n.eyes &&
-           r.targets.surfaces.size() >= n.surfaces && (r.store.has_coordinates() || !n.coordinates) &&
+    return r.targets.allocated == n.allocated && r.targets.fine == n.fine &&
+           r.targets.samples.size() == n.eyes && r.targets.surfaces.size() >= n.surfaces &&
+           (r.store.has_coordinates() || !n.coordinates) &&
            (!r.points || r.points->placed() || !n.points_placed) &&
            (!r.transparent || r.transparent->mode() == n.transparency);
 }
@@ -56,7 +73,7 @@ std::uint64_t make_targets(FrameResources& r, const FrameNeeds& n, const MemoryB
     const std::uint64_t others = gl::memory_held() - budget.elsewhere - r.store.bytes() + bytes_of(r, n);
     const std::uint64_t limit = budget.graphics ? budget.graphics : others + tiles_for(n.capacity);
     r.store.fit(limit > others ? limit - others : 0, n.coordinates);
-    r.targets = make_frame_targets(n.allocated, n.eyes, n.surfaces);
+    r.targets = make_frame_targets(n.allocated, n.eyes, n.surfaces, n.fine);
     if (r.filling) r.filling->fit(n.allocated.width, n.allocated.height);
     if (r.points) r.points->fit(r.targets, n.points_placed);
     if (r.transparent) r.transparent->fit(r.targets, n.transparency);

@@ -5,13 +5,20 @@
 #include <cmath>
 
 #include "base/text/error.h"
+#include "player/render/passes/blend_table.h"
 #include "player/render/planning/frame_memory.h"
 
 namespace vantage {
 namespace {
 
-/// The view shifted so that its pixel centers are the positions of one sample.
+/// The view shifted so that its pixel centers are the positions of one sample, or with a pixel for each
+/// sample.
 View sampled(View view, PixelSample s) {
+    if (s.all) {
+        const Intrinsics& k = view.intrinsics;
+        view.intrinsics = k.scaled(k.width * s.side, k.height * s.side);
+        return view;
+    }
     view.intrinsics.cx -= (s.index % s.side + 0.5) / s.side - 0.5;
     view.intrinsics.cy -= (s.index / s.side + 0.5) / s.side - 0.5;
     return view;
@@ -93,6 +100,7 @@ void FramePlanner::choose_image_sets(const FrameRequest& request, const RenderSe
         PlannedEye& eye = eyes[i];
         eye.view = request.eyes[i];
         eye.sampled = sampled(eye.view, request.sample);
+        eye.surface_drawn = false;
         if (i == 0)
             eye.plans.choose(settings, request.now);
         else
@@ -106,7 +114,7 @@ void FramePlanner::fit() {
     FrameResources& r = *resources_;
     const std::vector<ImageSetFrame>& image_sets = frame_.eyes.front().image_sets;
     const FrameSize size = frame_size(frame_.eyes.front().view);
-    const FrameNeeds needs = needs_of(r, size, image_sets, frame_.eyes.size());
+    const FrameNeeds needs = needs_of(r, size, image_sets, frame_.eyes.size(), frame_.sample.drawn());
     if (!has(r, needs)) {
         r.targets = {};
         for (PlannedEye& eye : frame_.eyes) eye.readback.release();
@@ -116,6 +124,8 @@ void FramePlanner::fit() {
     }
     r.targets.width = size.width, r.targets.height = size.height;
     r.targets.surface_number = 0;
+    const RenderSettings& settings = image_sets.front().settings;
+    if (takes_one(settings.blend) || settings.transients) r.targets.add_second_sums();
     for (PictureSamples& samples : r.targets.samples) {
         if (image_sets.size() > 1) samples.add_other();
         if (needs.veiled) samples.add_veil();
@@ -165,7 +175,11 @@ void FramePlanner::find_seen(PlannedEye& eye, const ImageSetFrame& image_set) {
     const PlanSettings surface = plan_settings(image_set.settings, r.trials.anisotropy);
     image_set.plan->order(eye.view, surface, {}, side, eye.readback.seen());
     image_set.plan->take(nullptr);  // a picture does not depend on those before
-    r.surface.draw(drawn_view(r, eye.view, image_set, side, suits_coarse(r, eye.view, image_set)), r.targets);
+    r.surface.draw(drawn_view(r, eye.sampled, image_set, side, suits_coarse(r, eye.sampled, image_set)),
+                   r.targets);
+    // The range of depths depends on the points, which are not there yet.
+    eye.surface_drawn =
+        frame_.eyes.size() == 1 && eye.image_sets.size() == 1 && !shows_points(image_set.settings, r.parts);
     take_seen(eye, true);
     eye.readback.capture(r.targets, eye.view);
     take_seen(eye, true);

@@ -42,6 +42,7 @@ class FramePlanner {
     void coarsen(bool wait);
     /// Current limit of graphics memory, bytes: the budget's, or more if a frame needs more.
     std::uint64_t graphics_budget() const { return graphics_budget_; }
+    const MemoryBudget& budget() const { return budget_; }
     /// Applies from the next frame.
     void set_budget(const MemoryBudget& budget);
 

@@ -271,6 +271,49 @@ TEST_F(Frames, SmallerOnesAreShownEnlarged) {
     EXPECT_LT(edge_off(half), 12);
 }
 
+TEST_F(Frames, SamplesDrawnAtOnceGiveThePictureOfOneAfterTheOther) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    for (const View& large : views(package))
+        for (const auto& [blend, transients] : {std::pair(Blend::lumigraph, false),
+                                                {Blend::average, false},
+                                                {Blend::best, false},
+                                                {Blend::lumigraph, true}}) {
+            const View view = scaled(large, 0.4);
+            RenderSettings settings;
+            settings.blend = blend;
+            settings.transients = transients;
+            settings.fill_holes = true;
+            ASSERT_EQ(renderer.samples(view, settings, 2).size(), 1);
+            const Picture at_once = take_picture(renderer, view, settings, all(package), 2);
+            for (const PixelSample sample : single_samples(2))
+                renderer.draw(view, settings, all(package), sample, 0);
+            const Picture in_turn = shown_picture(renderer, view, settings);
+            const Difference d = difference(at_once.rgba, in_turn.rgba);
+            EXPECT_LT(d.share_above_one, 0.002) << "at most " << d.most;
+            EXPECT_LT(d.share_above_24, 1e-4) << "at most " << d.most;
+        }
+}
+
+TEST_F(Frames, SamplesAreDrawnOneByOneWhereTargetsWouldBeTooLarge) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    Renderer any(package, {}), small(package, {.graphics = std::uint64_t(64) << 20});
+    const auto frames = [](const Renderer& renderer, int width, int height) {
+        View view;
+        view.intrinsics.width = width, view.intrinsics.height = height;
+        return renderer.samples(view, {}, 2).size();
+    };
+    EXPECT_EQ(frames(any, 1000, 1000), 1u);
+    EXPECT_EQ(frames(any, 3000, 1000), 4u);
+    GLint longest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &longest);
+    EXPECT_EQ(frames(any, longest / 2 + 1, 20), 4u) << "it can be drawn, but not at twice the size";
+    EXPECT_EQ(frames(small, 1000, 1000), 4u) << "three quarters of graphics memory are for tiles";
+    EXPECT_EQ(frames(small, 100, 100), 1u);
+}
+
 TEST_F(Frames, PassesThatAreTimedTakeNoMoreThanTheFrames) {
     const gl::HeadlessContext context;
     const PackageReader package(file);

@@ -83,7 +83,9 @@ TEST_F(StereoPicturesAtLength, AreTwoSinglePicturesToTheBit) {
             settings.fill_holes = true;
             const auto single = [&](const View& view) {
                 Renderer renderer(package, MemoryBudget{});
-                return take_picture(renderer, view, settings, all(package), side);
+                for (const PixelSample sample : single_samples(side))  // as for two eyes
+                    renderer.draw(view, settings, all(package), sample, 0);
+                return shown_picture(renderer, view, settings);
             };
             Renderer renderer(package, MemoryBudget{});
             ObjectSet objects(renderer, {{"garden", file, {}, true}}, MemoryBudget{});
