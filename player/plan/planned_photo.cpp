@@ -1,8 +1,5 @@
 #include "player/plan/planned_photo.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "player/plan/selection/shown_tiles.h"
 
 namespace vantage {
@@ -18,10 +15,6 @@ TileNeeds needs_of_clusters(const VisibleSurface& s, const PlannedPhoto& p, doub
     return tile_needs(s.scene.photos[p.photo], s.scene.lenses.of(p.photo), s.scene.coverage[p.photo], levels);
 }
 
-/// Levels of detail that a photo of this weight may lack. A level holds a few gray levels of detail: at a
-/// weight of 1/32 the loss of one is invisible, and at 1/128 that of two.
-double spared_levels(double weight) { return std::clamp(-std::log2(8 * weight) / 2, 0.0, 2.0); }
-
 }  // namespace
 
 std::vector<std::uint32_t> numbers_of(std::span<const PlannedPhoto> photos) {
@@ -36,16 +29,10 @@ void add_needs(PlannedPhoto& p, const VisibleSurface& s, const PlanSettings& set
         p.needs = needs_of_clusters(s, p, settings.samples);
         return;
     }
-    std::vector<SurfaceSample> samples;
-    samples.reserve(s.points.samples.size());
-    for (std::size_t i = 0; i < s.points.samples.size(); ++i) {
-        const float w = weight(i);
-        if (!(w > 0)) continue;
-        samples.push_back(s.points.samples[i]);
-        samples.back().coarser = spared_levels(w);
-    }
+    std::vector<float> weights(s.points.samples.size());
+    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = weight(i);
     p.needs = shown_tiles(s.scene.photos[p.photo], s.scene.lenses.of(p.photo), s.scene.poses[p.photo],
-                          {samples, s.points.pixels}, settings.worth, coarse);
+                          {s.points.samples, weights, s.points.pixels}, settings.worth, coarse);
 }
 
 }  // namespace vantage

@@ -47,7 +47,7 @@ double draw_points(const Seen& seen, std::size_t most, std::vector<std::size_t>&
         return double(step);
     }
     const auto columns = std::size_t(Seen::samples(frame_size(*seen.view)).width), rows = all / columns;
-    const auto step = std::max<std::size_t>(1, std::size_t(std::sqrt(double(all) / double(most))));
+    const auto step = std::max<std::size_t>(1, std::size_t(std::sqrt(double(all) / double(most)) + 0.5));
     for (std::size_t y = step / 2; y < rows; y += step)
         for (std::size_t x = step / 2; x < columns; x += step) out.push_back(y * columns + x);
     return double(step * step);

@@ -46,6 +46,11 @@ void PhotoStore::fit(std::uint64_t bytes, bool with_coordinates) {
 }
 
 void PhotoStore::make_room(std::uint32_t color, std::uint32_t weight_maps, std::uint64_t bytes) {
+    enlarge(color, weight_maps, bytes);
+    residency_->expect(color, weight_maps);
+}
+
+void PhotoStore::enlarge(std::uint32_t color, std::uint32_t weight_maps, std::uint64_t bytes) {
     ResidencyLayout layout = residency_->layout();
     if (layout.color >= color && layout.weight_maps >= weight_maps) return;
     // With some to spare: the next picture may need a few more.

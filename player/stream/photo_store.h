@@ -25,8 +25,8 @@ class PhotoStore {
     /// Allocates at most `bytes` of graphics memory. Evicts everything if the allocation changes; it is kept
     /// while it is within the budget and more than half of it. Throws Error(usage) if `bytes` is too little.
     void fit(std::uint64_t bytes, bool with_coordinates);
-    /// Enlarges the arrays to hold this many tiles, which evicts everything. Does nothing if they are large
-    /// enough, or if all of them would then exceed `bytes`.
+    /// Makes room for as many tiles at once, and no more. If the limits of the arrays are lower, raises them,
+    /// which evicts everything, unless all arrays would then exceed `bytes`.
     void make_room(std::uint32_t color, std::uint32_t weight_maps, std::uint64_t bytes);
     std::uint64_t bytes() const { return residency_ ? residency_->bytes() : 0; }
     bool has_coordinates() const { return residency_ && residency_->layout().coordinates > 0; }
@@ -97,6 +97,7 @@ class PhotoStore {
         std::uint32_t level;   ///< of a tile
         std::uint32_t number;  ///< in the order of requests
     };
+    void enlarge(std::uint32_t color, std::uint32_t weight_maps, std::uint64_t bytes);
     void want(StreamRequest request, Urgency urgency, std::uint32_t level = 0);
     std::size_t want(std::uint32_t photo, const TileNeeds& needs, Urgency urgency);
     /// Sorts wanted_: the most urgent first, coarse levels before fine ones, else as requested.

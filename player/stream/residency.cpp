@@ -102,6 +102,12 @@ std::uint64_t Residency::bytes() const {
     return held.bytes();
 }
 
+void Residency::expect(std::uint32_t color, std::uint32_t weight_maps) {
+    color_.expect(color);
+    weight_maps_.expect(weight_maps);
+    depths_.expect(weight_maps);
+}
+
 void Residency::begin_frame(double now, bool fade) {
     ++frame_;
     now_ = now;

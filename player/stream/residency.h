@@ -44,6 +44,8 @@ class Residency {
 
     Residency(const PackageReader& package, const PackagePages& pages, const ResidencyLayout& layout);
 
+    /// Makes sure that the arrays have as many layers, or all that they may have.
+    void expect(std::uint32_t color, std::uint32_t weight_maps);
     /// Begins a frame at `now` seconds; without `fade`, tiles are shown in full as soon as they arrive.
     void begin_frame(double now, bool fade);
     /// Marks a resource as used in this frame. If it is not resident, returns false and appends it to

@@ -21,13 +21,23 @@ gl::Texture TileArray::made(std::uint32_t layers) const {
     return gl::make_texture_array(label_, format_, tile_texels, tile_texels, int(layers), filter_);
 }
 
+void TileArray::expect(std::uint32_t layers) {
+    // Not in steps: each copies what is there.
+    const bool few = !grown_ && layers <= all_ / 2;
+    if (layers > layers_ && all_ > layers_) grow(few ? layers : all_);
+}
+
 void TileArray::make_room(std::uint32_t layer) {
-    if (layer < layers_) return;
-    gl::Texture larger = made(all_);
+    if (layer >= layers_) grow(all_);
+}
+
+void TileArray::grow(std::uint32_t layers) {
+    gl::Texture larger = made(layers);
     glCopyImageSubData(texture_.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, larger.id(), GL_TEXTURE_2D_ARRAY, 0, 0,
                        0, 0, tile_texels, tile_texels, GLsizei(layers_));
     texture_ = std::move(larger);
-    layers_ = all_;
+    layers_ = layers;
+    grown_ = true;
 }
 
 }  // namespace vantage

@@ -11,7 +11,6 @@ namespace vantage {
 /// view's picture to the next, along the picture's rows and columns.
 struct SurfaceSample {
     Eigen::Vector3d position, along_x, along_y;
-    double coarser = 0;  ///< levels of detail that may be missing, because the photo has little weight
 };
 /// `samples` per side of a pixel. Empty if the point is behind the viewer or its plane is seen edge-on.
 std::optional<SurfaceSample> surface_sample(const View& view, const Eigen::Vector3d& position,

@@ -54,6 +54,10 @@ class Shown {
     std::vector<std::vector<double>> texels_;
 };
 
+/// Levels of detail that a photo of this weight may lack. A level holds a few gray levels of detail: at a
+/// weight of 1/32 the loss of one is invisible, and at 1/128 that of two.
+double spared_levels(double weight) { return std::clamp(-std::log2(8 * weight) / 2, 0.0, 2.0); }
+
 }  // namespace
 
 TileNeeds shown_tiles(const package::PhotoRecord& photo, const LensTable* lens, const Pose& pose,
@@ -62,12 +66,14 @@ TileNeeds shown_tiles(const package::PhotoRecord& photo, const LensTable* lens, 
     constexpr double slight = 0.25;  // a level with a smaller share of the trilinear mix is not loaded
     Shown color(photo, 0, int(photo.levels)),
         weight_maps(photo, weight_map_level, weight_map_levels_end(int(photo.levels)));
-    for (const SurfaceSample& s : surface.samples) {
+    for (std::size_t i = 0; i < surface.samples.size(); ++i) {
+        const SurfaceSample& s = surface.samples[i];
+        if (!(surface.weights[i] > 0)) continue;
         const auto seen = project(k, pose, s.position);
         if (!seen || !in_frame(k, seen->pixel)) continue;
         const Eigen::Vector2d taken = lens ? photo_pixel(*lens, seen->pixel) : seen->pixel;
         if (!in_frame(k, taken)) continue;
-        const double sampled = level_of_detail(s, k, pose), lod = sampled + s.coarser;
+        const double sampled = level_of_detail(s, k, pose), lod = sampled + spared_levels(surface.weights[i]);
         const auto add = [&](Shown& to, const Eigen::Vector2d& pixel, double level) {
             const int l = int(std::clamp(level, double(to.first()), double(to.last())));
             to.add(pixel, l, surface.pixels * std::exp2(2 * std::min(sampled - l, 1.0)));

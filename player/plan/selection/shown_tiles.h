@@ -10,6 +10,7 @@ namespace vantage {
 /// Samples of a surface, each of which stands for `pixels` samples of the picture.
 struct SampledSurface {
     std::span<const SurfaceSample> samples;
+    std::span<const float> weights;  ///< of the photo at each sample, in [0, 1]; 0: it does not show it
     double pixels = 1;
 };
 

@@ -33,7 +33,8 @@ std::vector<SurfaceSample> plane_samples(const View& view, int step, int first, 
 TEST(ShownTiles, ContainTilesWithEnoughVisiblePixels) {
     const package::PhotoRecord photo = photo_at({0, 0, -10}, Eigen::Matrix3d::Identity());
     const auto needs = [&](const std::vector<SurfaceSample>& samples, double pixels) {
-        return shown_tiles(photo, nullptr, cam_from_origin(photo), {samples, pixels}, 0.1);
+        const std::vector<float> weights(samples.size(), 1.0f);
+        return shown_tiles(photo, nullptr, cam_from_origin(photo), {samples, weights, pixels}, 0.1);
     };
     // From the photo's own camera, pixels are texels: columns 0 to 268 fill tile 0 and 20 columns of tile 1.
     const View own = view_of_photo(photo, 1);
@@ -61,7 +62,9 @@ TEST(ShownTiles, EverySampleHasItsLevelOrACoarserOne) {
         for (int i = 0; i < 200; ++i)
             if (const auto s = surface_sample(view, random.vector(1), random.vector(1).normalized(), 1))
                 samples.push_back(*s);
-        const TileNeeds n = shown_tiles(photo, nullptr, cam_from_origin(photo), {samples, 50}, random(0, 1));
+        const std::vector<float> weights(samples.size(), 1.0f);
+        const TileNeeds n =
+            shown_tiles(photo, nullptr, cam_from_origin(photo), {samples, weights, 50}, random(0, 1));
         for (const SurfaceSample& s : samples) {
             const auto p = project(intrinsics(photo), cam_from_origin(photo), s.position);
             if (!p || p->pixel.x() < 0 || p->pixel.y() < 0 || p->pixel.x() >= photo.width ||
