@@ -84,7 +84,7 @@ Candidates candidates_of(const VisibleSurface& s, const PlanSettings& settings,
 /// its borders. A reduced plan has only photos that weigh much.
 void assign_clusters(const VisibleSurface& s, const PlanSettings& settings, const Candidates& candidates,
                      std::vector<PlannedPhoto>& photos) {
-    const double least = settings.reduced ? 0.3 : 1.0 / 1024, least_own = 1e-5;
+    const double least = settings.reduced ? 0.3 : 1.0 / 256, least_own = 1e-5;
     const std::size_t words = package::visible_words(s.scene.triangles);
     std::vector<WeightRange> ranges(photos.size());
     for (const std::uint32_t index : s.clusters) {
