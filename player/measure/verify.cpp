@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/cli/progress_line.h"
 #include "base/files/junit.h"
 #include "base/files/make_folder.h"
 #include "base/gl/context.h"
@@ -91,7 +92,11 @@ void verify_package(const VerifyOptions& o, Verified& out) {
     RenderSettings settings = render_settings(package, {}, Purpose::pictures);
     const std::vector<std::uint32_t> photos = photos_in_use(package, {});
     Renderer renderer(package, memory_budget({}));
-    for (const Shot& shot : read_path(views.string(), package, parse_size(o.size))) {
+    const std::vector<Shot> shots = read_path(views.string(), package, parse_size(o.size));
+    ProgressLine progress(ProgressStyle::automatic, 10);
+    std::size_t done = 0;
+    for (const Shot& shot : shots) {
+        progress.show({"views", shot.name, done, shots.size()});
         settings.image_sets.shown = shot.image_set.value_or(0);
         const Picture now = take_picture(renderer, shot.view, settings, photos, 2);
         if (now.report.tiles_damaged)
@@ -100,6 +105,7 @@ void verify_package(const VerifyOptions& o, Verified& out) {
         if (const NonFinite wrong = count_non_finite(renderer.resources().targets); wrong.all() > 0)
             out.add(Exit::different, shot.name + ": " + words(wrong));
         verify_view(o, folder, inputs, shot, now, out);
+        progress.show({"views", "", ++done, shots.size()});
     }
 }
 

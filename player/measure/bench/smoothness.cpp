@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "base/cli/progress_line.h"
 #include "base/files/make_folder.h"
 #include "base/files/replace_file.h"
 #include "base/files/side_by_side.h"
@@ -167,6 +168,7 @@ std::vector<FrameStep> fly_in_steps(const PackageReader& package, const Smoothne
     std::vector<FrameStep> steps;
     SeenFrame now;
     std::vector<std::uint32_t> drawn;
+    ProgressLine progress(o.output.quiet ? ProgressStyle::none : ProgressStyle::automatic, 10);
     for (std::size_t i = 0; i < path.size(); ++i) {
         const View view = view_of(path[i], size.width, size.height);
         const FrameReport report = renderer.draw(view, settings, photos, {}, double(i) * frame_seconds);
@@ -184,6 +186,7 @@ std::vector<FrameStep> fly_in_steps(const PackageReader& package, const Smoothne
         }
         now = std::move(next);
         drawn = std::move(next_drawn);
+        progress.show({"frames", "", i + 1, path.size()});
     }
     return steps;
 }
