@@ -1,5 +1,5 @@
 // What the C++ code and the shaders share, written once: valid as GLSL and as C++ (shaders/contract.h includes
-// it). Only constants and one struct, whose std430 layout is the same in C++.
+// it). Only constants and structs, whose layouts in blocks and buffers are the same in C++.
 
 // Attributes of the model.
 const int position_attribute = 0;
@@ -18,8 +18,10 @@ const int kind_attribute = 7;
 const int layer_attribute = 8;
 const uint background_bit = 0x80000000u;  // beside the photos' bits: the draw is of the background
 
+// Uniform block.
+const int photos_block = 0;
+
 // Shader storage buffers.
-const int photos_buffer = 0;
 const int pages_buffer = 1;
 const int fragment_heads_buffer = 2;
 const int fragments_buffer = 3;
@@ -34,7 +36,7 @@ const int normals_buffer = 9;
 const int colors_buffer = 10;
 const int triangle_clusters_buffer = 11;
 const int cluster_photos_buffer = 12;
-const int blend_buffers = 9;  // that a blending program reads, at most
+const int blend_buffers = 8;  // that a blending program reads, at most
 
 // Texture units. Units 0 to 3 hold the photos; 4 and 5 hold the other inputs of a program.
 const int color_tiles_unit = 0;
@@ -340,7 +342,8 @@ const float sky_distance = 700.0f;
 const float sky_spread = 0.15f;     // square root of light: half the weight at this distance from the calm color
 
 const uint not_resident = 0xffffffffu;  // in place of a page's entry
-const int level_count = 12;             // of a photo's pyramid, at most
+const int level_count = 12;             // of a photo's pyramid, at most; a multiple of 4
+const int pass_photos = 16;             // of a pass, at most
 const int levels_of_base = 2;           // photos that are shown have the finest of so many coarsest levels
 
 // One photo of a pass.
@@ -353,8 +356,8 @@ struct Photo {
     vec4 false_color;         // linear; its label in the background, 0: none
     vec4 gain;                // factors to the mean photo's exposure, linear light; 2 / diagonal, 1/pixels
     vec4 vignetting;             // of the lens: ln of its loss, times r^2, r^4, r^6; square of its range (scene/package/contents/lens_table.h)
-    uint color_base[level_count];  // index in `pages` of each level's first tile
-    uint weight_base[level_count];
+    uvec4 color_base[level_count / 4];  // index in `pages` of each level's first tile, four levels each
+    uvec4 weight_base[level_count / 4];
 };
 
 // A node of a point cloud that is drawn: which of its children are (bit i: the eighth i), the number of the first of these

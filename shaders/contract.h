@@ -9,11 +9,13 @@ namespace vantage::shader {
 
 using uint = std::uint32_t;
 using vec4 = float[4];
+using uvec4 = std::uint32_t[4];
 using mat4 = float[16];  ///< column-major
 
 #include "shaders/contract.glsl"
 
-// std430: vectors at multiples of 16 bytes, uints packed, the whole a multiple of 16.
+// std140, and std430 but for PointSizes and TransparentFragment: vectors at multiples of 16 bytes, the whole
+// a multiple of 16.
 static_assert(offsetof(Photo, focal_center) == 64 && offsetof(Photo, color_base) == 176);
 static_assert(sizeof(PointSizes) == 16);
 static_assert(sizeof(TransparentFragment) == 20);

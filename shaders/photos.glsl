@@ -1,7 +1,8 @@
 // The photos of a pass, and access to their pixels, weight maps and depth.
 #include "contract.glsl"
 
-layout(std430, binding = photos_buffer) readonly buffer Photos { Photo photos[]; };
+// A block, not a buffer: software renderers read buffers lane by lane.
+layout(std140, binding = photos_block) uniform Photos { Photo photos[pass_photos]; };
 // Per tile: layer in the low 16 bits, above them how far the tile has faded in, 0 to 255; or not_resident.
 layout(std430, binding = pages_buffer) readonly buffer Pages { uint pages[]; };
 layout(binding = color_tiles_unit) uniform sampler2DArray color_tiles;
@@ -85,7 +86,7 @@ vec4 color_at_level(uint photo, int level, vec2 pixel) {
     // Loops end at their bottom: software renderers go through a loop's body once more where it ends at the top.
     do {
         int l = next < levels ? next : max(levels - levels_of_base, 0);
-        TilePlace p = tile_place(size, l, pixel / float(1 << l), photos[photo].color_base[l]);
+        TilePlace p = tile_place(size, l, pixel / float(1 << l), photos[photo].color_base[l >> 2][l & 3]);
         uint entry = pages[p.page];
         if (entry == not_resident) continue;
         float shown = float(entry >> 16) / 255.0;
@@ -116,7 +117,7 @@ WeightPlace weight_place(uint photo, vec2 pixel, float lod) {
     int end = max(int(photos[photo].size_weight.z), first_weight_level + 1), l = clamp(int(lod), first_weight_level, end - 1);
     WeightPlace found = WeightPlace(vec3(0.0), -1);
     do {
-        TilePlace p = tile_place(photos[photo].size_weight.xy, l, pixel / float(1 << l), photos[photo].weight_base[l]);
+        TilePlace p = tile_place(photos[photo].size_weight.xy, l, pixel / float(1 << l), photos[photo].weight_base[l >> 2][l & 3]);
         uint entry = pages[p.page];
         if (entry == not_resident) continue;
 #ifdef TRACE_TEXELS

@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// A photo as the shaders read it (std430).
+/// A photo as the shaders read it (std140).
 using PhotoBlock = shader::Photo;
 static_assert(shader::level_count == max_levels);
 

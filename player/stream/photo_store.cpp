@@ -211,8 +211,9 @@ void PhotoStore::write_pages(std::uint32_t photo, PhotoBlock& block, std::byte* 
                              std::uint32_t& next) const {
     const PhotoPages& pages = pages_.photos[photo];
     for (std::size_t l = 0; l < max_levels; ++l) {
-        block.color_base[l] = next + pages.color[l] - pages.color_first;
-        block.weight_base[l] = next + pages.color_count + pages.weight_maps[l] - pages.weight_map_first;
+        block.color_base[l / 4][l % 4] = next + pages.color[l] - pages.color_first;
+        block.weight_base[l / 4][l % 4] =
+            next + pages.color_count + pages.weight_maps[l] - pages.weight_map_first;
     }
     const auto write = [&](std::uint32_t entry) { std::memcpy(table + std::size_t(next++) * 4, &entry, 4); };
     // A first picture, and a photo that becomes one of those shown, has nothing coarser to fade in from.

@@ -67,7 +67,7 @@ class PhotosOfPass {
 /// Tells which photos of the pass have which label, and which are the nearest, by a bit for each.
 void set_background_bits(std::span<const std::uint32_t> photos, const PlanScene& scene,
                          const std::vector<float>& shares) {
-    static_assert(max_photos_per_pass < 32);
+    static_assert(max_photos_per_pass == shader::pass_photos && max_photos_per_pass < 32);
     std::array<GLuint, shader::background_labels> of_labels{};
     GLuint nearest = 0;
     for (std::size_t i = 0; i < photos.size(); ++i) {
@@ -309,7 +309,7 @@ void PhotoPasses::bind_photos(std::span<const std::uint32_t> photos, std::span<c
     std::size_t words = 0;
     for (const std::uint32_t p : photos)
         words += store_->table_words(p) + (scene_->lenses.of(p) ? lens_words : 0);
-    const FrameRing::Space blocks = ring_.take(photos.size() * sizeof(PhotoBlock)),
+    const FrameRing::Space blocks = ring_.take(max_photos_per_pass * sizeof(PhotoBlock)),
                            table = ring_.take(words * 4);
     std::uint32_t next = 0;
     for (std::size_t i = 0; i < photos.size(); ++i) {
@@ -320,8 +320,7 @@ void PhotoPasses::bind_photos(std::span<const std::uint32_t> photos, std::span<c
         if (const LensTable* lens = scene_->lenses.of(p)) write_lens(*lens, b, table.memory, next);
         std::memcpy(blocks.memory + i * sizeof b, &b, sizeof b);
     }
-    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::photos_buffer, ring_.buffer(), blocks.offset,
-                      blocks.bytes);
+    glBindBufferRange(GL_UNIFORM_BUFFER, shader::photos_block, ring_.buffer(), blocks.offset, blocks.bytes);
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::pages_buffer, ring_.buffer(), table.offset,
                       table.bytes);
     store_->bind();
