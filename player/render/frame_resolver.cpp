@@ -66,17 +66,15 @@ void FrameResolver::resolve(int sums, const PaintedImageSet& image_set) {
     const gl::Framebuffer& target = image_set.second ? samples.other_target : samples.sum_target;
     const bool veiled = veils(image_set.eye) && !image_set.second;
     const int side = image_set.sample.drawn();
-    if (image_set.sample.index == 0) {
-        const std::array<float, 4> zero{};
-        glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, zero.data());
-        for (const GLint apart : {1, 2})
-            if (veiled) glClearNamedFramebufferfv(samples.veiled_target.id(), GL_COLOR, apart, zero.data());
-        if (!image_set.second) samples.count = 0;
-    }
-    if (!image_set.second) samples.count += side * side;
+    const bool first = image_set.sample.index == 0;
+    if (!image_set.second) samples.count = (first ? 0 : samples.count) + side * side;
     bind_target((veiled ? samples.veiled_target : target).id(), resources_->targets.size());
     glDisable(GL_DEPTH_TEST);
-    glEnable(GL_BLEND);
+    // The first one replaces all pixels of those before.
+    if (first)
+        glDisable(GL_BLEND);
+    else
+        glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     draw_resolved(sums, image_set, false);
 }
