@@ -6,8 +6,12 @@
 #include <cmath>
 #include <cstdio>
 #include <deque>
+#include <filesystem>
 #include <limits>
+#include <numeric>
+#include <utility>
 
+#include "base/cli/help_text.h"
 #include "base/cli/joined.h"
 #include "base/text/error.h"
 
@@ -23,6 +27,7 @@ struct Command::Node {
     std::shared_ptr<CLI::App> app;
     std::deque<Option::Entry> options;  ///< with arguments
     std::vector<Command> verbs;
+    std::vector<std::string> common;
     std::function<int(const Command&)> action;
 };
 
@@ -30,10 +35,6 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& expected, const std::string& text) {
     throw Error(Exit::usage, "expected " + expected + ", not '" + text + "'");
-}
-
-std::string limits_text(const std::string& least, const std::string& most) {
-    return most.size() <= longest_limit ? "from " + least + " to " + most : "from " + least + " up";
 }
 
 /// The whole text as a number within limits.
@@ -68,14 +69,27 @@ std::size_t index_of(const std::string& text, const std::vector<std::string>& wo
     return std::size_t(found - words.begin());
 }
 
-/// How --help shows what an option takes: "NUMBER (from 1 to 8, default 2)".
-std::string label_of(const DescribedOption& o) {
-    std::vector<std::string> known;
-    if (!o.least.empty()) known.push_back(limits_text(o.least, o.most));
-    if (!o.initial.empty()) known.push_back("default " + o.initial);
-    std::string kind = o.type;
-    if (!o.values.empty()) kind = "{" + joined(o.values, ",") + "}" + (o.type == "FILE" ? " or FILE" : "");
-    return known.empty() ? kind : kind + " (" + joined(known, ", ") + ")";
+/// The fewest letters inserted, deleted or replaced to make one word of the other (Levenshtein 1966).
+std::size_t edits(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t(0));
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i + 1);
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t replaced = diagonal + (a[i] != b[j]);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+/// "; did you mean WORD?" if one of the words is like this one, else nothing.
+std::string like_one_of(const std::string& word, const std::vector<std::string>& words) {
+    const auto off = [&](const std::string& other) { return edits(word, other); };
+    const auto nearest = std::ranges::min_element(words, {}, off);
+    const bool like = nearest != words.end() && off(*nearest) <= (word.size() + 1) / 3;
+    return like && !word.empty() ? "; did you mean " + *nearest + "?" : "";
 }
 
 DescribedOption described_flag(const std::vector<std::string>& names, const std::string& help) {
@@ -127,6 +141,7 @@ Option Option::one_word() const {
 
 Option Option::needs(const Option& other) const {
     entry_->option->needs(other.entry_->option);
+    entry_->described.needs.push_back(other.entry_->described.names.back());
     return *this;
 }
 
@@ -143,6 +158,7 @@ Option Option::suggests(std::vector<std::string> values) const {
 
 Command::Command(const std::string& name, const std::string& description) : node_(std::make_shared<Node>()) {
     node_->app = std::make_shared<CLI::App>(description, name);
+    node_->app->set_help_flag("-h,--help", "print this help and exit");
     node_->options.push_back(
         {node_->app->get_help_ptr(),
          described_flag({"-h", "--help"}, node_->app->get_help_ptr()->get_description())});
@@ -192,7 +208,7 @@ Option Command::add_integer(const std::string& names, std::int64_t initial, std:
     const bool known = initial >= least && initial <= most;
     DescribedOption d = described_value("NUMBER", known ? std::to_string(initial) : "", help);
     d.least = std::to_string(least), d.most = std::to_string(most);
-    const std::string expected = "an integer " + limits_text(d.least, d.most);
+    const std::string expected = "an integer " + limits_text(d);
     return add(names, std::move(d), [=, set = std::move(set)](const Words& words) {
         set(number_in(words.front(), least, most, expected));
     });
@@ -203,7 +219,7 @@ Option Command::add_real(const std::string& names, double initial, double least,
     const bool known = initial >= least && initial <= most;
     DescribedOption d = described_value("NUMBER", known ? text_of(initial) : "", help);
     d.least = text_of(least), d.most = text_of(most);
-    const std::string expected = "a number " + limits_text(d.least, d.most);
+    const std::string expected = "a number " + limits_text(d);
     return add(names, std::move(d), [=, set = std::move(set)](const Words& words) {
         set(number_in(words.front(), least, most, expected));
     });
@@ -264,11 +280,17 @@ void Command::force(bool& value) const {
 }
 
 void Command::version(const std::string& text) const {
-    CLI::Option* option = node_->app->set_version_flag("--version", text);
+    CLI::Option* option = node_->app->set_version_flag("--version", text, "print the version and exit");
     node_->options.push_back({option, described_flag({"--version"}, option->get_description())});
 }
 
 void Command::notes(const std::string& text) const { node_->app->footer(text); }
+
+void Command::common(std::vector<std::string> names) const {
+    node_->common = std::move(names);
+    CLI::Option* option = node_->app->set_help_all_flag("--help-all", "print help on all options, and exit");
+    node_->options.push_back({option, described_flag({"--help-all"}, option->get_description())});
+}
 
 void Command::action(std::function<int(const Command&)> run) const { node_->action = std::move(run); }
 
@@ -279,36 +301,50 @@ void Command::action(std::function<int()> run) const {
 Command Command::verb(const std::string& name, const std::string& description) const {
     const Command out(name, description);
     out.node_->program = node_->app->get_name();
-    out.node_->app->group("Verbs");
-    node_->app->add_subcommand(out.node_->app);  // for --help; run() selects the verb
-    for (const char* label : {"SUBCOMMAND", "SUBCOMMANDS"}) node_->app->get_formatter()->label(label, "VERB");
     return node_->verbs.emplace_back(out);
 }
 
 int Command::run(const std::vector<std::string>& arguments) const {
     if (arguments == Words{"--describe"}) return std::puts(to_line(described()).c_str()) < 0;
+    const std::string first = arguments.empty() ? "" : arguments.front();
     Words names;
     for (const Command& verb : node_->verbs) {
         names.push_back(verb.node_->app->get_name());
-        if (!arguments.empty() && arguments.front() == names.back())
-            return verb.run({arguments.begin() + 1, arguments.end()});
+        if (first == names.back()) return verb.run({arguments.begin() + 1, arguments.end()});
     }
-    const std::string expected = "expected one of " + joined(names, ", ");
-    if (!node_->action && !names.empty() && (arguments.empty() || !arguments.front().starts_with('-')))
-        throw Error(Exit::usage, arguments.empty() ? "no verb: " + expected
-                                                   : "no verb '" + arguments.front() + "': " + expected);
+    if (!names.empty() && first.find_first_of("-./") == first.npos && !std::filesystem::exists(first)) {
+        if (first == "help") return run({arguments.size() > 1 ? arguments[1] : "--help", "--help"});
+        if (const std::string like = like_one_of(first, names); !like.empty())
+            throw Error(Exit::usage, "no verb '" + first + "'" + like);
+        if (!node_->action)
+            throw Error(Exit::usage, (first.empty() ? "no verb" : "no verb '" + first + "'") +
+                                         ": expected one of " + joined(names, ", "));
+    }
     try {
         node_->app->parse(Words(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::CallForHelp&) {
-        const bool needs_verb = !node_->action && !node_->verbs.empty();
-        node_->app->require_subcommand(needs_verb, 0);  // for the usage alone: run() selects the verb
-        std::fputs(node_->app->help(node_->program).c_str(), stdout);
-        node_->app->require_subcommand(0, 0);
-        return int(Exit::ok);
+        return print_help(false);
+    } catch (const CLI::CallForAllHelp&) {
+        return print_help(true);
     } catch (const CLI::ParseError& e) {
-        return node_->app->exit(e) == 0 ? int(Exit::ok) : int(Exit::usage);
+        if (e.get_exit_code() == 0) return node_->app->exit(e);  // --version
+        throw Error(Exit::usage, node_->app->remaining().empty() ? e.what() : unexpected());
     }
     return node_->action ? node_->action(*this) : int(Exit::ok);
+}
+
+int Command::print_help(bool all) const {
+    std::fputs(help_text(described(), node_->program, all).c_str(), stdout);
+    return int(Exit::ok);
+}
+
+/// What is wrong with the arguments that were left over.
+std::string Command::unexpected() const {
+    const std::string word = node_->app->remaining().front();
+    if (!word.starts_with('-')) return "'" + word + "' was not expected";
+    Words names;
+    for (const Option::Entry& o : node_->options) names.push_back(o.described.names.back());
+    return "no option " + word + like_one_of(word, names);
 }
 
 void Command::give(const std::string& name, const std::vector<std::string>& values,
@@ -334,7 +370,8 @@ bool Command::given(const std::string& group) const {
 
 DescribedCommand Command::described() const {
     DescribedCommand out{
-        node_->app->get_name(), node_->app->get_description(), node_->app->get_footer(), {}, {}, {}};
+        node_->app->get_name(), node_->app->get_description(), node_->app->get_footer(), {}, {}, {}, {}};
+    out.common = node_->common;
     for (const Option::Entry& o : node_->options)
         (o.described.names.front().starts_with('-') ? out.options : out.arguments).push_back(o.described);
     for (const Command& verb : node_->verbs) out.verbs.push_back(verb.described());

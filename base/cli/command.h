@@ -102,6 +102,8 @@ class Command {
     void force(bool& value) const;
     void version(const std::string& text) const;
 
+    /// The options of a command with many that its --help lists, by their last names; --help-all lists all.
+    void common(std::vector<std::string> names) const;
     /// Paragraphs, examples and exit codes at the end of --help.
     void notes(const std::string& text) const;
     /// What the command does: it returns the exit code. It gets this command, whose options may be asked for.
@@ -109,10 +111,11 @@ class Command {
     void action(std::function<int()> run) const;
     Command verb(const std::string& name, const std::string& description) const;
 
-    /// Parses the arguments (without the program's name) and does what they ask for: --help, a verb's action
-    /// or the program's. `--describe`, which --help does not list, prints described() as a line, of which the
-    /// build makes the manual and the completion of shells. Returns the exit code. Throws what actions throw,
-    /// and Error(usage) without a verb if there is no other action.
+    /// Parses the arguments (without the program's name) and does what they ask for: --help, also as "help
+    /// VERB", a verb's action or the program's. `--describe`, which --help does not list, prints described()
+    /// as a line, of which the build makes the manual and the completion of shells. Returns the exit code.
+    /// Throws what actions throw, and Error(usage) for an unknown option or verb, with the one that is most
+    /// like it.
     int run(const std::vector<std::string>& arguments) const;
     /// Gives --`name` these values, at least one, if the command line did not. Throws Error(usage) for an
     /// unknown option or a wrong value, with `place` in front, such as a file.
@@ -133,6 +136,8 @@ class Command {
                     const std::string& help, std::function<void(double)> set) const;
     Option add_choice(const std::string& names, const std::string& initial, const Words& words,
                       const std::string& help, std::function<void(std::size_t)> set) const;
+    int print_help(bool all) const;
+    std::string unexpected() const;
     std::shared_ptr<Node> node_;
 };
 

@@ -17,8 +17,9 @@ struct DescribedOption {
     std::string description;
     std::string group;  ///< the heading of --help that it is listed under
     bool required = false;
-    bool several = false;  ///< takes any number of values
-    bool commas = false;   ///< values may be separated by commas
+    bool several = false;              ///< takes any number of values
+    bool commas = false;               ///< values may be separated by commas
+    std::vector<std::string> needs{};  ///< other options; of --help alone
 };
 
 /// A program or one of its verbs, as its command line describes it.
@@ -28,6 +29,7 @@ struct DescribedCommand {
     std::string notes;  ///< what --help prints at the end: paragraphs, examples, exit codes
     std::vector<DescribedOption> arguments, options;
     std::vector<DescribedCommand> verbs;
+    std::vector<std::string> common;  ///< options that --help lists if it does not list all; of --help alone
 };
 
 /// As one line of JSON.

@@ -34,7 +34,7 @@ int evaluate(EvaluateOptions o) {
 void add_evaluate(const Command& program) {
     const auto o = std::make_shared<EvaluateOptions>();
     const Command c = program.verb(
-        "evaluate", "Leave out each photo in turn and compare it with the picture that the others give");
+        "evaluate", "Hold out each photo in turn and compare it with the picture that the others give");
     add_package_argument(c, o->package).required();
     add_exclude_option(c, o->package);
     add_photo_option(c, o->package);

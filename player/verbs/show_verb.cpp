@@ -104,11 +104,16 @@ void add_show(const Command& c) {
     add_video_options(c, o->video);
     add_window_options(c, o->window);
     add_headset_options(c, o->headset);
+    c.common({"--help", "--help-all", "--photo", "--view", "--offscreen", "--turntable", "--size", "--scale",
+              "--output", "--list", "--kiosk", "--graphics-memory"});
     c.notes(
         "Examples:\n"
         "  vantage-player\n"
         "  vantage-player chapel.vantage\n"
         "  vantage-player chapel.vantage --offscreen --photo 0003 -o 0003.png\n"
+        "  vantage-player chapel.vantage --turntable -o chapel.mp4\n"
+        "  vantage-player chapel.vantage --kiosk --idle-timeout 90\n"
+        "  vantage-player church.toml\n"
         "  vantage-player chapel.vantage --offscreen --photo all --scale 0.5 --blend best -o pictures\n"
         "  vantage-player chapel.vantage --offscreen --view 4,-9,2,0,0,1,40 --size 1920x1080 -o view.png\n"
         "  vantage-player chapel.vantage --offscreen --photo 0003 --field deviation --isolines 10 -o "
@@ -117,11 +122,9 @@ void add_show(const Command& c) {
         "relief.png\n"
         "  vantage-player chapel.vantage --offscreen --photo 0003 --panorama -o around.png\n"
         "  vantage-player chapel.vantage --offscreen --photo 0003 --stereo anaglyph -o 0003-3d.png\n"
-        "  vantage-player chapel.vantage --turntable -o chapel.mp4\n"
         "  vantage-player chapel.vantage --tour short --size 1920x1080 -o tour.webm\n"
         "  vantage-player chapel.vantage --path chapel-0001.path --frame-rate 25 -o frames\n"
         "  vantage-player chapel.vantage --add altar.vantage --add scanner.vantage\n"
-        "  vantage-player church.toml\n"
         "  vantage-player chapel.vantage --xr --meters-per-unit 0.01\n"
         "  vantage-player panel.vantage --offscreen --photo 0003 --image-set visible --second-image-set "
         "infrared=0.5 "

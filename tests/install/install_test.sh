@@ -34,7 +34,7 @@ grep -q "calling init: $prefix/.*lib/vantage/libvantage_images.so" loaded || fai
 # The manual has a page for each verb, and a page has each option of --help.
 page() { gzip -dc "$prefix/share/man/man1/$1.1.gz" | sed 's/\\-/-/g; s/\\f[BIR]//g'; }
 verbs() { $1 --help | sed -n '/^\(Subcommands\|Verbs\)/,/^$\|^Exit/s/^  \([a-z]\{1,\}\) .*/\1/p'; }
-options() { "$@" --help | grep -oE '^  (-[a-zA-Z],)?--[a-z-]+' | tr ', ' '\n' | grep .; }
+options() { { "$@" --help-all 2>/dev/null || "$@" --help; } | grep -oE '^  (-[a-zA-Z],)?--[a-z-]+' | tr ', ' '\n' | grep .; }
 candidates() {  # WORD...: what completion offers for the last of them
   bash --norc -c '
     for file in /usr/share/bash-completion/bash_completion "$0/share/bash-completion/completions/$1"; do

@@ -24,7 +24,13 @@ struct Answer {
 Answer run(const Command& command, const Words& arguments) {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
-    const int code = command.run(arguments);
+    int code = 0;
+    try {
+        code = command.run(arguments);
+    } catch (const Error& e) {
+        code = int(e.code());
+        std::fputs(e.what(), stderr);
+    }
     const std::string out = testing::internal::GetCapturedStdout();
     return {code, out, testing::internal::GetCapturedStderr()};
 }
@@ -163,14 +169,16 @@ TEST(CommandLine, VerbsAreSelectedByTheFirstArgument) {
     EXPECT_NE(run(c, {"--help"}).out.find("Check it"), std::string::npos);
     EXPECT_NE(run(c, {"check", "--help"}).out.find("Usage: program check [OPTIONS] [WHAT]"),
               std::string::npos);
-    for (const Words& wrong : {Words{"chekc"}, Words{}}) EXPECT_THROW(c.run(wrong), Error);
+    for (const Words& wrong : {Words{"chekc"}, Words{}}) EXPECT_NE(refusal(c, wrong), "");
     EXPECT_NE(run(c, {"--help"}).out.find("Usage: program [OPTIONS] VERB"), std::string::npos);
     EXPECT_NE(refusal(c, {"--verbose"}), "");
     std::string file;
     c.text("FILE", file, "");
     c.action([] { return 8; });
-    EXPECT_EQ(run(c, {"chekc"}).code, 8);
-    EXPECT_EQ(file, "chekc");
+    EXPECT_EQ(run(c, {"chapel"}).code, 8);
+    EXPECT_EQ(file, "chapel");
+    EXPECT_THROW(c.run({"chekc"}), Error) << "a verb is meant";
+    EXPECT_EQ(run(c, {"help", "check"}).out, run(c, {"check", "--help"}).out);
 }
 
 TEST(CommandLine, ActionsMayAskWhatWasGiven) {
@@ -254,4 +262,35 @@ TEST(CommandLine, DescribesListsArgumentsAndVerbs) {
     EXPECT_EQ(d.verbs[0].name + ": " + d.verbs[0].description, "check: Check it");
     EXPECT_EQ(d.verbs[0].notes, "Example:\n  program check");
     EXPECT_EQ(run(c, {"--version"}).out, "program 1.0\n");
+}
+
+TEST(CommandLine, AMistypedOptionOrVerbGetsASuggestion) {
+    const Command c("program", "");
+    bool quiet = false;
+    c.flag("-q,--quiet", quiet, "");
+    c.verb("check", "");
+    EXPECT_EQ(refusal(c, {"--quite"}), "no option --quite; did you mean --quiet?");
+    EXPECT_EQ(refusal(c, {"--sparkle"}), "no option --sparkle");
+    EXPECT_EQ(refusal(c, {"chekc"}), "no verb 'chekc'; did you mean check?");
+    EXPECT_EQ(refusal(c, {"sparkle"}), "no verb 'sparkle': expected one of check");
+}
+
+TEST(CommandLine, HelpOfManyOptionsListsTheCommonOnes) {
+    const Command c("program", "Shows " + std::string(100, 'x'));
+    bool quiet = false, rare = false;
+    c.flag("-q,--quiet", quiet, "print errors only; not even results " + std::string(60, 'y'));
+    c.flag("--rare", rare, "for " + std::string(30, 'z') + " and " + std::string(30, 'z'));
+    c.common({"--quiet"});
+    c.notes(
+        "Examples:\n  program 1\n  program 2\n  program 3\n  program 4\n  program 5\n  program 6\n  program "
+        "7");
+    const std::string few = run(c, {"--help"}).out, all = run(c, {"--help-all"}).out;
+    for (const char* both : {"-q,--quiet", "print errors only", "program 6"}) {
+        EXPECT_NE(few.find(both), std::string::npos) << both;
+        EXPECT_NE(all.find(both), std::string::npos) << both;
+    }
+    for (const char* of_all : {"--rare", "not even results", "program 7"}) {
+        EXPECT_EQ(few.find(of_all), std::string::npos) << of_all;
+        EXPECT_NE(all.find(of_all), std::string::npos) << of_all;
+    }
 }

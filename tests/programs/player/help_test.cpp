@@ -221,8 +221,8 @@ TEST_F(Help, MistakesAreFound) {
 }
 
 TEST_F(Help, ExitCodesAgree) {
-    const auto table = codes_in(slurp(fs::path(VANTAGE_SOURCE_DIR) / "docs" / "contracts.md"),
-                                R"(\| (\d+) \| ([^|]+) )");
+    const auto table =
+        codes_in(slurp(fs::path(VANTAGE_SOURCE_DIR) / "docs" / "contracts.md"), R"(\| (\d+) \| ([^|]+) )");
     expect_described(table);
     for (int code = 0; code < 256; ++code)
         EXPECT_EQ(table.contains(code), word_for(Exit(code)).has_value()) << code;
@@ -235,4 +235,14 @@ TEST_F(Help, ExitCodesAgree) {
         for (const auto& [code, text] : listed) EXPECT_TRUE(table.contains(code)) << name << ": " << code;
         EXPECT_TRUE(name != std::string("vantage") || listed.size() == table.size()) << notes.substr(footer);
     }
+}
+
+TEST_F(Help, OfThePlayerFitsOnAScreen) {
+    const fs::path out = dir / "help";
+    ASSERT_EQ(std::system((std::string(VANTAGE_PLAYER) + " --help >" + out.string()).c_str()), 0);
+    std::istringstream lines(slurp(out));
+    int count = 0;
+    for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 80u) << line;
+    EXPECT_LE(count, 50);
+    EXPECT_GT(count, 30);
 }
