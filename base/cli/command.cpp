@@ -312,7 +312,10 @@ int Command::run(const std::vector<std::string>& arguments) const {
         names.push_back(verb.node_->app->get_name());
         if (first == names.back()) return verb.run({arguments.begin() + 1, arguments.end()});
     }
-    if (!names.empty() && first.find_first_of("-./") == first.npos && !std::filesystem::exists(first)) {
+    // Of a program that does something by itself, an argument may be a file.
+    const bool file =
+        node_->action && (first.find_first_of("./") != first.npos || std::filesystem::exists(first));
+    if (!names.empty() && !first.starts_with('-') && !file) {
         if (first == "help") return run({arguments.size() > 1 ? arguments[1] : "--help", "--help"});
         if (const std::string like = like_one_of(first, names); !like.empty())
             throw Error(Exit::usage, "no verb '" + first + "'" + like);

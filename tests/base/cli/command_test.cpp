@@ -272,7 +272,8 @@ TEST(CommandLine, AMistypedOptionOrVerbGetsASuggestion) {
     EXPECT_EQ(refusal(c, {"--quite"}), "no option --quite; did you mean --quiet?");
     EXPECT_EQ(refusal(c, {"--sparkle"}), "no option --sparkle");
     EXPECT_EQ(refusal(c, {"chekc"}), "no verb 'chekc'; did you mean check?");
-    EXPECT_EQ(refusal(c, {"sparkle"}), "no verb 'sparkle': expected one of check");
+    for (const char* no_verb : {"sparkle", "scans/chapel", "chapel.vantage", "chapel-1", "/"})
+        EXPECT_EQ(refusal(c, {no_verb}), "no verb '" + std::string(no_verb) + "': expected one of check");
 }
 
 TEST(CommandLine, HelpOfManyOptionsListsTheCommonOnes) {
