@@ -112,7 +112,6 @@ DescribedOption described_value(const std::string& type, const std::string& init
 
 Option Option::group(const std::string& heading) const {
     entry_->described.group = heading;
-    entry_->option->group(heading);
     return *this;
 }
 

@@ -1,5 +1,6 @@
 #include "base/cli/described_command.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/text/error.h"
@@ -10,6 +11,13 @@ namespace vantage {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DescribedOption, names, type, values, least, most, initial, description,
                                    group, required, several, commas)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DescribedCommand, name, description, notes, arguments, options, verbs)
+
+std::vector<std::string> headings_of(const std::vector<DescribedOption>& options) {
+    std::vector<std::string> out;
+    for (const DescribedOption& o : options)
+        if (std::ranges::count(out, o.group) == 0) out.push_back(o.group);
+    return out;
+}
 
 std::string to_line(const DescribedCommand& command) { return json_text(command, -1); }
 

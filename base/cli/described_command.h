@@ -32,6 +32,9 @@ struct DescribedCommand {
     std::vector<std::string> common;  ///< options that --help lists if it does not list all; of --help alone
 };
 
+/// The headings that options are listed under, in the order of the first option of each.
+std::vector<std::string> headings_of(const std::vector<DescribedOption>& options);
+
 /// As one line of JSON.
 std::string to_line(const DescribedCommand& command);
 /// Throws Error(input) if the line is not of to_line().

@@ -65,13 +65,9 @@ std::string usage(const DescribedCommand& c, const std::string& command) {
     return c.arguments.empty() ? out + " VERB\n" : out + "\n       " + command + " VERB ...\n";
 }
 
-/// Options by their headings, in the order of the first option of each.
 std::string option_groups(const DescribedCommand& c) {
-    std::vector<std::string> groups;
-    for (const DescribedOption& o : c.options)
-        if (!std::ranges::count(groups, o.group)) groups.push_back(o.group);
     std::string out;
-    for (const std::string& group : groups) {
+    for (const std::string& group : headings_of(c.options)) {
         out += "\n" + group + ":\n";
         for (const DescribedOption& o : c.options)
             if (o.group == group) out += entry(o);
@@ -114,13 +110,14 @@ std::string label_of(const DescribedOption& o) {
 
 std::string help_text(const DescribedCommand& c, const std::string& program, bool all) {
     const std::string command = program.empty() ? c.name : program + " " + c.name;
+    const bool whole = all || c.common.empty();
     std::string out = wrapped(c.description, 0) + "\n" + usage(c, command);
     if (!c.arguments.empty()) out += "\n";
-    for (const DescribedOption& a : c.arguments) out += c.common.empty() || all ? entry(a) : short_entry(a);
+    for (const DescribedOption& a : c.arguments) out += whole ? entry(a) : short_entry(a);
     if (!c.verbs.empty()) out += "\nVerbs:\n";
     for (const DescribedCommand& v : c.verbs) out += entry(v.name, v.description);
-    out += all || c.common.empty() ? option_groups(c) : common_options(c, command);
-    return out + notes_of(c, all || c.common.empty());
+    out += whole ? option_groups(c) : common_options(c, command);
+    return out + notes_of(c, whole);
 }
 
 }  // namespace vantage

@@ -82,15 +82,12 @@ std::string argument_entry(const DescribedOption& o) {
     return ".TP\n" + italic(o.names.front()) + (o.several ? " ..." : "") + "\n" + described(o);
 }
 
-/// Options by the groups of --help, in the order of the first option of each; those without one first.
+/// Options by the groups of --help, of which the first, that of --help itself, needs no heading.
 std::string option_sections(const DescribedCommand& c) {
     if (c.options.empty()) return {};
     const std::string plain = "Options";
-    std::vector<std::string> groups{plain};
-    for (const DescribedOption& o : c.options)
-        if (!std::ranges::count(groups, o.group)) groups.push_back(o.group);
     std::string out = ".SH OPTIONS\n";
-    for (const std::string& group : groups) {
+    for (const std::string& group : headings_of(c.options)) {
         if (group != plain) out += ".SS " + roff_escaped(group) + "\n";
         for (const DescribedOption& o : c.options)
             if (o.group == group) out += option_entry(o);

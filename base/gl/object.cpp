@@ -139,6 +139,12 @@ VertexArray make_vertex_array(const char* label) {
     return VertexArray(id);
 }
 
+Query make_query(GLenum target) {
+    GLuint id = 0;
+    glCreateQueries(target, 1, &id);
+    return Query(id);
+}
+
 void attach_floats(const VertexArray& vao, GLuint attribute, const Buffer& buffer, int components,
                    int stride) {
     glVertexArrayVertexBuffer(vao.id(), attribute, buffer.id(), 0, stride);

@@ -70,6 +70,8 @@ Framebuffer make_framebuffer(const char* label, std::span<const GLuint> colors, 
 /// Framebuffer of one layer of an array texture. Throws Failure if it is incomplete.
 Framebuffer make_layer_framebuffer(const char* label, const Texture& array, int layer);
 VertexArray make_vertex_array(const char* label);
+/// `target`: what it measures, as in glCreateQueries.
+Query make_query(GLenum target);
 
 /// Feeds `attribute` with `components` floats per vertex from `buffer`, one vertex every `stride` bytes.
 void attach_floats(const VertexArray& vao, GLuint attribute, const Buffer& buffer, int components,

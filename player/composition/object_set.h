@@ -56,15 +56,15 @@ class ObjectSet {
     /// Of all renderers.
     void use_trials(const RenderTrials& trials);
 
+    /// As Renderer::samples() of all objects; one for each sample with two eyes or several objects.
+    std::vector<PixelSample> samples(std::span<const View> eyes, const RenderSettings& settings,
+                                     int side) const;
     /// Draws all objects that are shown, as Renderer::draw does; `settings.upload_bytes` is for all
     /// together, but each may upload a tile.
     /// `photos`: of the first object; others blend all of theirs. Scalar fields, image sets, background and
     /// comparisons are those of the first object.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
-    /// As Renderer::samples() of all objects; one for each sample with two eyes or several objects.
-    std::vector<PixelSample> samples(std::span<const View> eyes, const RenderSettings& settings,
-                                     int side) const;
     /// The same for one eye or two, see Renderer::prepare. Calls `drawn` after each eye, which show() shows
     /// as long as the other one has not been drawn.
     FrameReport draw_eyes(const FrameRequest& request, const std::function<void(std::size_t eye)>& drawn);

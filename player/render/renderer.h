@@ -17,13 +17,13 @@ class Renderer {
   public:
     Renderer(const PackageReader& package, const MemoryBudget& budget);
 
-    /// Draws one sample of each pixel of `view`, see FrameRequest. Throws Error(usage) for a view that cannot
-    /// be drawn.
-    FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
-                     PixelSample sample, double now, const View* next = nullptr);
     /// The samples that frames for one eye draw so that each pixel has `side` * `side`: one frame for all, or
     /// one for each.
     std::vector<PixelSample> samples(const View& view, const RenderSettings& settings, int side) const;
+    /// Draws one sample of each pixel of `view`, or all, see FrameRequest. Throws Error(usage) for a view
+    /// that cannot be drawn.
+    FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
+                     PixelSample sample, double now, const View* next = nullptr);
     /// The same in steps, for one eye or two. Plans for all of them, and streams what they need; paint() then
     /// draws one, and may draw the surface of the next. See FramePlanner::plan().
     FrameReport prepare(const FrameRequest& request);

@@ -7,10 +7,7 @@ namespace vantage {
 using Clock = std::chrono::steady_clock;
 
 FrameTimer::FrameTimer(bool software) : software_(software) {
-    if (software_) return;
-    GLuint id = 0;
-    glCreateQueries(GL_TIME_ELAPSED, 1, &id);
-    query_ = gl::Query(id);
+    if (!software_) query_ = gl::make_query(GL_TIME_ELAPSED);
 }
 
 void FrameTimer::begin() {

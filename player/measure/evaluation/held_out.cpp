@@ -80,9 +80,7 @@ std::vector<Picture> pictures_alone(Renderer& renderer, RenderSettings settings,
 std::vector<std::uint32_t> render_view(Renderer& renderer, const View& view, const RenderSettings& settings,
                                        std::span<const std::uint32_t> others, EvaluationPictures& p) {
     p.rendered = take_picture(renderer, view, settings, others, samples);
-    std::vector<std::uint32_t> plan;
-    for (const PlannedPhoto& planned : renderer.planner().frame().plan().photos)
-        plan.push_back(planned.photo);
+    const std::vector<std::uint32_t> plan = numbers_of(renderer.planner().frame().plan().photos);
     p.scored = scored_pixels(p.rendered);
     for (std::size_t i = 0; i < p.scored.size(); ++i)
         p.scored[i] = p.scored[i] && p.photo.rgba[4 * i + 3] >= 128;

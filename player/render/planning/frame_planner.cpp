@@ -7,6 +7,7 @@
 #include "base/text/error.h"
 #include "player/render/passes/blend_table.h"
 #include "player/render/planning/frame_memory.h"
+#include "player/render/timing/pace.h"
 
 namespace vantage {
 namespace {
@@ -14,11 +15,7 @@ namespace {
 /// The view shifted so that its pixel centers are the positions of one sample, or with a pixel for each
 /// sample.
 View sampled(View view, PixelSample s) {
-    if (s.all) {
-        const Intrinsics& k = view.intrinsics;
-        view.intrinsics = k.scaled(k.width * s.side, k.height * s.side);
-        return view;
-    }
+    if (s.all) return scaled(view, s.side);
     view.intrinsics.cx -= (s.index % s.side + 0.5) / s.side - 0.5;
     view.intrinsics.cy -= (s.index / s.side + 0.5) / s.side - 0.5;
     return view;

@@ -7,11 +7,7 @@ namespace vantage {
 
 FrameClock::FrameClock(bool software) : software_(software) {
     if (software_) return;
-    for (Timed& t : ring_) {
-        GLuint id = 0;
-        glCreateQueries(GL_TIME_ELAPSED, 1, &id);
-        t.query = gl::Query(id);
-    }
+    for (Timed& t : ring_) t.query = gl::make_query(GL_TIME_ELAPSED);
 }
 
 void FrameClock::begin() {

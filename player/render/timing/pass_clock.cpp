@@ -3,15 +3,6 @@
 #include <utility>
 
 namespace vantage {
-namespace {
-
-gl::Query make_timestamp() {
-    GLuint id = 0;
-    glCreateQueries(GL_TIMESTAMP, 1, &id);
-    return gl::Query(id);
-}
-
-}  // namespace
 
 void PassClock::start() {
     on_ = true;
@@ -24,7 +15,7 @@ void PassClock::mark(std::size_t pass) {
     take(false);
     gl::Query query;
     if (unused_.empty()) {
-        query = make_timestamp();
+        query = gl::make_query(GL_TIMESTAMP);
     } else {
         query = std::move(unused_.back());
         unused_.pop_back();
