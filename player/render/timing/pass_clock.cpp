@@ -47,6 +47,7 @@ void PassClock::add(std::size_t next, double ms) {
 PassTimes PassClock::finish() {
     end();
     take(true);
+    on_ = false;
     return ms_;
 }
 

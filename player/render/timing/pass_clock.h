@@ -25,7 +25,7 @@ class PassClock {
     void begin(TimedPass pass) { mark(std::size_t(pass)); }
     /// Ends the pass: others take the time that follows.
     void end() { mark(timed_pass_names.size()); }
-    /// Since start(). Waits for the graphics card.
+    /// Since start(); nothing is timed from here on. Waits for the graphics card.
     PassTimes finish();
 
   private:
