@@ -105,6 +105,7 @@ double counted_share(const CoverProblem& p, const std::vector<std::size_t>& chos
 
 }  // namespace
 
+// Clusters that no photo sees must not keep the search going.
 TEST(PhotoCoverHardCases, CoversAllTrianglesThatSomePhotoSees) {
     std::mt19937 random(3);
     for (int trial = 0; trial < 80; ++trial) {

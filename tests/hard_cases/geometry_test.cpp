@@ -58,6 +58,7 @@ TEST_F(Geometry, DuplicateTrianglesChangeNothing) {
         EXPECT_NEAR(twice.seen[i], valid.seen[i], 0.01) << "a surface does not occlude its duplicate";
 }
 
+// They would move the origin and the near plane.
 TEST_F(Geometry, UnusedVerticesChangeNothing) {
     const Result valid = shown(scene.mesh);
     Mesh mesh = scene.mesh;
@@ -82,6 +83,7 @@ TEST_F(Geometry, TrianglesWithNonFiniteVerticesAreDropped) {
     EXPECT_NE(with.warnings[0].find("15 invalid triangles"), std::string::npos) << with.warnings[0];
 }
 
+// Corners are welded by position: NaN would break their order, and valid corners would be lost.
 TEST_F(Geometry, NanCornersInStlDoNotAffectOtherTriangles) {
     std::ofstream out(dir / "mesh.stl");
     out << "solid\n";

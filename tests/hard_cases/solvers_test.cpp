@@ -153,6 +153,7 @@ TEST(PoseSolver, FarOutlierHasNoInfluence) {
         for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(with.change[i][c], clean.change[i][c], 0.2);
 }
 
+// A residual that is not finite makes Ceres give up on all photos.
 TEST(PoseSolver, NonFiniteTracksAndPointsBehindCamerasAreIgnored) {
     Rig clean = rig(4, 200), with = rig(4, 200);
     disturb(clean, 2);

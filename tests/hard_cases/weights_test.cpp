@@ -128,6 +128,7 @@ RC_GTEST_PROP(DynamicWeights, AnyValuesFallMonotonicallyFromOne, ()) {
     }
 }
 
+// Otherwise rounding would decide which photo is shown.
 TEST(DynamicWeights, RoundingOfEqualDistancesDoesNotMatter) {
     std::mt19937 random(1);
     for (int trial = 0; trial < 100; ++trial) {
@@ -255,6 +256,7 @@ std::vector<Extreme> extremes() {
 
 }  // namespace
 
+// Weights that underflow would leave holes.
 TEST_F(BlendedWeights, ExtremeSettingsLoseNoPixel) {
     for (const bool own : {true, false}) {
         const View view = own ? own_view(2, 0.3) : between(0, 1, 120, 90);

@@ -69,6 +69,7 @@ class HardPhotos : public TemporaryFolder {
 
 }  // namespace
 
+// Decoders fill with gray whatever is missing.
 TEST_F(HardPhotos, TruncatedAtEveryPercentIsRejectedOrWhole) {
     for (const char* name : {"p.jpg", "p.png", "p.tif"}) {
         const fs::path whole = write(name, 64, 48, 3, noise(64, 48, 3));

@@ -92,6 +92,7 @@ TEST_F(Depth, ClosedModelHasNoHolesFromInside) {
     }
 }
 
+// Corners that are clamped to a frame would bend the edges.
 TEST_F(Depth, HugeFloorKeepsItsDepth) {
     Soup soup;
     soup.add({-1e6, 1, -3}, {2e6, 1, -7}, {-3e5, 1, 10});
