@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Prepares one package on a Slurm cluster: a job array with one share of the photos per job, followed by a merge.
-#   configs/slurm/submit.sh INPUT PACKAGE SHARES [OPTIONS OF vantage prepare]
+# Prepares one package on a Slurm cluster: a job array with one shard of the photos per job, followed by a merge.
+#   configs/slurm/submit.sh INPUT PACKAGE SHARDS [OPTIONS OF vantage prepare]
 #   configs/slurm/submit.sh scans/chapel chapel.vantage 8 --max-photo-size 4000
 # INPUT and PACKAGE are on a file system shared by all nodes. $VANTAGE: the program, if not on the PATH. $SBATCH_OPTIONS:
 # options for all jobs, such as "--partition=night --time=8:00:00". Interrupted jobs continue when submitted again.
@@ -18,7 +18,7 @@ mkdir -p "$logs"
 quoted() { printf ' %q' "$@"; }
 out=$(printf '%q' "$package")
 
-# A share with photos skipped (exit code 9) is still merged; the merge then exits with code 9.
+# A shard with skipped photos (exit code 9) is still merged; the merge then exits with code 9.
 share="$(quoted "$vantage" prepare "$input" --progress lines "$@") --shard \$SLURM_ARRAY_TASK_ID/$shares"
 share+=" -o $out.\$SLURM_ARRAY_TASK_ID.shard || [ \$? = 9 ]"
 # shellcheck disable=SC2086
