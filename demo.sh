@@ -11,6 +11,6 @@ vantage=build/pipeline/vantage player=build/player/vantage-player
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
   exec "$player" demo.vantage "$@"
 fi
-"$player" demo.vantage --offscreen --photo 0004,0011 --blend best -o demo-out/photos
-"$player" demo.vantage --offscreen --path data/demo.path --size 1280x720 --holes shade -o demo-out/between
+"$player" render demo.vantage --photo 0004,0011 --blend best -o demo-out/photos
+"$player" render demo.vantage --path data/demo.path --size 1280x720 --holes shade -o demo-out/between
 echo "no display: the pictures are in demo-out/"

@@ -9,9 +9,7 @@ int main(int argc, char** argv) {
     vantage::use_large_pages();
     std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit fails with a message
     vantage::name_lost_packages("vantage-player");
-    try {
+    return vantage::run_reported("vantage-player", [&] {
         return vantage::player_command().run({argv + 1, argv + argc});
-    } catch (...) {
-        return vantage::report_exception("vantage-player");
-    }
+    });
 }

@@ -8,11 +8,13 @@
 #include <deque>
 #include <filesystem>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <utility>
 
 #include "base/cli/help_text.h"
 #include "base/cli/joined.h"
+#include "base/cli/standard_output.h"
 #include "base/text/error.h"
 
 namespace vantage {
@@ -24,6 +26,7 @@ struct Option::Entry {
 
 struct Command::Node {
     std::string program;  ///< of a verb
+    std::string version;
     std::shared_ptr<CLI::App> app;
     std::deque<Option::Entry> options;  ///< with arguments
     std::vector<Command> verbs;
@@ -279,8 +282,13 @@ void Command::force(bool& value) const {
 }
 
 void Command::version(const std::string& text) const {
+    node_->version = text;
     CLI::Option* option = node_->app->set_version_flag("--version", text, "print the version and exit");
     node_->options.push_back({option, described_flag({"--version"}, option->get_description())});
+}
+
+Option Command::quiet() const {
+    return add_flag("-q,--quiet", "print only errors", [] {});  // read by run()
 }
 
 void Command::notes(const std::string& text) const { node_->app->footer(text); }
@@ -300,6 +308,8 @@ void Command::action(std::function<int()> run) const {
 Command Command::verb(const std::string& name, const std::string& description) const {
     const Command out(name, description);
     out.node_->program = node_->app->get_name();
+    out.add_flag("--json", "print the results as JSON, for programs", [] {}).excludes(out.quiet());
+    out.version(node_->version);
     return node_->verbs.emplace_back(out);
 }
 
@@ -322,6 +332,12 @@ int Command::run(const std::vector<std::string>& arguments) const {
             throw Error(Exit::usage, (first.empty() ? "no verb" : "no verb '" + first + "'") +
                                          ": expected one of " + joined(names, ", "));
     }
+    const auto has = [&](const char* option) { return std::ranges::count(arguments, option) > 0; };
+    choose_output(has("--json")                 ? OutputForm::json
+                  : has("-q") || has("--quiet") ? OutputForm::none
+                                                : OutputForm::lines);
+    results()["command"] = command_name();
+    results()["version"] = node_->version.substr(node_->version.rfind(' ') + 1);
     try {
         node_->app->parse(Words(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::CallForHelp&) {
@@ -333,6 +349,10 @@ int Command::run(const std::vector<std::string>& arguments) const {
         throw Error(Exit::usage, node_->app->remaining().empty() ? e.what() : unexpected());
     }
     return node_->action ? node_->action(*this) : int(Exit::ok);
+}
+
+std::string Command::command_name() const {
+    return node_->program + (node_->program.empty() ? "" : " ") + node_->app->get_name();
 }
 
 int Command::print_help(bool all) const {
@@ -353,8 +373,8 @@ void Command::give(const std::string& name, const std::vector<std::string>& valu
                    const std::string& place) const {
     CLI::Option* option = node_->app->get_option_no_throw("--" + name);
     if (option == nullptr)
-        throw Error(Exit::usage, place + ": " + name + ": unknown setting, see '" + node_->program + " " +
-                                     node_->app->get_name() + " --help'");
+        throw Error(Exit::usage,
+                    place + ": " + name + ": unknown setting, see '" + command_name() + " --help'");
     if (option->count() > 0) return;
     for (const std::string& value : values) option->add_result(value);
     try {

@@ -101,6 +101,7 @@ class Command {
     /// --force, for commands that write files (see output_file).
     void force(bool& value) const;
     void version(const std::string& text) const;
+    Option quiet() const;  ///< -q, of a program that does something without a verb
 
     /// The options of a command with many that its --help lists, by their last names; --help-all lists all.
     void common(std::vector<std::string> names) const;
@@ -109,6 +110,7 @@ class Command {
     /// What the command does: it returns the exit code. It gets this command, whose options may be asked for.
     void action(std::function<int(const Command&)> run) const;
     void action(std::function<int()> run) const;
+    /// With the options of all verbs: --help, -q, --json and --version, that of the program.
     Command verb(const std::string& name, const std::string& description) const;
 
     /// Parses the arguments (without the program's name) and does what they ask for: --help, also as "help
@@ -137,6 +139,7 @@ class Command {
     Option add_choice(const std::string& names, const std::string& initial, const Words& words,
                       const std::string& help, std::function<void(std::size_t)> set) const;
     int print_help(bool all) const;
+    std::string command_name() const;
     std::string unexpected() const;
     std::shared_ptr<Node> node_;
 };

@@ -48,10 +48,13 @@ std::string entry(const DescribedOption& o) {
     return entry(name, text);
 }
 
-/// Without details, which begin with a semicolon.
+/// Without details, which begin with a semicolon outside parentheses.
 std::string short_entry(const DescribedOption& o) {
     DescribedOption out = o;
-    out.description = o.description.substr(0, o.description.find(';'));
+    int depth = 0;
+    const auto ends = [&](char c) { return (depth += (c == '(') - (c == ')')) == 0 && c == ';'; };
+    const auto end = std::ranges::find_if(o.description, ends);
+    out.description.resize(std::size_t(end - o.description.begin()));
     return entry(out);
 }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "base/cli/standard_output.h"
 #include "base/text/json_text.h"
 
 namespace vantage {
@@ -46,7 +47,9 @@ std::string json_line(const Progress& p, double seconds) {
 
 ProgressLine::ProgressLine(ProgressStyle style, double seconds_between_lines)
     : style_(style), seconds_between_lines_(seconds_between_lines), next_line_(seconds_between_lines) {
-    if (style == ProgressStyle::automatic)
+    if (style == ProgressStyle::automatic && output_form() == OutputForm::none)
+        style_ = ProgressStyle::none;
+    else if (style == ProgressStyle::automatic)
         style_ = ::isatty(STDERR_FILENO) == 1 ? ProgressStyle::bar : ProgressStyle::lines;
 }
 

@@ -7,7 +7,7 @@
 namespace vantage {
 
 /// How progress is shown: a bar that updates in place, plain lines, one JSON object per line, or not at all.
-/// `automatic`: a bar on a terminal, lines elsewhere.
+/// `automatic`: a bar on a terminal, lines elsewhere, nothing with -q.
 enum class ProgressStyle { automatic, bar, lines, json, none };
 
 /// Shows progress on stderr, with the rate and remaining time of the current stage.

@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <ios>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "base/cli/standard_output.h"
 #include "base/gl/failure.h"
 #include "base/text/error.h"
 
@@ -16,6 +18,10 @@ int report_exception(const char* program) noexcept {
     const auto report = [program](Exit code, const char* message) {
         std::fprintf(stderr, "%s: %s%s\n", program, code == Exit::internal ? "internal error: " : "",
                      message);
+        try {
+            results()["error"] = {{"exit_code", int(code)}, {"message", message}};
+        } catch (const std::bad_alloc&) {  // the line has said it
+        }
         return int(code);
     };
     const auto out_of_memory = [&] { return report(Exit::memory, "out of memory"); };
@@ -44,6 +50,17 @@ int report_exception(const char* program) noexcept {
     } catch (...) {
         return report(Exit::internal, "unknown exception");
     }
+}
+
+int run_reported(const char* program, const std::function<int()>& run) noexcept {
+    int code = int(Exit::internal);
+    try {
+        code = run();
+    } catch (...) {
+        code = report_exception(program);
+    }
+    print_results(code);
+    return code;
 }
 
 }  // namespace vantage

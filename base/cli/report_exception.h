@@ -1,10 +1,15 @@
 #pragma once
+#include <functional>
 
 namespace vantage {
 
-/// Call inside `catch (...)`: prints "PROGRAM: message" on stderr and returns the exit code for the exception
-/// in flight. An Error keeps its own code, gl::Failure becomes Exit::graphics, a failed allocation
-/// Exit::memory, a failed file operation Exit::storage, and anything else Exit::internal.
+/// Call inside `catch (...)`: prints "PROGRAM: message" on stderr, puts it into results() and returns the
+/// exit code for the exception in flight. An Error keeps its own code, gl::Failure becomes Exit::graphics, a
+/// failed allocation Exit::memory, a failed file operation Exit::storage, and anything else Exit::internal.
 int report_exception(const char* program) noexcept;
+
+/// The exit code that `run` returns, or that of the exception that it throws, which is reported; then prints
+/// results().
+int run_reported(const char* program, const std::function<int()>& run) noexcept;
 
 }  // namespace vantage

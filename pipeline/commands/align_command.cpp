@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
+#include "base/cli/standard_output.h"
 #include "base/text/error.h"
 #include "pipeline/align/alignment.h"
 #include "pipeline/commands/commands.h"
@@ -20,12 +23,27 @@ struct AlignOptions {
 };
 
 void print(const Alignment& a) {
-    fmt::print("features {} that photos share, {} of them on the mesh, to {:.1f} px (median)\n", a.features,
+    fmt::print(text_output(),
+               "features {} that photos share, {} of them on the mesh, to {:.1f} px (median)\n", a.features,
                a.on_mesh, a.median);
-    fmt::print("agree    {:.2f} of 1; the next best alignment {:.2f}\n", a.agreement, a.next);
+    fmt::print(text_output(), "agree    {:.2f} of 1; the next best alignment {:.2f}\n", a.agreement, a.next);
     const Similarity& s = a.mesh_from_cameras;
-    fmt::print("scale    {:.8g} mesh units per camera unit, within {:.2g} %\n", s.scale, 100 * a.scale);
-    fmt::print("certain  to {:.2f} px in the photos: {:.2g} degrees, {:.2g} mesh units (standard errors)\n",
+    const Eigen::Matrix<double, 3, 4> m = matrix_of(s);
+    for (int row = 0; row < 3; ++row)
+        results()["matrix"].push_back({m(row, 0), m(row, 1), m(row, 2), m(row, 3)});
+    results().update({{"features", a.features},
+                      {"features_on_mesh", a.on_mesh},
+                      {"median_px", a.median},
+                      {"agreement", a.agreement},
+                      {"next_agreement", a.next},
+                      {"scale", s.scale},
+                      {"error_px", a.pixels},
+                      {"error_degrees", a.degrees},
+                      {"error_move", a.move}});
+    fmt::print(text_output(), "scale    {:.8g} mesh units per camera unit, within {:.2g} %\n", s.scale,
+               100 * a.scale);
+    fmt::print(text_output(),
+               "certain  to {:.2f} px in the photos: {:.2g} degrees, {:.2g} mesh units (standard errors)\n",
                a.pixels, a.degrees, a.move);
 }
 
@@ -39,16 +57,17 @@ int run_align(const AlignOptions& o) {
     const std::filesystem::path out =
         output_file(o.out, Product::scene, Inputs{input_paths(files), {}}, o.force);
     const SceneInput scene = read_scene(files);
-    fmt::print("mesh     {}\ncameras  {} ({})\nphotos   {} ({})\n", files.mesh.string(),
+    fmt::print(text_output(), "mesh     {}\ncameras  {} ({})\nphotos   {} ({})\n", files.mesh.string(),
                files.cameras.string(), scene.camera_format, files.photos.string(), scene.photos.size());
-    std::fflush(stdout);
+    std::fflush(text_output());
     const Alignment a = align(scene);
     print(a);
     SceneObject object;
     object.name = out.stem().string();
     object.input = {{}, files.mesh, files.cameras, files.photos, files.points, a.mesh_from_cameras};
     write_scene_file(out, {object});
-    fmt::print("scene    {}\n", out.string());
+    fmt::print(text_output(), "scene    {}\n", out.string());
+    results()["scene"] = out.string();
     return int(Exit::ok);
 }
 

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "base/cli/standard_output.h"
 #include "base/files/junit.h"
-#include "base/text/json_text.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/input/identity_cache.h"
 #include "pipeline/reports/check.h"
@@ -20,7 +20,7 @@ struct CheckOptions {
     std::vector<std::string> files;
     std::string junit;
     CheckDepth depth;
-    bool json = false, rehash = false;
+    bool rehash = false;
 };
 
 struct Checked {
@@ -55,13 +55,13 @@ std::string all_text(const std::vector<Issue>& issues) {
 
 void print_lines(const Checked& c, bool deep) {
     for (const Issue& i : c.issues)
-        fmt::print("{}: {} [{}]: {}\n", c.file, kind_name(i.row()), i.row().id, i.text);
-    if (c.issues.empty()) fmt::print("{}: valid{}\n", c.file, deep ? ", every tile read" : "");
-    std::fflush(stdout);
+        fmt::print(text_output(), "{}: {} [{}]: {}\n", c.file, kind_name(i.row()), i.row().id, i.text);
+    if (c.issues.empty()) fmt::print(text_output(), "{}: valid{}\n", c.file, deep ? ", every tile read" : "");
+    std::fflush(text_output());
 }
 
-void print_issues_json(const std::vector<Checked>& all) {
-    nlohmann::json out{{"packages", nlohmann::json::array()}};
+nlohmann::json json_of(const std::vector<Checked>& all) {
+    nlohmann::json out = nlohmann::json::array();
     for (const Checked& c : all) {
         nlohmann::json issues = nlohmann::json::array();
         for (const Issue& i : c.issues)
@@ -69,10 +69,10 @@ void print_issues_json(const std::vector<Checked>& all) {
                               {"severity", severity_name(i.row().severity)},
                               {"kind", kind_name(i.row())},
                               {"text", i.text}});
-        out["packages"].push_back(
+        out.push_back(
             {{"file", c.file}, {"valid", c.issues.empty()}, {"issues", issues}, {"seconds", c.seconds}});
     }
-    fmt::print("{}\n", json_text(out));
+    return out;
 }
 
 int run_check(const CheckOptions& o) {
@@ -90,9 +90,9 @@ int run_check(const CheckOptions& o) {
             std::ranges::find_if(c.issues, [&](const Issue& i) { return i.row().kind == kind; });
         cases.push_back(
             {file, first == c.issues.end() ? "" : kind_name(first->row()), all_text(c.issues), c.seconds});
-        if (!o.json) print_lines(c, o.depth.deep);
+        print_lines(c, o.depth.deep);
     }
-    if (o.json) print_issues_json(all);
+    results()["packages"] = json_of(all);
     if (!o.junit.empty()) write_junit(o.junit, "vantage check", cases);
     return int(worst(issues));
 }
@@ -118,7 +118,6 @@ void add_check(const Command& program) {
            "compare with the input folder; for several packages, with its subfolders of the same names")
         .type("FOLDER");
     c.flag("--rehash", o->rehash, "detect changed inputs by content, not by size and timestamps");
-    c.flag("--json", o->json, "machine-readable output");
     c.file("--junit", o->junit, "write a JUnit file for CI");
     c.action([o] { return run_check(*o); });
 }

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/cli/standard_output.h"
 #include "base/text/error.h"
-#include "base/text/json_text.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/reports/diff.h"
 
@@ -12,19 +12,19 @@ namespace {
 
 struct DiffOptions {
     std::string a, b, folder;
-    bool json = false, force = false;
+    bool force = false;
 };
 
 void print(const std::vector<Difference>& all) {
     for (const Difference& d : all)
-        fmt::print("{}{}{}: {}\n", d.of, d.what.empty() ? "" : ": ", d.what, d.text);
-    if (all.empty()) fmt::print("identical\n");
+        fmt::print(text_output(), "{}{}{}: {}\n", d.of, d.what.empty() ? "" : ": ", d.what, d.text);
+    if (all.empty()) fmt::print(text_output(), "identical\n");
 }
 
-void print_json(const std::vector<Difference>& all) {
+nlohmann::json json_of(const std::vector<Difference>& all) {
     nlohmann::json out = nlohmann::json::array();
     for (const Difference& d : all) out.push_back({{"of", d.of}, {"what", d.what}, {"text", d.text}});
-    fmt::print("{}\n", json_text(out));
+    return out;
 }
 
 int run_diff(const DiffOptions& o) {
@@ -33,8 +33,12 @@ int run_diff(const DiffOptions& o) {
     const std::vector<Difference> all = diff(a, b);
     const std::filesystem::path page =
         o.folder.empty() ? std::filesystem::path() : write_difference_page(a, b, all, o.folder);
-    o.json ? print_json(all) : print(all);
-    if (!o.json && !page.empty()) fmt::print("{}\n", page.string());
+    print(all);
+    results()["differences"] = json_of(all);
+    if (!page.empty()) {
+        fmt::print(text_output(), "{}\n", page.string());
+        results()["page"] = page.string();
+    }
     return int(all.empty() ? Exit::ok : Exit::different);
 }
 
@@ -52,7 +56,6 @@ void add_diff(const Command& program) {
     c.file("-o,--output", o->folder, "folder for an HTML page of the differences, with pictures")
         .type("FOLDER");
     c.force(o->force);
-    c.flag("--json", o->json, "machine-readable output");
     c.action([o] { return run_diff(*o); });
 }
 

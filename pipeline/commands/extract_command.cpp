@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "base/text/error.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/reports/extract.h"

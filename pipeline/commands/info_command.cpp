@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/text/json_text.h"
+#include "base/cli/standard_output.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/output/effect_costs.h"
 #include "pipeline/output/meta.h"
@@ -14,11 +14,6 @@
 
 namespace vantage {
 namespace {
-
-struct InfoOptions {
-    std::string file;
-    bool json = false;
-};
 
 nlohmann::json describe_package(const PackageReader& reader) {
     nlohmann::json out = parse_meta(reader);
@@ -74,17 +69,20 @@ void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
                              : fmt::format("{} vertices, {} triangles in {} clusters", count("vertices"),
                                            count("triangles"), count("clusters"));
     fmt::print(
-        "{}\n{}, {} photos, {:.1f} MB\nup is {:.3g}{}\n\neffects\n", j["tool"].get<std::string>(), shape,
-        j["photos"].size(), double(count("bytes")) / 1e6, fmt::join(j["up"].get<std::vector<double>>(), " "),
+        text_output(), "{}\n{}, {} photos, {:.1f} MB\nup is {:.3g}{}\n\neffects\n",
+        j["tool"].get<std::string>(), shape, j["photos"].size(), double(count("bytes")) / 1e6,
+        fmt::join(j["up"].get<std::vector<double>>(), " "),
         j.contains("first_photo") ? "; opens at the place of " + j["first_photo"].get<std::string>() : "");
     for (const auto& e : j["effects"])
-        fmt::print("  {:<18} {:<4}{} {}\n", e["name"].get<std::string>(), e["on"].get<bool>() ? "on" : "off",
-                   e["forced"].get<bool>() ? "(forced)" : "", e["evidence"].get<std::string>());
-    fmt::print("\n");
-    for (const std::string& line : table_of(costs)) fmt::print("  {}\n", line);
-    fmt::print("\nphotos\n");
+        fmt::print(text_output(), "  {:<18} {:<4}{} {}\n", e["name"].get<std::string>(),
+                   e["on"].get<bool>() ? "on" : "off", e["forced"].get<bool>() ? "(forced)" : "",
+                   e["evidence"].get<std::string>());
+    fmt::print(text_output(), "\n");
+    for (const std::string& line : table_of(costs)) fmt::print(text_output(), "  {}\n", line);
+    fmt::print(text_output(), "\nphotos\n");
     for (const auto& p : j["photos"])
-        fmt::print("  {:<24} {}{}x{}  sees {:.1f} % of the {}{}\n", p["name"].get<std::string>(),
+        fmt::print(text_output(), "  {:<24} {}{}x{}  sees {:.1f} % of the {}{}\n",
+                   p["name"].get<std::string>(),
                    p.contains("image_set") ? p["image_set"].get<std::string>() + ", " : "",
                    p["width"].get<int>(), p["height"].get<int>(), 100 * p["visible_vertices"].get<double>(),
                    j.contains("points") ? "points" : "vertices",
@@ -93,26 +91,23 @@ void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
                                                  : "");
     for (const char* kind : {"warnings", "findings"})
         for (const auto& w : j.value(kind, nlohmann::json::array()))
-            fmt::print("warning  {}\n", w.get<std::string>());
+            fmt::print(text_output(), "warning  {}\n", w.get<std::string>());
 }
 
 }  // namespace
 
 void add_info(const Command& program) {
-    auto o = std::make_shared<InfoOptions>();
+    auto file = std::make_shared<std::string>();
     const Command c = program.verb("info", "Show what a package contains, and which effects are on and why");
     c.notes(
         "Examples:\n  vantage info --json chapel.vantage\n  vantage info "
         "https://example.org/scans/chapel.vantage");
-    c.file("FILE", o->file, "the package, or its URL").type("PACKAGE").required();
-    c.flag("--json", o->json, "machine-readable output");
-    c.action([o] {
-        const PackageReader package = open_package(o->file);
+    c.file("FILE", *file, "the package, or its URL").type("PACKAGE").required();
+    c.action([file] {
+        const PackageReader package = open_package(*file);
         const nlohmann::json j = describe_package(package);
-        if (o->json)
-            fmt::print("{}\n", json_text(j));
-        else
-            print_package(j, effect_costs(package, {}));
+        print_package(j, effect_costs(package, {}));
+        results().update(j);
         return int(Exit::ok);
     });
 }

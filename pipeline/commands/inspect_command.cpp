@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/cli/report_exception.h"
-#include "base/text/json_text.h"
+#include "base/cli/standard_output.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/shared/input_options.h"
 #include "pipeline/reports/inspect/facts_json.h"
@@ -16,7 +16,6 @@ namespace {
 struct InspectOptions {
     InputOptions input;
     PrepareSettings settings;
-    bool json = false;
 };
 
 /// As find_input(); an input that cannot be searched has no parts.
@@ -38,7 +37,7 @@ InputFacts facts_of(const InspectOptions& o, bool anything) {
 /// The exit code; an error is printed after what is known.
 int finish(const InputFacts& facts) {
     if (!facts.error) return int(facts.exit());
-    std::fflush(stdout);
+    std::fflush(text_output());
     try {
         throw *facts.error;
     } catch (...) {
@@ -47,8 +46,9 @@ int finish(const InputFacts& facts) {
 }
 
 int inspect_one(const InspectOptions& o) {
-    const InputFacts facts = facts_of(o, o.json);
-    fmt::print("{}", o.json ? json_text(facts_json(facts)) + "\n" : facts_text(facts));
+    const InputFacts facts = facts_of(o, output_form() == OutputForm::json);
+    fmt::print(text_output(), "{}", facts_text(facts));
+    results().update(facts_json(facts));
     return finish(facts);
 }
 
@@ -61,16 +61,13 @@ int inspect_objects(const InspectOptions& o) {
         InspectOptions one = o;
         take_input(object.input, one.input, one.settings);
         const InputFacts facts = facts_of(one, true);
-        if (o.json) {
-            all.push_back(facts_json(facts));
-            all.back()["name"] = object.name;
-        } else {
-            fmt::print("object   {}\n{}", object.name, facts_text(facts));
-        }
+        fmt::print(text_output(), "object   {}\n{}", object.name, facts_text(facts));
+        all.push_back(facts_json(facts));
+        all.back()["name"] = object.name;
         const int here = finish(facts);
         if (code == int(Exit::ok) || (code == int(Exit::incomplete) && here != int(Exit::ok))) code = here;
     }
-    if (o.json) fmt::print("{}\n", json_text({{"objects", all}, {"exit_code", code}}));
+    results()["objects"] = all;
     return code;
 }
 
@@ -88,7 +85,6 @@ void add_inspect(const Command& program) {
         "that "
         "of\nthe error, which is printed after what was found.");
     add_input_options(c, o->input, o->settings);
-    c.flag("--json", o->json, "machine-readable output");
     c.action(
         [o] { return is_scene_of_objects(o->input, o->settings) ? inspect_objects(*o) : inspect_one(*o); });
 }

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
+#include "base/cli/standard_output.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/shared/progress_option.h"
 #include "pipeline/commands/shared/skipped_photos.h"
@@ -36,8 +39,10 @@ int run_merge(MergeOptions o) {
     }
     if (o.remove)
         for (const std::string& share : o.shares) std::filesystem::remove(share);
-    fmt::print("package  {} ({:.1f} MB of {} shares)\n", o.out,
-               double(std::filesystem::file_size(o.out)) / 1e6, o.shares.size());
+    const std::uintmax_t bytes = std::filesystem::file_size(o.out);
+    fmt::print(text_output(), "package  {} ({:.1f} MB of {} shards)\n", o.out, double(bytes) / 1e6,
+               o.shares.size());
+    results().update({{"package", o.out}, {"bytes", bytes}});
     return int(report_skipped(skipped_of(PackageReader(o.out))));
 }
 

@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cstdio>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/cli/standard_output.h"
 #include "base/cli/stop_signals.h"
 #include "base/files/part_file.h"
 #include "base/text/error.h"
@@ -33,6 +35,7 @@
 #include "pipeline/run/trace.h"
 #include "scene/package/damaged_package.h"
 #include "scene/package/output_file.h"
+#include "scene/package/package_inputs.h"
 
 namespace vantage {
 namespace {
@@ -92,7 +95,7 @@ std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const
             !changed_inputs(package, files, identities).empty())
             return {};
         if (const std::string damage = damage_of(package, identities); !damage.empty()) {
-            fmt::print("package  {} is damaged and is repaired: {}\n", o.out, damage);
+            fmt::print(text_output(), "package  {} is damaged and is repaired: {}\n", o.out, damage);
             return {};
         }
         return skipped_of(package);
@@ -105,33 +108,46 @@ std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const
     }
 }
 
-void print_warnings(const SceneInput& scene) {
-    for (const std::string& w : scene.warnings) fmt::print("warning  {}\n", w);
-    std::fflush(stdout);
+void print_warnings(const std::vector<std::string>& warnings) {
+    for (const std::string& w : warnings) {
+        fmt::print(text_output(), "warning  {}\n", w);
+        results()["warnings"].push_back(w);
+    }
+    std::fflush(text_output());
 }
 
 void print_scene(const SceneInput& scene, const ConventionTrials& fit) {
     if (!scene.files.mesh.empty())
-        fmt::print("mesh     {} ({} vertices, {} triangles)\n", scene.files.mesh.string(),
+        fmt::print(text_output(), "mesh     {} ({} vertices, {} triangles)\n", scene.files.mesh.string(),
                    scene.mesh.positions.size(), scene.mesh.triangles.size());
     if (!scene.files.cameras.empty())
-        fmt::print("cameras  {}{} ({})\n", scene.files.cameras.string(),
+        fmt::print(text_output(), "cameras  {}{} ({})\n", scene.files.cameras.string(),
                    scene.files.more_cameras.empty()
                        ? ""
                        : fmt::format(" and {} more", scene.files.more_cameras.size()),
                    scene.camera_format);
     if (!scene.files.photos.empty())
-        fmt::print("photos   {} ({})\n", scene.files.photos.string(), scene.photos.size());
+        fmt::print(text_output(), "photos   {} ({})\n", scene.files.photos.string(), scene.photos.size());
     for (std::uint32_t b = 0; scene.image_sets.size() > 1 && b < scene.image_sets.size(); ++b)
-        fmt::print("image set     {} ({})\n", scene.image_sets[b],
+        fmt::print(text_output(), "image set     {} ({})\n", scene.image_sets[b],
                    std::ranges::count(scene.photos, b, &PhotoInput::image_set));
     if (!scene.points.positions.empty())
-        fmt::print("points   {}{} ({})\n", scene.files.points.front().string(),
+        fmt::print(text_output(), "points   {}{} ({})\n", scene.files.points.front().string(),
                    scene.files.points.size() > 1 ? " and others" : "", scene.points.positions.size());
-    if (scene.convention != as_read) fmt::print("taken    with --convention {}\n", scene.convention);
-    if (const std::string text = fit_of(fit, scene); !text.empty()) fmt::print("fit      {}\n", text);
-    for (const std::string& n : scene.files.notes) fmt::print("note     {}\n", n);
-    print_warnings(scene);
+    if (scene.convention != as_read)
+        fmt::print(text_output(), "taken    with --convention {}\n", scene.convention);
+    if (const std::string text = fit_of(fit, scene); !text.empty())
+        fmt::print(text_output(), "fit      {}\n", text);
+    for (const std::string& n : scene.files.notes) fmt::print(text_output(), "note     {}\n", n);
+    print_warnings(scene.warnings);
+    results().update({{"mesh", scene.files.mesh.string()},
+                      {"vertices", scene.mesh.positions.size()},
+                      {"triangles", scene.mesh.triangles.size()},
+                      {"cameras", scene.files.cameras.string()},
+                      {"camera_format", scene.camera_format},
+                      {"photos", scene.photos.size()},
+                      {"points", scene.points.positions.size()},
+                      {"notes", scene.files.notes}});
 }
 
 std::string some(const std::vector<std::string>& photos) {
@@ -144,16 +160,49 @@ void print_done(const PrepareResult& done, bool why) {
     std::size_t kept = 0;
     for (const PrepareResult::Stage& s : done.stages) kept += s.kept;
     for (std::size_t s = 0; s < done.stages.size() && (why || kept > 0); ++s) {
-        fmt::print("{:<12} {} made, {} kept\n", stage_row(package::Stage(s)).name, done.stages[s].made,
-                   done.stages[s].kept);
+        fmt::print(text_output(), "{:<12} {} made, {} kept\n", stage_row(package::Stage(s)).name,
+                   done.stages[s].made, done.stages[s].kept);
         for (const auto& [reason, photos] : done.stages[s].why)
-            if (why) fmt::print("             {}: {}\n", some(photos), reason);
+            if (why) fmt::print(text_output(), "             {}: {}\n", some(photos), reason);
     }
+    for (std::size_t s = 0; s < done.stages.size(); ++s)
+        results()["stages"].push_back({{"name", stage_row(package::Stage(s)).name},
+                                       {"made", done.stages[s].made},
+                                       {"kept", done.stages[s].kept},
+                                       {"why", done.stages[s].why}});
+}
+
+/// The package that is on the disk now.
+void print_package(const PrepareOptions& o, double seconds) {
+    const std::uintmax_t bytes = std::filesystem::file_size(o.out);
+    fmt::print(text_output(), "package  {} ({:.1f} MB, {:.1f} s)\nmemory   {:.0f} MB peak\n", o.out,
+               double(bytes) / 1e6, seconds, double(memory_peak()) / 1e6);
+    results().update({{"package", o.out},
+                      {"current", false},
+                      {"bytes", bytes},
+                      {"seconds", seconds},
+                      {"memory_bytes", memory_peak()}});
+    if (!o.writes_report()) return;
+    fmt::print(text_output(), "report   {}\n", o.report);
+    results()["report"] = o.report;
+}
+
+/// Nothing was to do; with --explain, why.
+void print_current(const PrepareOptions& o) {
+    fmt::print(text_output(), "package  {} is current, nothing to do\n", o.out);
+    results().update({{"package", o.out}, {"current", true}});
+    if (!o.explain) return;
+    const std::size_t files = inputs_of(PackageReader(o.out)).contents.size();
+    fmt::print(
+        text_output(),
+        "explain  {} input files, none changed, added or missing; no setting changed, nor the program; "
+        "every checksum matches\n",
+        files);
 }
 
 void print_needs(const ResourceEstimate& n) {
-    fmt::print("needs    {}\n", in_words(n));
-    std::fflush(stdout);
+    fmt::print(text_output(), "needs    {}\n", in_words(n));
+    std::fflush(text_output());
 }
 
 PrepareResult prepare_shown(const PrepareOptions& o, SceneInput scene, IdentityCache& identities,
@@ -242,7 +291,7 @@ ConventionTrials settled_or_warned(SceneInput& scene, const PrepareSettings& set
     try {
         return settle_traced(scene, settings, trace);
     } catch (const Error& e) {
-        if (e.code() == Exit::misplaced) print_warnings(scene);
+        if (e.code() == Exit::misplaced) print_warnings(scene.warnings);
         throw;
     }
 }
@@ -262,7 +311,7 @@ int run_prepare(PrepareOptions o) {
     IdentityCache identities(default_identity_cache(), o.rehash);
     publish_interrupted(o.out);
     if (const auto lacking = current(o, files, identities)) {
-        fmt::print("package  {} is current, nothing to do\n", o.out);
+        print_current(o);
         return int(report_skipped(*lacking));
     }
     Trace trace;
@@ -275,13 +324,9 @@ int run_prepare(PrepareOptions o) {
     if (o.writes_report())
         write_report(o.report, PackageReader(o.out),
                      ReportRun{done, trace.spans(), s, double(memory_peak()) / 1e6});
-    if (done.agreement)
-        for (const std::string& w : done.agreement->pose_refinement.warnings) fmt::print("warning  {}\n", w);
+    if (done.agreement) print_warnings(done.agreement->pose_refinement.warnings);
     print_done(done, o.explain);
-    fmt::print("package  {} ({:.1f} MB, {:.1f} s)\n", o.out, double(std::filesystem::file_size(o.out)) / 1e6,
-               s);
-    fmt::print("memory   {:.0f} MB peak\n", double(memory_peak()) / 1e6);
-    if (o.writes_report()) fmt::print("report   {}\n", o.report);
+    print_package(o, s);
     return int(report_skipped(done.skipped));
 }
 

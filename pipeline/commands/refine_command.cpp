@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/cli/standard_output.h"
 #include "base/text/error.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/shared/effect_option.h"
@@ -56,11 +58,18 @@ int run_refine(const RefineOptions& o) {
     }
     const PackageReader package(out);
     const std::string meta(package.meta());
-    for (const auto& [effect, choice] : choices)
-        fmt::print("{:<13} {:<4} {}\n", effect_row(effect).option,
-                   effect_on(package.scene(), effect) ? "on" : "off", decision_in(meta, effect).evidence);
-    for (const std::string& w : findings_in(meta)) fmt::print("warning       {}\n", w);
-    fmt::print("package       {}\n", out);
+    for (const auto& [effect, choice] : choices) {
+        const bool on = effect_on(package.scene(), effect);
+        const std::string evidence = decision_in(meta, effect).evidence;
+        fmt::print(text_output(), "{:<13} {:<4} {}\n", effect_row(effect).option, on ? "on" : "off",
+                   evidence);
+        results()["effects"].push_back(
+            {{"name", effect_row(effect).option}, {"on", on}, {"evidence", evidence}});
+    }
+    const std::vector<std::string> warnings = findings_in(meta);
+    for (const std::string& w : warnings) fmt::print(text_output(), "warning       {}\n", w);
+    results().update({{"package", out}, {"warnings", warnings}});
+    fmt::print(text_output(), "package       {}\n", out);
     return 0;
 }
 

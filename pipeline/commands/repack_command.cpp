@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/cli/standard_output.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/shared/progress_option.h"
 #include "pipeline/prepare/repack_package.h"
@@ -34,8 +36,10 @@ int run_repack(const RepackOptions& o) {
         ProgressLine line(o.progress);
         repack(o.file, o.compact, out, shown_until_signal(line));
     }
-    fmt::print("package  {} ({:.1f} MB, before {:.1f} MB)\n", out, double(PackageReader(out).size()) / 1e6,
+    const std::uint64_t bytes = PackageReader(out).size();
+    fmt::print(text_output(), "package  {} ({:.1f} MB, before {:.1f} MB)\n", out, double(bytes) / 1e6,
                double(before) / 1e6);
+    results().update({{"package", out}, {"bytes", bytes}, {"bytes_before", before}});
     return 0;
 }
 

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <mutex>
+#include <nlohmann/json.hpp>
 
+#include "base/cli/standard_output.h"
 #include "base/text/error.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/shared/progress_option.h"
@@ -36,7 +38,8 @@ void add_synth(const Command& program) {
                     line.show({"photos", "", done, total});
             });
         }
-        fmt::print("scene    {}\n", o->out);
+        fmt::print(text_output(), "scene    {}\n", o->out);
+        results()["folder"] = o->out;
         return int(Exit::ok);
     });
 }

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "base/files/png_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/reports/thumbnail.h"
@@ -19,6 +21,8 @@ int run_thumbnail(const ThumbnailOptions& o) {
     const std::filesystem::path out = output_file(o.out, Product::png, inputs_of(package), o.force);
     const RgbaImage image = thumbnail(package, o.size);
     write_png(out, image.width, image.height, image.rgba);
+    fmt::print(text_output(), "{}  {}x{}\n", out.string(), image.width, image.height);
+    results().update({{"file", out.string()}, {"width", image.width}, {"height", image.height}});
     return 0;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <thread>
 
+#include "base/cli/standard_output.h"
 #include "base/text/translation.h"
 #include "player/headset/headset.h"
 #include "player/headset/headset_scene.h"
@@ -18,8 +19,8 @@ namespace {
 
 constexpr auto idle = std::chrono::milliseconds(10);  ///< while no frames are wanted
 
-void tell(const ShowOptions& o, const std::string& text) {
-    if (!o.output.quiet) std::fprintf(stderr, "%s\n", text.c_str());
+void tell(const std::string& text) {
+    if (output_form() != OutputForm::none) std::fprintf(stderr, "%s\n", text.c_str());
 }
 
 /// One round with a session: what it says, and a frame if it wants one. False when it has ended.
@@ -61,7 +62,7 @@ void show_in(Headset& headset, HeadsetScene& scene, UserCommands& commands, Mirr
         try {
             if (!go_on(*session, scene, mirror, asked_to_end, ends, frames)) return;
         } catch (const XrLost& lost) {
-            tell(o, std::string(lost.what()) + "; waiting for it");
+            tell(std::string(lost.what()) + "; waiting for it");
             headset.lose(lost.runtime);
             asked_to_end = false;
         }
@@ -71,11 +72,11 @@ void show_in(Headset& headset, HeadsetScene& scene, UserCommands& commands, Mirr
 }  // namespace
 
 int run_headset(const ShowOptions& o, const std::vector<SceneObject>& objects) {
-    const PackageReader package = opened_package(objects.front().package, o.memory, o.output.quiet);
+    const PackageReader package = opened_package(objects.front().package, o.memory);
     expect_content(package);
     std::optional<Mirror> mirror;  // its context ends after the session
     Headset headset;
-    tell(o, "OpenXR: " + headset.name());
+    tell("OpenXR: " + headset.name());
     mirror.emplace(o);
     Remembered settings =
         start_settings(package, o, o.window.fresh ? std::filesystem::path() : settings_folder());

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/cli/progress_line.h"
+#include "base/cli/standard_output.h"
 #include "base/files/junit.h"
 #include "base/files/make_folder.h"
 #include "base/gl/context.h"
@@ -134,20 +135,20 @@ const char* kind(const Verified& v) {
 
 void print(const VerifyOptions& o, const Verified& v) {
     for (const std::string& line : v.lines)
-        std::printf("%s: %s: %s\n", v.package.c_str(), kind(v), line.c_str());
+        std::fprintf(text_output(), "%s: %s: %s\n", v.package.c_str(), kind(v), line.c_str());
     if (!v.lines.empty()) return;
     int worst = 0;
     for (const GoldenDifference& d : v.views) worst = std::max(worst, d.worst);
     if (o.update)
-        std::printf("%s: stored\n", v.package.c_str());
+        std::fprintf(text_output(), "%s: stored\n", v.package.c_str());
     else
-        std::printf("%s: as stored, %zu views, largest difference %d of 255\n", v.package.c_str(),
-                    v.views.size(), worst);
-    std::fflush(stdout);
+        std::fprintf(text_output(), "%s: as stored, %zu views, largest difference %d of 255\n",
+                     v.package.c_str(), v.views.size(), worst);
+    std::fflush(text_output());
 }
 
-void print_json(const std::vector<Verified>& all) {
-    nlohmann::json out{{"packages", nlohmann::json::array()}};
+nlohmann::json json_of(const std::vector<Verified>& all) {
+    nlohmann::json out = nlohmann::json::array();
     for (const Verified& v : all) {
         nlohmann::json views = nlohmann::json::array();
         for (const GoldenDifference& d : v.views)
@@ -158,13 +159,13 @@ void print_json(const std::vector<Verified>& all) {
                              {"y", d.y},
                              {"share", d.share},
                              {"mean", d.mean}});
-        out["packages"].push_back({{"file", v.package},
-                                   {"kind", kind(v)},
-                                   {"issues", v.lines},
-                                   {"views", views},
-                                   {"seconds", v.seconds}});
+        out.push_back({{"file", v.package},
+                       {"kind", kind(v)},
+                       {"issues", v.lines},
+                       {"views", views},
+                       {"seconds", v.seconds}});
     }
-    std::printf("%s\n", json_text(out).c_str());
+    return out;
 }
 
 CheckCase junit_case(const Verified& v) {
@@ -194,9 +195,9 @@ int run_verify(const VerifyOptions& o) {
     for (const std::string& package : o.packages) {
         all.push_back(verify_one(o, package));
         cases.push_back(junit_case(all.back()));
-        if (!o.json) print(o, all.back());
+        print(o, all.back());
     }
-    if (o.json) print_json(all);
+    results()["packages"] = json_of(all);
     if (!o.junit.empty()) write_junit(o.junit, "vantage-player verify", cases);
     for (const Exit code : {Exit::input, Exit::damaged, Exit::different})
         if (std::ranges::count(all, code, &Verified::exit) > 0) return int(code);

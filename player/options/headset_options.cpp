@@ -5,16 +5,9 @@
 namespace vantage {
 
 void add_headset_options(const Command& c, HeadsetOptions& o) {
-    const std::string group = "Headset";
-    const Option xr = c.flag("--xr", o.on,
-                             "show the scene in a headset, through the active OpenXR runtime; a window shows "
-                             "what is seen there")
-                          .group(group);
     c.real("--meters-per-unit", o.unit_meters, 1e-9, 1e9,
            "length of a scene unit in meters, so that the scene appears at its own size (default: that of "
-           "the scene's measurements; without any, as large as an object at arm's length)")
-        .group(group)
-        .needs(xr);
+           "the scene's measurements; without any, as large as an object at arm's length)");
 }
 
 }  // namespace vantage

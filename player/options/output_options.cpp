@@ -15,8 +15,4 @@ void add_output_options(const Command& c, OutputOptions& o) {
     c.force(o.force);
 }
 
-void add_quiet_option(const Command& c, OutputOptions& o) {
-    c.flag("-q,--quiet", o.quiet, "print only errors");
-}
-
 }  // namespace vantage

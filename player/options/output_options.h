@@ -9,11 +9,9 @@ struct OutputOptions {
     std::string size;    ///< WIDTHxHEIGHT of window or pictures; empty: default
     std::string file;    ///< or folder; empty: default
     bool force = false;  ///< see output_file
-    bool quiet = false;
 };
 void add_size_option(const Command& command, OutputOptions& options);
 /// -o and --force.
 void add_output_options(const Command& command, OutputOptions& options);
-void add_quiet_option(const Command& command, OutputOptions& options);
 
 }  // namespace vantage

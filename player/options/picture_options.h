@@ -5,15 +5,18 @@ namespace vantage {
 
 class Command;
 
-/// Pictures without a display.
+/// Where pictures are drawn from, and how.
 struct PictureOptions {
-    bool offscreen = false;
     std::string view;  ///< see parse_view
     std::string path;  ///< file, see read_path
     double scale = 1;
     bool panorama = false;  ///< of all directions
     int samples = 0;        ///< per side of a pixel; 0: depends on what is shown
 };
+void add_view_option(const Command& command, PictureOptions& options);
+void add_path_option(const Command& command, PictureOptions& options, const std::string& help);
+void add_samples_option(const Command& command, PictureOptions& options);
+/// --scale and --panorama.
 void add_picture_options(const Command& command, PictureOptions& options);
 
 }  // namespace vantage

@@ -15,7 +15,7 @@
 
 namespace vantage {
 
-/// The command line of `vantage-player FILE`.
+/// The command lines that show or draw a scene; each verb adds a part of the options.
 struct ShowOptions {
     PackageOptions package;
     ObjectOptions objects;
@@ -30,7 +30,9 @@ struct ShowOptions {
     VideoOptions video;
     WindowOptions window;
     HeadsetOptions headset;
-    bool list = false;
 };
+
+/// Those of all verbs that draw a scene, but for the package and the output.
+void add_scene_options(const Command& command, ShowOptions& options);
 
 }  // namespace vantage

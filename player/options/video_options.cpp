@@ -5,7 +5,7 @@
 namespace vantage {
 
 void add_video_options(const Command& c, VideoOptions& o) {
-    const std::string group = "Videos without a display";
+    const std::string group = "Video";
     c.flag("--turntable", o.turntable,
            "a video around the whole model, or from --view or --photo around what is seen there")
         .group(group);

@@ -5,7 +5,7 @@ namespace vantage {
 
 class Command;
 
-/// A video without a display. Its way is --turntable, --tour or PictureOptions::path.
+/// A video along --turntable, --tour or PictureOptions::path.
 struct VideoOptions {
     bool turntable = false;
     double arc = 360;        ///< degrees, of the turntable

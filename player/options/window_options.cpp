@@ -11,16 +11,6 @@ void add_window_options(const Command& c, WindowOptions& o) {
     add_fps_option(c, o.fps, group);
     c.flag("--no-saved-settings", o.fresh, "start with default settings, and do not remember any")
         .group(group);
-    c.flag("--kiosk", o.kiosk,
-           "for the public: full screen, without quitting, opening or settings; restarted if it fails "
-           "(SIGTERM ends it; log: ~/.local/state/vantage/kiosk.log)")
-        .group(group);
-    c.real("--idle-timeout", o.home_after, 1, 86400,
-           "a kiosk returns to the first view after so many seconds (default: as the story says, or 60)")
-        .group(group);
-    c.file("--attract", o.tour,
-           "a recorded path that a kiosk flies along until somebody touches it (default: as the story says)")
-        .group(group);
     c.text("--language", o.language,
            "language of the window and of stories, such as de or fr (default: the system's)")
         .type("CODE")
@@ -33,6 +23,12 @@ void add_window_options(const Command& c, WindowOptions& o) {
         .group(group);
     c.file("--screenshot", o.screenshot, "save the last frame, with all panels, before closing, as PNG")
         .group(group);
+}
+
+void add_kiosk_options(const Command& c, WindowOptions& o) {
+    c.real("--idle-timeout", o.home_after, 1, 86400,
+           "seconds until an idle kiosk returns to the first view (default: as the story says, or 60)");
+    c.file("--attract", o.tour, "recorded path to play in a loop until touched (default: as the story says)");
 }
 
 }  // namespace vantage

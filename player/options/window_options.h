@@ -19,5 +19,6 @@ struct WindowOptions {
     std::string screenshot;  ///< file for the last frame
 };
 void add_window_options(const Command& command, WindowOptions& options);
+void add_kiosk_options(const Command& command, WindowOptions& options);
 
 }  // namespace vantage

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "base/text/error.h"
-#include "player/pictures/video_encoder.h"
 #include "player/tour/story_views.h"
 #include "player/view/camera_path.h"
 #include "player/view/camera_spline.h"
@@ -60,11 +59,6 @@ std::vector<Navigation> frames_along(const std::vector<KeyView>& keys, const Vid
 
 }  // namespace
 
-bool wants_video(const ShowOptions& o) {
-    const bool along = !o.pictures.path.empty() && (!o.pictures.offscreen || is_video_file(o.output.file));
-    return o.video.turntable || !o.video.tour.empty() || along;
-}
-
 Story story_beside(const std::filesystem::path& package) {
     const std::filesystem::path file = story_file_of(package);
     std::error_code error;
@@ -75,7 +69,7 @@ Story story_beside(const std::filesystem::path& package) {
 std::vector<Navigation> flight_frames(const PackageReader& package, const ShowOptions& o, const Story& story,
                                       FrameSize size) {
     if (int(o.video.turntable) + int(!o.video.tour.empty()) + int(!o.pictures.path.empty()) != 1)
-        throw Error(Exit::usage, "a video needs one of --turntable, --tour and --path");
+        throw Error(Exit::usage, "video: expected one of --turntable, --tour and --path");
     if (o.video.turntable) {
         const std::size_t count =
             frame_count(o.video.seconds > 0 ? o.video.seconds : turn_seconds, o.video.frame_rate);

@@ -10,9 +10,6 @@
 
 namespace vantage {
 
-/// Whether the options ask for a video: a turntable, a tour, or a path that is flown along.
-bool wants_video(const ShowOptions& options);
-
 /// The story beside the package or scene file; empty if there is none. Throws Error(input).
 Story story_beside(const std::filesystem::path& package);
 

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "base/cli/progress_line.h"
+#include "base/cli/standard_output.h"
 #include "base/files/make_folder.h"
 #include "base/files/png_rows.h"
 #include "base/files/replace_file.h"
@@ -139,7 +141,7 @@ int run_orthophoto(const PackageReader& package, const OrthophotoOptions& o) {
     const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
     TilesNotShown lacking;
     const auto write = [&](auto&& file) {
-        ProgressLine progress(o.output.quiet ? ProgressStyle::none : ProgressStyle::automatic, 10);
+        ProgressLine progress(ProgressStyle::automatic, 10);
         lacking = draw_orthophoto(
             renderer, picture, {settings, photos, o.samples}, tile_size_for(picture.width),
             [&](std::span<const std::uint8_t> row) { file.add(row); },
@@ -154,10 +156,14 @@ int run_orthophoto(const PackageReader& package, const OrthophotoOptions& o) {
         write(PngRows(files.picture, picture.width, picture.height));
         replace_file(files.world, world_file_text(picture.upper_left, picture.resolution));
     }
-    if (!o.output.quiet)
-        std::printf("%s  %dx%d, %g units per pixel, upper left corner %.10g, %.10g\n", files.picture.c_str(),
-                    picture.width, picture.height, picture.resolution, picture.upper_left.x(),
-                    picture.upper_left.y());
+    std::fprintf(text_output(), "%s  %dx%d, %g units per pixel, upper left corner %.10g, %.10g\n",
+                 files.picture.c_str(), picture.width, picture.height, picture.resolution,
+                 picture.upper_left.x(), picture.upper_left.y());
+    results().update({{"file", files.picture.string()},
+                      {"width", picture.width},
+                      {"height", picture.height},
+                      {"resolution", picture.resolution},
+                      {"upper_left", {picture.upper_left.x(), picture.upper_left.y()}}});
     return exit_for(package, lacking);
 }
 

@@ -4,9 +4,11 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "base/cli/progress_line.h"
+#include "base/cli/standard_output.h"
 #include "base/cli/stop_signals.h"
 #include "base/files/make_folder.h"
 #include "base/gl/context.h"
@@ -42,7 +44,7 @@ struct Output {
 /// Throws Error(usage) if a file must not be replaced, or no output is given.
 Output output_of(const PackageReader& package, const ShowOptions& o, std::size_t count) {
     const fs::path out = o.output.file;
-    if (out.empty()) throw Error(Exit::usage, "a video needs -o: FILE.mp4, FILE.webm or a folder");
+    if (out.empty()) throw Error(Exit::usage, "video: expected -o with FILE.mp4, FILE.webm or a folder");
     Inputs inputs = inputs_of(package);
     if (!o.pictures.path.empty()) inputs.files.emplace_back(o.pictures.path);
     if (const fs::path story = story_file_of(o.package.file); !story.empty()) inputs.files.push_back(story);
@@ -127,13 +129,19 @@ TilesNotShown write_frames(Frames& frames, const std::vector<Navigation>& flight
 
 void print_result(const ShowOptions& o, std::size_t count, bool frames, double seconds) {
     const FrameSize size = size_of_frame(o);
-    std::printf("%s  %dx%d  %zu frames  %.2f s at %g per second  rendered in %.1f s\n", o.output.file.c_str(),
-                size.width, size.height, count, double(count) / o.video.frame_rate, o.video.frame_rate,
-                seconds);
+    std::fprintf(text_output(), "%s  %dx%d  %zu frames  %.2f s at %g per second  rendered in %.1f s\n",
+                 o.output.file.c_str(), size.width, size.height, count, double(count) / o.video.frame_rate,
+                 o.video.frame_rate, seconds);
     const std::string name = fs::path(o.package.file).stem().string();
     if (const std::size_t more = frames ? frames_beyond(o.output.file, name, count) : 0)
         std::fprintf(stderr, "vantage-player: %s: has %zu more frames, of a longer video\n",
                      o.output.file.c_str(), more);
+    results().update({{"file", o.output.file},
+                      {"width", size.width},
+                      {"height", size.height},
+                      {"frames", count},
+                      {"frame_rate", o.video.frame_rate},
+                      {"seconds", seconds}});
 }
 
 }  // namespace
@@ -157,11 +165,11 @@ int run_video(const PackageReader& package, const ShowOptions& o, const std::vec
     TilesNotShown lacking;
     double seconds = 0;
     {
-        ProgressLine progress(o.output.quiet ? ProgressStyle::none : ProgressStyle::automatic, 10);
+        ProgressLine progress(ProgressStyle::automatic, 10);
         lacking = write_frames(frames, flight, output, encoder ? &*encoder : nullptr, o, progress);
         seconds = progress.seconds();
     }
-    if (!o.output.quiet) print_result(o, flight.size(), to_folder, seconds);
+    print_result(o, flight.size(), to_folder, seconds);
     return exit_for(package, lacking);
 }
 

@@ -20,7 +20,7 @@ void expect_bench_folder(const PackageReader& package, const BenchOptions& o) {
 int bench(BenchOptions o) {
     if (!o.output.file.empty()) o.folder = o.output.file;
     o.scene = named_objects(o.package, o.objects);
-    const PackageReader package = opened_package(o.scene.front().package, o.memory, false);
+    const PackageReader package = opened_package(o.scene.front().package, o.memory);
     expect_bench_folder(package, o);
     return run_bench(package, o);
 }
@@ -56,7 +56,7 @@ void add_bench(const Command& program) {
     const Command c = program.verb("bench", "Fly scripted paths and measure every frame");
     add_package_argument(c, o->package).required();
     add_exclude_option(c, o->package);
-    add_photo_option(c, o->package);
+    add_photo_option(c, o->package, "photo from which flights begin");
     add_object_options(c, o->objects);
     add_size_option(c, o->output);
     add_output_options(c, o->output);

@@ -24,7 +24,7 @@ void expect_evaluation_folder(const PackageReader& package, const EvaluateOption
 
 int evaluate(EvaluateOptions o) {
     if (!o.output.file.empty()) o.folder = o.output.file;
-    const PackageReader package = opened_package(o.package.file, o.memory, false);
+    const PackageReader package = opened_package(o.package.file, o.memory);
     expect_evaluation_folder(package, o);
     return run_evaluate(package, o);
 }
@@ -37,7 +37,7 @@ void add_evaluate(const Command& program) {
         "evaluate", "Hold out each photo in turn and compare it with the picture that the others give");
     add_package_argument(c, o->package).required();
     add_exclude_option(c, o->package);
-    add_photo_option(c, o->package);
+    add_photo_option(c, o->package, "photos to hold out, or 'all'");
     add_output_options(c, o->output);
     add_memory_options(c, o->memory);
     add_blending_options(c, o->blending);

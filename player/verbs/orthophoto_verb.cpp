@@ -11,7 +11,6 @@ void add_orthophoto(const Command& program) {
     add_package_argument(c, o->package).required();
     add_exclude_option(c, o->package);
     add_output_options(c, o->output);
-    add_quiet_option(c, o->output);
     add_memory_options(c, o->memory);
     add_blending_options(c, o->blending);
     add_holes_option(c, o->blending);
@@ -42,7 +41,7 @@ void add_orthophoto(const Command& program) {
         "door.png\n"
         "  vantage-player orthophoto chapel.vantage --plane 0,0,0,1,-1,0 --resolution 0.01 --light raking -o "
         "relief.png");
-    c.action([o] { return run_orthophoto(opened_package(o->package.file, o->memory, o->output.quiet), *o); });
+    c.action([o] { return run_orthophoto(opened_package(o->package.file, o->memory), *o); });
 }
 
 }  // namespace vantage

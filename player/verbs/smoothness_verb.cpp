@@ -18,7 +18,7 @@ void expect_smoothness_folder(const PackageReader& package, const SmoothnessOpti
 
 int measure_smoothness(SmoothnessOptions o) {
     if (!o.output.file.empty()) o.folder = o.output.file;
-    const PackageReader package = opened_package(o.package.file, o.memory, false);
+    const PackageReader package = opened_package(o.package.file, o.memory);
     expect_smoothness_folder(package, o);
     return run_smoothness(package, o);
 }
@@ -31,7 +31,7 @@ void add_smoothness(const Command& program) {
         "smoothness", "Fly along a path and measure how far the colors of surfaces jump from frame to frame");
     add_package_argument(c, o->package).required();
     add_exclude_option(c, o->package);
-    add_photo_option(c, o->package);
+    add_photo_option(c, o->package, "photos to fly along, or 'all'");
     add_size_option(c, o->output);
     add_output_options(c, o->output);
     add_memory_options(c, o->memory);

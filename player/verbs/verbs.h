@@ -1,17 +1,23 @@
 #pragma once
 #include "base/cli/command.h"
+#include "player/options/show_options.h"
 
 namespace vantage {
 
 /// The command line of vantage-player. Its actions return the exit code and throw Error.
 Command player_command();
 
-/// The parts of player_command(), one file each.
-void add_show(const Command& program);
-void add_bench(const Command& program);
-void add_evaluate(const Command& program);
+/// The parts of player_command(). Without a verb, it opens a window.
+void add_window(const Command& program);
+void add_kiosk(const Command& program);
+void add_headset(const Command& program);
+void add_render(const Command& program);
+void add_video(const Command& program);
 void add_orthophoto(const Command& program);
-void add_smoothness(const Command& program);
+void add_list(const Command& program);
+void add_evaluate(const Command& program);
 void add_verify(const Command& program);
+void add_bench(const Command& program);
+void add_smoothness(const Command& program);
 
 }  // namespace vantage

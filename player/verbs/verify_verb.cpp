@@ -18,7 +18,6 @@ void add_verify(const Command& program) {
     c.real("--max-diff-fraction", o->share, 0, 1, "share of the pixels that may differ by more");
     c.file("-o,--output", o->differences, "folder for pictures of differences").type("FOLDER");
     c.file("--junit", o->junit, "write a JUnit file for CI");
-    c.flag("--json", o->json, "machine-readable output");
     c.notes(
         "views.path holds one view per line, as recorded by the window and read by --path.\n"
         "Examples:\n"

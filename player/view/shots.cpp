@@ -36,8 +36,8 @@ std::vector<std::uint32_t> named_photos(const PackageReader& package, const std:
         } else if (name == "all") {
             for (std::uint32_t p = 0; p < count; ++p) add(p);
         } else {
-            throw Error(Exit::usage,
-                        name + ": " + package.path().string() + " has no such photo (--list lists them)");
+            throw Error(Exit::usage, name + ": " + package.path().string() +
+                                         " has no such photo ('vantage-player list' lists them)");
         }
     }
     return out;

@@ -29,7 +29,7 @@ static_assert(key::escape == GLFW_KEY_ESCAPE && key::enter == GLFW_KEY_ENTER &&
     const std::string text = why ? why : "unknown reason";
     glfwTerminate();
     throw Error(Exit::graphics,
-                "no window with OpenGL 4.5: " + text + " (--offscreen renders without a display)");
+                "no window with OpenGL 4.5: " + text + " ('vantage-player render' needs no display)");
 }
 
 }  // namespace

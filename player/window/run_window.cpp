@@ -13,6 +13,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/cli/standard_output.h"
 #include "base/files/process_time.h"
 #include "base/gl/context.h"
 #include "base/text/error.h"
@@ -178,7 +179,7 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
         glfwSwapBuffers(window);
         if (!o.window.controls.empty())
             controls.write_places(o.window.controls, is_idle(state, scene, lively));
-        if (frame == 1 && !o.output.quiet)
+        if (frame == 1 && output_form() != OutputForm::none)
             std::fprintf(stderr, "first picture after %.0f ms\n", 1000 * (glfwGetTime() - requested_at));
         while (const auto command = take_one_of<OpenFile, Quit>(state.commands)) {
             const OpenFile* const open = std::get_if<OpenFile>(&*command);

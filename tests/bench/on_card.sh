@@ -63,9 +63,9 @@ export VANTAGE_DEBUG_GL=1  # from here on, the driver's messages about errors en
 run "bench in each mode, driver's messages on" "$player" bench demo.vantage --size "${sizes[0]}" --path-frames $((frames / 10 + 2)) \
     --repeats 1 --modes stream,resident,whole,adaptive -o bench --force
 for scale in 0.35 1; do
-    run "a photo's view, scale $scale" "$player" demo.vantage --offscreen --photo 0005 --scale $scale -q -o photo.png --force
+    run "a photo's view, scale $scale" "$player" render demo.vantage --photo 0005 --scale $scale -q -o photo.png --force
 done
-run "a view of all photos but one" "$player" demo.vantage --offscreen --photo 0005 --exclude 0005 -q -o other.png --force
+run "a view of all photos but one" "$player" render demo.vantage --photo 0005 --exclude 0005 -q -o other.png --force
 run "an orthophoto" "$player" orthophoto demo.vantage --plane front --resolution 0.005 -q -o front.tif --force
-run "$seconds s of video" "$player" demo.vantage --turntable --seconds $seconds --size 640x360 -q -o frames --force
+run "$seconds s of video" "$player" video demo.vantage --turntable --seconds $seconds --size 640x360 -q -o frames --force
 note "OpenGL errors: $(grep -c 'OpenGL failed' "$results"), commands that failed: $(grep -c ': exit code' "$results"), $SECONDS s"

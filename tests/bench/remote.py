@@ -107,7 +107,7 @@ def sharp_in_the_window(package, photo, folder, cache):
 
 def exact_picture(package, photo, folder, cache):
     """Seconds for a picture for which no tile is skipped."""
-    return run([package, "--offscreen", "--photo", photo, "--size", "1280x720", "--samples", "1", "--max-photos", "4",
+    return run(["render", package, "--photo", photo, "--size", "1280x720", "--samples", "1", "--max-photos", "4",
                 "-o", f"{folder}/picture.png"], cache)[0]
 
 
@@ -125,7 +125,7 @@ def main():
     parser.add_argument("package")
     parser.add_argument("--photo")
     o = parser.parse_args()
-    photo = o.photo or subprocess.run([PLAYER, o.package, "--list"], capture_output=True, text=True).stdout.split()[0]
+    photo = o.photo or subprocess.run([PLAYER, "list", o.package], capture_output=True, text=True).stdout.split()[0]
     with tempfile.TemporaryDirectory() as folder:
         server, port = start_nginx(folder, o.package)
         print("| network | visit | first picture | sharp | MB sent | exact | MB sent |\n|---|---|---|---|---|---|---|")

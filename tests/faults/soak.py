@@ -217,7 +217,7 @@ class Soak:
     def show(self, p, r):
         picture = '%s.%d.png' % (p.file, threading.get_ident())
         name = os.path.splitext(r.choice(p.photos))[0]
-        code, text = self.run([self.o.player, p.file, '--offscreen', '--photo', name, '--scale', '0.5', '-q', '-o', picture])
+        code, text = self.run([self.o.player, 'render', p.file, '--photo', name, '--scale', '0.5', '-q', '-o', picture])
         allowed = {3} if not os.path.exists(p.file) else {0, 2, 3, DAMAGED} if p.damaged else {0, 2}
         self.expect('show', code, text, allowed)
         if os.path.exists(picture):

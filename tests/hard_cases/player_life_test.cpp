@@ -57,8 +57,8 @@ class PlayerLifetime : public PreparedScene {
     };
     Outcome play(const std::string& options, const std::string& environment = "") const {
         const fs::path message = dir / "message";
-        const std::string command = "env " + environment + " " VANTAGE_PLAYER " " + file.string() + " " +
-                                    options + " >/dev/null 2>" + message.string();
+        const std::string command = "env " + environment + " " VANTAGE_PLAYER " " + with_file(options, file) +
+                                    " >/dev/null 2>" + message.string();
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(message)};
     }
@@ -78,8 +78,8 @@ class PlayerLifetime : public PreparedScene {
             ::dup2(ends[1], STDOUT_FILENO);
             ::dup2(::open(message.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
             ::close(ends[0]);
-            ::execl(VANTAGE_PLAYER, VANTAGE_PLAYER, file.c_str(), "--offscreen", "--size", "64x48",
-                    "--samples", "1", "--path", path.c_str(), "-o", out.c_str(), nullptr);
+            ::execl(VANTAGE_PLAYER, VANTAGE_PLAYER, "render", file.c_str(), "--size", "64x48", "--samples",
+                    "1", "--path", path.c_str(), "-o", out.c_str(), nullptr);
             ::_exit(127);
         }
         ::close(ends[1]);
@@ -179,10 +179,10 @@ TEST_F(PlayerLifetime, InvalidPathsAndSizesAreReportedInOneLine) {
     }
     std::ofstream(path) << "0 -12 1 0 0 1\n1e20 0 0 0 0 1\n";
     EXPECT_EQ(read_path(path.string(), *package, {64, 48}).size(), 2u);
-    const Outcome far = play("--offscreen --size 64x48 --path " + path.string() + " -o " + dir.string());
+    const Outcome far = play("render --size 64x48 --path " + path.string() + " -o " + dir.string());
     EXPECT_EQ(far.code, int(Exit::usage)) << "too far away for single precision";
     EXPECT_TRUE(one_line(far.message)) << far.message;
-    const Outcome wide = play("--offscreen --photo 0002 --size 100000x2 -o " + (dir / "wide.png").string());
+    const Outcome wide = play("render --photo 0002 --size 100000x2 -o " + (dir / "wide.png").string());
     EXPECT_EQ(wide.code, int(Exit::usage)) << wide.message;
     EXPECT_TRUE(one_line(wide.message) && wide.message.find("100000x2, expected") != std::string::npos)
         << wide.message;
@@ -290,8 +290,8 @@ TEST_F(PlayerLifetime, MissingOpenGlIsReportedInOneLine) {
     const std::string none =
         "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent/egl.json "
         "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent LIBGL_DRIVERS_PATH=/nonexistent";
-    for (const std::string& options : {"--offscreen --photo 0002 -o " + (dir / "a.png").string(),
-                                       "--offscreen --view 0,-12,1,0,0,1 -o " + (dir / "b.png").string()}) {
+    for (const std::string& options : {"render --photo 0002 -o " + (dir / "a.png").string(),
+                                       "render --view 0,-12,1,0,0,1 -o " + (dir / "b.png").string()}) {
         const Outcome outcome = play(options, none);
         EXPECT_EQ(outcome.code, int(Exit::graphics)) << outcome.message;
         EXPECT_TRUE(one_line(outcome.message)) << outcome.message;
@@ -300,5 +300,5 @@ TEST_F(PlayerLifetime, MissingOpenGlIsReportedInOneLine) {
     const Outcome window = play("--no-saved-settings --frames 1", "-u DISPLAY -u WAYLAND_DISPLAY " + none);
     EXPECT_EQ(window.code, int(Exit::graphics)) << window.message;
     EXPECT_TRUE(one_line(window.message)) << window.message;
-    EXPECT_EQ(play("--list", none).code, 0) << "--list needs no graphics";
+    EXPECT_EQ(play("list", none).code, 0) << "list needs no graphics";
 }

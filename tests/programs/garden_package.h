@@ -33,7 +33,7 @@ class GardenPackage : public TemporaryFolder {
     std::filesystem::path offscreen(const std::string& name, const std::string& options) const {
         const std::filesystem::path png = dir / (name + ".png");
         const int status = std::system(
-            (VANTAGE_PLAYER " " + file.string() + " --offscreen --quiet " + options + " -o " + png.string())
+            (VANTAGE_PLAYER " render " + file.string() + " --quiet " + options + " -o " + png.string())
                 .c_str());
         EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 0) << options;
         return png;

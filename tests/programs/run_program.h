@@ -1,6 +1,7 @@
 #pragma once
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -25,6 +26,13 @@ inline Outcome run_command(const std::string& command, const std::filesystem::pa
     };
     const bool exited = WIFEXITED(status) && WEXITSTATUS(status) < 128;
     return {exited ? WEXITSTATUS(status) : -1, text(out), text(err)};
+}
+
+/// "VERB FILE OPTIONS", of "VERB OPTIONS".
+inline std::string with_file(const std::string& words, const std::filesystem::path& file) {
+    const bool verb = !words.starts_with('-');
+    const std::size_t end = verb ? std::min(words.find(' '), words.size()) : 0;
+    return words.substr(0, end) + " " + file.string() + " " + words.substr(end);
 }
 
 }  // namespace vantage

@@ -35,10 +35,10 @@ std::vector<Row> command_rows() {
         {"options", "an unknown option", nothing(), Exit::usage, Says{"--frobnicate"}, no_package, Command{with("--frobnicate")}},
         {"options", "no verb", nothing(), Exit::usage, Says{"no verb: expected one of"}, no_package, Command{"vantage"}},
         {"options", "-o in a missing folder", nothing(), Exit::storage, Says{"none/x.vantage"}, no_package, Command{"vantage prepare {scan} -o {out}/none/x.vantage"}, Never{"18446744073"}},
-        {"options", "no libEGL, offscreen", with_file("lib/libEGL.so.1", ""), Exit::graphics, Says{"cannot load libEGL.so.1"}, no_package, Command{"vantage prepare {scan} -o {out}.vantage --no-report ; env LD_LIBRARY_PATH={scan}/lib vantage-player {out}.vantage --offscreen --photo A -o {out}.png"}},
+        {"options", "no libEGL, offscreen", with_file("lib/libEGL.so.1", ""), Exit::graphics, Says{"cannot load libEGL.so.1"}, no_package, Command{"vantage prepare {scan} -o {out}.vantage --no-report ; env LD_LIBRARY_PATH={scan}/lib vantage-player render {out}.vantage --photo A -o {out}.png"}},
         {"options", "no libEGL, prepared by the processor", with_file("lib/libEGL.so.1", ""), Command{"env LD_LIBRARY_PATH={scan}/lib vantage prepare {scan} -o {out}.vantage --no-report"}},
         {"options", "no libEGL, --renderer opengl", with_file("lib/libEGL.so.1", ""), Exit::graphics, Says{"cannot load libEGL.so.1"}, no_package, Command{"env LD_LIBRARY_PATH={scan}/lib vantage prepare {scan} -o {out}.vantage --no-report --renderer opengl"}},
-        {"options", "a file size limit, the player", nothing(), Exit::storage, Says{"out.png"}, no_package, Command{"vantage prepare {scan} -o {out}.vantage --no-report ; env MESA_SHADER_CACHE_DISABLE=1 prlimit --fsize=100 vantage-player {out}.vantage --offscreen --photo A -o {out}.png"}},
+        {"options", "a file size limit, the player", nothing(), Exit::storage, Says{"out.png"}, no_package, Command{"vantage prepare {scan} -o {out}.vantage --no-report ; env MESA_SHADER_CACHE_DISABLE=1 prlimit --fsize=100 vantage-player render {out}.vantage --photo A -o {out}.png"}},
         {"options", "a file size limit", nothing(), Exit::storage, Says{"out.vantage"}, no_package, Command{"prlimit --fsize=1000000 vantage prepare {scan} -o {out}.vantage"}},
         {"options", "synth prints few lines", with_file("many.toml", "[photos]\ncount = 40\nwidth = 32\nheight = 24\nsamples = 1\n[object]\ntriangles = 200\n"), Says{"scene"}, no_package, Command{"vantage synth {scan}/many.toml -o {out}"}, Never{"17/40"}},
 
@@ -74,7 +74,7 @@ std::vector<Row> command_rows() {
         {"comparisons", "checked, from a mesh that has changed", [](Scan& s) { s["old.ply"] = box_ply({.scale = 1.5}); s["older.ply"] = box_ply({.scale = 2}); }, Exit::stale, Says{"old.ply: has changed"}, no_package, Command{deviation("{scan}/old.ply", "; cp {scan}/older.ply {scan}/old.ply ; vantage check --against {scan} {out}.vantage")}},
         {"comparisons", "checked, from a glTF with another buffer", [](Scan& s) { s["old.gltf"] = box_gltf().json("old.bin"); s["old.bin"] = box_gltf({.scale = 1.5}).bytes; s["older.bin"] = box_gltf({.scale = 2}).bytes; }, Exit::stale, Says{"old.bin: has changed"}, no_package, Command{deviation("{scan}/old.gltf", "; cp {scan}/older.bin {scan}/old.bin ; vantage check --against {scan} {out}.vantage")}},
         {"comparisons", "checked, without the mesh in the folder", with_file("old.ply", box_ply({.scale = 1.5})), Says{"valid"}, Command{deviation("{scan}/old.ply", "; rm {scan}/old.ply ; vantage check --against {scan} {out}.vantage")}},
-        {"comparisons", "shown", with_file("old.ply", box_ply({.scale = 1.5})), Says{"out.png"}, Command{deviation("{scan}/old.ply", "; vantage-player {out}.vantage --offscreen --photo A --field deviation-from-old -o {out}.png")}},
+        {"comparisons", "shown", with_file("old.ply", box_ply({.scale = 1.5})), Says{"out.png"}, Command{deviation("{scan}/old.ply", "; vantage-player render {out}.vantage --photo A --field deviation-from-old -o {out}.png")}},
         {"comparisons", "-o is the mesh to compare with", with_file("old.ply", box_ply()), Exit::usage, Says{"old.ply"}, no_package, Command{"vantage prepare {scan} -o {scan}/old.ply --deviation-from {scan}/old.ply --force"}},
 
         // -------------------------------------------------------------------------------------- point clouds
@@ -92,7 +92,7 @@ std::vector<Row> command_rows() {
         {"point clouds", "switched off", with_file("cloud.ply", points_ply()), Says{"points", "off, forced"}, Command{cloud("{scan}/cloud.ply", "--effect points=off ; vantage info {out}.vantage")}},
         {"point clouds", "again, nothing to do", with_file("cloud.ply", points_ply()), Says{"is current, nothing to do"}, Command{cloud("{scan}/cloud.ply", "; " + cloud("{scan}/cloud.ply", ""))}},
         {"point clouds", "checked, from a cloud that has changed", [](Scan& s) { s["cloud.ply"] = points_ply(); s["other.ply"] = points_ply(7); }, Exit::stale, Says{"cloud.ply: has changed"}, no_package, Command{cloud("{scan}/cloud.ply", "; cp {scan}/other.ply {scan}/cloud.ply ; vantage check --against {scan} {out}.vantage")}},
-        {"point clouds", "shown alone", with_file("cloud.ply", points_ply()), Says{"out.png"}, Command{cloud("{scan}/cloud.ply", "; vantage-player {out}.vantage --offscreen --photo A --points alone -o {out}.png")}},
+        {"point clouds", "shown alone", with_file("cloud.ply", points_ply()), Says{"out.png"}, Command{cloud("{scan}/cloud.ply", "; vantage-player render {out}.vantage --photo A --points alone -o {out}.png")}},
         {"point clouds", "not named beside a mesh", with_file("cloud.ply", points_ply()), Says{"cloud.ply: a point cloud, not used; --points shows it"}},
         {"point clouds", "no mesh", with_mesh("cloud.ply", points_ply()), Says{"valid"}, Holds{"A.jpg=red B.jpg=green C.jpg=blue"}, Command{check_against}},
         {"point clouds", "no mesh, --points names one of two", [](Scan& s) { s.remove("mesh.ply"); s["a.ply"] = points_ply(7); s["b.ply"] = points_ply(9); }, Says{"a.ply (7)", "b.ply: a point cloud, not used"}, Holds{"A.jpg=red"}, Command{cloud("{scan}/a.ply", "")}},
@@ -106,7 +106,7 @@ std::vector<Row> command_rows() {
         {"point clouds", "LAS, cut off", with_mesh("scan.las", box_las().substr(0, 300)), Exit::input, Says{"scan.las: is cut off: its header counts 16 points, 2 are there"}, no_package},
         {"point clouds", "E57 alone", [](Scan& s) { s.remove("mesh.ply"); s["scan.e57"] = "ASTM-E57"; }, Exit::input, Says{"scan.e57: E57 is not supported; expected LAS or PLY"}, no_package},
         {"point clouds", "LAS, compressed", [](Scan& s) { s.remove("mesh.ply"); s["scan.laz"] = box_las(); s["scan.laz"][104] = char(0x82); }, Exit::input, Says{"scan.laz: is compressed (LAZ), which is not supported"}, no_package},
-        {"point clouds", "shown, a wrong size", with_file("cloud.ply", points_ply()), Exit::usage, Says{"--point-size"}, no_package, Command{cloud("{scan}/cloud.ply", "; vantage-player {out}.vantage --offscreen --photo A --point-size 0 -o {out}.png")}},
+        {"point clouds", "shown, a wrong size", with_file("cloud.ply", points_ply()), Exit::usage, Says{"--point-size"}, no_package, Command{cloud("{scan}/cloud.ply", "; vantage-player render {out}.vantage --photo A --point-size 0 -o {out}.png")}},
         // ------------------------------------------------------------------------------------------- image sets
         {"image sets", "images/visible and images/infrared", in_image_sets("visible", "infrared"), Says{"image set     visible (2)", "image set     infrared (1)"}},
         {"image sets", "RGB and UVF, checked", in_image_sets("RGB", "UVF"), Says{"valid"}, Command{check_against}},
@@ -129,10 +129,10 @@ std::vector<Row> command_rows() {
         {"image sets", "the output is the file that names the image sets", with_file("image_sets.toml", "a = \"*\"\n"), Exit::usage, Says{"image_sets.toml"}, no_package, Command{"vantage prepare {scan} -o {scan}/image_sets.toml --image-sets {scan}/image_sets.toml --force"}},
 
         // ------------------------------------------------------------------------------------------ packages
-        {"packages", "show a missing package", nothing(), Exit::input, Says{"none.vantage: cannot open"}, no_package, Command{"vantage-player {out}/none.vantage --offscreen --photo A -o {out}.png"}},
-        {"packages", "show a photo", nothing(), Exit::damaged, Says{"not a Vantage package"}, no_package, Command{"vantage-player {scan}/images/A.jpg --offscreen --photo A -o {out}.png"}},
-        {"packages", "show a newer format", nothing(), Exit::input, Says{"newer"}, no_package, Command{"vantage prepare {scan} -o {out}.vantage --no-report ; vantage-newer {out}.vantage ; vantage-player {out}.vantage --offscreen --photo A -o {out}.png"}},
-        {"packages", "a photo the package lacks", nothing(), Exit::usage, Says{"X"}, no_package, Command{"vantage prepare {scan} -o {out}.vantage --no-report ; vantage-player {out}.vantage --offscreen --photo X -o {out}.png"}},
+        {"packages", "show a missing package", nothing(), Exit::input, Says{"none.vantage: cannot open"}, no_package, Command{"vantage-player render {out}/none.vantage --photo A -o {out}.png"}},
+        {"packages", "show a photo", nothing(), Exit::damaged, Says{"not a Vantage package"}, no_package, Command{"vantage-player render {scan}/images/A.jpg --photo A -o {out}.png"}},
+        {"packages", "show a newer format", nothing(), Exit::input, Says{"newer"}, no_package, Command{"vantage prepare {scan} -o {out}.vantage --no-report ; vantage-newer {out}.vantage ; vantage-player render {out}.vantage --photo A -o {out}.png"}},
+        {"packages", "a photo the package lacks", nothing(), Exit::usage, Says{"X"}, no_package, Command{"vantage prepare {scan} -o {out}.vantage --no-report ; vantage-player render {out}.vantage --photo X -o {out}.png"}},
         {"packages", "info", nothing(), Says{"A.jpg"}, Command{"vantage prepare {scan} -o {out}.vantage --no-report ; vantage info {out}.vantage"}},
         {"packages", "info of a mesh", nothing(), Exit::damaged, Says{"not a Vantage package"}, no_package, Command{"vantage info {scan}/mesh.ply"}},
         {"packages", "extract", nothing(), Command{"vantage prepare {scan} -o {out}.vantage --no-report ; vantage extract {out}.vantage -o {out}-files ; vantage info {out}.vantage"}},

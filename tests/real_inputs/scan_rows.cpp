@@ -131,7 +131,7 @@ std::vector<Row> scan_rows() {
         {"encodings", "a byte order mark in list.txt", with_list(std::string(bom) + "A.jpg\nB.jpg\nC.jpg\n")},
         {"encodings", "a byte order mark in a MeshLab project", [](Scan& s) { use_meshlab(s, {"A.jpg", "B.jpg", "C.jpg"}); s["project.mlp"] = bom + s["project.mlp"]; }},
         {"encodings", "a byte order mark in the configuration", with_file("c.toml", std::string(bom) + "max-photo-size = 32\n"), Command{with("--preset {scan}/c.toml")}},
-        {"encodings", "a byte order mark in a camera path", with_file("p.txt", std::string(bom) + "0,0,-6,0,0,1,60\n"), Command{"vantage prepare {scan} -o {out}.vantage --no-report ; vantage-player {out}.vantage --offscreen --path {scan}/p.txt --size 64x48 -o {out}-pictures"}},
+        {"encodings", "a byte order mark in a camera path", with_file("p.txt", std::string(bom) + "0,0,-6,0,0,1,60\n"), Command{"vantage prepare {scan} -o {out}.vantage --no-report ; vantage-player render {out}.vantage --path {scan}/p.txt --size 64x48 -o {out}-pictures"}},
         {"encodings", "Latin-1 in the package's name, checked as JSON", nothing(), Says{"\"valid\": true"}, no_package, Command{"vantage prepare {scan} -o {out}-\xe9.vantage --no-report ; vantage check --json {out}-\xe9.vantage"}},
         {"encodings", "UTF-16 in cameras.txt", with_file("sparse/cameras.txt", std::string("\xff\xfe" "1\0 \0", 6)), Exit::input, Says{"cameras.txt: is UTF-16, expected UTF-8"}},
         {"encodings", "UTF-16 in an OBJ", with_mesh("mesh.obj", std::string("\xff\xfev\0", 4)), Exit::input, Says{"mesh.obj: is UTF-16"}},

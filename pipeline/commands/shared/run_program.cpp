@@ -39,11 +39,7 @@ int run_program(int argc, char** argv) {
     cv::setNumThreads(1);
     std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit fails with a message
     name_lost_packages("vantage");
-    try {
-        return run_verb(argc, argv);
-    } catch (...) {
-        return report_exception("vantage");
-    }
+    return run_reported("vantage", [&] { return run_verb(argc, argv); });
 }
 
 }  // namespace vantage

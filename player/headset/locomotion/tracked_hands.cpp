@@ -206,7 +206,7 @@ void TrackedHands::suggest_all(const XrRuntime& runtime) const {
     for (const Profile& p : controllers) suggest(p);
     if (runtime.extensions().microsoft_hands) suggest(microsoft_hands);
     if (runtime.extensions().hands) suggest(bare_hands);
-    if (!any) throw Error(Exit::graphics, "--xr: the OpenXR runtime knows none of the usual controllers");
+    if (!any) throw Error(Exit::graphics, "headset: the OpenXR runtime knows none of the usual controllers");
 }
 
 std::optional<Hands> TrackedHands::at(XrTime time, XrSpace room) {

@@ -82,7 +82,7 @@ void EyeSwapchain::release() {
 
 std::int64_t color_format(XrSession session) {
     const std::int64_t out = first_offered(session, std::array<std::int64_t, 2>{GL_SRGB8_ALPHA8, GL_SRGB8});
-    if (out == 0) throw Error(Exit::graphics, "--xr: the OpenXR runtime offers no sRGB pictures");
+    if (out == 0) throw Error(Exit::graphics, "headset: the OpenXR runtime offers no sRGB pictures");
     return out;
 }
 

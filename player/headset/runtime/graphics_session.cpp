@@ -19,7 +19,7 @@ GLXFBConfig configuration_of(Display* display, GLXContext context) {
     GLXFBConfig* found = glXChooseFBConfig(display, screen, wanted, &count);
     const GLXFBConfig out = count > 0 ? found[0] : nullptr;
     if (found) XFree(found);
-    if (!out) throw Error(Exit::graphics, "--xr: the window's configuration of GLX is not found");
+    if (!out) throw Error(Exit::graphics, "headset: the window's configuration of GLX is not found");
     return out;
 }
 
@@ -74,7 +74,7 @@ void expect_version(XrInstance instance, XrSystemId system) {
     // The highest version is the newest one that a runtime was tested with; newer ones work.
     if (has < XR_MAKE_VERSION(XR_VERSION_MAJOR(limits.minApiVersionSupported),
                               XR_VERSION_MINOR(limits.minApiVersionSupported), 0))
-        throw Error(Exit::graphics, "--xr: the OpenXR runtime needs OpenGL " +
+        throw Error(Exit::graphics, "headset: the OpenXR runtime needs OpenGL " +
                                         text_of(limits.minApiVersionSupported) + ", and this is " +
                                         text_of(has));
 }
@@ -97,7 +97,7 @@ XrSession make_session(const XrRuntime& runtime, XrSystemId system) {
         create(egl_binding());
     else
         throw Error(Exit::graphics,
-                    "--xr: this OpenXR runtime needs an X display for OpenGL, and there is "
+                    "headset: this OpenXR runtime needs an X display for OpenGL, and there is "
                     "none (DISPLAY)");
     return out;
 }

@@ -96,7 +96,7 @@ void HeadsetSession::make_pictures() {
             return xrEnumerateViewConfigurationViews(runtime_.get(), system_, two_eyes, capacity, count, out);
         });
     if (eyes.size() != 2)
-        throw Error(Exit::graphics, "--xr: the headset has " + std::to_string(eyes.size()) +
+        throw Error(Exit::graphics, "headset: the headset has " + std::to_string(eyes.size()) +
                                         " displays, expected one per eye");
     const std::int64_t color = color_format(session_);
     const std::int64_t depth = runtime_.extensions().depth ? depth_format(session_) : 0;

@@ -17,7 +17,7 @@ constexpr char hands_extension[] = "XR_EXT_hand_interaction";  // newer than som
 /// The loader's own lines would come before ours; whoever looks for a fault can set the variable.
 void quiet_loader() { ::setenv("XR_LOADER_DEBUG", "none", 0); }
 
-[[noreturn]] void fail(const std::string& why) { throw Error(Exit::graphics, "--xr: " + why); }
+[[noreturn]] void fail(const std::string& why) { throw Error(Exit::graphics, "headset: " + why); }
 
 [[noreturn]] void fail_to_connect(XrResult result) {
     switch (result) {

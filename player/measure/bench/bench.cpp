@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "base/cli/standard_output.h"
 #include "base/files/make_folder.h"
 #include "base/files/replace_file.h"
 #include "base/gl/context.h"
@@ -47,9 +48,9 @@ int run_bench(const PackageReader& package, const BenchOptions& o) {
     make_folder(o.folder);
     const gl::HeadlessContext context;
     const FlightTarget target = make_flight_target(size);
-    std::printf("%s, %dx%d, %d repeats\n", gl::current_device().renderer.c_str(), size.width, size.height,
-                o.repeats);
-    std::fflush(stdout);
+    std::fprintf(text_output(), "%s, %dx%d, %d repeats\n", gl::current_device().renderer.c_str(), size.width,
+                 size.height, o.repeats);
+    std::fflush(text_output());
     std::vector<Flight> all;
     nlohmann::json summaries = nlohmann::json::array();
     for (const std::string& name : o.paths) {
@@ -59,6 +60,7 @@ int run_bench(const PackageReader& package, const BenchOptions& o) {
     }
     write_frames(o.folder / "frames.csv", all);
     replace_file(o.folder / "summary.json", json_text(summaries) + "\n");
+    results().update({{"folder", o.folder.string()}, {"flights", summaries}});
     return int(Exit::ok);
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/cli/standard_output.h"
 #include "base/files/replace_file.h"
 #include "player/render/timing/frame_statistics.h"
 
@@ -82,7 +83,8 @@ nlohmann::json summarize(const std::vector<const Flight*>& flights, std::size_t 
 
 void print_summary(const nlohmann::json& s) {
     const auto& ms = s["ms"];
-    std::printf(
+    std::fprintf(
+        text_output(),
         "%-10s %-9s  mean %7.2f  median %7.2f  99 %% %7.2f  99.9 %% %7.2f  max %7.2f ms  99.9 %%/median %.2f"
         "  %5.1f MiB read and decoded in %.2f s  at most %.1f MiB per frame",
         s["path"].get<std::string>().c_str(), s["mode"].get<std::string>().c_str(), ms["mean"].get<double>(),
@@ -92,21 +94,24 @@ void print_summary(const nlohmann::json& s) {
         s["reading_and_decoding_seconds"].get<double>(),
         double(s["uploaded_bytes_a_frame_max"].get<std::uint64_t>()) / 1048576);
     if (s["mode"] == "adaptive")
-        std::printf("  at %.0f %% of the resolution (median)", 100 * s["scale"]["median"].get<double>());
+        std::fprintf(text_output(), "  at %.0f %% of the resolution (median)",
+                     100 * s["scale"]["median"].get<double>());
     if (s.contains("read_over_touched"))
-        std::printf("  exact after %d frames, %.2f s, %.2f bytes read per byte touched",
-                    s["frames_to_exact"].get<int>(), s["seconds_to_exact"].get<double>(),
-                    s["read_over_touched"].get<double>());
+        std::fprintf(text_output(), "  exact after %d frames, %.2f s, %.2f bytes read per byte touched",
+                     s["frames_to_exact"].get<int>(), s["seconds_to_exact"].get<double>(),
+                     s["read_over_touched"].get<double>());
     if (s["mode"] == "resident" && s["uploaded_bytes_a_frame_max"] > 0)
-        std::printf(
+        std::fprintf(
+            text_output(),
             "  not all of it fits into graphics memory: frames upload tiles again (--graphics-memory)");
     const auto& plan = s["plan_ms"];
-    std::printf("\n    plan %.2f, 99.9 %% %.2f ms; mean of passes:", plan["median"].get<double>(),
-                plan["p999"].get<double>());
+    std::fprintf(text_output(),
+                 "\n    plan %.2f, 99.9 %% %.2f ms; mean of passes:", plan["median"].get<double>(),
+                 plan["p999"].get<double>());
     for (const auto& [name, ms_of_pass] : s["pass_ms"].items())
-        std::printf("  %s %.2f", name.c_str(), ms_of_pass.get<double>());
-    std::printf(" ms\n");
-    std::fflush(stdout);
+        std::fprintf(text_output(), "  %s %.2f", name.c_str(), ms_of_pass.get<double>());
+    std::fprintf(text_output(), " ms\n");
+    std::fflush(text_output());
 }
 
 void write_frames(const std::filesystem::path& file, const std::vector<Flight>& flights) {

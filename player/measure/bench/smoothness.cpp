@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/cli/progress_line.h"
+#include "base/cli/standard_output.h"
 #include "base/files/make_folder.h"
 #include "base/files/replace_file.h"
 #include "base/files/side_by_side.h"
@@ -90,18 +91,16 @@ std::size_t frames_with_tiles_missing(const std::vector<FrameStep>& steps) {
     return std::size_t(std::ranges::count_if(steps, [](const FrameStep& s) { return s.tiles_missing > 0; }));
 }
 
-void write_summary(const std::filesystem::path& file, const Smoothness& s,
-                   const std::vector<FrameStep>& steps) {
+nlohmann::json json_of(const Smoothness& s, const std::vector<FrameStep>& steps) {
     const auto of = [](const FrameStatistics& f, double per_degree) {
         return nlohmann::json{{"mean", f.mean}, {"p99", f.p99}, {"max", f.max}, {"per_degree", per_degree}};
     };
-    const nlohmann::json out{{"steps", steps.size()},
-                             {"degrees", s.degrees},
-                             {"picture", of(s.mean, s.mean_per_degree)},
-                             {"patches", of(s.patches, s.patches_per_degree)},
-                             {"worst_frame", s.worst},
-                             {"frames_with_tiles_missing", frames_with_tiles_missing(steps)}};
-    replace_file(file, json_text(out) + "\n");
+    return {{"steps", steps.size()},
+            {"degrees", s.degrees},
+            {"picture", of(s.mean, s.mean_per_degree)},
+            {"patches", of(s.patches, s.patches_per_degree)},
+            {"worst_frame", s.worst},
+            {"frames_with_tiles_missing", frames_with_tiles_missing(steps)}};
 }
 
 void write_pictures(const std::filesystem::path& folder, const std::vector<ShownStep>& shown) {
@@ -125,14 +124,17 @@ void plot(const std::filesystem::path& file, const std::vector<FrameStep>& steps
 
 void print(const Smoothness& s, const std::vector<FrameStep>& steps) {
     const auto row = [](const char* name, const FrameStatistics& f, double per_degree) {
-        std::printf("%-24s mean %6.3f  99 %% %6.3f  max %6.3f gray levels per frame  %6.3f per degree\n",
-                    name, f.mean, f.p99, f.max, per_degree);
+        std::fprintf(text_output(),
+                     "%-24s mean %6.3f  99 %% %6.3f  max %6.3f gray levels per frame  %6.3f per degree\n",
+                     name, f.mean, f.p99, f.max, per_degree);
     };
     row("picture", s.mean, s.mean_per_degree);
     row("worst hundredth of it", s.patches, s.patches_per_degree);
-    std::printf("%.1f degrees around the surface; worst after frame %zu\n", s.degrees, s.worst);
+    std::fprintf(text_output(), "%.1f degrees around the surface; worst after frame %zu\n", s.degrees,
+                 s.worst);
     if (const std::size_t n = frames_with_tiles_missing(steps))
-        std::printf("%zu frames lacked tiles: damaged ones, or too little --graphics-memory\n", n);
+        std::fprintf(text_output(),
+                     "%zu frames lacked tiles: damaged ones, or too little --graphics-memory\n", n);
 }
 
 }  // namespace
@@ -168,7 +170,7 @@ std::vector<FrameStep> fly_in_steps(const PackageReader& package, const Smoothne
     std::vector<FrameStep> steps;
     SeenFrame now;
     std::vector<std::uint32_t> drawn;
-    ProgressLine progress(o.output.quiet ? ProgressStyle::none : ProgressStyle::automatic, 10);
+    ProgressLine progress(ProgressStyle::automatic, 10);
     for (std::size_t i = 0; i < path.size(); ++i) {
         const View view = view_of(path[i], size.width, size.height);
         const FrameReport report = renderer.draw(view, settings, photos, {}, double(i) * frame_seconds);
@@ -196,15 +198,18 @@ int run_smoothness(const PackageReader& package, const SmoothnessOptions& o) {
     const std::vector<Navigation> path = path_of(package, o);
     make_folder(o.folder);
     const gl::HeadlessContext context;
-    std::printf("%s, %dx%d, %zu frames\n", gl::current_device().renderer.c_str(), size.width, size.height,
-                path.size());
-    std::fflush(stdout);
+    std::fprintf(text_output(), "%s, %dx%d, %zu frames\n", gl::current_device().renderer.c_str(), size.width,
+                 size.height, path.size());
+    std::fflush(text_output());
     std::vector<ShownStep> shown;
     const std::vector<FrameStep> steps = fly_in_steps(package, o, path, size, shown);
     const Smoothness s = smoothness_of(steps);
     print(s, steps);
     write_steps(o.folder / "steps.csv", steps);
-    write_summary(o.folder / "summary.json", s, steps);
+    const nlohmann::json summary = json_of(s, steps);
+    replace_file(o.folder / "summary.json", json_text(summary) + "\n");
+    results().update(summary);
+    results()["folder"] = o.folder.string();
     plot(o.folder / "steps.svg", steps);
     write_pictures(o.folder, shown);
     return int(Exit::ok);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 
+#include "base/cli/standard_output.h"
 #include "base/files/make_folder.h"
 #include "base/files/replace_file.h"
 #include "base/gl/context.h"
@@ -101,13 +103,13 @@ void write_model(const std::filesystem::path& file, const PackageReader& package
 
 void print_changes(const std::filesystem::path& against, const std::vector<PhotoEvaluation>& results) {
     double decibels = 0, ssim = 0, sharp_before = 0, sharp_after = 0, n = 0;
-    std::printf("\n%-20s %7s %7s %7s %8s %7s %7s\n", "against", "gain", "now", "change", "SSIM", "sharp",
-                "now");
+    std::fprintf(text_output(), "\n%-20s %7s %7s %7s %8s %7s %7s\n", "against", "gain", "now", "change",
+                 "SSIM", "sharp", "now");
     for (const std::size_t i : by_change(results)) {
         const auto& [before, after, better, worse] = *results[i].change;
-        std::printf("%-20s %7.2f %7.2f %+7.2f %+8.4f %7.2f %7.2f\n", results[i].name.c_str(),
-                    before.psnr_gain, after.psnr_gain, after.psnr_gain - before.psnr_gain,
-                    after.ssim - before.ssim, before.sharpness, after.sharpness);
+        std::fprintf(text_output(), "%-20s %7.2f %7.2f %+7.2f %+8.4f %7.2f %7.2f\n", results[i].name.c_str(),
+                     before.psnr_gain, after.psnr_gain, after.psnr_gain - before.psnr_gain,
+                     after.ssim - before.ssim, before.sharpness, after.sharpness);
         ++n;
         decibels += after.psnr_gain - before.psnr_gain;
         ssim += after.ssim - before.ssim;
@@ -115,16 +117,16 @@ void print_changes(const std::filesystem::path& against, const std::vector<Photo
         sharp_after += after.sharpness;
     }
     if (n == 0)
-        std::printf("%s contains none of these photos\n", against.c_str());
+        std::fprintf(text_output(), "%s contains none of these photos\n", against.c_str());
     else
-        std::printf("%-20s %23.2f %+8.4f %7.2f %7.2f\n", "mean", decibels / n, ssim / n, sharp_before / n,
-                    sharp_after / n);
+        std::fprintf(text_output(), "%-20s %23.2f %+8.4f %7.2f %7.2f\n", "mean", decibels / n, ssim / n,
+                     sharp_before / n, sharp_after / n);
 }
 
 void print_remarks(const std::vector<PhotoEvaluation>& results) {
     for (const std::size_t i : worst_first(results))
         for (const std::string& s : results[i].remarks)
-            std::printf("%s: %s\n", results[i].name.c_str(), s.c_str());
+            std::fprintf(text_output(), "%s: %s\n", results[i].name.c_str(), s.c_str());
 }
 
 /// Of the table's first column.
@@ -160,7 +162,8 @@ void expect_earlier(const EvaluateOptions& o) {
 void report_pose_refinement(const PackageReader& package) {
     if (effect_on(package.scene(), Effect::pose_refinement) &&
         !package.find(package::Type::pose_refinement_without))
-        std::printf(
+        std::fprintf(
+            text_output(),
             "the cameras were moved together, with the photos held out; for figures without them, use "
             "vantage prepare --hold-out\n");
 }
@@ -244,7 +247,8 @@ int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
     write_model(o.folder / "regions.ply", package, regions);
     write_evaluation_page(o.folder, package.path().filename().string() + ": each photo held out", results,
                           o.worst);
-    std::printf("%s\n", (o.folder / "index.html").c_str());
+    std::fprintf(text_output(), "%s\n", (o.folder / "index.html").c_str());
+    vantage::results().update({{"photos", json_of(results)}, {"page", (o.folder / "index.html").string()}});
     return int(Exit::ok);
 }
 

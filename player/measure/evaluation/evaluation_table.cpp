@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/cli/standard_output.h"
 #include "base/files/replace_file.h"
 
 namespace vantage {
@@ -42,16 +44,18 @@ std::vector<CauseTotal> cause_totals(const std::vector<PhotoEvaluation>& results
 }
 
 void print_heading(int names) {
-    std::printf("%-*s %5s %5s %6s %6s %5s %6s %7s %6s %5s %5s %5s %5s\n", names, "photo", "PSNR", "gain",
-                "SSIM", "gain", "frame", "SSIM", "nearest", "color%", "stops", "right", "down", "sharp");
+    std::fprintf(text_output(), "%-*s %5s %5s %6s %6s %5s %6s %7s %6s %5s %5s %5s %5s\n", names, "photo",
+                 "PSNR", "gain", "SSIM", "gain", "frame", "SSIM", "nearest", "color%", "stops", "right",
+                 "down", "sharp");
 }
 
 void print_row(const PhotoEvaluation& r, int names) {
-    std::printf("%-*s %5.2f %5.2f %6.4f %6.4f %5.2f %6.4f %+7.2f %6.1f %+5.2f %+5.2f %+5.2f %5.2f\n", names,
-                r.name.c_str(), r.score.psnr, r.score.psnr_gain, r.score.ssim, r.score.ssim_gain,
-                r.frame.psnr_gain, r.frame.ssim_gain, r.over_nearest, 100 * r.colored, r.brightness.stops,
-                r.shift[0], r.shift[1], r.score.sharpness);
-    std::fflush(stdout);
+    std::fprintf(text_output(),
+                 "%-*s %5.2f %5.2f %6.4f %6.4f %5.2f %6.4f %+7.2f %6.1f %+5.2f %+5.2f %+5.2f %5.2f\n", names,
+                 r.name.c_str(), r.score.psnr, r.score.psnr_gain, r.score.ssim, r.score.ssim_gain,
+                 r.frame.psnr_gain, r.frame.ssim_gain, r.over_nearest, 100 * r.colored, r.brightness.stops,
+                 r.shift[0], r.shift[1], r.score.sharpness);
+    std::fflush(text_output());
 }
 
 void print_means(const std::vector<PhotoEvaluation>& results, int names) {
@@ -62,28 +66,46 @@ void print_means(const std::vector<PhotoEvaluation>& results, int names) {
         for (const PhotoEvaluation& r : results) sum += r.score.pixels > 0 ? value(r) : 0;
         return sum / n;
     };
-    std::printf("%-*s %5.2f %5.2f %6.4f %6.4f %5.2f %6.4f %+7.2f %6.1f %23.2f\n", names, "mean",
-                mean([](auto& r) { return r.score.psnr; }), mean([](auto& r) { return r.score.psnr_gain; }),
-                mean([](auto& r) { return r.score.ssim; }), mean([](auto& r) { return r.score.ssim_gain; }),
-                mean([](auto& r) { return r.frame.psnr_gain; }),
-                mean([](auto& r) { return r.frame.ssim_gain; }), mean([](auto& r) { return r.over_nearest; }),
-                mean([](auto& r) { return 100 * r.colored; }),
-                mean([](auto& r) { return r.score.sharpness; }));
+    std::fprintf(
+        text_output(), "%-*s %5.2f %5.2f %6.4f %6.4f %5.2f %6.4f %+7.2f %6.1f %23.2f\n", names, "mean",
+        mean([](auto& r) { return r.score.psnr; }), mean([](auto& r) { return r.score.psnr_gain; }),
+        mean([](auto& r) { return r.score.ssim; }), mean([](auto& r) { return r.score.ssim_gain; }),
+        mean([](auto& r) { return r.frame.psnr_gain; }), mean([](auto& r) { return r.frame.ssim_gain; }),
+        mean([](auto& r) { return r.over_nearest; }), mean([](auto& r) { return 100 * r.colored; }),
+        mean([](auto& r) { return r.score.sharpness; }));
 }
 
 void print_causes(const std::vector<PhotoEvaluation>& results) {
     const std::vector<CauseTotal> totals = cause_totals(results);
     if (totals.empty()) return;
-    std::printf("\n%-12s %7s %6s %7s %6s\n", "error", "frame", "dB", "colored", "dB");
+    std::fprintf(text_output(), "\n%-12s %7s %6s %7s %6s\n", "error", "frame", "dB", "colored", "dB");
     for (const CauseTotal& t : totals) {
         const CauseRow& row = cause_row(t.cause);
-        std::printf("%-12s %5.1f %% %+6.2f ", row.name, 100 * t.share, t.decibels);
+        std::fprintf(text_output(), "%-12s %5.1f %% %+6.2f ", row.name, 100 * t.share, t.decibels);
         if (is_hole(t.cause))
-            std::printf("%15s  %s\n", "", row.meaning);
+            std::fprintf(text_output(), "%15s  %s\n", "", row.meaning);
         else
-            std::printf("%5.1f %% %+6.2f  %s\n", 100 * t.colored_share, t.colored_decibels, row.meaning);
+            std::fprintf(text_output(), "%5.1f %% %+6.2f  %s\n", 100 * t.colored_share, t.colored_decibels,
+                         row.meaning);
     }
-    std::printf("\n");
+    std::fprintf(text_output(), "\n");
+}
+
+nlohmann::json json_of(const std::vector<PhotoEvaluation>& results) {
+    nlohmann::json out = nlohmann::json::array();
+    for (const PhotoEvaluation& r : results)
+        out.push_back({{"name", r.name},
+                       {"pixels", r.score.pixels},
+                       {"psnr", r.score.psnr},
+                       {"psnr_gain", r.score.psnr_gain},
+                       {"ssim", r.score.ssim},
+                       {"ssim_gain", r.score.ssim_gain},
+                       {"frame_psnr_gain", r.frame.psnr_gain},
+                       {"frame_ssim_gain", r.frame.ssim_gain},
+                       {"over_nearest", r.over_nearest},
+                       {"colored", r.colored},
+                       {"sharpness", r.score.sharpness}});
+    return out;
 }
 
 void write_photos(const std::filesystem::path& file, const std::vector<PhotoEvaluation>& results) {

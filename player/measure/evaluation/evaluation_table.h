@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ void print_row(const PhotoEvaluation& result, int names);
 void print_means(const std::vector<PhotoEvaluation>& results, int names);
 /// Prints one line per cause that has any error.
 void print_causes(const std::vector<PhotoEvaluation>& results);
+
+/// The same values, an object per photo.
+nlohmann::json json_of(const std::vector<PhotoEvaluation>& results);
 
 /// Writes one line per photo, with the same values and more, as CSV. Throws Error(storage).
 void write_photos(const std::filesystem::path& file, const std::vector<PhotoEvaluation>& results);

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "base/cli/progress_line.h"
+#include "base/cli/standard_output.h"
 #include "scene/remote/remote_package.h"
 
 namespace vantage {
@@ -31,7 +32,8 @@ void show_progress(const PackageReader& package, std::stop_token stop) {
 
 }  // namespace
 
-PackageReader opened_package(const std::filesystem::path& package, const MemoryOptions& options, bool quiet) {
+PackageReader opened_package(const std::filesystem::path& package, const MemoryOptions& options) {
+    const bool quiet = output_form() == OutputForm::none;
     PackageReader out = open_package(package, {.cache_bytes = memory_budget(options).cache});
     if (!out.remote()) return out;
     const auto start = std::chrono::steady_clock::now();

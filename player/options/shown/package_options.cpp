@@ -16,8 +16,8 @@ void add_exclude_option(const Command& c, PackageOptions& o) {
     c.list("--exclude", o.exclude, "photos not to blend").type("PHOTO").commas();
 }
 
-void add_photo_option(const Command& c, PackageOptions& o) {
-    c.list("--photo", o.photos, "photos to look from or to hold out, or 'all'").type("PHOTO").commas();
+void add_photo_option(const Command& c, PackageOptions& o, const std::string& help) {
+    c.list("--photo", o.photos, help).type("PHOTO").commas();
 }
 
 std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& o) {

@@ -18,7 +18,7 @@ struct PackageOptions {
 /// FILE, whose help ends in `more`.
 Option add_package_argument(const Command& command, PackageOptions& options, const std::string& more = {});
 void add_exclude_option(const Command& command, PackageOptions& options);
-void add_photo_option(const Command& command, PackageOptions& options);
+void add_photo_option(const Command& command, PackageOptions& options, const std::string& help);
 
 /// All photos but the excluded ones. Throws Error(usage) for an unknown name.
 std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& options);

@@ -54,7 +54,7 @@ class Programs:
 
     def render(self, package, name, folder):
         os.makedirs(folder, exist_ok=True)
-        run([self.player, package, '--offscreen', '--photo', name, '--scale', '0.5', '--samples', '1', '-q', '-o',
+        run([self.player, 'render', package, '--photo', name, '--scale', '0.5', '--samples', '1', '-q', '-o',
              '%s/%s.png' % (folder, name)])
 
     def scores(self, truth, folders, name):

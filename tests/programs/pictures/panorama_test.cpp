@@ -149,7 +149,7 @@ TEST_F(Panoramas, SayWhatTheyAreToViewers) {
 TEST_F(Panoramas, AreRefusedInOneLineIfTheyCannotBeMade) {
     const auto says = [&](const std::string& options) {
         const fs::path log = dir / "says.txt";
-        const int status = std::system((VANTAGE_PLAYER " " + file.string() + " --offscreen --photo 0001 " +
+        const int status = std::system((VANTAGE_PLAYER " render " + file.string() + " --photo 0001 " +
                                         options + " -o " + (dir / "x.png").string() + " 2>" + log.string())
                                            .c_str());
         EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, int(Exit::usage)) << options;

@@ -203,7 +203,7 @@ TEST_F(PointScenes, NeedNoPhotos) {
     const std::string player = VANTAGE_PLAYER, package = at + "/c.vantage";
     run(std::string(VANTAGE_PROGRAM) + " prepare " + at + "/scene -o " + package);
     run(std::string(VANTAGE_PROGRAM) + " check --deep --against " + at + "/scene " + package);
-    run(player + " " + package + " --offscreen --view 0,-14,5,0,0,3 --size 200x150 -o " + at + "/p.png");
+    run(player + " render " + package + " --view 0,-14,5,0,0,3 --size 200x150 -o " + at + "/p.png");
     run(player + " verify " + package + " --golden " + at + "/golden --update");
     run(player + " verify " + package + " --golden " + at + "/golden");
     const Picture p = read_png(dir / "p.png");

@@ -39,8 +39,8 @@ class Video : public TemporaryFolder {
     }
     Outcome play(const std::string& options, const std::string& before = "") const {
         const bool sized = options.find("--size") != options.npos;
-        return run_command("cd " + dir.string() + " && " + before + " " VANTAGE_PLAYER " " + file.string() +
-                               " " + options + (sized ? "" : " --size 96x64"),
+        return run_command("cd " + dir.string() + " && " + before + " " VANTAGE_PLAYER " " +
+                               with_file(options, file) + (sized ? "" : " --size 96x64"),
                            dir);
     }
     void write(const std::string& name, const std::string& text) const {
@@ -92,7 +92,8 @@ double detail(const Picture& a) {
 TEST_F(Video, TurntableGoesAroundTheTargetAndIsTheSameEachTime) {
     const PackageReader reader(file);
     const Eigen::Vector3d up = up_of(reader.scene()), eye(5, -9, 3), target(0.5, 0, 0);
-    const std::string turn = "--turntable --seconds 0.4 --frame-rate 10 --view " + view_option(eye, target);
+    const std::string turn =
+        "video --turntable --seconds 0.4 --frame-rate 10 --view " + view_option(eye, target);
     const Outcome made = play(turn + " -o frames");
     ASSERT_EQ(made.code, 0) << made.err;
     EXPECT_TRUE(one_line(made.out)) << made.out;
@@ -101,8 +102,7 @@ TEST_F(Video, TurntableGoesAroundTheTargetAndIsTheSameEachTime) {
     for (const int frame : {0, 2}) {
         const Eigen::Vector3d there =
             target + Eigen::AngleAxisd(frame * std::numbers::pi / 2, up) * (eye - target);
-        ASSERT_EQ(play("--offscreen --holes shade -o still.png --view " + view_option(there, target)).code,
-                  0);
+        ASSERT_EQ(play("render --holes shade -o still.png --view " + view_option(there, target)).code, 0);
         const Picture still = read_png(dir / "still.png");
         const Picture moving = read_png(dir / "frames" / ("scene-000" + std::to_string(frame + 1) + ".png"));
         EXPECT_LT(difference(still, moving), 1) << frame;
@@ -116,7 +116,7 @@ TEST_F(Video, TurntableGoesAroundTheTargetAndIsTheSameEachTime) {
 TEST_F(Video, TurntableFramesTheWholeModel) {
     for (const std::string size : {"96x64", "48x128"}) {
         const Outcome made = play(
-            "--turntable --seconds 0.3 --frame-rate 10 --holes transparent --background "
+            "video --turntable --seconds 0.3 --frame-rate 10 --holes transparent --background "
             "off -o whole --size " +
             size);
         ASSERT_EQ(made.code, 0) << made.err;
@@ -142,9 +142,9 @@ TEST_F(Video, PathMeetsItsViewsAtTheirTimes) {
                       second = view_option({-4, -9, 2}, {0, 0, 1}),
                       last = view_option({0, -12, 2}, {0, 0, 0});
     write("way.path", "# a comment\n" + first + " at=1\n" + second + " at=1.5\n" + last + " at=2\n");
-    ASSERT_EQ(play("--path way.path --frame-rate 8 -o frames").code, 0);
+    ASSERT_EQ(play("video --path way.path --frame-rate 8 -o frames").code, 0);
     EXPECT_EQ(files_in(dir / "frames").size(), 9u) << "a second at 8 per second, and the last view";
-    ASSERT_EQ(play("--path way.path --offscreen --holes shade -o stills").code, 0);
+    ASSERT_EQ(play("render --path way.path --holes shade -o stills").code, 0);
     for (const auto& [still, frame] : {std::pair("0000", "0001"), {"0001", "0005"}, {"0002", "0009"}}) {
         const Picture a = read_png(dir / "stills" / (std::string(still) + ".png")),
                       b = read_png(dir / "frames" / ("scene-" + std::string(frame) + ".png"));
@@ -152,11 +152,11 @@ TEST_F(Video, PathMeetsItsViewsAtTheirTimes) {
         EXPECT_GT(detail(b), 0.1) << still;
     }
     write("wrong.path", first + " at=2\n" + second + " at=1\n");
-    const Outcome wrong = play("--path wrong.path -o frames");
+    const Outcome wrong = play("video --path wrong.path -o frames");
     EXPECT_EQ(wrong.code, int(Exit::input));
     EXPECT_NE(wrong.err.find("wrong.path:2: "), std::string::npos) << wrong.err;
     write("mixed.path", first + " at=2\n" + second + "\n");
-    EXPECT_EQ(play("--path mixed.path -o frames").code, int(Exit::input));
+    EXPECT_EQ(play("video --path mixed.path -o frames").code, int(Exit::input));
 }
 
 TEST_F(Video, TourOfTheStoryStaysAtItsStops) {
@@ -169,14 +169,13 @@ TEST_F(Video, TourOfTheStoryStaysAtItsStops) {
         << o[2]
         << R"(], "fov": 40}}], "tours": [{"id": "short", "title": {"de": "Kurz"}, "stops": [{"note": "n", "stay": 0.5}]}]})";
     write("scene.story.json", story.str());
-    ASSERT_EQ(play("--tour Kurz --frame-rate 4 -o frames").code, 0);
+    ASSERT_EQ(play("video --tour Kurz --frame-rate 4 -o frames").code, 0);
     EXPECT_EQ(files_in(dir / "frames").size(), 3u);
     EXPECT_TRUE(slurp(dir / "frames/scene-0001.png") == slurp(dir / "frames/scene-0003.png"))
         << "it stands still";
-    ASSERT_EQ(
-        play("--offscreen --holes shade -o still.png --view " + view_option({5, -9, 3}, {0, 0, 0})).code, 0);
+    ASSERT_EQ(play("render --holes shade -o still.png --view " + view_option({5, -9, 3}, {0, 0, 0})).code, 0);
     EXPECT_LT(difference(read_png(dir / "still.png"), read_png(dir / "frames/scene-0001.png")), 1);
-    const Outcome none = play("--tour long -o frames");
+    const Outcome none = play("video --tour long -o frames");
     EXPECT_EQ(none.code, int(Exit::usage));
     EXPECT_NE(none.err.find("expected short"), std::string::npos) << none.err;
 }
@@ -185,7 +184,7 @@ TEST_F(Video, BackgroundOfTheStoryIsBehindTheModel) {
     const auto corners = [&](const std::string& plain_background, const std::string& options = "") {
         write("scene.story.json", R"({"format": "vantage-story-1", "background": )" + plain_background + "}");
         const Outcome made =
-            play("--turntable --seconds 0.1 --frame-rate 10 --background off -o frames " + options);
+            play("video --turntable --seconds 0.1 --frame-rate 10 --background off -o frames " + options);
         EXPECT_EQ(made.code, 0) << made.err;
         const Picture p = read_png(dir / "frames/scene-0001.png");
         std::vector<std::array<int, 3>> out;
@@ -216,7 +215,7 @@ TEST_F(Video, FfmpegGetsEveryFrameAndTheFileItsNameAtTheEnd) {
     write("clip.mp4", std::string("\0\0\0\x18"
                                   "ftypisom",
                                   12));
-    const Outcome made = play("--turntable --seconds 0.5 --frame-rate 12.5 -o clip.mp4", path);
+    const Outcome made = play("video --turntable --seconds 0.5 --frame-rate 12.5 -o clip.mp4", path);
     ASSERT_EQ(made.code, 0) << made.err;
     EXPECT_EQ(std::stoi(slurp(dir / "clip.mp4")), 6 * 96 * 64 * 4);
     const std::string arguments = slurp(dir / "arguments");
@@ -224,7 +223,7 @@ TEST_F(Video, FfmpegGetsEveryFrameAndTheFileItsNameAtTheEnd) {
          {"-video_size 96x64", "-framerate 12.5", "-pixel_format rgba", "libx264", "yuv420p"})
         EXPECT_NE(arguments.find(part), std::string::npos) << part << " is not in " << arguments;
     EXPECT_NE(slurp(dir / "listing").find("clip.mp4.part-"), std::string::npos) << slurp(dir / "listing");
-    ASSERT_EQ(play("--turntable --seconds 0.1 --holes transparent -o clip.webm", path).code, 0);
+    ASSERT_EQ(play("video --turntable --seconds 0.1 --holes transparent -o clip.webm", path).code, 0);
     EXPECT_NE(slurp(dir / "arguments").find("yuva420p"), std::string::npos);
 }
 
@@ -238,7 +237,7 @@ TEST_F(Video, WhatFailsIsOneLineAndLeavesNothing) {
         for (const char* own : {"bin", "out.txt", "err.txt", "notes.mp4"}) now.erase(own);
         EXPECT_EQ(now, before) << what;
     };
-    const std::string clip = "-q --turntable --seconds 0.5 -o clip.mp4";
+    const std::string clip = "video -q --turntable --seconds 0.5 -o clip.mp4";
     expect(play(clip, with_ffmpeg("echo first >&2; echo 'Unknown encoder libx264' >&2; exit 1\n")),
            Exit::storage, "clip.mp4: ffmpeg failed: Unknown encoder libx264", "an encoder that is missing");
     expect(play(clip, with_ffmpeg(
@@ -255,23 +254,24 @@ TEST_F(Video, WhatFailsIsOneLineAndLeavesNothing) {
     const std::string interrupt =
         "sh -c '\"$@\" & until ls clip.mp4.part-* >/dev/null 2>&1; do sleep 0.1; done; "
         "kill -INT $!; wait $!' sh";
-    expect(play("-q --turntable --seconds 60 -o clip.mp4", swallow + " " + interrupt), Exit::interrupted,
-           "interrupted", "Ctrl+C");
-    expect(play("--turntable --size 95x64 -o clip.mp4", swallow), Exit::usage, "even width", "an odd width");
-    expect(play("--turntable --holes transparent -o clip.mp4", swallow), Exit::usage, "webm",
+    expect(play("video -q --turntable --seconds 60 -o clip.mp4", swallow + " " + interrupt),
+           Exit::interrupted, "interrupted", "Ctrl+C");
+    expect(play("video --turntable --size 95x64 -o clip.mp4", swallow), Exit::usage, "even width",
+           "an odd width");
+    expect(play("video --turntable --holes transparent -o clip.mp4", swallow), Exit::usage, "webm",
            "transparent MP4");
-    expect(play("--turntable"), Exit::usage, "-o", "no output");
-    expect(play("--turntable --tour a -o frames"), Exit::usage, "one of", "two ways");
-    expect(play("--turntable --seconds 99999 --frame-rate 240 -o frames"), Exit::usage, "million",
+    expect(play("video --turntable"), Exit::usage, "-o", "no output");
+    expect(play("video --turntable --tour a -o frames"), Exit::usage, "one of", "two ways");
+    expect(play("video --turntable --seconds 99999 --frame-rate 240 -o frames"), Exit::usage, "million",
            "too long");
     write("notes.mp4", "mine");
-    expect(play("--turntable -o notes.mp4", swallow), Exit::usage, "is not an MP4", "another file");
+    expect(play("video --turntable -o notes.mp4", swallow), Exit::usage, "is not an MP4", "another file");
     EXPECT_EQ(slurp(dir / "notes.mp4"), "mine");
 }
 
 TEST_F(Video, IsPlayableAndLooksLikeItsFrames) {
     if (std::system("command -v ffmpeg ffprobe >/dev/null") != 0) GTEST_SKIP() << "ffmpeg is not installed";
-    const std::string turn = "--turntable --seconds 0.5 --frame-rate 10 --size 160x96 -o ";
+    const std::string turn = "video --turntable --seconds 0.5 --frame-rate 10 --size 160x96 -o ";
     ASSERT_EQ(play(turn + "frames").code, 0);
     for (const std::string name : {"-clip.mp4", "a:b.webm"}) {
         const Outcome made = play(turn + "./" + name);

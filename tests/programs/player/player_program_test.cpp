@@ -41,7 +41,7 @@ class PlayerProgram : public TemporaryFolder {
     Rendered play(const std::string& options) const {
         const fs::path picture = dir / "picture.png", message = dir / "message";
         fs::remove(picture);
-        const std::string command = std::string(VANTAGE_PLAYER " ") + file.string() + " --offscreen -q -o " +
+        const std::string command = std::string(VANTAGE_PLAYER " render ") + file.string() + " -q -o " +
                                     picture.string() + " " + options + " 2>" + message.string();
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(message), slurp(picture)};

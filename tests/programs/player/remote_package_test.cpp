@@ -28,7 +28,7 @@ class RemotePackages : public Overnight {
         return [this](const Asked& asked) { return answer_well(asked, content); };
     }
     Outcome play(const std::string& package, const std::string& picture = "picture.png") const {
-        return run(package + " --offscreen --photo 0002 --size 320x200 -o " + (dir / picture).string(), "",
+        return run("render " + package + " --photo 0002 --size 320x200 -o " + (dir / picture).string(), "",
                    VANTAGE_PLAYER);
     }
     std::string local_picture() const {
@@ -79,7 +79,7 @@ TEST_F(RemotePackages, OpeningTakesThreeRoundTripsAndPicturesOnlyWhatTheyShow) {
         asked_for.push_back(clipped(asked, content));
         return answer_well(asked, content);
     });
-    const Outcome list = run(server.url() + " --list", "", VANTAGE_PLAYER);
+    const Outcome list = run("list " + server.url(), "", VANTAGE_PLAYER);
     ASSERT_EQ(list.code, 0) << list.err;
     EXPECT_LE(asked_for.size(), 3u);
     asked_for.clear();

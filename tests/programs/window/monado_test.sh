@@ -37,7 +37,7 @@ colors() {
 
 "$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null 2>&1
 "$vantage" prepare scene -o scene.vantage --progress none --no-report >/dev/null
-shown=("$player" scene.vantage --xr --no-saved-settings --fps 0)
+shown=("$player" headset scene.vantage --no-saved-settings --fps 0)
 start_service || { echo "skipped: monado-service does not start here"; exit 77; }
 
 env -u DISPLAY timeout 120 "${shown[@]}" --frames 40 >egl.log 2>&1 || fail "without a display, the player ended with $?"

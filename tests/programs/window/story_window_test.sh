@@ -15,7 +15,7 @@ cat >one.story.json <<'END'
 END
 "$vantage" check one.vantage >checked || fail "the story is not valid: $(cat checked)"
 cp one.story.json kept
-start one.vantage --kiosk --no-saved-settings
+start kiosk one.vantage --no-saved-settings
 there "Note 2" || fail "a kiosk shows no notes"
 press "Note 2"
 there "Next note" || fail "a kiosk opens no card"
@@ -25,8 +25,8 @@ kill $pid
 wait $pid
 cmp -s one.story.json kept || fail "a kiosk changed the story"
 
-"$player" one.vantage --tour "All notes" --seconds 4 --frame-rate 1 --size 320x240 --holes transparent -o frames >says 2>&1 || fail "no video: $(cat says)"
-"$player" one.vantage --offscreen --view 1,-9,3,1,0,3,40 --size 320x240 --holes transparent -o picture.png >says 2>&1 || fail "no picture: $(cat says)"
+"$player" video one.vantage --tour "All notes" --seconds 4 --frame-rate 1 --size 320x240 --holes transparent -o frames >says 2>&1 || fail "no video: $(cat says)"
+"$player" render one.vantage --view 1,-9,3,1,0,3,40 --size 320x240 --holes transparent -o picture.png >says 2>&1 || fail "no picture: $(cat says)"
 off=$(idiff -a -fail 0.02 -failpercent 1 -warn 1 frames/one-0001.png picture.png 2>&1) || fail "the tour's first frame is not the first note's view: $off"
 [ "$(ls frames | wc -l)" -ge 4 ] || fail "the video has $(ls frames | wc -l) frames"
 

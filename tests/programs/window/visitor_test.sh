@@ -42,7 +42,7 @@ touch_control() {
   finger tap $at
 }
 
-"$player" sceaux.vantage --kiosk --idle-timeout 3600 --photo 00003 --no-saved-settings --controls places >says 2>&1 &
+"$player" kiosk sceaux.vantage --idle-timeout 3600 --photo 00003 --no-saved-settings --controls places >says 2>&1 &
 pid=$!
 within 20 is_at "Bar Home"
 covers() { local at; at=$(place "Bar Home") && [ "${at#* }" -gt $((high * 9 / 10)) ]; }

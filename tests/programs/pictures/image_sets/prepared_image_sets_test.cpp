@@ -192,7 +192,7 @@ TEST_F(ImageSetsAtLength, ProgramsKnowThem) {
                       vantage = VANTAGE_PROGRAM " ";
     const auto shoot = [&](const std::string& options) {
         const Ran ran =
-            run(player + file + " --offscreen -q --scale 0.5 -o " + (dir / "p.png").string() + " " + options);
+            run(player + "render " + file + " -q --scale 0.5 -o " + (dir / "p.png").string() + " " + options);
         return ran.code == 0 ? slurp(dir / "p.png") : ran.says;
     };
     const std::string own = shoot("--photo infrared_0001");
@@ -208,7 +208,7 @@ TEST_F(ImageSetsAtLength, ProgramsKnowThem) {
               "0 to 1\n");
     EXPECT_EQ(shoot("--photo infrared_0001 --second-image-set visible --image-set-view side-by-side"),
               "vantage-player: image set 'visible' is shown already, expected another one\n");
-    EXPECT_NE(run(player + file + " --list").says.find("infrared_0001.jpg  infrared  260x200"),
+    EXPECT_NE(run(player + "list " + file).says.find("infrared_0001.jpg  infrared  260x200"),
               std::string::npos);
     EXPECT_NE(run(vantage + "info " + file).says.find("visible: 5 photos; infrared: 4 photos"),
               std::string::npos);

@@ -186,9 +186,9 @@ TEST_F(Transparent, WhatFindsNoRoomIsApproximatedAndCounted) {
     for (std::size_t i = 0; i < shown.size(); ++i)
         ASSERT_LT(codes_apart(shown[i], approximate[i]), 60) << "approximate, not missing";
     const std::string says = (dir / "says").string();
-    const std::string command = std::string(VANTAGE_PLAYER) + " " + package.path().string() +
-                                " --offscreen --size 64x48 --view 0,-14,2.5,0,0,2.5,5 -o " + says + ".png >" +
-                                says + " 2>&1";
+    const std::string command = std::string(VANTAGE_PLAYER) + " render " + package.path().string() +
+                                " --size 64x48 --view 0,-14,2.5,0,0,2.5,5 -o " + says + ".png >" + says +
+                                " 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0);
     EXPECT_NE(slurp(says).find("transparent fragments are approximated"), std::string::npos) << slurp(says);
 }

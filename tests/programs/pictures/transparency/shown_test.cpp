@@ -195,7 +195,7 @@ TEST_F(TransparentAtLength, PhotosLookThroughAGlassCase) {
     }
     // The glass tints what is behind it, and hides nothing.
     const auto picture = [&](const std::string& file, const std::string& options) {
-        runs(player + " " + file + " --offscreen --photo 0002 -o " + folder + "/p.png " + options);
+        runs(player + " render " + file + " --photo 0002 -o " + folder + "/p.png " + options);
         return read_png(dir / "p.png");
     };
     const Picture exact = picture(package, ""), approximate = picture(package, "--transparency approximate"),

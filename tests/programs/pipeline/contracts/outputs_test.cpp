@@ -17,7 +17,7 @@ TEST_F(Contracts, PhotosOfEqualStemKeepTheirOwnFiles) {
     const fs::path files = dir / "files", pictures = dir / "pictures", evaluation = dir / "evaluation";
     ASSERT_EQ(run("extract " + package() + " -o " + files.string()).code, 0);
     const Outcome shown =
-        player(package() + " --offscreen --photo 0000.jpg,0000.png --scale 0.1 -o " + pictures.string());
+        player("render " + package() + " --photo 0000.jpg,0000.png --scale 0.1 -o " + pictures.string());
     ASSERT_EQ(shown.code, 0) << shown.err;
     const Outcome evaluated = player("evaluate " + package() + " --level 3 -o " + evaluation.string() +
                                      " --photo 0000.jpg,0000.png");
@@ -37,7 +37,7 @@ TEST_F(Contracts, AmbiguousPhotoNamesAreRefused) {
     EXPECT_EQ(held.code, int(Exit::usage));
     ASSERT_EQ(prepare_program("--hold-out 0000.png").code, 0);
     const Outcome extracted = run("extract " + package() + " --photo 0000 -o " + (dir / "x").string());
-    const Outcome shown = player(package() + " --offscreen --photo 0000 -o " + (dir / "x.png").string());
+    const Outcome shown = player("render " + package() + " --photo 0000 -o " + (dir / "x.png").string());
     for (const Outcome& o : {held, extracted, shown}) {
         EXPECT_EQ(o.code, int(Exit::usage)) << o.out;
         EXPECT_TRUE(one_line(o.err)) << o.err;
@@ -148,10 +148,10 @@ TEST_F(Contracts, PlayerReplacesPicturesButNoInputs) {
     write(text, "mine");
     fs::create_directories(copies);
     fs::copy_file(images / "0000.png", copies / "0004.png");
-    const std::string small = package() + " --offscreen --photo 0003 --scale 0.1 -o ";
+    const std::string small = "render " + package() + " --photo 0003 --scale 0.1 -o ";
     for (const std::string force : {"", " --force"}) {
         expect_refused(small + (images / "0000.png").string() + force, images / "0000.png", VANTAGE_PLAYER);
-        expect_refused(package() + " --offscreen --photo 0003,0004 -o " + copies.string() + force,
+        expect_refused("render " + package() + " --photo 0003,0004 -o " + copies.string() + force,
                        copies / "0004.png", VANTAGE_PLAYER);
         fs::copy_file(images / "0002.jpg", held, fs::copy_options::overwrite_existing);
         expect_refused(small + held.string() + force, held, VANTAGE_PLAYER);

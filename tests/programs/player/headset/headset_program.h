@@ -65,8 +65,8 @@ class HeadsetProgram : public GardenPackage {
         const int status = std::system(
             ("cd " + dir.string() + " && XR_RUNTIME_JSON=" OPENXR_MANIFEST " VANTAGE_TEST_XR=" +
              (dir / "scenario.json").string() + " VANTAGE_TEST_XR_OUT=" + out.string() + " " + before +
-             " timeout 300 " VANTAGE_PLAYER " " + file.string() +
-             " --xr --no-saved-settings --quiet --photo 0002 " + options + " >" + message.string() + " 2>&1")
+             " timeout 300 " VANTAGE_PLAYER " headset " + file.string() +
+             " --no-saved-settings --quiet --photo 0002 " + options + " >" + message.string() + " 2>&1")
                 .c_str());
         Run run{WIFEXITED(status) ? WEXITSTATUS(status) : -1,
                 slurp(message),

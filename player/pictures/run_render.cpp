@@ -1,14 +1,16 @@
-#include "player/verbs/offscreen.h"
+#include "player/pictures/run_render.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
 #include "base/cli/progress_line.h"
+#include "base/cli/standard_output.h"
 #include "base/files/make_folder.h"
 #include "base/files/png_rows.h"
 #include "base/gl/context.h"
@@ -45,7 +47,7 @@ std::vector<Shot> shots(const PackageReader& package, const ShowOptions& options
     }
     if (!o.path.empty())
         for (Shot& shot : read_path(o.path, package, frame)) out.push_back(std::move(shot));
-    if (out.empty()) throw Error(Exit::usage, "--offscreen needs --photo, --view or --path");
+    if (out.empty()) throw Error(Exit::usage, "render: expected --photo, --view or --path");
     return out;
 }
 
@@ -107,7 +109,7 @@ Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader
     const StereoPanorama panorama =
         stereo_panorama(middle, eye_distance(o.stereo.eyes, shot.distance),
                         nearest_around(scene.meshes(), middle.eye, shot.distance));
-    ProgressLine progress(o.output.quiet ? ProgressStyle::none : ProgressStyle::automatic, 10);
+    ProgressLine progress(ProgressStyle::automatic, 10);
     return take_stereo_panorama(scene, stereo, o.stereo.mode, panorama, {settings, spec.photos, spec.side},
                                 [&](std::size_t done, std::size_t count) {
                                     progress.show({"slices", "", done, count});
@@ -119,14 +121,14 @@ void print_legend(const Renderer& renderer, const RenderSettings& settings) {
     if (settings.field.index < 0) return;
     const ScalarField& field = renderer.resources().fields.all()[std::size_t(settings.field.index)];
     const auto [map, range] = field_legend(field, settings.field);
-    std::printf("field %s  %g to %g, %s%s\n", field.name.c_str(), range.low, range.high, name_of(map),
-                settings.field.logarithmic ? ", logarithmic" : "");
+    std::fprintf(text_output(), "field %s  %g to %g, %s%s\n", field.name.c_str(), range.low, range.high,
+                 name_of(map), settings.field.logarithmic ? ", logarithmic" : "");
 }
 
 }  // namespace
 
-int run_offscreen(const PackageReader& package, const ShowOptions& options,
-                  const std::vector<SceneObject>& objects) {
+int run_render(const PackageReader& package, const ShowOptions& options,
+               const std::vector<SceneObject>& objects) {
     const PictureOptions& o = options.pictures;
     if (o.panorama && options.stereo.mode == StereoMode::checkerboard)
         throw Error(Exit::usage,
@@ -159,22 +161,31 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
         if (shot.image_set && !options.blending.image_sets.given())
             settings.image_sets.shown = *shot.image_set;
         const Picture picture = picture_of_shot(shot);
-        if (i == 0 && !options.output.quiet) print_legend(renderer, settings);
+        if (i == 0) print_legend(renderer, settings);
         if (file.has_parent_path()) make_folder(file.parent_path());
         write_picture(file, picture, options);
         const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const FrameReport& r = picture.report;
         lacking.add(r);
-        if (!options.output.quiet)
-            std::printf("%s  %dx%d%s  %.3f %% colored  %.2f s\n", file.c_str(), picture.width, picture.height,
-                        o.panorama ? "" : consisted_of(r).c_str(), 100 * colored_share(picture), s);
+        std::fprintf(text_output(), "%s  %dx%d%s  %.3f %% colored  %.2f s\n", file.c_str(), picture.width,
+                     picture.height, o.panorama ? "" : consisted_of(r).c_str(), 100 * colored_share(picture),
+                     s);
+        results()["pictures"].push_back({{"file", file.string()},
+                                         {"width", picture.width},
+                                         {"height", picture.height},
+                                         {"photos", r.photos},
+                                         {"passes", r.passes},
+                                         {"tiles", r.tiles},
+                                         {"tiles_missing", r.tiles_missing},
+                                         {"colored", colored_share(picture)},
+                                         {"seconds", s}});
         if (r.fragments_approximated > 0)
             std::fprintf(
                 stderr,
                 "vantage-player: %s: %zu of %zu transparent fragments are approximated: more than fit "
                 "into memory, or than %d at a pixel\n",
                 file.c_str(), r.fragments_approximated, r.fragments, shader::max_sorted_fragments);
-        std::fflush(stdout);
+        std::fflush(text_output());
     }
     return exit_for(package, lacking);
 }
