@@ -20,7 +20,7 @@ grep -qs '^BUILD_TESTING:BOOL=ON' build/CMakeCache.txt && tests=ON
 if (($#)); then
   tests=ON targets=("$@")
   packages+=(libgtest-dev libgmock-dev librapidcheck-dev libopencv-calib3d-dev libopencv-imgcodecs-dev libsquish-dev gnuplot-nox
-    xvfb xauth xserver-xorg-core xserver-xorg-video-dummy xdotool inotify-tools python3-xlib openxr-layer-corevalidation
+    xvfb xauth xserver-xorg-core xserver-xorg-video-dummy xdotool inotify-tools python3-xlib python3-jsonschema openxr-layer-corevalidation
     bash-completion desktop-file-utils man-db shared-mime-info)
 fi
 missing=()

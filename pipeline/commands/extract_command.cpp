@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
+#include "base/cli/standard_output.h"
 #include "base/text/error.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/reports/extract.h"
@@ -37,6 +40,8 @@ void add_extract(const Command& program) {
     c.force(o->force);
     c.action([o] {
         extract(o->file, o->out, o->photos, o->undistorted, o->force);
+        fmt::print(text_output(), "files    {}\n", o->out);
+        results()["folder"] = o->out;
         return int(Exit::ok);
     });
 }

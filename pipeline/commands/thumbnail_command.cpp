@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
+#include "base/cli/standard_output.h"
 #include "base/files/png_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/reports/thumbnail.h"

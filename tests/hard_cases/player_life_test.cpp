@@ -16,6 +16,7 @@
 #include "player/view/shots.h"
 #include "prepared_scene.h"
 #include "tests/one_line.h"
+#include "tests/programs/run_program.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
