@@ -17,7 +17,6 @@ namespace {
 
 struct AlignOptions {
     InputOptions input;
-    PrepareSettings settings;
     std::string out;
     bool force = false;
 };
@@ -49,7 +48,9 @@ void print(const Alignment& a) {
 
 int run_align(const AlignOptions& o) {
     if (!is_scene_file(o.out)) throw Error(Exit::usage, o.out + ": expected a name that ends in .toml");
-    const FoundInput found = find_input(o.input, o.settings);
+    if (is_scene_file(o.input.input))
+        throw Error(Exit::usage, o.input.input + ": is a scene file, expected the folder of one scan");
+    const FoundInput found = find_input(o.input, {});
     if (found.lacks) throw *found.lacks;
     const InputFiles& files = found.files;
     if (files.mesh.empty() || files.cameras.empty())
@@ -84,7 +85,7 @@ void add_align(const Command& program) {
         "Examples:\n  vantage align scans/chapel -o chapel.toml\n"
         "  vantage prepare chapel.toml -o chapel\n"
         "  vantage align --mesh laser.ply --cameras sparse --photos images -o laser.toml");
-    add_input_options(c, o->input, o->settings);
+    add_scan_options(c, o->input);
     c.file("-o,--output", o->out, "the scene file to write, NAME.toml").required();
     c.force(o->force);
     c.action([o] { return run_align(*o); });

@@ -129,6 +129,16 @@ def walk(command):
     return row
 
 
+def options_say_why():
+    """Of options whose answers users have missed."""
+    _, out, _ = run('vantage prepare', ['scene', '-o', 'p.vantage', '--explain'])
+    expect('is current' in out and 'explain' in out, 'vantage prepare', f'--explain of a current package: {out}')
+    open('church.toml', 'w').close()
+    code, _, err = run('vantage align', ['church.toml', '-o', 'a.toml'])
+    expect(code == 2 and 'is a scene file' in err, 'vantage align', f'of a scene file: {code} {err}')
+    expect('scene file' not in run('vantage align', ['--help'])[1].split('Options')[0], 'vantage align', '--help')
+
+
 def main():
     commands = []
     for program, file in PROGRAMS.items():
@@ -139,6 +149,7 @@ def main():
         os.chdir(folder)
         first = ('vantage synth', 'vantage prepare')
         rows = {c: walk(c) for c in sorted(commands, key=lambda c: first.index(c) if c in first else len(first))}
+        options_say_why()
         os.chdir('/')
     if '--table' in sys.argv:
         print('| command | `--help`, `--version` | works, `-q`, `--json` | unknown option | missing file |\n|---|---|---|---|---|')

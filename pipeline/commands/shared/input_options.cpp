@@ -6,13 +6,15 @@
 
 namespace vantage {
 
-void add_input_options(const Command& c, InputOptions& o, PrepareSettings& settings) {
-    c.file("INPUT", o.input,
-           "folder with a mesh or a point cloud, cameras and photos; or a scene file, NAME.toml, that lists "
-           "several");
+void add_scan_options(const Command& c, InputOptions& o, const std::string& more) {
+    c.file("INPUT", o.input, "folder with a mesh, cameras and photos" + more);
     c.file("--mesh", o.mesh, std::string("mesh file: ") + mesh_format_names);
     c.file("--cameras", o.cameras, camera_format_names());
     c.file("--photos", o.photos, "folder of photos").type("FOLDER");
+}
+
+void add_input_options(const Command& c, InputOptions& o, PrepareSettings& settings) {
+    add_scan_options(c, o, ", or a point cloud; or a scene file, NAME.toml, that lists several");
     c.list(
          "--points", settings.points,
          "point cloud to show, with the mesh in the same coordinates or alone: PLY, LAS, OBJ, STL, OFF; may "

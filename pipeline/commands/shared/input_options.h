@@ -13,7 +13,9 @@ struct InputOptions {
     std::string input, mesh, cameras, photos;
 };
 
-/// Adds INPUT, --mesh, --cameras, --photos, --points and --image-sets to a command.
+/// Adds INPUT, --mesh, --cameras and --photos to a command for one scan. `more`: of the help of INPUT.
+void add_scan_options(const Command& command, InputOptions& options, const std::string& more = {});
+/// Adds these for scans and scene files, --points and --image-sets.
 void add_input_options(const Command& command, InputOptions& options, PrepareSettings& settings);
 
 /// The parts of the input, as given or found in the folder. If they are not enough, `lacks` is Error(usage),
