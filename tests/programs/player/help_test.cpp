@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -13,6 +14,7 @@
 
 #include "base/cli/described_command.h"
 #include "base/text/error.h"
+#include "tests/generated_table.h"
 #include "tests/programs/patterns.h"
 #include "tests/temporary_folder.h"
 
@@ -245,4 +247,28 @@ TEST_F(Help, OfThePlayerFitsOnAScreen) {
     for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 80u) << line;
     EXPECT_LE(count, 50);
     EXPECT_GT(count, 30);
+}
+
+TEST_F(Help, ThePageOfCommandsListsAllVerbs) {
+    std::string rows;
+    for (const fs::path program : {VANTAGE_PROGRAM, VANTAGE_PLAYER}) {
+        const DescribedCommand c = described(program);
+        for (const DescribedCommand& verb : c.verbs)
+            rows += "| `" + c.name + " " + verb.name + "` | " + verb.description + " |\n";
+    }
+    expect_table(fs::path(VANTAGE_SOURCE_DIR) / "docs/commands.md", "verbs", rows);
+}
+
+TEST_F(Help, TheGuideListsAllPresets) {
+    std::map<std::string, std::string> rows;
+    for (const auto& file : fs::directory_iterator(fs::path(VANTAGE_SOURCE_DIR) / "configs")) {
+        std::ifstream in(file.path());
+        std::string first;
+        if (file.path().extension() != ".toml" || !std::getline(in, first)) continue;
+        ASSERT_TRUE(first.starts_with("# ") && first.ends_with(".")) << file.path();
+        rows[file.path().stem()] = first.substr(2, first.size() - 3);
+    }
+    std::string all;
+    for (const auto& [name, purpose] : rows) all += "| `" + name + "` | " + purpose + " |\n";
+    expect_table(fs::path(VANTAGE_SOURCE_DIR) / "docs/overnight.md", "presets", all);
 }
