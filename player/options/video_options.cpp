@@ -6,13 +6,15 @@ namespace vantage {
 
 void add_video_options(const Command& c, VideoOptions& o) {
     const std::string group = "Video";
-    c.flag("--turntable", o.turntable,
-           "a video around the whole model, or from --view or --photo around what is seen there")
-        .group(group);
+    const Option turntable =
+        c.flag("--turntable", o.turntable,
+               "around the whole model, or with --view or --photo around that view's target")
+            .group(group);
     c.real("--arc", o.arc, 1, 360,
            "degrees of the turntable; below 360, the camera swings to both sides and back")
-        .group(group);
-    c.text("--tour", o.tour, "a video of this tour of the package's story, by its id or title").group(group);
+        .group(group)
+        .needs(turntable);
+    c.text("--tour", o.tour, "along this tour of the package's story, by its id or title").group(group);
     c.real("--seconds", o.seconds, 0.01, 1e5,
            "length of the video (default: that of the tour or the path; of a turntable, 12)")
         .group(group);

@@ -130,6 +130,8 @@ void print_legend(const Renderer& renderer, const RenderSettings& settings) {
 int run_render(const PackageReader& package, const ShowOptions& options,
                const std::vector<SceneObject>& objects) {
     const PictureOptions& o = options.pictures;
+    if (o.scale != 1 && !options.output.size.empty())
+        throw Error(Exit::usage, "--scale and --size: expected one of them");
     if (o.panorama && options.stereo.mode == StereoMode::checkerboard)
         throw Error(Exit::usage,
                     "--panorama with --stereo checkerboard: expected over-under, side-by-side or anaglyph");

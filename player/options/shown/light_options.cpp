@@ -27,6 +27,7 @@ void add_light_options(const Command& c, LightOptions& o) {
 LightSettings light_settings(const LightOptions& o) {
     LightSettings out = o.shown;
     if (o.lamp.empty()) return out;
+    if (out.light != Light::raking) throw Error(Exit::usage, "--lamp: expected --light raking with it");
     out.azimuth = o.lamp[0], out.elevation = o.lamp[1];
     if (!(out.elevation >= 1 && out.elevation <= 90))
         throw Error(Exit::usage, "--lamp: expected an azimuth, and an elevation from 1 to 90 degrees");
