@@ -26,7 +26,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Ten photos of a small building with exact cameras, of which each test makes one thing wrong. Each prints
-/// what docs/measurements.md tabulates.
+/// what docs/records/measurements-2026-11.md tabulates.
 class PoseRefinementTruthAtLength : public TemporaryFolder {
   protected:
     const fs::path scene = dir / "scene", file = dir / "scene.vantage";
