@@ -15,11 +15,11 @@
 #include "base/files/png_rows.h"
 #include "base/gl/context.h"
 #include "base/text/error.h"
-#include "base/text/lower_extension.h"
 #include "player/composition/object_set.h"
 #include "player/composition/panorama_picture.h"
 #include "player/composition/stereo_picture.h"
 #include "player/options/tiles_not_shown.h"
+#include "player/pictures/picture_file.h"
 #include "player/render/picture.h"
 #include "player/survey/survey.h"
 #include "player/view/shots.h"
@@ -59,14 +59,6 @@ void write_picture(const std::filesystem::path& file, const Picture& picture, co
     for (std::size_t at = 0; at < picture.rgba.size(); at += row)
         out.add(std::span(picture.rgba).subspan(at, row));
     out.finish();
-}
-
-/// The file for a picture: the output file itself if there is one picture and the output is not a folder,
-/// otherwise a file in the output folder.
-std::filesystem::path picture_file(const std::string& output, const std::string& name, std::size_t count) {
-    const std::filesystem::path out = output.empty() ? (count == 1 ? name + ".png" : ".") : output;
-    const bool file = count == 1 && lower_extension(out) == ".png" && !std::filesystem::is_directory(out);
-    return file ? out : out / (name + ".png");
 }
 
 /// The files for all pictures, with links followed. Throws Error(usage) if one must not be replaced, or if

@@ -17,6 +17,7 @@
 #include "player/options/tiles_not_shown.h"
 #include "player/pictures/flight_frames.h"
 #include "player/pictures/frame_files.h"
+#include "player/pictures/picture_file.h"
 #include "player/pictures/video_encoder.h"
 #include "player/render/picture.h"
 #include "player/tour/story_background.h"
@@ -49,6 +50,7 @@ Output output_of(const PackageReader& package, const ShowOptions& o, std::size_t
     if (!o.pictures.path.empty()) inputs.files.emplace_back(o.pictures.path);
     if (const fs::path story = story_file_of(o.package.file); !story.empty()) inputs.files.push_back(story);
     if (is_video_file(out)) return {output_file(out, Product::video, inputs, o.output.force), {}};
+    expect_folder_name(out, "FILE.mp4, FILE.webm or a folder");
     const std::string name = fs::path(o.package.file).stem().string();
     return {{}, frame_files(out, name, count, inputs, o.output.force)};
 }

@@ -1,4 +1,5 @@
 // The program vantage-player: its pictures, and its one-line message and exit code if the package is damaged.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -17,6 +18,7 @@
 #include "scene/package/package_reader.h"
 #include "tests/made_scenes.h"
 #include "tests/one_line.h"
+#include "tests/programs/run_program.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -136,6 +138,27 @@ TEST_F(PlayerProgram, RejectsInvalidRequests) {
     const Rendered gone = play("--photo 0002");
     EXPECT_EQ(gone.code, int(Exit::input));
     EXPECT_TRUE(one_line(gone.message)) << gone.message;
+}
+
+TEST_F(PlayerProgram, APictureNamedLikeAnotherFormatIsRefusedInsteadOfMadeAFolder) {
+    const auto refused = [&](const std::string& name, const std::string& options) {
+        const Outcome o = run_command(
+            VANTAGE_PLAYER " " + file.string() + " -o " + (dir / name).string() + " " + options, dir);
+        EXPECT_EQ(o.code, int(Exit::usage)) << name;
+        EXPECT_TRUE(one_line(o.err)) << o.err;
+        EXPECT_FALSE(fs::exists(dir / name)) << name;
+        return o.err;
+    };
+    for (const char* name : {"x.jpg", "X.JPEG", "x.tif", "x.mp4"})
+        EXPECT_THAT(refused(name, "--offscreen --photo 0002"), testing::HasSubstr("ends with .png")) << name;
+    EXPECT_THAT(refused("x.png", "--offscreen --photo 0001 0002"), testing::HasSubstr("a folder, for 2"));
+    EXPECT_THAT(refused("x.gif", "--turntable"), testing::HasSubstr("FILE.webm or a folder"));
+    fs::create_directory(dir / "scan.jpg");
+    const Outcome into = run_command(
+        VANTAGE_PLAYER " " + file.string() + " -q --offscreen --photo 0002 -o " + (dir / "scan.jpg").string(),
+        dir);
+    EXPECT_EQ(into.code, 0) << into.err;
+    EXPECT_TRUE(fs::exists(dir / "scan.jpg" / "0002.png")) << "a folder that exists stays one";
 }
 
 TEST_F(PlayerProgram, CoordinatesPerVertexAreRefusedWhereThereAreNone) {
