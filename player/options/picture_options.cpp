@@ -6,7 +6,8 @@ namespace vantage {
 
 void add_view_option(const Command& c, PictureOptions& o) {
     c.text("--view", o.view,
-           "view from EX,EY,EZ to TX,TY,TZ, optionally with the vertical field of view in degrees");
+           "view from EX,EY,EZ to TX,TY,TZ, optionally with the vertical field of view and the camera's "
+           "clockwise roll in degrees (180: upside down)");
 }
 
 void add_path_option(const Command& c, PictureOptions& o, const std::string& help) {

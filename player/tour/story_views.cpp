@@ -1,18 +1,10 @@
 #include "player/tour/story_views.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 
 #include "base/text/error.h"
 
 namespace vantage {
-namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
-
-}  // namespace
-
 InputAxes input_axes(const PackageReader& package) {
     return {Eigen::Map<const Eigen::Vector3d>(package.scene().origin), up_of(package.scene())};
 }
@@ -21,10 +13,7 @@ Navigation camera_at(const StoryView& view, const InputAxes& axes) {
     const Eigen::Vector3d up = view.up ? view.up->normalized() : axes.up;
     const Eigen::Vector3d eye = view.eye - axes.origin, target = view.target - axes.origin;
     const Eigen::Matrix3d level = view_towards(eye, target, up, view.fov, 1, 1).cam_from_origin.R;
-    // Turned clockwise, the camera's right side goes down.
-    const Eigen::Matrix3d roll =
-        Eigen::AngleAxisd(-view.roll / degrees, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    return {eye, target, up, roll * level, view.fov};
+    return {eye, target, up, rolled(level, view.roll), view.fov};
 }
 
 Eigen::Vector3d rounded_place(const Eigen::Vector3d& place, double distance) {
@@ -42,10 +31,7 @@ StoryView story_view(const Navigation& camera, const InputAxes& axes) {
     StoryView out{rounded_place(camera.eye + axes.origin, distance),
                   rounded_place(target + axes.origin, distance)};
     if (!camera.up.isApprox(axes.up, 1e-6)) out.up = camera.up;
-    const Eigen::Matrix3d level =
-        view_towards(camera.eye, target, camera.up, camera.fov, 1, 1).cam_from_origin.R;
-    const Eigen::Vector3d right = camera.R.row(0);
-    out.roll = std::round(std::atan2(level.row(1).dot(right), level.row(0).dot(right)) * degrees * 1e4) / 1e4;
+    out.roll = std::round(roll_of(camera.R, camera.up) * 1e4) / 1e4;
     out.fov = std::round(camera.fov * 1e4) / 1e4;
     return out;
 }

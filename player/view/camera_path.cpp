@@ -139,24 +139,36 @@ std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double st
     return frames;
 }
 
+namespace {
+
+/// The roll as a last number after `separator`; nothing if it is 0.
+std::string roll_text(const Navigation& n, const char* separator) {
+    const double roll = std::round(roll_of(n.R, n.up) * 1e4) / 1e4;
+    return roll == 0 ? "" : separator + formatted("%.7g", roll);
+}
+
+}  // namespace
+
 std::string view_text(const Navigation& n, const PackageReader& package) {
     const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
     const Eigen::Vector3d e = n.eye + origin, t = n.target + origin;
     return formatted("%.10g,%.10g,%.10g,%.10g,%.10g,%.10g,%.6g", e.x(), e.y(), e.z(), t.x(), t.y(), t.z(),
-                     n.fov);
+                     n.fov) +
+           roll_text(n, ",");
 }
 
 void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,
                 const PackageReader& package, std::span<const std::string> image_sets,
                 std::optional<double> per_second) {
     std::ostringstream out;
-    out << "# EX EY EZ TX TY TZ, vertical field of view in degrees\n";
+    out << "# EX EY EZ TX TY TZ, vertical field of view and roll in degrees\n";
     const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const Navigation& n = positions[i];
         const Eigen::Vector3d e = n.eye + origin, t = n.target + origin;
         out << formatted("%.9g %.9g %.9g  %.9g %.9g %.9g  %.4g", e.x(), e.y(), e.z(), t.x(), t.y(), t.z(),
-                         n.fov);
+                         n.fov)
+            << roll_text(n, "  ");
         if (per_second) out << "  at=" << double(i) / *per_second;
         out << (i < image_sets.size() ? "  image-set=" + image_sets[i] : "") << '\n';
     }

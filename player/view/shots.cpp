@@ -56,21 +56,24 @@ Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std:
 
 namespace {
 
-/// The numbers of a view, as parse_view() describes them, with the field of view.
-std::array<double, 7> view_numbers(const std::string& text) {
+/// The numbers of a view, as parse_view() describes them, with the field of view and the roll.
+std::array<double, 8> view_numbers(const std::string& text) {
     std::string spaced = text;
     std::replace(spaced.begin(), spaced.end(), ',', ' ');
     std::istringstream in(spaced);
     std::vector<double> v;
     for (double x; in >> x;) v.push_back(x);
-    if (!in.eof() || (v.size() != 6 && v.size() != 7) ||
+    if (!in.eof() || v.size() < 6 || v.size() > 8 ||
         !std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); }))
-        throw Error(Exit::usage,
-                    "view '" + text + "': expected EX,EY,EZ,TX,TY,TZ and optionally a field of view");
-    const double fov = v.size() == 7 ? v[6] : 45;
+        throw Error(
+            Exit::usage,
+            "view '" + text + "': expected EX,EY,EZ,TX,TY,TZ and optionally a field of view and a roll");
+    const double fov = v.size() > 6 ? v[6] : 45, roll = v.size() > 7 ? v[7] : 0;
     if (!(fov > 0.01 && fov < 179))
         throw Error(Exit::usage, "view '" + text + "': field of view must be 0.01 to 179 degrees");
-    return {v[0], v[1], v[2], v[3], v[4], v[5], fov};
+    if (!(std::abs(roll) <= 360))
+        throw Error(Exit::usage, "view '" + text + "': roll must be -360 to 360 degrees");
+    return {v[0], v[1], v[2], v[3], v[4], v[5], fov, roll};
 }
 
 /// Takes "image-set=NAME" from the end of a line.
@@ -105,12 +108,14 @@ View parse_view(const std::string& text, const PackageReader& package, FrameSize
 
 std::pair<View, double> parse_view_and_distance(const std::string& text, const PackageReader& package,
                                                 FrameSize size) {
-    const std::array<double, 7> v = view_numbers(text);
+    const std::array<double, 8> v = view_numbers(text);
     const Eigen::Vector3d eye(v[0], v[1], v[2]), target(v[3], v[4], v[5]);
     const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
-    return {
-        view_towards(eye - origin, target - origin, up_of(package.scene()), v[6], size.width, size.height),
-        (target - eye).norm()};
+    View view =
+        view_towards(eye - origin, target - origin, up_of(package.scene()), v[6], size.width, size.height);
+    view.cam_from_origin.R = rolled(view.cam_from_origin.R, v[7]);
+    view.cam_from_origin.t = -view.cam_from_origin.R * (eye - origin);
+    return {view, (target - eye).norm()};
 }
 
 std::vector<Shot> read_path(const std::string& file, const PackageReader& package, FrameSize size) {

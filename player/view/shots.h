@@ -31,8 +31,9 @@ std::vector<std::uint32_t> named_photos(const PackageReader& package, const std:
 Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std::optional<FrameSize> size,
                 double scale);
 
-/// "EX,EY,EZ,TX,TY,TZ", eye and target in the input's coordinates, with the vertical field of view in degrees
-/// as an optional seventh number (default 45); separated by commas or spaces. Throws Error(usage).
+/// "EX,EY,EZ,TX,TY,TZ", eye and target in the input's coordinates; optionally the vertical field of view in
+/// degrees (default 45), and the roll, the degrees by which the camera is turned clockwise (default 0).
+/// Separated by commas or spaces. Throws Error(usage).
 View parse_view(const std::string& text, const PackageReader& package, FrameSize size);
 
 /// The same, and the distance from the eye to the target.

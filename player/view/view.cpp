@@ -49,6 +49,18 @@ View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, con
     return view;
 }
 
+Eigen::Matrix3d rolled(const Eigen::Matrix3d& camera, double degrees) {
+    // Turned clockwise, the camera's right side goes down.
+    return Eigen::AngleAxisd(-degrees * std::numbers::pi / 180, Eigen::Vector3d::UnitZ()) * camera;
+}
+
+double roll_of(const Eigen::Matrix3d& camera, const Eigen::Vector3d& up) {
+    const Eigen::Matrix3d level =
+        view_towards({0, 0, 0}, camera.row(2).transpose(), up, 45, 1, 1).cam_from_origin.R;
+    const Eigen::Vector3d right = camera.row(0);
+    return std::atan2(level.row(1).dot(right), level.row(0).dot(right)) * 180 / std::numbers::pi;
+}
+
 View orthographic_view(const Eigen::Vector3d& middle, const Eigen::Vector3d& right,
                        const Eigen::Vector3d& down, double pixels, double size, FrameSize frame) {
     const double depth = orthographic_distance * size;

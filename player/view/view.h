@@ -84,6 +84,12 @@ View view_of_photo(const package::PhotoRecord& photo, double scale);
 View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up,
                   double fov, int width, int height);
 
+/// The rotation of a camera turned clockwise about its axis.
+Eigen::Matrix3d rolled(const Eigen::Matrix3d& camera, double degrees);
+
+/// Degrees, -180 to 180, by which a camera is turned clockwise from that of view_towards().
+double roll_of(const Eigen::Matrix3d& camera, const Eigen::Vector3d& up);
+
 /// The homography from pixels of one view to those of another from the same position.
 Eigen::Matrix3d pixels_from_pixels(const Intrinsics& to, const Eigen::Matrix3d& to_R, const View& from);
 

@@ -13,6 +13,7 @@
 #include "base/text/error.h"
 #include "pipeline/prepare/repack_package.h"
 #include "player/stream/layer_pool.h"
+#include "player/view/camera_path.h"
 #include "player/view/shots.h"
 #include "prepared_scene.h"
 #include "tests/one_line.h"
@@ -159,12 +160,29 @@ TEST_F(PlayerLifetime, WindowsUpToTheTextureLimit) {
     EXPECT_GT(picture(own_view(2, 0.1), s).rgba.size(), 0u) << "keeps working afterwards";
 }
 
+TEST_F(PlayerLifetime, ViewsAndPathsKeepTheirRollAsText) {
+    for (const char* text : {"1,-12,1,0.5,0,1,40,-30", "1,-12,1,0.5,0,1,40", "0,0,9,0,0,1,40,77"}) {
+        const auto [view, distance] = parse_view_and_distance(text, *package, {64, 48});
+        const Navigation n = stand_at(view, up_of(package->scene()), distance);
+        EXPECT_TRUE(view_text(n, *package).ends_with(std::string(text).substr(std::string(text).find("40"))));
+        write_path(dir / "rolled.path", std::vector{n}, *package);
+        const View again = read_path((dir / "rolled.path").string(), *package, {64, 48}).front().view;
+        EXPECT_LT((again.cam_from_origin.R - view.cam_from_origin.R).norm(), 1e-5) << text;
+    }
+    const auto turned = [&](const char* text) {
+        return parse_view(text, *package, {64, 48}).cam_from_origin;
+    };
+    const Pose level = turned("0,-9,0,0,0,0,45"), clockwise = turned("0,-9,0,0,0,0,45,90");
+    EXPECT_LT((clockwise.R.row(0) - level.R.row(1)).norm(), 1e-12) << "the right side goes down";
+    EXPECT_LT((clockwise.center() - level.center()).norm(), 1e-9);
+}
+
 TEST_F(PlayerLifetime, InvalidPathsAndSizesAreReportedInOneLine) {
     const fs::path path = dir / "odd.path";
     for (const char* line :
          {"nan 0 0 1 1 1", "0 0 0 inf 1 1", "1e400 0 0 1 1 1", "0 0 0 0 0 0", "1e300 0 0 -1e300 0 0",
           "0 0 0 1 1 1 nan", "0 0 0 1 1 1 0", "0 0 0 1 1 1 180", "0 0 0 1 1 1 -45", "0 0 0 1 1",
-          "0 0 0 1 1 1 45 7", "a view", "0x", "\xff\xfe"}) {
+          "0 0 0 1 1 1 45 361", "0 0 0 1 1 1 45 nan", "0 0 0 1 1 1 45 7 1", "a view", "0x", "\xff\xfe"}) {
         std::ofstream(path) << "# a path\n\n0 -12 1 0 0 1\n" << line << '\n';
         try {
             read_path(path.string(), *package, {64, 48});

@@ -210,6 +210,14 @@ TEST_F(PointScenes, NeedNoPhotos) {
     std::size_t shown = 0;
     for (std::size_t i = 3; i < p.rgba.size(); i += 4) shown += p.rgba[i] > 0;
     EXPECT_GT(shown, p.rgba.size() / 4 / 10);
+    // Of points with z down, a view stands upright with a roll of half a turn.
+    run(player + " " + package + " --offscreen --view 0,-14,5,0,0,3,45,180 --size 200x150 -o " + at +
+        "/rolled.png");
+    const Picture rolled = read_png(dir / "rolled.png");
+    std::size_t differing = 0;
+    for (std::size_t i = 0, n = p.rgba.size() / 4; i < n; ++i)
+        differing += std::abs(p.rgba[4 * i + 3] - rolled.rgba[4 * (n - 1 - i) + 3]) > 64;
+    EXPECT_LT(differing, shown / 50);
     // From where a window starts, the whole cloud is in the frame.
     const PackageReader reader(package);
     const View home = view_of(home_of(reader, 0), 320, 240);
