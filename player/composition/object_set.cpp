@@ -47,6 +47,10 @@ void ObjectSet::add(const SceneObject& object) {
         Other{object, open_package(object.package, {.cache_bytes = budget_.cache}), {}, {}});
     other->package.fetch_scene();
     other->object.name = free_name(object.name);
+    if (object.matrix) {
+        other->object.placement = placement_of(*object.matrix, origin_of(other->package));
+        other->object.matrix.reset();
+    }
     other->photos.resize(other->package.photos().size());
     std::iota(other->photos.begin(), other->photos.end(), 0u);
     other->renderer = std::make_unique<Renderer>(other->package, budget_);

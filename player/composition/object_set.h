@@ -30,8 +30,8 @@ class ObjectSet {
     /// all objects together. Throws Error, see add().
     ObjectSet(Renderer& first, const std::vector<SceneObject>& objects, const MemoryBudget& budget);
 
-    /// Adds an object. A name that is taken gets a number. Throws Error for a package that cannot be shown,
-    /// Error(usage) for one too many.
+    /// Adds an object. A name that is taken gets a number, and a matrix becomes a placement. Throws Error for
+    /// a package that cannot be shown, Error(usage) for one too many.
     void add(const SceneObject& object);
     /// Removes an object other than the first one and returns its memory.
     void remove(std::size_t object);

@@ -1,10 +1,12 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "scene/camera/similarity.h"
+
 namespace vantage {
 
-/// Where an object stands in a scene of several, whose coordinates are those of its first object: turned
-/// about the middle of its bounds, scaled, then moved.
+/// Where an object stands in a scene of several, whose coordinates are those of its first object: turned and
+/// scaled about the middle of its bounds, then moved.
 struct Placement {
     Eigen::Vector3d move = Eigen::Vector3d::Zero();  ///< input units of the first object
     Eigen::Vector3d turn = Eigen::Vector3d::Zero();  ///< degrees about x, then y, then z
@@ -14,5 +16,9 @@ struct Placement {
 
 /// The rotation of `turn`.
 Eigen::Matrix3d rotation_of(const Placement& placement);
+
+/// The placement that leads the object's own coordinates into the scene's by `matrix`. `middle`: of the
+/// object's bounds, in its own coordinates.
+Placement placement_of(const Similarity& matrix, const Eigen::Vector3d& middle);
 
 }  // namespace vantage

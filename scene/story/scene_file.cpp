@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr double farthest = 1e12;  ///< input units; beyond, positions lose all their digits
 constexpr double smallest = 1e-6, largest = 1e6;
+constexpr double matrix_tolerance = 1e-4;  ///< other programs write few digits
 
 /// One object's table, read key by key.
 class ObjectTable {
@@ -30,13 +31,13 @@ class ObjectTable {
           table_(table) {
         static const std::set<std::string, std::less<>> known{
             "name",  "package", "input", "mesh",  "cameras", "photos", "points",
-            "align", "move",    "turn",  "scale", "shown",   "opacity"};
+            "align", "move",    "turn",  "scale", "matrix",  "shown",  "opacity"};
         for (const auto& [key, value] : table)
             if (!known.contains(key.str())) {
                 std::ostringstream what;
                 what << "unknown key '" << key.str()
                      << "', expected name, package, input, mesh, cameras, photos, points, align, move, turn, "
-                        "scale, shown or opacity";
+                        "scale, matrix, shown or opacity";
                 fail(what.str());
             }
     }
@@ -101,15 +102,53 @@ class ObjectTable {
             if (const auto* row = (*rows)[i].as_array(); row && row->size() == 4)
                 for (std::size_t j = 0; j < 4; ++j)
                     m(Eigen::Index(i), Eigen::Index(j)) = (*row)[j].value<double>().value_or(NAN);
-        const Eigen::Matrix3d turn = m.leftCols<3>();
-        const double scale = std::cbrt(turn.determinant());
-        const bool valid = m.allFinite() && scale > 0 && m.col(3).cwiseAbs().maxCoeff() <= farthest &&
-                           (turn * turn.transpose() / (scale * scale)).isIdentity(1e-6);
-        if (!valid) fail("align: expected 3 rows of 4 numbers: a rotation times a scale, and a translation");
-        return Similarity{turn / scale, m.col(3), scale};
+        const std::optional<Similarity> s = similarity(m, 1e-6);
+        if (!s) fail("align: expected 3 rows of 4 numbers: a rotation times a scale, and a translation");
+        return s;
+    }
+
+    /// 4 rows of 4 numbers, or these 16 in one list: a rotation times a scale, a translation, and 0 0 0 1.
+    std::optional<Similarity> matrix() const {
+        if (!has("matrix")) return {};
+        if (has("move") || has("turn") || has("scale"))
+            fail("matrix: stands for move, turn and scale, expected it without them");
+        const std::vector<double> v = matrix_numbers();
+        Eigen::Matrix4d m = Eigen::Matrix4d::Constant(NAN);
+        if (v.size() == 16) m = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(v.data());
+        const std::optional<Similarity> s = similarity(m.topRows<3>(), matrix_tolerance);
+        if (!s || m.row(3) != Eigen::RowVector4d(0, 0, 0, 1) ||
+            !(s->scale >= smallest && s->scale <= largest))
+            fail(
+                "matrix: expected 4 rows of 4 numbers, or these 16: a rotation times a scale, a translation, "
+                "and the last row 0, 0, 0, 1");
+        return s;
     }
 
   private:
+    /// Nothing if it is not a rotation times a scale, and a translation.
+    static std::optional<Similarity> similarity(const Eigen::Matrix<double, 3, 4>& m, double tolerance) {
+        const Eigen::Matrix3d turn = m.leftCols<3>();
+        const double scale = std::cbrt(turn.determinant());
+        const bool valid = m.allFinite() && scale > 0 && m.col(3).cwiseAbs().maxCoeff() <= farthest &&
+                           (turn * turn.transpose() / (scale * scale)).isIdentity(tolerance);
+        if (!valid) return {};
+        return Similarity{turn / scale, m.col(3), scale};
+    }
+    /// Row by row.
+    std::vector<double> matrix_numbers() const {
+        std::vector<double> out;
+        const auto add = [&](const toml::node& n) { out.push_back(n.value<double>().value_or(NAN)); };
+        if (const auto* list = table_["matrix"].as_array())
+            for (const toml::node& node : *list) {
+                const auto* row = node.as_array();
+                if (row && row->size() != 4) return {};
+                if (row)
+                    for (const toml::node& number : *row) add(number);
+                else
+                    add(node);
+            }
+        return out;
+    }
     fs::path from_folder(const fs::path& p) const {
         return p.is_absolute() || is_url(p.native()) ? p : folder_ / p;
     }
@@ -155,9 +194,11 @@ SceneObject read_object(const fs::path& file, const toml::table& table, std::siz
     }
     out.name = name_of(t, out);
     out.placement = {t.vector("move"), t.vector("turn"), t.number("scale", 1, smallest, largest)};
+    out.matrix = t.matrix();
     out.shown = t.flag("shown", true);
     out.opacity = t.number("opacity", 1, 0, 1);
-    if (number == 1 && out.placement != Placement{})
+    const bool stays = !out.matrix || matrix_of(*out.matrix) == matrix_of({});
+    if (number == 1 && (out.placement != Placement{} || !stays))
         t.fail("the scene has this object's coordinates, so it cannot be moved, turned or scaled");
     return out;
 }
@@ -168,6 +209,12 @@ toml::array list_of(const Similarity& s) {
     toml::array out;
     const auto m = matrix_of(s);
     for (const auto& row : m.rowwise()) out.push_back(toml::array{row[0], row[1], row[2], row[3]});
+    return out;
+}
+
+toml::array matrix_rows(const Similarity& s) {
+    toml::array out = list_of(s);
+    out.push_back(toml::array{0.0, 0.0, 0.0, 1.0});
     return out;
 }
 
@@ -232,6 +279,7 @@ std::string scene_file_text(const std::vector<SceneObject>& objects, const fs::p
             insert_input(t, o.input, relative);
         else
             t.insert("package", relative(o.package));
+        if (o.matrix) t.insert("matrix", matrix_rows(*o.matrix));
         const Placement& p = o.placement;
         if (!p.move.isZero(0)) t.insert("move", list_of(p.move));
         if (!p.turn.isZero(0)) t.insert("turn", list_of(p.turn));

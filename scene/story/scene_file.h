@@ -22,6 +22,8 @@ struct SceneObject {
         std::vector<std::filesystem::path> points;
         std::optional<Similarity> align{};  ///< from the cameras' frame to the mesh's, if they differ
     } input{};
+    /// In place of `placement`, from the object's own coordinates to the scene's.
+    std::optional<Similarity> matrix{};
 };
 
 /// What a scene file is read for: `show` needs packages, `prepare` needs inputs.
@@ -31,8 +33,8 @@ enum class SceneUse { show, prepare };
 bool is_scene_file(const std::filesystem::path& file);
 
 /// Reads a list of objects, each with `package` or what it is prepared from (`input`, or `mesh`, `cameras`
-/// and `photos`; `points`; `align`, 3 rows of 4 numbers), and if wanted `name`, `move`, `turn`, `scale`,
-/// `shown` and `opacity`:
+/// and `photos`; `points`; `align`, 3 rows of 4 numbers), and if wanted `name`, `move`, `turn` and `scale`,
+/// or `matrix`, 4 rows of 4 numbers, and `shown` and `opacity`:
 ///
 ///     [[object]]
 ///     package = "altar.vantage"

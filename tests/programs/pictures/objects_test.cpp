@@ -132,6 +132,28 @@ TEST_F(Objects, EachPixelShowsTheObjectThatItsRayMeetsFirst) {
     EXPECT_EQ(wrong, 0u);
 }
 
+TEST_F(Objects, AMatrixPlacesAnObjectWhereItLeadsItsCoordinates) {
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(*first, MemoryBudget{});
+    const Vector3d origin = Eigen::Map<const Vector3d>(first->scene().origin),
+                   of_object = Eigen::Map<const Vector3d>(PackageReader(file(1)).scene().origin);
+    Similarity matrix{{}, {2, -1, 0.5}, 0.8};
+    for (const Vector3d& turn :
+         {Vector3d(0, 0, 0), Vector3d(20, -50, 130), Vector3d(30, 90, 0), Vector3d(0, -90, 77)}) {
+        matrix.R = rotation_of({{}, turn});
+        scene[1].placement = {};
+        scene[1].matrix = matrix;
+        const ObjectSet set(renderer, scene, MemoryBudget{});
+        EXPECT_FALSE(set.at(1).matrix) << "so that it can be moved";
+        const View seen = view_of_object(view(), origin, of_object, set.at(1).placement);
+        for (const Vector3d& p : meshes[1].positions) {
+            const Vector3d here = view().cam_from_origin.R * (matrix(p) - origin) + view().cam_from_origin.t,
+                           there = seen.cam_from_origin.R * (p - of_object) + seen.cam_from_origin.t;
+            ASSERT_LT((0.8 * there - here).norm(), 1e-9) << turn.transpose();
+        }
+    }
+}
+
 TEST_F(Objects, ThroughAFadedObjectThoseBehindItShowInLinearLight) {
     const gl::HeadlessContext context(gl::Debug::on);
     Renderer renderer(*first, MemoryBudget{});

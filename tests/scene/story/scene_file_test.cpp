@@ -80,6 +80,38 @@ TEST_F(SceneFile, InputsAreReadBackWithTheirAlignment) {
             ": object 1: align: expected 3 rows of 4 numbers: a rotation times a scale, and a translation");
 }
 
+TEST_F(SceneFile, MatricesAreReadAsOtherProgramsWriteThem) {
+    const std::string objects = "[[object]]\npackage = \"a.vantage\"\n[[object]]\npackage = \"b.vantage\"\n";
+    for (const char* const text :
+         {"[[0, -2, 0, 2.5], [2, 0, 0, -1], [0, 0, 2, 4e5], [0, 0, 0, 1]]",
+          "[0, -2, 0, 2.5, 2, 0, 0, -1, 0, 0, 2, 400000, 0, 0, 0, 1]",
+          "[[0.000001, -2, 0, 2.5], [2, 0, 0, -1], [0, 0, 2.00001, 4e5], [0, 0, 0, 1]]"}) {
+        const auto read = read_scene_file(written(objects + "matrix = " + text + "\n"), SceneUse::show);
+        ASSERT_TRUE(read.at(1).matrix) << text;
+        EXPECT_LT(((*read[1].matrix)({1, 2, 3}) - Eigen::Vector3d(-1.5, 1, 4e5 + 6)).norm(), 1e-4) << text;
+        write_scene_file(dir / "again.toml", read);
+        const auto again = read_scene_file(dir / "again.toml", SceneUse::show);
+        EXPECT_TRUE(matrix_of(*again.at(1).matrix).isApprox(matrix_of(*read[1].matrix), 1e-14)) << text;
+    }
+    for (const char* const bad :
+         {"1", "[]", "[[1,0,0,0],[0,1,0,0],[0,0,1,0]]", "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0]",
+          "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,2]]", "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[5,0,0,1]]",
+          "[[1,0.1,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", "[[1,0,0,0],[0,2,0,0],[0,0,1,0],[0,0,0,1]]",
+          "[[1,0,0,0],[0,1,0,0],[0,0,-1,0],[0,0,0,1]]", "[[nan,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]",
+          "[[1,0,0,\"x\"],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", "[[1,0,0,1e13],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"})
+        EXPECT_EQ(
+            error_of(objects + "matrix = " + bad + "\n"),
+            ": object 2: matrix: expected 4 rows of 4 numbers, or these 16: a rotation times a scale, a "
+            "translation, and the last row 0, 0, 0, 1")
+            << bad;
+    const std::string one = "matrix = [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]\n";
+    EXPECT_EQ(error_of(objects + one + "scale = 1\n"),
+              ": object 2: matrix: stands for move, turn and scale, expected it without them");
+    EXPECT_EQ(error_of("[[object]]\npackage = \"a\"\n" + one), "accepted");
+    EXPECT_EQ(error_of("[[object]]\npackage = \"a\"\nmatrix = [1,0,0,1, 0,1,0,0, 0,0,1,0, 0,0,0,1]\n"),
+              ": object 1: the scene has this object's coordinates, so it cannot be moved, turned or scaled");
+}
+
 TEST_F(SceneFile, NamesAreThoseOfThePackagesUnlessGiven) {
     const auto read = read_scene_file(written("[[object]]\npackage = \"a/nave.vantage\"\n"), SceneUse::show);
     ASSERT_EQ(read.size(), 1u);
@@ -121,7 +153,7 @@ TEST_F(SceneFile, ErrorsNameTheObjectAndWhatWasExpected) {
     EXPECT_EQ(error_of(first + second + "shown = 1\n"), ": object 2: shown: expected true or false");
     EXPECT_EQ(error_of(first + second + "rotate = 1\n"),
               ": object 2: unknown key 'rotate', expected name, package, input, mesh, cameras, photos, "
-              "points, align, move, turn, scale, shown or opacity");
+              "points, align, move, turn, scale, matrix, shown or opacity");
     for (const char* opacity : {"-0.1", "1.5", "nan", "true"})
         EXPECT_EQ(error_of(first + second + "opacity = " + opacity + "\n"),
                   ": object 2: opacity: expected a number from 0 to 1");
