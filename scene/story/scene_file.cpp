@@ -160,9 +160,13 @@ class ObjectTable {
 SceneObject::Input read_input(const ObjectTable& t) {
     SceneObject::Input in{t.path("input"),  t.path("mesh"), t.path("cameras"),
                           t.path("photos"), t.points(),     t.align()};
-    const bool parts = !in.mesh.empty() && !in.cameras.empty() && !in.photos.empty();
+    const bool photos = !in.cameras.empty() && !in.photos.empty(),
+               neither = in.cameras.empty() && in.photos.empty();
+    const bool parts = in.mesh.empty() ? !in.points.empty() && (photos || neither) : photos;
     if (in.folder.empty() && !parts)
-        t.fail("has no input, expected input, a folder, or mesh, cameras and photos together");
+        t.fail(
+            "has no input, expected input, a folder; mesh, cameras and photos together; or points in place "
+            "of mesh, alone or with both of the others");
     return in;
 }
 
@@ -174,7 +178,9 @@ std::string stem_of(const fs::path& path) {
 std::string name_of(const ObjectTable& t, const SceneObject& object) {
     const fs::path& from = !object.package.empty()        ? object.package
                            : !object.input.folder.empty() ? object.input.folder
-                                                          : object.input.mesh;
+                           : !object.input.mesh.empty() || object.input.points.empty()
+                               ? object.input.mesh
+                               : object.input.points.front();
     std::string name = t.has("name") ? t.text("name") : stem_of(from);
     if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
         name.size() > 200)
@@ -188,7 +194,7 @@ SceneObject read_object(const fs::path& file, const toml::table& table, std::siz
     out.package = t.path("package");
     if (use == SceneUse::prepare) out.input = read_input(t);
     if (use == SceneUse::show && out.package.empty()) {
-        if (t.has("input") || t.has("mesh"))
+        if (t.has("input") || t.has("mesh") || t.has("points"))
             t.fail("has no package; 'vantage prepare' makes packages of a scene's inputs");
         t.fail("has no package");
     }

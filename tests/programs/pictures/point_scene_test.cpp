@@ -231,6 +231,37 @@ TEST_F(PointScenes, NeedNoPhotos) {
     }
 }
 
+TEST_F(PointScenes, AreObjectsOfASceneBeforeAndBehindOthers) {
+    // A wall of points before the building, whose front is at y = -3 or so.
+    std::vector<PlyPoint> wall;
+    for (int x = -100; x <= 100; ++x)
+        for (int z = 0; z <= 100; ++z) wall.push_back({{0.02 * x, -5, 0.03 * z}, magenta});
+    write_points_ply(dir / "wall.ply", wall.size(), [&](const auto& put) {
+        for (const PlyPoint& p : wall) put(p);
+    });
+    const std::string at = dir.string();
+    std::ofstream(dir / "s.toml") << "[[object]]\ninput = \"scene\"\n[[object]]\npoints = \"wall.ply\"\n";
+    const auto run = [&](const std::string& command) {
+        const int status = std::system((command + " >>" + at + "/log.txt 2>&1").c_str());
+        ASSERT_EQ(status, 0) << command << "\n" << slurp(dir / "log.txt");
+    };
+    run(VANTAGE_PROGRAM " prepare " + at + "/s.toml -o " + at + "/out");
+    std::ofstream(dir / "t.toml")
+        << "[[object]]\npackage = \"out/wall.vantage\"\n[[object]]\npackage = \"out/scene.vantage\"\n";
+    for (const std::string scene : {"/out/s.toml", "/t.toml"}) {
+        const auto magenta_share = [&](const std::string& view) {
+            run(VANTAGE_PLAYER " " + at + scene + " --offscreen --holes shade --size 200x150 --view " + view +
+                " -o " + at + "/p.png");
+            const Picture p = read_png(dir / "p.png");
+            std::size_t n = 0;
+            for (std::size_t i = 0; i < p.rgba.size() / 4; ++i) n += is_magenta(p, i);
+            return double(n) / double(p.rgba.size() / 4);
+        };
+        EXPECT_NEAR(magenta_share("0,-14,1.5,0,0,1.5"), 0.163, 0.02) << "its place before the building";
+        EXPECT_EQ(magenta_share("0,14,1.5,0,0,1.5"), 0) << "the building hides it";
+    }
+}
+
 TEST_F(PointScenes, APickedPointHasTheCoordinatesAndColorOfTheNearestOneAtThePixel) {
     std::vector<PlyPoint> points = samples(30'000);
     for (std::size_t i = 0; i < points.size(); ++i)

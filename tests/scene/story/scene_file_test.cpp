@@ -133,6 +133,18 @@ TEST_F(SceneFile, InputsAreRelativeToTheFile) {
     EXPECT_EQ(read[1].input.points, (std::vector<std::filesystem::path>{dir / "a.ply", "/b.ply"}));
 }
 
+TEST_F(SceneFile, PointsMayStandInPlaceOfAMesh) {
+    const auto read =
+        read_scene_file(written("[[object]]\npoints = \"scans/cloud.las\"\n[[object]]\npoints = [\"a.ply\", "
+                                "\"b.ply\"]\ncameras = \"c\"\nphotos = \"p\"\n"),
+                        SceneUse::prepare);
+    ASSERT_EQ(read.size(), 2u);
+    EXPECT_EQ(read[0].name, "cloud");
+    EXPECT_EQ(read[0].input.points.at(0), dir / "scans/cloud.las");
+    EXPECT_EQ(read[1].name, "a");
+    EXPECT_EQ(read[1].input.photos, dir / "p");
+}
+
 TEST_F(SceneFile, ErrorsNameTheObjectAndWhatWasExpected) {
     const std::string first = "[[object]]\npackage = \"a.vantage\"\n",
                       second = "[[object]]\npackage = \"b.vantage\"\n";
@@ -159,10 +171,15 @@ TEST_F(SceneFile, ErrorsNameTheObjectAndWhatWasExpected) {
                   ": object 2: opacity: expected a number from 0 to 1");
     EXPECT_EQ(error_of("[[object]]\ninput = \"scan\"\n"),
               ": object 1: has no package; 'vantage prepare' makes packages of a scene's inputs");
-    EXPECT_EQ(error_of(first, SceneUse::prepare),
-              ": object 1: has no input, expected input, a folder, or mesh, cameras and photos together");
-    EXPECT_EQ(error_of("[[object]]\nmesh = \"a\"\ncameras = \"b\"\n", SceneUse::prepare),
-              ": object 1: has no input, expected input, a folder, or mesh, cameras and photos together");
+    const std::string no_input =
+        ": object 1: has no input, expected input, a folder; mesh, cameras and photos together; or points in "
+        "place of mesh, alone or with both of the others";
+    EXPECT_EQ(error_of("[[object]]\npoints = \"a.ply\"\nphotos = \"p\"\n", SceneUse::prepare), no_input);
+    EXPECT_EQ(error_of("[[object]]\npoints = []\n", SceneUse::prepare), no_input);
+    EXPECT_EQ(error_of("[[object]]\npoints = \"a.ply\"\n"),
+              ": object 1: has no package; 'vantage prepare' makes packages of a scene's inputs");
+    EXPECT_EQ(error_of(first, SceneUse::prepare), no_input);
+    EXPECT_EQ(error_of("[[object]]\nmesh = \"a\"\ncameras = \"b\"\n", SceneUse::prepare), no_input);
     EXPECT_EQ(error_of("[[object]]\ninput = \"a\"\npoints = [1]\n", SceneUse::prepare),
               ": object 1: points: expected files, such as [\"a.ply\"]");
     EXPECT_EQ(error_of(first + "name = \"../a\"\n"), ": object 1: name: '../a' cannot be the name of a file");
