@@ -73,11 +73,12 @@ vec3 lit(vec3 n, vec3 v) {
 #endif
 
 #ifdef TRANSPARENT
-// The surface's own color, shaded as the bare surface is; lit and colored by a field as the opaque surface with its photos.
+// The surface's own color where it faces the viewer, darker aslant as the bare surface is; lit and colored by a field as the
+// opaque surface with its photos.
 vec3 own_color(vec3 n, vec3 v) {
-    vec3 base = pow(max(surface_color.rgb, vec3(0.0)), vec3(2.2)), color = base * (0.12 + 0.35 * abs(dot(n, v)));
+    vec3 base = decode(max(surface_color.rgb, vec3(0.0))), color = base * (0.12 + 0.35 * abs(dot(n, v))) / bare_gray;
 #ifdef LIGHT
-    color = lit(n, v) * (light_on_photos ? base * bare_gray : vec3(light_scale));
+    color = lit(n, v) * (light_on_photos ? base : vec3(light_scale));
 #endif
 #ifdef SCALAR_FIELD
     vec4 field = field_share > 0.0 ? field_color() : vec4(0.0);

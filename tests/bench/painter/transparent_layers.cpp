@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/values/srgb.h"
 #include "scene/package/contents/opaque_part.h"
 
 namespace vantage {
@@ -72,8 +73,9 @@ std::optional<TransparentLayers::Fragment> TransparentLayers::at(const View& vie
         alpha += shares[i] * c[3];
     }
     const Vector3d toward = (view.cam_from_origin.center() - position).normalized();
-    const double light = 0.12 + 0.35 * std::abs(normal.normalized().dot(toward));
-    return Fragment{z, triangle, color.array().max(0).pow(2.2) * light, alpha};
+    // 1 where it faces the viewer.
+    const double light = (0.12 + 0.35 * std::abs(normal.normalized().dot(toward))) / 0.47;
+    return Fragment{z, triangle, color.cwiseMax(0).unaryExpr(&linear_from_srgb) * light, alpha};
 }
 
 std::vector<TransparentLayers::Pixel> TransparentLayers::fragments(const View& view) const {
