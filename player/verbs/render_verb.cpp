@@ -34,7 +34,7 @@ void add_render(const Command& program) {
         "  vantage-player render chapel.vantage --photo 0003 -o 0003.png\n"
         "  vantage-player render chapel.vantage --view 4,-9,2,0,0,1,40 --size 1920x1080 -o view.png\n"
         "  vantage-player render chapel.vantage --photo all --scale 0.5 --blend best -o pictures\n"
-        "  vantage-player render chapel.vantage --photo 0003 --field deviation --isolines 10 -o map.png\n"
+        "  vantage-player render chapel.vantage --photo 0003 --field photo-count --isolines 10 -o map.png\n"
         "  vantage-player render chapel.vantage --photo 0003 --light raking --lamp 200,10 -o relief.png\n"
         "  vantage-player render chapel.vantage --photo 0003 --panorama -o around.png\n"
         "  vantage-player render chapel.vantage --photo 0003 --stereo anaglyph -o 0003-3d.png\n"

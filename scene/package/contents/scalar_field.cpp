@@ -72,7 +72,9 @@ int field_named(std::span<const ScalarField> fields, std::string_view name) {
         fields, comparable_name(name), [](const ScalarField& field) { return comparable_name(field.name); });
     if (alike != fields.end()) return int(alike - fields.begin());
     throw Error(Exit::usage, "no scalar field '" + std::string(name) + "', " +
-                                 (known.empty() ? "the package has none" : "expected one of " + known));
+                                 (known.empty() ? "the package has none" : "expected one of " + known) +
+                                 "; 'vantage prepare SCAN -o PACKAGE --deviation-from MESH' measures "
+                                 "deviation-from-MESH, and a PLY brings its values per vertex");
 }
 
 ValueRange whole_range(const ScalarField& field, bool centered, bool logarithmic) {

@@ -40,7 +40,10 @@ TEST(ScalarField, AnUnknownNameListsThoseThereAre) {
         field_named(fields, "depth");
         ADD_FAILURE() << "accepted";
     } catch (const Error& e) {
-        EXPECT_STREQ(e.what(), "no scalar field 'depth', expected one of height, deviation");
+        EXPECT_STREQ(e.what(),
+                     "no scalar field 'depth', expected one of height, deviation; 'vantage prepare SCAN -o "
+                     "PACKAGE --deviation-from MESH' measures deviation-from-MESH, and a PLY brings its "
+                     "values per vertex");
         EXPECT_EQ(e.code(), Exit::usage);
     }
 }
