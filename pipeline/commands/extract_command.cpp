@@ -16,6 +16,23 @@ struct ExtractOptions {
     bool undistorted = false, force = false;
 };
 
+void print(const Extracted& e, const std::string& folder) {
+    if (e.photos)
+        fmt::print(text_output(), "photos   {}/photos ({}), their cameras in sparse\n", folder, e.photos);
+    if (e.triangles)
+        fmt::print(
+            text_output(),
+            "mesh     {}/mesh.ply ({} vertices, {} triangles: as prepared, the input's large triangles "
+            "divided)\n",
+            folder, e.vertices, e.triangles);
+    if (e.points) fmt::print(text_output(), "points   {}/points.ply ({})\n", folder, e.points);
+    results().update({{"folder", folder},
+                      {"photos", e.photos},
+                      {"vertices", e.vertices},
+                      {"triangles", e.triangles},
+                      {"points", e.points}});
+}
+
 }  // namespace
 
 void add_extract(const Command& program) {
@@ -30,18 +47,18 @@ void add_extract(const Command& program) {
         "the\n"
         "input's coordinates and with the poses as corrected; weights/ (RGBA: angle, depth, border, "
         "transient masking) and\n"
-        "depth/ (EXR, along the optical axis), without lens distortion; mesh.ply and points.ply. COLMAP, "
-        "or\n"
-        "vantage prepare, reads the folder.");
+        "depth/ (EXR, along the optical axis), without lens distortion; mesh.ply and points.ply. The mesh "
+        "is that of the\n"
+        "package: triangles with edges longer than 1/64 of the model's diagonal have been divided, which "
+        "leaves the surface\n"
+        "as it is. COLMAP, or vantage prepare, reads the folder.");
     c.file("FILE", o->file, "the package").type("PACKAGE").required();
     c.file("-o,--output", o->out, "folder to write into").type("FOLDER").required();
     c.list("--photo", o->photos, "only these photos").type("PHOTO").commas();
     c.flag("--undistorted", o->undistorted, "photos without lens distortion");
     c.force(o->force);
     c.action([o] {
-        extract(o->file, o->out, o->photos, o->undistorted, o->force);
-        fmt::print(text_output(), "files    {}\n", o->out);
-        results()["folder"] = o->out;
+        print(extract(o->file, o->out, o->photos, o->undistorted, o->force), o->out);
         return int(Exit::ok);
     });
 }

@@ -198,8 +198,8 @@ void expect_replaceable(const Extraction& to, const std::vector<std::uint32_t>& 
 
 }  // namespace
 
-void extract(const fs::path& package, const fs::path& folder, const std::vector<std::string>& names,
-             bool undistorted, bool force) {
+Extracted extract(const fs::path& package, const fs::path& folder, const std::vector<std::string>& names,
+                  bool undistorted, bool force) {
     const PackageReader reader(package);
     const auto photos = reader.photos();
     std::vector<std::uint32_t> wanted;
@@ -221,8 +221,16 @@ void extract(const fs::path& package, const fs::path& folder, const std::vector<
     for (const std::uint32_t i : wanted) write_photo(to, i);
     // The comment tells them apart from inputs written by synth, which are never replaced.
     if (!wanted.empty()) write_colmap_text(folder / cameras_name, extracted_cameras(to), to.comment());
-    if (!points_only(reader.scene())) write_mesh(reader, folder / mesh_name);
-    if (const auto cloud = read_point_cloud(reader)) write_points(reader, *cloud, folder / points_name);
+    Extracted out{.photos = wanted.size()};
+    if (!points_only(reader.scene())) {
+        write_mesh(reader, folder / mesh_name);
+        out.vertices = reader.scene().vertices, out.triangles = reader.scene().triangles;
+    }
+    if (const auto cloud = read_point_cloud(reader)) {
+        write_points(reader, *cloud, folder / points_name);
+        out.points = cloud->points;
+    }
+    return out;
 }
 
 }  // namespace vantage

@@ -5,6 +5,11 @@
 
 namespace vantage {
 
+/// How much was written; 0 of what the package lacks.
+struct Extracted {
+    std::size_t photos = 0, vertices = 0, triangles = 0, points = 0;
+};
+
 /// Writes a package's contents as ordinary files to `folder`, which prepare() can read again: photos/NAME.png
 /// or .jpg (level 0, as taken; with `undistorted`, as a pinhole camera would have taken it),
 /// weights/NAME.png (angle, depth, border, transient masking at half size, of the pinhole camera),
@@ -13,8 +18,9 @@ namespace vantage {
 /// Photos whose lens COLMAP cannot express are undistorted. NAME is without extension, unless other photos
 /// share it, and in a folder of its image set if there are several. Only the photos in `names`; all if it is
 /// empty; none of those without pixels. Replaces only pictures, meshes and cameras that it may have written,
-/// with `force` any file, but no input of the package. Throws Error.
-void extract(const std::filesystem::path& package, const std::filesystem::path& folder,
-             const std::vector<std::string>& names, bool undistorted = false, bool force = false);
+/// with `force` any file, but no input of the package. The mesh is that of the package, whose large triangles
+/// are divided, see subdivide_large_triangles(). Throws Error.
+Extracted extract(const std::filesystem::path& package, const std::filesystem::path& folder,
+                  const std::vector<std::string>& names, bool undistorted = false, bool force = false);
 
 }  // namespace vantage

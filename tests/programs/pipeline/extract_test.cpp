@@ -200,6 +200,23 @@ TEST_F(Extract, FolderWithoutMeshIsAPointCloudWithItsPhotos) {
     for (const package::PhotoRecord& p : a.photos()) expect_same_camera(a, p, b, same_photo(b, p));
 }
 
+TEST_F(Extract, TheMeshIsSaidToBeThatOfThePackageWithLargeTrianglesDivided) {
+    copy_scene(tiny(), scan);
+    std::vector<std::string> warnings;
+    const std::size_t given = read_mesh(scan / "mesh.ply", warnings).triangles.size();
+    const std::string package = (dir / "first.vantage").string();
+    vantage("prepare " + scan.string() + " -o " + package + " --no-report");
+    vantage("extract " + package + " -o " + files.string());
+    const Mesh mesh = read_mesh(files / "mesh.ply", warnings);
+    EXPECT_GT(mesh.triangles.size(), given);
+    const std::string says = slurp(dir / "says");
+    EXPECT_NE(says.find(std::to_string(mesh.triangles.size()) + " triangles: as prepared, the input's large "
+                                                                "triangles divided"),
+              std::string::npos)
+        << says;
+    EXPECT_NE(says.find("photos (5)"), std::string::npos) << says;
+}
+
 TEST_F(Extract, CamerasAreThoseOfThePhotosInTheFolder) {
     copy_scene(tiny(), scan);
     const std::string package = (dir / "first.vantage").string();
