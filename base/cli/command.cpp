@@ -9,12 +9,12 @@
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <utility>
 
 #include "base/cli/help_text.h"
 #include "base/cli/joined.h"
 #include "base/cli/standard_output.h"
+#include "base/cli/suggestion.h"
 #include "base/text/error.h"
 
 namespace vantage {
@@ -70,29 +70,6 @@ std::size_t index_of(const std::string& text, const std::vector<std::string>& wo
     const auto found = std::ranges::find(words, text);
     if (found == words.end()) throw Error(Exit::usage, "'" + text + "' is none of " + joined(words, ", "));
     return std::size_t(found - words.begin());
-}
-
-/// The fewest letters inserted, deleted or replaced to make one word of the other (Levenshtein 1966).
-std::size_t edits(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t(0));
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i + 1);
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] != b[j]);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
-}
-
-/// "; did you mean WORD?" if one of the words is like this one, else nothing.
-std::string like_one_of(const std::string& word, const std::vector<std::string>& words) {
-    const auto off = [&](const std::string& other) { return edits(word, other); };
-    const auto nearest = std::ranges::min_element(words, {}, off);
-    const bool like = nearest != words.end() && off(*nearest) <= (word.size() + 1) / 3;
-    return like && !word.empty() ? "; did you mean " + *nearest + "?" : "";
 }
 
 DescribedOption described_flag(const std::vector<std::string>& names, const std::string& help) {
@@ -326,7 +303,7 @@ int Command::run(const std::vector<std::string>& arguments) const {
         node_->action && (first.find_first_of("./") != first.npos || std::filesystem::exists(first));
     if (!names.empty() && !first.starts_with('-') && !file) {
         if (first == "help") return run({arguments.size() > 1 ? arguments[1] : "--help", "--help"});
-        if (const std::string like = like_one_of(first, names); !like.empty())
+        if (const std::string like = suggestion(first, names); !like.empty())
             throw Error(Exit::usage, "no verb '" + first + "'" + like);
         if (!node_->action)
             throw Error(Exit::usage, (first.empty() ? "no verb" : "no verb '" + first + "'") +
@@ -366,7 +343,7 @@ std::string Command::unexpected() const {
     if (!word.starts_with('-')) return "'" + word + "' was not expected";
     Words names;
     for (const Option::Entry& o : node_->options) names.push_back(o.described.names.back());
-    return "no option " + word + like_one_of(word, names);
+    return "no option " + word + suggestion(word, names);
 }
 
 void Command::give(const std::string& name, const std::vector<std::string>& values,

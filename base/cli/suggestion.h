@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace vantage {
+
+/// "; did you mean WORD?" if one of the words is similar, else nothing. Similar: at most a third of the
+/// letters are inserted, deleted or replaced (Levenshtein 1966).
+std::string suggestion(const std::string& word, const std::vector<std::string>& words);
+
+}  // namespace vantage

@@ -1,0 +1,70 @@
+#include "pipeline/align/settle_turns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/align/open_turns.h"
+
+namespace vantage {
+namespace {
+
+/// "A.jpg, B.jpg and 3 more".
+std::string first_of(std::vector<std::string> names) {
+    constexpr std::size_t most = 20;
+    const std::size_t more = names.size() - std::min(names.size(), most);
+    names.resize(names.size() - more);
+    return fmt::format("{}{}", fmt::join(names, ", "), more ? fmt::format(" and {} more", more) : "");
+}
+
+/// How a photo lies without an EXIF orientation that it needs.
+const char* lies(int orientation) {
+    if (orientation == 3) return "upside down";
+    return orientation == 6 || orientation == 8 ? "turned by 90 degrees" : "mirrored";
+}
+
+/// One warning for all photos of one EXIF orientation; `found`: that they lie wrong.
+void warn_of_turns(SceneInput& scene, const std::vector<std::uint32_t>& photos, bool found) {
+    std::map<std::pair<int, int>, std::vector<std::string>> names;  // by orientation and what is open of it
+    for (const std::uint32_t i : photos) {
+        const PhotoInput& p = scene.photos[i];
+        names[{p.orientation, p.open_turn}].push_back(p.name);
+    }
+    for (const auto& [how, of] : names) {
+        const auto [orientation, open] = how;
+        const char* taken = orientation == open ? "pixels are taken as stored" : "turned as the file says";
+        const char* but = !found                ? ""
+                          : orientation == open ? ", but the cameras are of the photos as displayed"
+                                                : ", but the pixels had been turned before";
+        scene.warnings.push_back(
+            fmt::format("{}{} for the cameras, {}: {}; {}{} (EXIF orientation {})", found ? "" : "perhaps ",
+                        lies(open), found ? "as neighboring photos show" : "neighboring photos do not tell",
+                        first_of(of), taken, but, orientation));
+    }
+}
+
+}  // namespace
+
+void settle_turns(SceneInput& scene, unsigned threads) {
+    OpenTurns turns = find_open_turns(scene.photos, {.threads = threads});
+    std::vector<std::string> displayed;
+    std::erase_if(turns.found, [&](std::uint32_t i) {
+        PhotoInput& p = scene.photos[i];
+        const bool turns_by_size = p.open_turn >= 5 && p.decoded.width != p.decoded.height;
+        if (turns_by_size) take_as_displayed(p), displayed.push_back(p.name);
+        return turns_by_size;
+    });
+    if (!displayed.empty())
+        scene.warnings.push_back(
+            fmt::format("turned as their EXIF orientation says, because their cameras "
+                        "have no size and neighboring photos agree only so: {}",
+                        first_of(displayed)));
+    warn_of_turns(scene, turns.found, true);
+    warn_of_turns(scene, turns.unknown, false);
+}
+
+}  // namespace vantage
