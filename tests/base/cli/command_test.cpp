@@ -1,4 +1,4 @@
-// Command lines: what is accepted, what is refused and in which words, and what manual and completion get.
+// Command lines: accepted and refused arguments, error messages, manual pages and shell completion.
 #include "base/cli/command.h"
 
 #include <gtest/gtest.h>
@@ -35,14 +35,14 @@ Answer run(const Command& command, const Words& arguments) {
     return {code, out, testing::internal::GetCapturedStderr()};
 }
 
-/// The first line of the message for arguments that are refused.
+/// The first line of the error message for refused arguments.
 std::string refusal(const Command& command, const Words& arguments) {
     const Answer a = run(command, arguments);
     EXPECT_EQ(a.code, int(Exit::usage));
     return a.error.substr(0, a.error.find('\n'));
 }
 
-/// The only option or argument beside --help.
+/// The only option or argument besides --help.
 template <class Add>
 DescribedOption option(const Add& add) {
     const Command c("program", "");
@@ -177,7 +177,7 @@ TEST(CommandLine, VerbsAreSelectedByTheFirstArgument) {
     c.action([] { return 8; });
     EXPECT_EQ(run(c, {"chapel"}).code, 8);
     EXPECT_EQ(file, "chapel");
-    EXPECT_THROW(c.run({"chekc"}), Error) << "a verb is meant";
+    EXPECT_THROW(c.run({"chekc"}), Error) << "not taken for a file";
     EXPECT_EQ(run(c, {"help", "check"}).out, run(c, {"check", "--help"}).out);
 }
 
@@ -220,7 +220,7 @@ TEST(CommandLine, DescribesFlagsAndNumbers) {
     double share = 0;
     const auto real = option([&](const Command& c) { c.real("--max-diff-fraction", share, 0.5, 1.5, ""); });
     EXPECT_EQ(real.type + " " + real.least + " " + real.most, "NUMBER 0.5 1.5");
-    EXPECT_EQ(real.initial, "");  // out of range: there is no default
+    EXPECT_EQ(real.initial, "");  // out of range: no default
 }
 
 TEST(CommandLine, DescribesValuesToChooseFrom) {

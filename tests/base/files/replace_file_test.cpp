@@ -14,7 +14,7 @@ using namespace vantage;
 
 namespace {
 
-/// No file may grow beyond so many bytes: writing more fails, as on a full disk.
+/// Limits the size of files: writing beyond it fails, as on a full disk.
 class SizeLimit {
   public:
     explicit SizeLimit(rlim_t bytes) : handler_(::signal(SIGXFSZ, SIG_IGN)) {
@@ -42,7 +42,7 @@ class ReplaceFile : public TemporaryFolder {
 
 TEST_F(ReplaceFile, KeepsTheOldFileIfTheDiskIsFull) {
     replace_file(file, "old");
-    // More than a stream's buffer, which is written at once, and less, which is written by flushing.
+    // Larger than a stream's buffer, hence written immediately; and smaller, hence written by flushing.
     for (const std::size_t size : {std::size_t(1) << 20, std::size_t(6000)}) {
         const SizeLimit limit(4096);
         EXPECT_THROW(replace_file(file, std::string(size, 'x')), Error) << size;

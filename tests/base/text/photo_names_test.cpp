@@ -10,7 +10,7 @@ namespace {
 using Indices = std::vector<std::size_t>;
 
 TEST(PhotoNames, AreMeantAsPeopleCallThem) {
-    // Stored decomposed, as by macOS.
+    // Stored decomposed, as macOS does.
     const std::array<std::string_view, 4> names{
         "Kapelle Su\xcc\x88"
         "d.jpg",
@@ -30,7 +30,7 @@ TEST(PhotoNames, AreMeantAsPeopleCallThem) {
               Indices{0});
     EXPECT_EQ(photos_meant(names, "0003"), Indices{1});
     EXPECT_EQ(photos_meant(names, "0003.jpg"), Indices{1});
-    EXPECT_EQ(photos_meant(names, "b.png"), Indices{3}) << "exactly this name";
+    EXPECT_EQ(photos_meant(names, "b.png"), Indices{3}) << "an exact match wins";
     EXPECT_EQ(photos_meant(names, "b"), (Indices{2, 3})) << "ambiguous";
     EXPECT_TRUE(photos_meant(names, "c").empty());
 }

@@ -11,7 +11,7 @@ using namespace vantage;
 
 namespace {
 
-/// The language in an environment with these variables, and no others that name one.
+/// The system language if the environment has only these language variables.
 std::string language_in(const std::map<std::string, std::string>& variables) {
     for (const char* name : {"LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"}) ::unsetenv(name);
     for (const auto& [name, value] : variables) ::setenv(name.c_str(), value.c_str(), 1);
@@ -27,7 +27,7 @@ TEST(SystemLanguage, IsThatOfTheEnvironment) {
     EXPECT_EQ(language_in({{"LC_MESSAGES", "fr_FR"}, {"LC_ALL", "en_GB.UTF-8"}}), "en-GB");
     EXPECT_EQ(language_in({{"LANG", "en_US.UTF-8"}, {"LANGUAGE", "de:en"}}), "de");
     EXPECT_EQ(language_in({{"LANG", "C.UTF-8"}}), "");
-    EXPECT_EQ(language_in({{"LANG", "C"}, {"LANGUAGE", "de"}}), "") << "as gettext has it";
+    EXPECT_EQ(language_in({{"LANG", "C"}, {"LANGUAGE", "de"}}), "") << "as gettext does";
     EXPECT_EQ(language_in({{"LC_ALL", ""}, {"LANG", "POSIX"}}), "");
 }
 

@@ -15,10 +15,10 @@ using package::SampleRecord;
 
 namespace {
 
-/// Synthetic photos of one surface: their samples of every disc.
+/// Synthetic photos of one surface, as samples of every disc.
 struct SyntheticPhotos {
     std::vector<std::vector<SampleRecord>> photos;
-    std::vector<std::array<double, 3>> gain;  ///< per photo and channel, true factor on the light
+    std::vector<std::array<double, 3>> gain;  ///< true gain per photo and channel
 
     std::vector<std::span<const SampleRecord>> spans() const { return {photos.begin(), photos.end()}; }
     std::vector<std::uint32_t> one_lens() const { return std::vector<std::uint32_t>(photos.size(), 0); }
@@ -26,13 +26,13 @@ struct SyntheticPhotos {
 
 struct PhotoOptions {
     std::size_t photos = 12, discs = 3000;
-    double share = 0.4;     ///< of the discs that each photo shows
-    double stops = 1;       ///< largest exposure error, to either side
-    double vignetting = 0;  ///< share of the light lost in the corner
+    double share = 0.4;     ///< fraction of the discs that each photo shows
+    double stops = 1;       ///< largest exposure error, in either direction
+    double vignetting = 0;  ///< fraction of the light lost in the corner
     double noise = 0.02, outliers = 0;
 };
 
-/// vignetting of a different form than the fitted one.
+/// Vignetting of a different form than the fitted one.
 double light_at(double r, double lost) { return 1 / std::pow(1 + (1 / std::sqrt(1 - lost) - 1) * r * r, 2); }
 
 SyntheticPhotos make(const PhotoOptions& w, unsigned seed = 1) {
@@ -115,7 +115,7 @@ TEST(ColorFit, EachLensHasItsOwnVignetting) {
 }
 
 TEST(ColorFit, TwoPhotosDoNotDetermineTheVignetting) {
-    // A bright center in two photos may be the object; in three it is taken for the lens.
+    // A bright center in two photos may be the object; in three it is attributed to the lens.
     SyntheticPhotos made = make({.photos = 6, .stops = 0});
     const SyntheticPhotos shining = make({.photos = 3, .stops = 0, .vignetting = 0.4});
     std::vector<std::uint32_t> lens(6, 0);
@@ -210,8 +210,7 @@ TEST(ColorAgreement, IsEnabledOnlyIfPhotosDisagree) {
 }
 
 TEST(SurfaceDiscs, AreSpreadHalfByAreaAndHalfByTriangles) {
-    // One large triangle with nearly all the area, and 999 tiny ones: each half of the discs follows one of
-    // them.
+    // One large triangle with nearly all the area, and 999 tiny ones: each gets half of the discs.
     std::vector<Eigen::Vector3f> positions{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}};
     std::vector<std::uint32_t> indices{0, 1, 2};
     for (int i = 0; i < 999; ++i) {
@@ -231,7 +230,7 @@ TEST(SurfaceDiscs, AreSpreadHalfByAreaAndHalfByTriangles) {
     }
     EXPECT_NEAR(double(large), 0.5 * double(package::surface_discs), 0.01 * double(package::surface_discs));
     EXPECT_TRUE(surface_disc_set(positions, {}, 100).empty());
-    // A triangle that reaches far beyond the model does not take the discs of all others.
+    // A triangle that extends far beyond the model does not take all the discs.
     const auto far = std::uint32_t(positions.size());
     positions.push_back({0, 0, 1e6f});
     indices.insert(indices.end(), {0, 1, far});
@@ -242,7 +241,7 @@ TEST(SurfaceDiscs, AreSpreadHalfByAreaAndHalfByTriangles) {
 }
 
 TEST(SurfaceDiscs, AreSampledOnlyWhereClearlyVisible) {
-    // A wall at z = 10, whose left half is occluded by something nearer; colors encode the position.
+    // A wall at z = 10, whose left half is occluded by a nearer surface; colors encode the position.
     const Intrinsics k{800, 600, 800, 800, 400, 300};
     PhotoGeometry geometry{400, 300, std::vector<float>(400 * 300, 10), {}, {}};
     for (std::size_t i = 0; i < geometry.z.size(); ++i)

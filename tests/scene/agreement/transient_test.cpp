@@ -33,7 +33,7 @@ TEST(TransientWeights, TilesGetTheWeightsOfTheirLevel) {
     for (std::uint8_t& w : map.weight) w = std::uint8_t(random());
     const Level level{301, 255};
     std::vector<std::byte> before(4 * 301 * 255);
-    for (std::byte& b : before) b = std::byte(random() % 3);  // a third of the texels do not see the model
+    for (std::byte& b : before) b = std::byte(random() % 3);  // a third of the texels do not show the model
     std::vector<std::byte> whole = before, tile(tile_bytes), wanted(tile_bytes);
     set_weights(&map, level, {whole.data(), 4 * level.width, level.height}, 0, 0);
     for (std::size_t t = 0; t < std::size_t(level.tiles()); ++t) {
@@ -48,7 +48,7 @@ TEST(TransientWeights, TilesGetTheWeightsOfTheirLevel) {
 }
 
 TEST(TransientPartners, WithoutAPhotoAreThoseOfTheSceneWithoutIt) {
-    // More photos than are considered for each, some with as many shared discs as others.
+    // More photos than the maximum number of partners, some of them tied in their number of shared discs.
     constexpr std::size_t photos = 36, discs = 600;
     std::mt19937 random(7);
     std::vector<package::PhotoRecord> records(photos, package::PhotoRecord{});

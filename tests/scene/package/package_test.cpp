@@ -130,7 +130,7 @@ TEST_F(Package, OfAnotherVersionIsRefused) {
         dump(other);
         try {
             const PackageReader reader(file);
-            ADD_FAILURE() << "version " << version << " is read";
+            ADD_FAILURE() << "version " << version << " is accepted";
         } catch (const Error& e) {
             EXPECT_EQ(e.code(), Exit::input);
             EXPECT_NE(std::string(e.what()).find(says), std::string::npos) << e.what();

@@ -1,4 +1,4 @@
-// A cache that several processes use at once.
+// A cache that several processes use simultaneously.
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@ namespace vantage {
 
 namespace {
 
-/// A cache that several processes use. The test has no threads when it starts them.
+/// A cache shared by several processes. The test has no threads when it starts them.
 class RemoteCacheOfProcessesAtLength : public RemoteTest {
   protected:
     const std::string content = content_of(100 * block + 50);
@@ -24,7 +24,7 @@ class RemoteCacheOfProcessesAtLength : public RemoteTest {
         write(dir / "served" / "scan.vantage", content);
     }
 
-    /// Reads ranges at random, and keeps each while it is read. Returns the number of those that were wrong.
+    /// Reads random ranges, each of which it retains while reading. Returns the number of wrong ones.
     int read_at_random(const std::string& url, unsigned seed) {
         RemoteFile file(url, options);
         std::mt19937 random(seed);
@@ -39,7 +39,7 @@ class RemoteCacheOfProcessesAtLength : public RemoteTest {
     }
 };
 
-/// Starts a process that runs a function and ends with its result.
+/// Starts a process that runs a function and exits with its result.
 pid_t start(const std::function<int()>& f) {
     const pid_t child = ::fork();
     if (child != 0) return child;

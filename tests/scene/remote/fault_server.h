@@ -19,7 +19,7 @@
 
 namespace vantage {
 
-/// Bytes that differ from place to place, so that a shifted or missing range is noticed.
+/// Bytes that vary with position, so that a shifted or missing range is noticed.
 inline std::string content_of(std::uint64_t size, std::uint64_t seed = 1) {
     std::string bytes(size, '\0');
     std::uint64_t x = seed * 0x9e3779b97f4a7c15u;
@@ -30,7 +30,7 @@ inline std::string content_of(std::uint64_t size, std::uint64_t seed = 1) {
     return bytes;
 }
 
-/// A port that is free now, below those that the system assigns, and another one in each process.
+/// A free port below the range that the system assigns from, different in each process.
 inline int free_port() {
     static int next = int(::getpid()) * 16;
     for (;;) {
@@ -46,11 +46,11 @@ inline int free_port() {
     }
 }
 
-/// What a client asked for, and the connection to answer on.
+/// A client's request, and the connection to answer on.
 struct Asked {
     int fd = -1;
-    int number = 0;       ///< of the request, from 0
-    std::string headers;  ///< with the request line
+    int number = 0;       ///< index of the request
+    std::string headers;  ///< including the request line
     ByteRange range;      ///< empty if the request has none
     /// False if the client has closed the connection.
     bool send(const std::string& bytes) const {
@@ -61,7 +61,7 @@ struct Asked {
         }
         return true;
     }
-    /// Until the client closes the connection.
+    /// Blocks until the client closes the connection.
     void wait_for_client() const {
         char byte = 0;
         while (::recv(fd, &byte, 1, 0) > 0) {
@@ -138,7 +138,7 @@ class FaultServer {
             }
             if (!handler_(asked)) break;
         }
-        ::shutdown(fd, SHUT_RDWR);  // closed when the server ends, so that its number is not used again
+        ::shutdown(fd, SHUT_RDWR);  // closed when the server ends, so that its number is not reused
     }
 
     Handler handler_;
@@ -151,7 +151,7 @@ class FaultServer {
     std::thread acceptor_;
 };
 
-/// The headers of a right answer; every part can be replaced by a wrong one.
+/// The headers of a correct answer; each part can be replaced by a wrong one.
 struct Reply {
     std::string status = "206 Partial Content";
     std::string content_range{}, content_length{};
@@ -167,7 +167,7 @@ struct Reply {
     }
 };
 
-/// The part of the content that was asked for.
+/// The requested part of the content.
 inline ByteRange clipped(const Asked& asked, const std::string& content) {
     return {asked.range.begin, std::min<std::uint64_t>(asked.range.end, content.size())};
 }
@@ -175,7 +175,7 @@ inline std::string body_of(const Asked& asked, const std::string& content) {
     const ByteRange range = clipped(asked, content);
     return content.substr(range.begin, range.size());
 }
-/// Answers as a server should.
+/// Gives the correct answer.
 inline bool answer_well(const Asked& asked, const std::string& content) {
     return asked.send(Reply(clipped(asked, content), content.size()).text() + body_of(asked, content));
 }

@@ -17,7 +17,8 @@
 
 namespace vantage {
 
-/// nginx on 127.0.0.1, which serves a folder; it ends with the object. Its own files are in another folder.
+/// nginx on 127.0.0.1 that serves a folder until the object is destroyed. Its own files are in another
+/// folder.
 class Nginx {
   public:
     static bool installed() { return !program().empty(); }
@@ -43,7 +44,7 @@ class Nginx {
         const std::string path = program();
         child_ = ::fork();
         if (child_ == 0) {
-            ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // not to outlive a test that crashes
+            ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // does not outlive a test that crashes
             ::execl(path.c_str(), "nginx", "-e", log.c_str(), "-c", config.c_str(), nullptr);
             ::_exit(127);
         }

@@ -18,7 +18,7 @@ class RemoteCache : public RemoteTest {
   protected:
     std::string content = content_of(100 * block + 50);
     std::string etag = "\"one\"";
-    std::string status;  ///< of an answer that refuses; empty: answers well
+    std::string status;  ///< of an error response; empty: answers correctly
     std::atomic<bool> reachable = true;
 
     FaultServer server{[this](const Asked& asked) {
@@ -38,7 +38,7 @@ class RemoteCache : public RemoteTest {
         content = content_of(content.size(), 2);
         etag = "\"two\"";
     }
-    /// The folder of the file, which is in the cache.
+    /// The file's folder in the cache.
     fs::path folder_of_scan() { return open().path().parent_path(); }
     void fetch_all() {
         RemoteFile file = open();
@@ -53,7 +53,7 @@ TEST_F(RemoteCache, SecondOpeningFetchesNothingAgain) {
     RemoteFile file = open();
     EXPECT_FALSE(file.offline());
     EXPECT_TRUE(fetch(file, {0, content.size()}));
-    EXPECT_EQ(file.traffic().requests, 1);  // whether the file is current
+    EXPECT_EQ(file.traffic().requests, 1);  // to check that the file is current
     EXPECT_EQ(file.traffic().bytes_received, 0);
     EXPECT_EQ(file.traffic().bytes_from_cache, content.size());
     EXPECT_TRUE(same(file, {0, content.size()}, content));
@@ -176,7 +176,7 @@ TEST_F(RemoteCache, TableOfAnotherVersionIsNotBelieved) {
 TEST_F(RemoteCache, FilesOfOthersAreLeftAlone) {
     const fs::path folder = folder_of_scan();
     fs::remove_all(folder);
-    write(folder / "origin.part-7", "vant");  // of a crash
+    write(folder / "origin.part-7", "vant");  // left by a crash
     EXPECT_EQ(folder_of_scan(), folder);
     fs::remove_all(folder);
     const std::string other = std::string(32, 'a'), third = std::string(32, 'b');
@@ -225,7 +225,7 @@ TEST_F(RemoteCache, LeastRecentlyUsedFilesAreDeleted) {
     for (const char* path : {"/a", "/b", "/c", "/d"}) {
         RemoteFile file = open(path);
         ASSERT_TRUE(fetch(file, {0, content.size()}));
-        if (*path == '/' && path[1] == 'c') RemoteFile again = open("/a");  // used: b is the oldest now
+        if (*path == '/' && path[1] == 'c') RemoteFile again = open("/a");  // used: b is the oldest
         EXPECT_LE(cache_on_disk(), options.cache_bytes);
     }
     const auto cached = [&](const char* path) { return open(path).present({0, content.size()}); };
@@ -251,7 +251,7 @@ TEST_F(RemoteCache, LeastRecentlyFetchedBlocksOfTheOpenFileAreFreed) {
     RemoteFile file = open();
     for (std::uint64_t i = 1; i < 100; ++i) {
         ASSERT_TRUE(fetch(file, {i * block, (i + 1) * block}));
-        ASSERT_TRUE(fetch(file, {block, 2 * block}));  // used all the time
+        ASSERT_TRUE(fetch(file, {block, 2 * block}));  // in constant use
         ASSERT_TRUE(same(file, {i * block, (i + 1) * block}, content));
         ASSERT_LE(cache_on_disk(), options.cache_bytes);
     }
@@ -290,7 +290,7 @@ TEST_F(RemoteCache, RangeLargerThanTheLimitIsFetchedAndFreedLater) {
     RemoteFile file = open();
     ASSERT_TRUE(fetch(file, {block, 51 * block}));
     EXPECT_TRUE(same(file, {0, 51 * block}, content));
-    // The thread that received the range may hold it a moment longer than the fetch.
+    // The thread that received the range may hold it slightly longer than the fetch lasts.
     std::uint64_t next = 60;
     do ASSERT_TRUE(fetch(file, {next * block, (next + 1) * block}));
     while (cache_on_disk() > options.cache_bytes && ++next < 80);

@@ -13,14 +13,14 @@ class RemoteFaults : public RemoteTest {
   protected:
     const std::string content = content_of(40 * block + 123);
 
-    /// The error when the file is opened, which begins with the URL; without it.
+    /// The error from opening the file, without the URL that it begins with.
     std::string opening_error(const Handler& handler) {
         FaultServer server(handler);
         const std::string error = error_of([&] { RemoteFile(server.url(), options); });
         EXPECT_TRUE(error.starts_with(server.url() + ": ")) << error;
         return error.substr(std::min(error.size(), server.url().size() + 2));
     }
-    /// The error when bytes are fetched after a valid opening.
+    /// The error from fetching bytes after the file was opened successfully.
     std::string fetching_error(const Handler& handler, ByteRange range = {5 * block, 7 * block}) {
         FaultServer server([&](const Asked& asked) {
             return asked.number == 0 ? answer_well(asked, content) : handler(asked);
@@ -31,7 +31,7 @@ class RemoteFaults : public RemoteTest {
         EXPECT_FALSE(file.present(range));
         return error.substr(std::min(error.size(), server.url().size() + 2));
     }
-    /// A handler that changes one thing of a right answer.
+    /// A handler that changes one part of a correct answer.
     Handler changed(const std::function<void(Reply&, const Asked&)>& change) {
         return [this, change](const Asked& asked) {
             Reply reply(clipped(asked, content), content.size());
@@ -54,7 +54,7 @@ TEST_F(RemoteFaults, AnswerWithTheWholeFileIsNotDownloaded) {
     EXPECT_EQ(error,
               "the server answers 200 to a request for bytes 0 to 65535, expected 206; it must support range "
               "requests");
-    EXPECT_LT(sent, 64u << 20);  // what the buffers of the connection take
+    EXPECT_LT(sent, 64u << 20);  // the connection's buffers
 }
 
 TEST_F(RemoteFaults, RefusalsAreReportedWithTheirCode) {
@@ -168,7 +168,7 @@ TEST_F(RemoteFaults, LongerBodyIsRefusedAndNothingBeyondItIsStored) {
               "the server sends 65537 bytes, expected 65536 for bytes 0 to 65535");
     const Handler endless = [&](const Asked& asked) {
         Reply reply(asked.range, content.size());
-        reply.content_length = "";  // the body then ends with the connection
+        reply.content_length = "";  // the body then ends when the connection closes
         asked.send(reply.text());
         while (asked.send(std::string(64 << 10, 'x'))) {
         }
@@ -211,7 +211,7 @@ TEST_F(RemoteFaults, CutConnectionIsContinuedWhereItWasCut) {
     FaultServer server([&](const Asked& asked) {
         if (asked.number == 0) return answer_well(asked, content);
         asked_for.push_back(asked.range);
-        // More cuts than tries: each brings a block.
+        // More disconnections than retries: each attempt delivers one block.
         const std::string body = body_of(asked, content).substr(0, block + 1000);
         asked.send(Reply(asked.range, content.size()).text() + body);
         return body.size() == asked.range.size();

@@ -16,7 +16,7 @@ class RemoteFileFetches : public RemoteTest {
     const std::string content = content_of(200 * block + 777);
 };
 
-/// nginx serves `content` as /scan.vantage.
+/// Fetches from nginx, which serves `content` as /scan.vantage.
 class RemoteFileAtLength : public RemoteFileFetches {
   protected:
     void SetUp() override {
@@ -25,14 +25,14 @@ class RemoteFileAtLength : public RemoteFileFetches {
         write(dir / "served" / "scan.vantage", content);
     }
 
-    /// Lines of nginx's log: requests that were answered.
+    /// The number of answered requests in nginx's log.
     std::size_t logged() const {
         const std::string log = slurp(dir / "nginx" / "access.log");
         return std::size_t(std::ranges::count(log, '\n'));
     }
 };
 
-/// Reads random ranges, and returns the number of those that were wrong.
+/// Reads random ranges and returns the number of wrong ones.
 int read_at_random(RemoteFile& file, const std::string& content, unsigned seed, int times) {
     std::mt19937_64 random(seed);
     int wrong = 0;
@@ -52,7 +52,7 @@ int read_at_random(RemoteFile& file, const std::string& content, unsigned seed, 
     return wrong;
 }
 
-/// Calls f(0) to f(7) in a thread each.
+/// Calls f(0) to f(7), each in its own thread.
 void in_eight_threads(const std::function<void(unsigned)>& f) {
     std::vector<std::jthread> threads;
     for (unsigned i = 0; i < 8; ++i) threads.emplace_back(f, i);
@@ -130,7 +130,7 @@ TEST_F(RemoteFileAtLength, LargestPackagesAreOpenedAtOnce) {
     const std::uint64_t size = std::uint64_t(100) << 30;
     std::ofstream large(dir / "served" / "large.vantage", std::ios::binary);
     if (!large.seekp(std::streamoff(size - 5)).write("end!\n", 5).flush())
-        GTEST_SKIP() << "the file system has no files of 100 GiB";
+        GTEST_SKIP() << "the file system does not support files of 100 GiB";
     const Nginx nginx(dir / "nginx", dir / "served");
     RemoteFile file(nginx.url("/large.vantage"), options);
     EXPECT_EQ(file.size(), size);
@@ -138,7 +138,7 @@ TEST_F(RemoteFileAtLength, LargestPackagesAreOpenedAtOnce) {
     EXPECT_EQ(text(file, {size - 5, size}), "end!\n");
     EXPECT_TRUE(fetch(file, {size / 2, size / 2 + 10}));
     EXPECT_EQ(file.traffic().bytes_received, 3 * block);
-    EXPECT_LT(cache_on_disk(), 8 << 20);  // the table of blocks takes most
+    EXPECT_LT(cache_on_disk(), 8 << 20);  // mostly the table of blocks
 }
 
 TEST_F(RemoteFileAtLength, RangeBeyondTheFileIsABug) {
@@ -178,7 +178,7 @@ TEST_F(RemoteFileAtLength, StopReturnsAndCancelsTheRequest) {
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     const std::uint64_t received = file.traffic().bytes_received;
     std::this_thread::sleep_for(std::chrono::seconds(1));
-    EXPECT_EQ(file.traffic().bytes_received, received);  // nothing more comes
+    EXPECT_EQ(file.traffic().bytes_received, received);  // nothing more arrives
     EXPECT_LT(file.traffic().requests, 8);
     EXPECT_TRUE(fetch(file, {199 * block, content.size()}));
     EXPECT_TRUE(same(file, {199 * block, content.size()}, content));

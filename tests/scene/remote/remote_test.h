@@ -16,7 +16,7 @@
 
 namespace vantage {
 
-/// A test with a cache of its own, and options that do not wait long.
+/// A test with its own cache and short timeouts.
 class RemoteTest : public TemporaryFolder {
   protected:
     void SetUp() override {
@@ -25,7 +25,7 @@ class RemoteTest : public TemporaryFolder {
             ::unsetenv(name);
         options.cache = dir / "cache";
         options.connect_timeout = std::chrono::seconds(5);
-        options.stall_timeout = std::chrono::seconds(10);  // a busy machine may stall itself
+        options.stall_timeout = std::chrono::seconds(10);  // a busy machine may stall
         options.retry_pause = std::chrono::milliseconds(20);
         options.first_bytes = block;
     }
@@ -33,8 +33,8 @@ class RemoteTest : public TemporaryFolder {
     static constexpr std::uint64_t block = 64 << 10;
     RemoteOptions options;
 
-    /// The message of the error that is thrown, which must have this code and be one line; empty if there is
-    /// none.
+    /// The message of the error that `f` throws, which must have this code and be one line; empty if it
+    /// throws none.
     static std::string error_of(const std::function<void()>& f, Exit code = Exit::input) {
         try {
             f();
@@ -65,7 +65,7 @@ class RemoteTest : public TemporaryFolder {
         std::ofstream(path, std::ios::binary) << content;
     }
 
-    /// Bytes on the disk of all files in the cache.
+    /// The disk usage of all files in the cache, in bytes.
     std::uint64_t cache_on_disk() const {
         std::uint64_t bytes = 0;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(options.cache)) {

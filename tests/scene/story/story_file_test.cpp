@@ -12,7 +12,7 @@ using namespace vantage;
 
 namespace {
 
-/// As a curator writes it, with everything that a story may have.
+/// A story with everything that the format supports.
 const char* const chapel = R"({
   "format": "vantage-story-1",
   "language": "en",
@@ -48,7 +48,7 @@ class StoryFile : public TemporaryFolder {
         }
         return "accepted";
     }
-    /// With these keys beside the format.
+    /// The error for a story with the format and these keys.
     std::string error_with(const std::string& keys) const {
         return error_of(R"({"format": "vantage-story-1", )" + keys + "}");
     }
@@ -77,7 +77,7 @@ TEST_F(StoryFile, IsReadAsItIsWritten) {
     EXPECT_FALSE(story.notes[1].view || story.notes[1].anchor);
     ASSERT_EQ(story.tours[0].stops.size(), 2u);
     EXPECT_EQ(story.tours[0].stops[0].stay, 8);
-    EXPECT_EQ(story.tours[0].stops[1].fly, 3) << "unless given";
+    EXPECT_EQ(story.tours[0].stops[1].fly, 3) << "the default";
     EXPECT_EQ(story.tours[0].stops[1].view->target, Eigen::Vector3d(4, 5, 6));
     EXPECT_EQ(story.attract->after, 90);
     EXPECT_EQ(story.attract->tour, "short");
@@ -207,7 +207,7 @@ TEST(Story, TextsAreShownInTheVisitorsLanguageOrTheNextBest) {
     EXPECT_EQ(text_in(story, several, "nl"), "horloge");
     EXPECT_EQ(text_in(story, one, "de"), "clock");
     story.language = "en";
-    EXPECT_EQ(text_in(story, several, "nl"), "Uhr") << "there is no English";
+    EXPECT_EQ(text_in(story, several, "nl"), "Uhr") << "no English text";
     story.title = several;
     EXPECT_EQ(languages_of(story), (std::vector<std::string>{"de", "en", "fr", "pt-BR"}));
 }

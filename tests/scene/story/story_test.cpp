@@ -30,11 +30,11 @@ TEST(StoryEdits, RemovingANoteLeavesNoStopAtIt) {
     remove_note(story, 0);
     ASSERT_EQ(story.notes.size(), 1u);
     EXPECT_EQ(story.notes[0].id, "b");
-    ASSERT_EQ(story.tours.size(), 1u) << "a tour without stops is none";
+    ASSERT_EQ(story.tours.size(), 1u) << "a tour without stops is removed";
     ASSERT_EQ(story.tours[0].stops.size(), 2u);
     EXPECT_EQ(story.tours[0].stops[0].note, "b");
     EXPECT_TRUE(story.tours[0].stops[1].view);
-    EXPECT_FALSE(story.attract) << "its tour is gone";
+    EXPECT_FALSE(story.attract) << "its tour was removed";
     story.attract = StoryAttract{60, "", {}, 30};
     remove_note(story, 0);
     EXPECT_TRUE(story.attract) << "it does not depend on notes";

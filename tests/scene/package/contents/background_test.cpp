@@ -16,7 +16,7 @@ using package::Type;
 
 namespace {
 
-/// A tetrahedron around the origin, seen by no photo.
+/// A tetrahedron around the origin that no photo shows.
 BackgroundContent tetrahedron() {
     BackgroundContent s;
     s.positions = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
@@ -62,7 +62,7 @@ TEST_F(BackgroundFile, ThatContradictThemselvesAreDamaged) {
         write(background_chunk(s));
         try {
             read_background(PackageReader(file));
-            ADD_FAILURE() << what << ": read without an error";
+            ADD_FAILURE() << what << ": accepted";
         } catch (const Error& e) {
             EXPECT_EQ(e.code(), Exit::damaged) << what;
             EXPECT_NE(std::string(e.what()).find("SURR"), std::string::npos) << e.what();

@@ -17,7 +17,7 @@ struct Case {
     Lens lens;
 };
 
-/// A lens of each model as strong as such lenses are, and stronger.
+/// Lenses of each model, with typical and stronger distortion.
 std::vector<Case> cases() {
     const Intrinsics telephone{4640, 2610, 3500, 3500, 2330, 1290}, wide{4000, 3000, 2000, 2000, 2010, 1480},
         fisheye{4000, 4000, 1300, 1300, 2000, 2000}, small{240, 180, 200, 200, 120, 90};
@@ -42,7 +42,7 @@ std::vector<Case> cases() {
     };
 }
 
-/// The pixel by the model's equation.
+/// The pixel position from the model's equation.
 Eigen::Vector2d exact(const Case& c, const Eigen::Vector2d& pixel) {
     const Intrinsics& k = c.camera;
     const Eigen::Vector2d d = distort(c.lens, {(pixel.x() - k.cx) / k.fx, (pixel.y() - k.cy) / k.fy});
@@ -142,7 +142,7 @@ TEST(LensTables, OfAbsurdLensesAreFinite) {
 }
 
 TEST(PinholeImages, AreSampledOnceWhereTheLensImages) {
-    // A photo of a smooth function: its value at the exact place is the truth.
+    // A photo of a smooth function, whose value at the exact position is the reference.
     const Case c{"barrel", {400, 300, 300, 300, 205, 148}, {LensModel::opencv, {-0.15, 0.02}}};
     const auto value = [](const Eigen::Vector2d& p) {
         return 128 + 60 * std::sin(p.x() / 9) + 50 * std::cos(p.y() / 7);
@@ -158,7 +158,7 @@ TEST(PinholeImages, AreSampledOnceWhereTheLensImages) {
         for (int x = 0; x < out.width; ++x) {
             const Eigen::Vector2d at = exact(c, {x + 0.5, y + 0.5});
             const std::uint8_t* color = &out.rgba[4 * std::size_t(y * out.width + x)];
-            ASSERT_EQ(color[3], 255) << "barrel distortion images the whole frame";
+            ASSERT_EQ(color[3], 255) << "with barrel distortion, the whole frame is covered";
             if (at.x() > 2 && at.y() > 2 && at.x() < 398 && at.y() < 298) {
                 ASSERT_NEAR(color[0], value(at), 1.6) << x << ',' << y;
             }
