@@ -1,4 +1,4 @@
-// Photos with color profiles, against the equations of their color spaces.
+// Photos with color profiles, checked against the equations of their color spaces.
 #include "pipeline/photos/color_profile.h"
 
 #include <OpenImageIO/imageio.h>
@@ -42,7 +42,7 @@ bool write_heic(const fs::path& file, const std::vector<std::uint8_t>& rgb, cons
     return encodes;
 }
 
-/// The largest error of a photo's bytes, of the colors that were written.
+/// The largest difference of a photo's bytes from the colors that were written.
 template <class T>
 double error_of(const RgbaImage& photo, const RgbSpace& space, const std::vector<T>& stored, int channels) {
     double most = 0;
@@ -86,7 +86,7 @@ TEST_F(ColorProfiles, AreFoundInHeicFiles) {
 
 TEST_F(ColorProfiles, ThatOfSrgbLeavesEveryByte) {
     const auto bytes = colors<std::uint8_t>(3);
-    // As in the profile of Hewlett-Packard, the most common one.
+    // As in Hewlett-Packard's profile, the most common one.
     std::vector<cmsUInt16Number> table;
     for (int i = 0; i < 1024; ++i)
         table.push_back(
@@ -120,7 +120,7 @@ TEST_F(ColorProfiles, LinearLightCalledSrgbIsConverted) {
 }
 
 TEST_F(ColorProfiles, SixteenBitsAreRoundedAfterwards) {
-    // Dark tones in linear light: of 8 bits, the first two would be 0 and 13.
+    // Dark tones in linear light: with 8 bits, the first two would be 0 and 13.
     RgbSpace linear = adobe_rgb;
     linear.gamma = 1;
     std::vector<std::uint16_t> ramp;
@@ -128,7 +128,7 @@ TEST_F(ColorProfiles, SixteenBitsAreRoundedAfterwards) {
         for (int c = 0; c < 3; ++c) ramp.push_back(std::uint16_t(i));
     const RgbaImage photo = read_photo(write("r.png", 3, ramp, icc_profile(linear)), size);
     for (std::size_t i = 4; i < photo.rgba.size(); i += 4)
-        ASSERT_LE(photo.rgba[i] - photo.rgba[i - 4], 1) << "of value " << i / 4;
+        ASSERT_LE(photo.rgba[i] - photo.rgba[i - 4], 1) << "at value " << i / 4;
     EXPECT_GT(int(photo.rgba[photo.rgba.size() - 4]), 60);
 }
 
@@ -154,7 +154,7 @@ TEST_F(ColorProfiles, GraysFollowTheirCurve) {
     }
     const fs::path file = write("w.tif", 1, words, gray_profile(1.8));
     check(file, read_unprofiled(file, size), [&](std::size_t i) { return words[i / 4] / 65535.0; });
-    // Other programs leave the profile of the colors that a gray photo once had.
+    // Other programs keep a color profile when they convert a photo to gray.
     RgbSpace space = adobe_rgb;
     space.gamma = 1.8;
     const fs::path jpeg = write("c.jpg", 1, bytes, icc_profile(space));
@@ -183,7 +183,7 @@ TEST_F(ColorProfiles, AlphaAndOrientationAreKept) {
         ASSERT_EQ(photo.rgba[i], bytes[i]);
         ASSERT_EQ(int(deep.rgba[i]), std::lround(words[i] / 257.0));
     }
-    // A quarter turn: what is stored in the first row is the last column.
+    // A quarter turn: the first stored row becomes the last column.
     const auto rows = std::vector(words.begin(), words.begin() + 4 * side * 16);
     const fs::path turned = write("t.tif", 4, rows, icc, 6);
     const RgbaImage stored = read_photo(turned, {side, 16}), upright = read_photo(turned, {16, side});

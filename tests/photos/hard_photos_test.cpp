@@ -48,7 +48,7 @@ class HardPhotos : public TemporaryFolder {
         for (auto& v : out) v = std::uint8_t(random());
         return out;
     }
-    /// The decoder's complaint without the file's path; "" if it accepts the photo.
+    /// The decoder's error without the file's path; "" if it accepts the photo.
     static std::string rejection(const fs::path& file, PhotoSize expected) {
         try {
             const RgbaImage p = read_photo(file, expected);
@@ -69,7 +69,7 @@ class HardPhotos : public TemporaryFolder {
 
 }  // namespace
 
-// Decoders fill with gray whatever is missing.
+// Decoders fill missing parts with gray.
 TEST_F(HardPhotos, TruncatedAtEveryPercentIsRejectedOrWhole) {
     for (const char* name : {"p.jpg", "p.png", "p.tif"}) {
         const fs::path whole = write(name, 64, 48, 3, noise(64, 48, 3));
@@ -79,7 +79,7 @@ TEST_F(HardPhotos, TruncatedAtEveryPercentIsRejectedOrWhole) {
         for (int percent = 0; percent < 100; ++percent) {
             const fs::path cut =
                 put(std::string("cut-") + name, bytes.substr(0, bytes.size() * std::size_t(percent) / 100));
-            // Accepted only if nothing of the picture is missing.
+            // Accepted only if all pixels are intact.
             EXPECT_TRUE(!rejection(cut, {64, 48}).empty() || read_photo(cut, {64, 48}).rgba == truth.rgba)
                 << name << " at " << percent << " %";
         }
@@ -181,7 +181,7 @@ TEST_F(HardPhotos, SinglePixelsRowsAndColumnsHaveAPyramid) {
             ASSERT_EQ(half.height, (p.height + 1) / 2);
             p = half;
         }
-        EXPECT_NEAR(p.rgba[0], mean, 80) << "linear light is averaged, not codes";
+        EXPECT_NEAR(p.rgba[0], mean, 80) << "averages linear light, not encoded values";
         EXPECT_EQ(int(p.rgba[3]), 255);
     }
 }

@@ -1,4 +1,4 @@
-// Color profiles with tables, as scanners and presses have, and those that cannot be used.
+// Color profiles with tables, such as those of scanners and presses, and unusable profiles.
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
@@ -15,7 +15,7 @@ using namespace vantage::stored_colors;
 
 namespace {
 
-/// A JPEG of side * side pixels of inverted inks.
+/// A JPEG of side * side pixels with inverted inks.
 std::string cmyk_jpeg(const std::vector<std::uint8_t>& inks) {
     unsigned char* bytes = nullptr;
     unsigned long length = 0;
@@ -27,7 +27,8 @@ std::string cmyk_jpeg(const std::vector<std::uint8_t>& inks) {
     return jpeg;
 }
 
-/// A JPEG with a profile in segments of 60000 bytes; `claimed`: how many there seem to be, if not as many.
+/// A JPEG with a profile in segments of 60000 bytes; `claimed`: the stated number of segments, if it is
+/// wrong.
 std::string with_profile(std::string jpeg, const std::string& icc, std::size_t claimed = 0) {
     constexpr std::size_t most = 60000;
     const std::size_t count = (icc.size() + most - 1) / most;
@@ -41,7 +42,7 @@ std::string with_profile(std::string jpeg, const std::string& icc, std::size_t c
     return jpeg.insert(2, segments);
 }
 
-/// A photo's profile with a table of colors, as scanners and presses have: `lab_of` gives CIE L*a*b*,
+/// A profile with a table of colors, such as those of scanners and presses: `lab_of` gives CIE L*a*b*,
 /// relative to D50, of values in [0, 1].
 std::string table_profile(cmsColorSpaceSignature space, cmsProfileClassSignature device, int points,
                           cmsSAMPLER16 lab_of) {
@@ -64,9 +65,9 @@ std::string table_profile(cmsColorSpaceSignature space, cmsProfileClassSignature
     return icc_bytes(profile, "Table");
 }
 
-/// L*a*b* of linear light of sRGB, in 16 bits.
+/// Converts linear sRGB to L*a*b* in 16 bits.
 void write_lab(const Eigen::Vector3d& light, cmsUInt16Number* out) {
-    // Of sRGB to XYZ relative to D50 (Lindbloom).
+    // From sRGB to XYZ relative to D50 (Lindbloom).
     Eigen::Matrix3d to_xyz;
     to_xyz << 0.4360747, 0.3850649, 0.1430804, 0.2225045, 0.7168786, 0.0606169, 0.0139322, 0.0971045,
         0.7141733;
@@ -77,14 +78,14 @@ void write_lab(const Eigen::Vector3d& light, cmsUInt16Number* out) {
     cmsFloat2LabEncoded(out, &lab);
 }
 
-/// A scanner that interchanges red and green, and whose black is a fiftieth of white.
+/// A scanner that swaps red and green, and whose black has a fiftieth of white's light.
 cmsInt32Number scanner(const cmsUInt16Number in[], cmsUInt16Number out[], void*) {
     const auto light = [&](int c) { return 0.02 + 0.98 * std::pow(in[c] / 65535.0, 2.2); };
     write_lab({light(1), light(0), light(2)}, out);
     return TRUE;
 }
 
-/// A press with weak inks: each takes nine tenths of a light away, black of all.
+/// A press with weak inks: each absorbs nine tenths of one primary, black of all three.
 cmsInt32Number press(const cmsUInt16Number in[], cmsUInt16Number out[], void*) {
     const auto left = [&](int ink) { return 1 - 0.9 * in[ink] / 65535.0; };
     write_lab({left(0) * left(3), left(1) * left(3), left(2) * left(3)}, out);

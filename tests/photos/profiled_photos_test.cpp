@@ -42,7 +42,7 @@ class ProfiledPhotos : public TemporaryFolder {
         copy_scene(spec, dir / "srgb");
         fs::remove_all(dir / "srgb" / "truth");
     }
-    /// A copy of the scan whose photos have the same colors in this space: two of 16 bits, and a JPEG.
+    /// A copy of the scan with the same colors in this color space: two photos of 16 bits, and a JPEG.
     fs::path copied_to(const RgbSpace& space) const {
         const fs::path scan = dir / space.name;
         fs::copy(dir / "srgb", scan, fs::copy_options::recursive);
@@ -101,7 +101,7 @@ TEST_F(ProfiledPhotos, MakeThePackageOfTheSamePhotosInSrgb) {
     const PackageReader a(dir / "srgb.vantage"), b(dir / "adobe.vantage");
     ASSERT_EQ(b.photos().size(), 3u);
     for (std::uint32_t i = 0; i < 3; ++i) {
-        // Tiles are JPEG of quality 97, but for those of a JPEG in sRGB; the third photo was coded once more.
+        // Tiles are JPEGs of quality 97, except those of an sRGB JPEG; the third photo was encoded once more.
         EXPECT_LT(mean_difference(finest(a, i), finest(b, i)), i < 2 ? 0.4 : 1.2) << i;
         EXPECT_GT(mean_difference(finest(a, i), read_unprofiled(scene.photos[i].file, size_)), 2)
             << "without the profile";
@@ -109,7 +109,7 @@ TEST_F(ProfiledPhotos, MakeThePackageOfTheSamePhotosInSrgb) {
 }
 
 TEST_F(ProfiledPhotos, MasksKeepTheirThreshold) {
-    // Half of it is dark, but bright in the light that its profile claims.
+    // Half of the mask is dark as stored, but bright if converted by its profile.
     std::vector<float> values;
     for (int i = 0; i < size_.width * size_.height; ++i)
         values.push_back(i < size_.width * size_.height / 2 ? 100 / 255.0f : 1.0f);

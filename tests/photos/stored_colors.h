@@ -21,7 +21,7 @@ constexpr PhotoSize size{side, side};
 template <class T>
 constexpr double top = double(std::numeric_limits<T>::max());
 
-/// Values of side * side colors: all over the cube of `channels`, its corners among them.
+/// Values of side * side colors that cover the whole cube of `channels`, including its corners.
 template <class T>
 std::vector<T> colors(int channels) {
     std::vector<T> out;

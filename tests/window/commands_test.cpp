@@ -1,4 +1,4 @@
-// What keys, menus, dialogs and dropped files ask the window to do.
+// Commands from keys, menus, dialogs and dropped files.
 #include "tests/window/window_test.h"
 
 using namespace vantage;
@@ -7,7 +7,7 @@ namespace {
 
 class WindowCommands : public WindowTest {
   protected:
-    /// The name of the file that is to be opened.
+    /// The name of the file that the window asks to open.
     static std::string opened(HeadlessWindow& w) {
         const auto open = take<OpenFile>(w.session.window.commands);
         return open ? std::filesystem::path(open->file).filename().string() : "";
@@ -59,7 +59,7 @@ TEST_F(WindowCommands, TheDialogListsFoldersFirstAndIsUsedByKeysAlone) {
     w.key(GLFW_KEY_O);
     w.type("nbv");
     w.key(GLFW_KEY_ENTER);
-    EXPECT_EQ(opened(w), "nbv") << "letters are typed, and do nothing else";
+    EXPECT_EQ(opened(w), "nbv") << "letters are only typed";
     EXPECT_FALSE(w.session.viewpoint.flight);
     w.key(GLFW_KEY_O);
     w.press("one.vantage");
@@ -89,7 +89,7 @@ TEST_F(WindowCommands, AViewIsCopiedAsACommandLineAndPasted) {
 }
 
 TEST_F(WindowCommands, FilesThatCannotBeWrittenAreSaid) {
-    if (!std::filesystem::exists("/proc/self")) GTEST_SKIP() << "needs a folder that nobody may write to";
+    if (!std::filesystem::exists("/proc/self")) GTEST_SKIP() << "needs a read-only folder";
     std::filesystem::current_path("/proc");
     HeadlessWindow w(package_of(WindowScene::tiny));
     w.key(GLFW_KEY_R), w.wait(0.5), w.key(GLFW_KEY_R);

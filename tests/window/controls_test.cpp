@@ -1,5 +1,4 @@
-// Every control of the window changes what it says, and what it leads to is drawn without OpenGL's
-// complaints.
+// Every control of the window changes its setting, and the result is drawn without OpenGL errors.
 #include <fmt/format.h>
 
 #include <array>
@@ -15,7 +14,7 @@ namespace {
 
 class WindowControls : public WindowTest {
   protected:
-    /// As high as all sections, so that all controls can be seen.
+    /// Makes the window tall enough for all sections, so that all controls are visible.
     static void open_all(HeadlessWindow& w) {
         w.resize(1200, 3000);
         w.press("Bar Expert");
@@ -28,7 +27,7 @@ class WindowControls : public WindowTest {
         EXPECT_NE(value, before) << name;
         w.draw();
     }
-    /// A box that is checked, and then is not.
+    /// Toggles a checkbox twice.
     static void toggles(HeadlessWindow& w, const std::string& name, const bool& value) {
         const bool before = value;
         w.press(name);
@@ -37,7 +36,7 @@ class WindowControls : public WindowTest {
         w.press(name);
         EXPECT_EQ(value, before) << name << ", again";
     }
-    /// Each entry of a list, the first one last.
+    /// Chooses each entry of a list, the first one last.
     template <class Enum>
     static void chooses(HeadlessWindow& w, const char* list, const Enum& value,
                         const std::vector<const char*>& entries) {
@@ -98,7 +97,7 @@ TEST_F(WindowControls, OfBlending) {
     changes(w, "Per pass", s.photos_per_pass, 0.2);
     changes(w, "Angle limit", s.angle_limit, 0.3);
     EXPECT_GT(s.angle_limit, 60);
-    EXPECT_LT(s.angle_limit, 120) << "of 10 to 180 degrees";
+    EXPECT_LT(s.angle_limit, 120) << "range 10 to 180 degrees";
     chooses(w, "Coordinates", s.coordinates, {"as the scene asks", "per vertex", "per fragment"});
 }
 
@@ -108,7 +107,7 @@ TEST_F(WindowControls, OfThePicture) {
     RenderSettings& s = w.session.settings;
     chooses(w, "Show", s.show, {"photos", "which photo", "how many photos"});
     chooses(w, "Light", s.light.light, {"the photos' own", "lamp at the viewer", "raking light", "normals"});
-    EXPECT_FALSE(w.there("On the photos")) << "of light, without light";
+    EXPECT_FALSE(w.there("On the photos")) << "disabled without a light";
     w.choose("Light", "raking light");
     toggles(w, "On the photos", s.light.on_photos);
     toggles(w, "Triangles", s.light.wireframe);
@@ -179,7 +178,7 @@ TEST_F(WindowControls, OfMenus) {
         w.wait(1);
         EXPECT_GT((w.session.viewpoint.camera.eye - eye).norm(), 1) << side;
     }
-    EXPECT_LT(w.session.viewpoint.camera.R(2, 2), -0.99) << "from the top, the view leads down";
+    EXPECT_LT(w.session.viewpoint.camera.R(2, 2), -0.99) << "the top view points down";
     w.choose("View", "Home");
     w.wait(1);
     EXPECT_EQ(w.session.viewpoint.camera.eye, w.session.viewpoint.home.eye);
@@ -228,7 +227,7 @@ TEST_F(WindowControls, OfTheBarAndTheRadar) {
         w.choose("Bar Light", entry);
         EXPECT_EQ(w.session.settings.light.light, light) << entry;
     }
-    // Each camera is on the map, some pixels around it.
+    // Each camera is on the map, clickable within some pixels.
     w.key(GLFW_KEY_F6);
     std::set<std::uint32_t> flown;
     const Controls::Place map = *w.find("Radar map");
@@ -292,7 +291,7 @@ TEST_F(WindowControls, OfImageSets) {
     w.choose("Image set", "infrared: 4 photos");
     EXPECT_EQ(w.scene().image_sets[b.shown].name, "infrared");
     EXPECT_TRUE(w.there("Photo 4"));
-    EXPECT_FALSE(w.there("Photo 5")) << "of another image set";
+    EXPECT_FALSE(w.there("Photo 5")) << "belongs to another image set";
     w.choose("Second image set", "visible");
     ASSERT_TRUE(b.other);
     EXPECT_EQ(w.scene().image_sets[*b.other].name, "visible");
@@ -305,7 +304,7 @@ TEST_F(WindowControls, OfImageSets) {
     const std::uint32_t shown = b.shown;
     w.key(GLFW_KEY_X);
     EXPECT_NE(b.shown, shown);
-    EXPECT_EQ(b.other, shown) << "they change places";
+    EXPECT_EQ(b.other, shown) << "they swap";
     w.key(GLFW_KEY_X);
     EXPECT_EQ(b.shown, shown);
     w.choose("Compare", "swipe");

@@ -1,4 +1,4 @@
-// What the window does with mouse, keys and fingers, also where they are quicker than a frame.
+// The window's reactions to mouse, keys and touch, including input faster than a frame.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 class WindowEventsTest : public WindowTest {
   protected:
     static constexpr double degree = std::numbers::pi / 180;
-    /// How high the camera is over its target, degrees.
+    /// The camera's elevation above its target, in degrees.
     static double elevation(const HeadlessWindow& w) {
         const Eigen::Vector3d away = w.session.viewpoint.camera.eye - w.session.viewpoint.camera.target;
         return std::asin(away.normalized().dot(w.session.viewpoint.camera.up)) / degree;
@@ -24,11 +24,11 @@ class WindowEventsTest : public WindowTest {
     static double distance(const HeadlessWindow& w) {
         return (w.session.viewpoint.camera.eye - w.session.viewpoint.camera.target).norm();
     }
-    /// Where a point is in the window.
+    /// A point's position in the window.
     static Eigen::Vector2d pixel_of(const HeadlessWindow& w, const Eigen::Vector3d& point) {
         return project(w.view().intrinsics, w.view().cam_from_origin, point)->pixel;
     }
-    /// The point of the model that is seen there.
+    /// The point of the model at that pixel.
     static Eigen::Vector3d point_at(HeadlessWindow& w, const Eigen::Vector2d& pixel) {
         const auto hit = first_hit(w.scene(), ray_through(w.view(), pixel));
         EXPECT_TRUE(hit) << pixel.transpose();
@@ -87,21 +87,21 @@ TEST_F(WindowEventsTest, EscEndsWhatIsOpenAndNothingElse) {
     w.key(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(w.there("Cancel"));
     w.key(GLFW_KEY_F6);
-    EXPECT_TRUE(w.session.window.panels.radar) << "keys act again at once";
+    EXPECT_TRUE(w.session.window.panels.radar) << "keys act again immediately";
     w.key(GLFW_KEY_F1);
     EXPECT_TRUE(w.session.window.panels.help);
     w.key(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(w.session.window.panels.help);
     w.key(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(holds<Quit>(w.session.window.commands));
-    EXPECT_TRUE(w.there("Message")) << "Esc tells how to quit";
+    EXPECT_TRUE(w.there("Message")) << "Esc explains how to quit";
     w.tap(GLFW_KEY_O), w.tap(GLFW_KEY_ESCAPE);
     w.frames(4);
     EXPECT_FALSE(w.there("Cancel"));
     for (const int key : {GLFW_KEY_O, GLFW_KEY_C, GLFW_KEY_F5, GLFW_KEY_ESCAPE}) w.tap(key);
     w.frames(4);
     EXPECT_FALSE(w.there("Cancel"));
-    EXPECT_FALSE(w.there("Swipe")) << "C acts behind the dialog";
+    EXPECT_FALSE(w.there("Swipe")) << "C is ignored behind the dialog";
     w.key(GLFW_KEY_Q, control);
     EXPECT_TRUE(take<Quit>(w.session.window.commands));
 }
@@ -139,7 +139,7 @@ TEST_F(WindowEventsTest, EveryKeyOfTheHelpActs) {
     w.key(GLFW_KEY_KP_SUBTRACT, control);
     EXPECT_FLOAT_EQ(s.window.text_scale, 1);
     EXPECT_TRUE(s.window.commands.empty());
-    // Those that move the camera.
+    // Keys that move the camera.
     const auto moves = [&](int key, const Eigen::Vector3d& along, double seconds = 0.5) {
         const Navigation before = s.viewpoint.camera;
         w.hold(key, seconds);
@@ -178,7 +178,7 @@ TEST_F(WindowEventsTest, ADragTurnsHalfATurnPerWidthOfTheWindow) {
     w.drag(0, 0, 60);
     EXPECT_NEAR(elevation(w) - before, 60 * 180 / 900.0, 0.01);
     EXPECT_NEAR(distance(w), far, 1e-6 * far);
-    // To the side: about the up axis.
+    // Sideways: about the up axis.
     const Eigen::Vector3d from = w.session.viewpoint.camera.eye;
     w.point_at({450, 200});
     w.drag(0, 90, 0);
@@ -208,7 +208,7 @@ TEST_F(WindowEventsTest, WhatIsUnderThePointerStaysThere) {
     w.point_at(here);
     w.drag(0, 80, 20);
     EXPECT_LT((pixel_of(w, point) - here).norm(), 0.5) << "orbited";
-    // With Ctrl, the camera turns in its place.
+    // With Ctrl, the camera rotates in place.
     const Eigen::Vector3d eye = w.session.viewpoint.camera.eye;
     w.button(0, true), w.frames(2);
     w.hold_control(true), w.frames();
@@ -258,7 +258,7 @@ TEST_F(WindowEventsTest, FingersOrbitPinchAndTap) {
     for (int i = 1; i <= 6; ++i) w.touch(What::move, 1, 450, 200 + 10 * i), w.frames();
     w.wait(0.3), w.touch(What::end, 1, 450, 260), w.frames(3);
     EXPECT_NEAR(elevation(w) - before, 12, 0.01);
-    // What is between two fingers stays there, and grows as they spread.
+    // The point between two fingers stays in place, and the scene grows as they spread.
     const Eigen::Vector2d middle(430, 300);
     const Eigen::Vector3d point = point_at(w, middle);
     const double far = depth_in(w.view(), point);
@@ -309,9 +309,9 @@ TEST_F(WindowEventsTest, NFliesAroundTheBuildingWhateverTheNames) {
         w.key(GLFW_KEY_N), w.wait(1);
         const double to = angle(w.session.viewpoint.camera.eye), low = std::min(from, to) + 1e-4,
                      high = std::max(from, to) - 1e-4;
-        EXPECT_GT(high, low) << "N stays where it is";
+        EXPECT_GT(high, low) << "N must move the camera";
         EXPECT_EQ(std::ranges::count_if(angles, [&](double a) { return a > low && a < high; }), 0)
-            << "past other photos";
+            << "flies past other photos";
         from = to;
     }
     EXPECT_EQ(std::string(w.scene().photos[0].name), "0000.jpg");
@@ -341,7 +341,7 @@ TEST_F(WindowEventsTest, RecordsThirtyPositionsPerSecond) {
 
 TEST_F(WindowEventsTest, TheStripScrollsAndFliesNowhere) {
     HeadlessWindow w(package_of(WindowScene::many));
-    EXPECT_TRUE(w.there("Photo 60")) << "the strip has all photos";
+    EXPECT_TRUE(w.there("Photo 60")) << "the strip contains all photos";
     const Eigen::Vector3d eye = w.session.viewpoint.camera.eye;
     const auto left = [&] { return w.place("Photo 3").x(); };
     double before = left();
@@ -392,7 +392,7 @@ TEST_F(WindowEventsTest, AKioskLetsThePublicLookOnly) {
     w.choose("Bar Language", "Deutsch");
     EXPECT_EQ(s.window.language, "de");
     w.wait(7);
-    EXPECT_EQ(s.viewpoint.camera.eye, s.viewpoint.home.eye) << "home after some seconds without anybody";
+    EXPECT_EQ(s.viewpoint.camera.eye, s.viewpoint.home.eye) << "returns home when idle";
     EXPECT_FALSE(s.window.panels.help);
     EXPECT_EQ(s.window.language, "");
 }

@@ -24,7 +24,7 @@ struct ImGuiKeyOf {
     ImGuiKey_ imgui;
     int glfw;
 };
-/// Those that ImGui acts on by itself.
+/// Keys that ImGui handles itself.
 constexpr ImGuiKeyOf imgui_keys[] = {
     {ImGuiKey_Tab, GLFW_KEY_TAB},       {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
     {ImGuiKey_Delete, GLFW_KEY_DELETE}, {ImGuiKey_Enter, GLFW_KEY_ENTER},

@@ -12,11 +12,11 @@
 
 namespace vantage {
 
-/// The player's window without a window system: its input, its frames and its interface, of which nothing is
-/// drawn unless draw() is called. Time passes by frames only, thirty per second.
+/// The player's window without a window system: input, frames and interface. Nothing is drawn unless draw()
+/// is called. Time advances only with frames, thirty per second.
 class HeadlessWindow {
   public:
-    /// Shows a package, or several objects of which the first one is the scene.
+    /// Shows a package, or several objects, of which the first is the scene.
     explicit HeadlessWindow(const std::filesystem::path& package, ShowOptions options = {},
                             std::vector<SceneObject> objects = {});
     ~HeadlessWindow();
@@ -25,37 +25,37 @@ class HeadlessWindow {
 
     void frames(int count = 1);
     void wait(double seconds);
-    /// Draws the view, for what is read from its picture: where notes are hidden, which point is under the
+    /// Draws the view, so that results can be read from its picture: hidden notes, the point under the
     /// pointer.
     void draw();
     void resize(int width, int height);
 
-    /// Moves the mouse, at once.
+    /// Moves the mouse immediately.
     void point_at(const Eigen::Vector2d& pixel);
     void button(std::size_t button, bool down);
-    /// Drags from where the mouse is, in one frame, and rests before it lets go.
+    /// Drags from the mouse position, within one frame, and pauses before releasing the button.
     void drag(std::size_t button, double right, double down);
     /// Presses and releases the left button within a frame.
     void click();
     void double_click();
     void wheel(float turns);
-    /// Presses and releases a key (of GLFW) within a frame, which is not made yet.
+    /// Presses and releases a key (of GLFW) within the next frame, without running it.
     void tap(int key, KeyPress::With with = KeyPress::With::nothing);
-    /// tap(), and the frames that act on it.
+    /// tap(), followed by the frames that handle it.
     void key(int key, KeyPress::With with = KeyPress::With::nothing);
     void hold(int key, double seconds);
     void hold_control(bool down);
     void type(const std::string& text);
     void touch(TouchEvent::What what, std::uint32_t finger, double x, double y);
 
-    /// Whether a control was in the last frame.
+    /// Whether a control was visible in the last frame.
     bool there(const std::string& name) const { return find(name) != nullptr; }
     const Controls::Place* find(const std::string& name) const;
-    /// A place of a control, at a share of its width; fails the test if it is not there.
+    /// A position on a control, at a fraction of its width; fails the test if the control is missing.
     Eigen::Vector2d place(const std::string& name, double share = 0.5) const;
-    /// Clicks a control as somebody does who takes several frames for it.
+    /// Clicks a control over several frames, as a person does.
     void press(const std::string& name, double share = 0.5);
-    /// Chooses from a list or a menu.
+    /// Chooses an entry of a list or a menu.
     void choose(const std::string& list, const std::string& entry);
     /// Replaces the text of a field.
     void fill_in(const std::string& field, const std::string& text);

@@ -13,7 +13,8 @@ namespace {
 
 class WindowMeasures : public WindowTest {
   protected:
-    /// An opening of the upper floor, whose corners are vertices of the mesh: 1.49333 m wide, 2.01 m high.
+    /// A window opening on the upper floor, whose corners are vertices of the mesh: 1.49333 m wide, 2.01 m
+    /// high.
     static constexpr double left = 1.92, right = 3.41333, low = 3.54, high = 5.55;
 
     WindowMeasures() {
@@ -40,7 +41,7 @@ class WindowMeasures : public WindowTest {
         return read_survey(file, {});
     }
     std::size_t count() const { return survey().measurements.size(); }
-    /// The last measurement, once there are so many.
+    /// The last measurement, once `wanted` are stored.
     double value(HeadlessWindow& w, std::size_t wanted) const {
         written_until(w, survey_file(),
                       [&](const std::string& text) { return text.ends_with("\n") && count() >= wanted; });
@@ -62,10 +63,10 @@ TEST_F(WindowMeasures, EveryMeasureOfTheOpening) {
     ASSERT_TRUE(w.there("Snap to vertices"));
     std::size_t n = 0;
     click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
-    EXPECT_NEAR(value(w, ++n), 1.6, 0.03) << "on the wall, as exact as a pixel";
+    EXPECT_NEAR(value(w, ++n), 1.6, 0.03) << "on the wall, accurate to a pixel";
     w.press("Snap to vertices");
     click(w, {left, 0, low}, {-2, 1}), click(w, {left, 0, high}, {-2, -1});
-    EXPECT_NEAR(value(w, ++n), 2.01, 1e-4) << "at vertices, as exact as the mesh";
+    EXPECT_NEAR(value(w, ++n), 2.01, 1e-4) << "at vertices, exact";
     w.choose("Measure", "area");
     click(w, {left, 0, low}), click(w, {right, 0, low}), click(w, {right, 0, high}, {2, -1}),
         click(w, {left, 0, high});
@@ -88,22 +89,22 @@ TEST_F(WindowMeasures, EveryMeasureOfTheOpening) {
     w.point_at(pixel_of(w, {right, 0, high})), w.frames();
     w.double_click();
     EXPECT_NEAR(value(w, ++n), 3.50333, 5e-4)
-        << "Backspace takes the last point back, and a double click ends";
-    EXPECT_FALSE(w.session.viewpoint.flight) << "a double click measures, and flies nowhere";
+        << "Backspace removes the last point, and a double-click finishes";
+    EXPECT_FALSE(w.session.viewpoint.flight) << "a double-click measures instead of flying";
 }
 
 TEST_F(WindowMeasures, NothingBesideTheModelAndNothingAfterEsc) {
     HeadlessWindow w(package, from_photo());
     w.key(GLFW_KEY_M);
     w.point_at({880, 60}), w.frames(), w.click();
-    EXPECT_TRUE(w.there("Message")) << "there is no surface";
+    EXPECT_TRUE(w.there("Message")) << "no surface at this point";
     w.choose("Measure", "polyline");
     click(w, {left, 0, low}), click(w, {left, 0, high});
     w.key(GLFW_KEY_ESCAPE);
-    EXPECT_TRUE(w.there("Snap to vertices")) << "Esc gives up what is begun";
+    EXPECT_TRUE(w.there("Snap to vertices")) << "Esc cancels the current measurement";
     w.key(GLFW_KEY_ENTER);
     w.key(GLFW_KEY_ESCAPE);
-    EXPECT_FALSE(w.there("Snap to vertices")) << "then it leaves";
+    EXPECT_FALSE(w.there("Snap to vertices")) << "then it leaves measuring";
     click(w, {left, 0, low}), click(w, {left, 0, high});
     w.wait(0.5);
     EXPECT_FALSE(std::filesystem::exists(survey_file()));
@@ -193,7 +194,7 @@ TEST_F(WindowMeasures, AreTheSameAtAllDepthsOrthographically) {
     };
     const double ground = length(68);
     EXPECT_GT(ground, 1);
-    // The middle is 1.8 m before the facade; the roof's ridge runs 2.2 m behind it.
+    // The middle is 1.8 m in front of the facade; the roof's ridge runs 2.2 m behind it.
     const double ridge = -3.6 * 200 / ground, roof = length(ridge);
     EXPECT_NEAR(roof / ground, 1, 0.002) << "7 m above it";
     w.point_at({middle.x(), middle.y() + ridge}), w.frames();

@@ -1,4 +1,4 @@
-// What the window shows and says: tooltips, languages, lists of photos, orthophotos, cuts as drawings.
+// The window's displays: tooltips, languages, lists of photos, orthophotos, sections exported as drawings.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -122,7 +122,7 @@ TEST_F(WindowShows, ACutIsWrittenAsADrawing) {
     const auto heights = values(written(w, dir / "one-cut-0001.dxf", "EOF"), {30, 31});
     ASSERT_GT(heights.size(), 40u);
     const auto [lowest, highest] = std::ranges::minmax(heights);
-    EXPECT_LT(highest - lowest, 1e-6) << "the cut is not level";
+    EXPECT_LT(highest - lowest, 1e-6) << "the section is not level";
     EXPECT_GT(lowest, 1);
     EXPECT_LT(highest, 6);
     w.choose("Cut by", "a box");
@@ -133,7 +133,7 @@ TEST_F(WindowShows, ACutIsWrittenAsADrawing) {
     EXPECT_GT(side, -8);
     EXPECT_LT(side, 0);
     EXPECT_GT(std::ranges::count_if(across, [&](double x) { return x - side < 1e-6; }), 20)
-        << "the box's side is not drawn where it cuts the walls";
+        << "the box's side must be drawn where it cuts the walls";
 }
 
 TEST_F(WindowShows, OrthophotosAreAskedForAndReported) {
@@ -175,7 +175,7 @@ TEST_F(WindowShows, TheHelpHasEveryKey) {
     HeadlessWindow w(package_of(WindowScene::tiny));
     const auto help = [&] {
         ImGui::NewFrame();
-        ImGui::LogToClipboard();  // until the window ends
+        ImGui::LogToClipboard();  // until the window closes
         help_panel(w.controls, w.state);
         ImGui::Render();
         return std::string(ImGui::GetClipboardText());

@@ -1,4 +1,4 @@
-// The window's controls fit every size, text scale and language.
+// The window's controls fit at every size, text scale and language.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,8 +9,8 @@ using namespace vantage;
 
 namespace {
 
-/// Controls of the bar, the menu and the strip's first photos that leave the window or overlap, and those of
-/// the sidebar that are wider than its headers. Below its edge the sidebar scrolls.
+/// Controls of the bar, the menu and the strip's first photos that extend beyond the window or overlap, and
+/// controls of the sidebar that are wider than its headers. The sidebar scrolls vertically.
 std::string misplaced(const HeadlessWindow& w, float width, float height) {
     std::string out;
     std::vector<Controls::Place> checked;
@@ -46,7 +46,7 @@ TEST_F(WindowSizes, FitInEveryLanguageAndTextScale) {
             options.window.language = language;
             options.window.text_scale = scale;
             HeadlessWindow w(package_of(WindowScene::tiny), options);
-            // Scales are for screens that are larger by as much.
+            // Larger text scales are meant for larger screens.
             for (const auto& [width, height] :
                  {std::pair{800, 600}, std::pair{600, 1000}, std::pair{1920, 1080}, std::pair{3840, 2160}}) {
                 if (scale > 1.5 && width < 1920) continue;

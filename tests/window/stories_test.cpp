@@ -27,7 +27,7 @@ class WindowStories : public WindowTest {
     static void add_note(HeadlessWindow& w, const std::string& title) {
         w.point_at({450, 300});
         w.drag(2, 20, 0);
-        for (int i = 0; i < 4; ++i) w.draw(), w.frames();  // where the surface is is known some frames later
+        for (int i = 0; i < 4; ++i) w.draw(), w.frames();  // the surface position is known some frames later
         w.press("Add a note here");
         w.press("Title of the note"), w.type(title);
         w.press("Picture file of the note"), w.type("picture.png");
@@ -37,7 +37,7 @@ class WindowStories : public WindowTest {
         for (const StoryNote& n : story.notes) out += (out.empty() ? "" : " ") + n.title.plain;
         return out;
     }
-    /// Five notes from different places, the first of them with all it can have, and a tour.
+    /// Writes five notes at different positions, of which the first has all properties, and a tour.
     void write_five_notes() const {
         HeadlessWindow w(package);
         w.resize(1400, 900);
@@ -73,7 +73,7 @@ TEST_F(WindowStories, ACuratorWritesOrdersAndDeletesNotes) {
     EXPECT_TRUE(story.notes[0].anchor && story.notes[0].view);
     ASSERT_TRUE(story.opening);
     EXPECT_LT((story.opening->eye - opening).norm(), 0.01);
-    EXPECT_GT((story.notes[4].view->eye - story.notes[0].view->eye).norm(), 0.1) << "each from elsewhere";
+    EXPECT_GT((story.notes[4].view->eye - story.notes[0].view->eye).norm(), 0.1) << "each view is different";
     ASSERT_EQ(story.tours.size(), 1u);
     ASSERT_EQ(story.tours[0].stops.size(), 5u);
     for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(story.tours[0].stops[i].note, story.notes[i].id);

@@ -38,7 +38,7 @@ SynthSpec small_photos(const char* name) {
     return spec;
 }
 
-/// Renames the photos, so that the order of names is not that around the building.
+/// Renames the photos, so that their alphabetical order differs from that around the building.
 void shuffle_names(const fs::path& scan, int photos) {
     const auto name = [](int number) {
         char text[16];

@@ -3,16 +3,16 @@
 
 namespace vantage {
 
-/// Packages for tests of the window, each made once per process, when it is first asked for. Tests that write
-/// beside a package take a copy.
+/// Packages for tests of the window, each created once per process, on first use. Tests that write beside a
+/// package use a copy.
 enum class WindowScene {
     tiny,        ///< a building in five photos
     garden,      ///< with a background, glass, a scalar field and a point cloud
     image_sets,  ///< in visible light and infrared
-    many         ///< sixty photos around the building, whose names are in another order
+    many         ///< sixty photos around the building, with names in a different order
 };
 std::filesystem::path package_of(WindowScene scene);
-/// COLMAP's images.txt of its photos.
+/// The images.txt (COLMAP) of its photos.
 std::filesystem::path images_of(WindowScene scene);
 
 }  // namespace vantage

@@ -14,24 +14,24 @@ namespace vantage {
 
 inline constexpr auto control = KeyPress::With::control;
 
-/// Works in a folder of its own, where the window writes its files.
+/// Each test has its own folder, to which the window writes its files.
 class WindowTest : public TemporaryFolder {
   protected:
     void SetUp() override {
         TemporaryFolder::SetUp();
         std::filesystem::current_path(dir);
-        ::unsetenv("XDG_CURRENT_DESKTOP");  // no chooser of the system
+        ::unsetenv("XDG_CURRENT_DESKTOP");  // no system file chooser
     }
     void TearDown() override {
         std::filesystem::current_path(std::filesystem::temp_directory_path());
         TemporaryFolder::TearDown();
     }
-    /// A copy of a package, which the window may write beside.
+    /// Copies a package, so that the window may write beside it.
     std::filesystem::path copy_of(WindowScene scene, const std::string& name = "one.vantage") const {
         std::filesystem::copy_file(package_of(scene), dir / name);
         return dir / name;
     }
-    /// Waits for a file that is written while the window goes on, and until `done` says so of its text.
+    /// Runs the window until `done` accepts the text of the file. Fails the test after several seconds.
     template <class Done>
     std::string written_until(HeadlessWindow& w, const std::filesystem::path& file, const Done& done) const {
         std::string text;

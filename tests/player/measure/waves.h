@@ -8,8 +8,8 @@
 
 namespace vantage {
 
-/// Waves of several lengths in all directions, moved by (dx, dy) px: a picture with detail everywhere that
-/// repeats nowhere in the frame.
+/// Waves of several lengths in all directions, shifted by (dx, dy) px: a picture with detail everywhere and
+/// no repetition within the frame.
 inline Picture waves(int width, int height, double dx = 0, double dy = 0) {
     Picture p{width, height, {}, {}};
     std::mt19937 random(5);

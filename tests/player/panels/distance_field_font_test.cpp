@@ -1,4 +1,4 @@
-// Letters have the outlines of the font, wherever they are in the atlas.
+// Letters have the font's outlines, at any position in the atlas.
 #include "player/panels/distance_field_font.h"
 
 #include <gtest/gtest.h>
@@ -36,18 +36,18 @@ struct Truth {
     stbtt_fontinfo font;
 };
 
-/// A letter drawn 32 times as large as in the field.
+/// A letter drawn 32 times larger than in the field.
 struct Large {
     static constexpr int times = 32;
     Large(const stbtt_fontinfo& font, char letter, float size)
         : pixels(stbtt_GetCodepointBitmap(&font, 0, times * stbtt_ScaleForPixelHeight(&font, size), letter,
                                           &width, &height, &left, &top),
                  [](unsigned char* p) { stbtt_FreeBitmap(p, nullptr); }) {}
-    int width, height, left, top;  ///< from where the letter begins on its line
+    int width, height, left, top;  ///< from the letter's origin on its line
     std::unique_ptr<unsigned char, void (*)(unsigned char*)> pixels;
 };
 
-/// Texels, above 0 inside, at a position from the field's upper left corner.
+/// The distance in texels, positive inside, at a position relative to the field's upper left corner.
 double distance_at(const DistanceField& field, double x, double y) {
     const int left = int(std::floor(x - 0.5)), top = int(std::floor(y - 0.5));
     const double right = x - 0.5 - left, down = y - 0.5 - top;
@@ -90,7 +90,7 @@ TEST(DistanceFieldFont, OutlinesAreRightToATenthOfATexel) {
 }
 
 TEST(DistanceFieldFont, LettersHaveSpaceAroundThem) {
-    // At its border, a letter's part of the field shows nothing of another letter.
+    // At its border, a letter's part of the field contains no trace of other letters.
     const Imgui imgui;
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     const DistanceField field = build_distance_field_font(fonts, 25);

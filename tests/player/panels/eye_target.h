@@ -10,7 +10,7 @@
 
 namespace vantage {
 
-/// A picture in memory that panels and marks are drawn over, in floats, so that nothing is rounded. The eye
+/// An offscreen picture on which panels and marks are drawn, in floats, so that nothing is rounded. The eye
 /// is at the origin and looks along z.
 class EyeTarget {
   public:
@@ -27,7 +27,7 @@ class EyeTarget {
     void fill(const std::array<float, 4>& color) {
         glClearNamedFramebufferfv(target_.id(), GL_COLOR, 0, color.data());
     }
-    /// Takes the first channel from the target.
+    /// Reads the first channel of the target.
     std::vector<float> values() const {
         const FrameSize size = frame_size(eye.view);
         std::vector<float> out(std::size_t(size.width) * std::size_t(size.height));
@@ -39,7 +39,7 @@ class EyeTarget {
         glGetTextureSubImage(color_.id(), 0, x, y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof out, out.data());
         return out;
     }
-    /// The direction that the middle of a pixel shows.
+    /// The viewing direction through the middle of a pixel.
     Eigen::Vector3d direction(int x, int y) const {
         const Intrinsics& k = eye.view.intrinsics;
         return {(x + 0.5 - k.cx) / k.fx, (y + 0.5 - k.cy) / k.fy, 1};

@@ -1,4 +1,4 @@
-// Marks cover the pixels that they should, as much as they should, also if they are thinner than a pixel.
+// Marks have the correct pixel coverage, even if they are thinner than a pixel.
 #include "player/panels/mark_pass.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ void draw(const Marks& marks, const EyeTarget& picture) {
     pass.draw(picture.eye);
 }
 
-/// The light in a column of the picture: how much of it marks cover.
+/// The sum of a column of the picture: the number of pixels that marks cover.
 double column(const EyeTarget& picture, int x) {
     const FrameSize size = frame_size(picture.eye.view);
     const std::vector<float> values = picture.values();
@@ -31,7 +31,7 @@ double column(const EyeTarget& picture, int x) {
     return sum;
 }
 
-/// The number of pixels that differ from what the ray through each shows, by more than half of the light.
+/// The number of pixels that differ from the exact value along their ray by more than half of white.
 int wrong_pixels(const EyeTarget& picture, const std::function<bool(const Vector3d&)>& shows) {
     const FrameSize size = frame_size(picture.eye.view);
     const std::vector<float> values = picture.values();
@@ -69,7 +69,7 @@ TEST(MarkPass, LinesTaperWithDistanceButNotBelowTheirLeastWidth) {
     draw(marks, picture);
     const double focal = 20 * 180 / std::numbers::pi;
     for (int x = 100; x < 380; x += 20) {
-        // Where on the line the pixel is: -0.05 + 10.05 t = u (0.5 + 59.5 t).
+        // The pixel's position t on the line: -0.05 + 10.05 t = u (0.5 + 59.5 t).
         const double u = (x + 0.5 - 200) / focal, t = (0.5 * u + 0.05) / (10.05 - 59.5 * u);
         if (t < 0.001 || t > 0.99) continue;
         EXPECT_NEAR(column(picture, x), std::max(2.0, 0.004 * focal / (0.5 + 59.5 * t)), 0.1) << x;
@@ -106,7 +106,7 @@ TEST(MarkPass, APathIsAsTransparentWhereItBendsAsElsewhere) {
     draw(marks, picture);
     const std::vector<float> values = picture.values();
     EXPECT_LT(std::ranges::max(values), 0.51f);
-    // No gaps: a pixel between two that are covered is.
+    // No gaps: a pixel between two covered pixels is covered.
     int gaps = 0;
     for (int y = 1; y < 199; ++y)
         for (int x = 1; x < 299; ++x) {
@@ -163,7 +163,7 @@ TEST(MarkPass, APictureIsShownAsItIs) {
                     {.texture = photos.id(), .layer = 1, .part = {0, 0, 0.5f, 0.5f}, .decodes = decodes},
                     white);
         draw(marks, picture);
-        // Of the first two rows and columns, 23 pixels each.
+        // The first two rows and columns, whose texels are 23 pixels wide.
         for (int i = 0; i < 4; ++i) {
             const auto seen = picture.at(38 + 23 * (i % 2), 38 + 23 * (i / 2));
             const int pixel = i % 2 + 4 * (i / 2);

@@ -1,4 +1,4 @@
-// Distances to outlines are right to a tenth of a texel, although the picture knows only coverage.
+// Distances to outlines are accurate to a tenth of a texel, although they are computed from coverage only.
 #include "player/panels/outline_distance.h"
 
 #include <gtest/gtest.h>
@@ -16,9 +16,8 @@ namespace {
 constexpr int size = 40;
 constexpr float most = 6;
 
-/// Compares with the exact distance from positions whose origin is the middle of the picture; the coverage is
-/// that of 16 * 16 positions per texel. The largest difference `within` a distance
-/// of its middle.
+/// The largest difference from the exact distance, `within` a distance of the picture's middle, which is the
+/// origin of positions. The coverage is sampled at 16 * 16 positions per texel.
 double largest_error(const std::function<double(double, double)>& exact, double within = size) {
     std::vector<std::uint8_t> coverage;
     const auto middle = [](int texel) { return texel + 0.5 - size / 2.0; };
@@ -71,7 +70,7 @@ TEST(OutlineDistance, OfStrokesInAnyDirection) {
 TEST(OutlineDistance, OfNothingIsTheLargest) {
     const std::vector<std::uint8_t> none(64, 0), all(64, 255);
     for (const float d : outline_distances(none, 8, 8, most)) EXPECT_EQ(d, -most);
-    // What is beside the picture is outside.
+    // Positions beyond the picture's edges are outside.
     const std::vector<float> distances = outline_distances(all, 8, 8, most);
     EXPECT_NEAR(distances.front(), 0.5f, 0.25f);
     EXPECT_NEAR(distances[3 * 8 + 3], 3.5f, 0.01f);

@@ -1,4 +1,4 @@
-// A panel looks as it should from any distance: text is sharp, and nothing is drawn where it does not belong.
+// A panel is drawn correctly from any distance: text is sharp, and no pixels beyond the panel are covered.
 #include "player/panels/panel_pass.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* text_font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
-/// What `draw` draws in ImGui's background, on a panel of 400 * 300 pixels, with 25 pixels of text height.
+/// Content that `draw` adds to ImGui's background, on a panel of 400 * 300 pixels with text 25 pixels high.
 class Drawn {
   public:
     explicit Drawn(const std::function<void(ImDrawList&)>& draw)
@@ -44,14 +44,14 @@ class Drawn {
     PanelDrawing drawing_;
 };
 
-/// Millimeters are its pixels. Its middle is straight ahead.
+/// A panel whose pixels are millimeters and whose middle is straight ahead.
 Panel panel_ahead(double away) {
     return {.origin = {-0.2, -0.15, away}, .unit = 0.001, .width = 400, .height = 300};
 }
 
 void fill_all(ImDrawList& list) { list.AddRectFilled(ImVec2(0, 0), ImVec2(400, 300), IM_COL32_WHITE); }
 
-/// The edges of the stroke of "l", in panel pixels from where text of 25 pixels begins.
+/// The left and right edge of the letter l, in panel pixels from the start of a text 25 pixels high.
 Vector2d edges_of_l() {
     std::ifstream file(text_font, std::ios::binary);
     const std::vector<unsigned char> bytes(std::istreambuf_iterator<char>(file), {});
@@ -64,10 +64,10 @@ Vector2d edges_of_l() {
 }
 
 struct Stroke {
-    double middle, width, rise;  ///< pixels; from 10 % to 90 % of the most that it covers
+    double middle, width, rise;  ///< pixels; pixels from 10 % to 90 % of the peak coverage
 };
 
-/// Of the "l" at panel pixel (200, 140), seen straight on, from pictures that are shifted by parts of a
+/// The stroke of an "l" at panel pixel (200, 140), viewed head-on, from pictures shifted by fractions of a
 /// pixel.
 Stroke stroke_seen(double away) {
     constexpr int parts = 16, width = 200;
@@ -109,7 +109,7 @@ TEST(PanelPass, TextIsSharpFromAnyDistance) {
 }
 
 TEST(PanelPass, TinyTextIsAsBrightAsItShouldBe) {
-    // From far away a line of text is a grey bar, whose light is that of the same text nearby.
+    // From afar, a line of text is a gray bar, with the same light as the text nearby.
     Drawn text(
         [](ImDrawList& list) { list.AddText(ImVec2(60, 140), IM_COL32_WHITE, "Hamburgefonstiv 0123"); });
     const auto light = [&](double away) {
@@ -126,7 +126,7 @@ TEST(PanelPass, TinyTextIsAsBrightAsItShouldBe) {
 TEST(PanelPass, ShowsEachPlaceWhereARayMeetsIt) {
     Drawn white(fill_all);
     EyeTarget picture(160, 120, 2);
-    // Among them one beside the eye that reaches from ahead to behind it, and one that contains it.
+    // These include a panel beside the eye that extends from ahead to behind, and one that contains the eye.
     for (const double turn : {0.0, 0.5, 1.2, 1.5, -1.3})
         for (const Vector3d& middle :
              {Vector3d(0, 0, 0.3), Vector3d(0.03, 0, 0.1), Vector3d(-0.05, 0.02, 0), Vector3d(0, 0, 0)}) {
@@ -190,7 +190,8 @@ TEST(PanelPass, KeepsToClipRectangles) {
 TEST(PanelPass, ShinesThroughTheModelInFrontOfIt) {
     Drawn white(fill_all);
     EyeTarget picture(100, 80);
-    // On the left the model is nearer than the panel, in the middle farther away, on the right there is none.
+    // On the left the model is nearer than the panel, in the middle it is farther away, on the right there is
+    // no model.
     constexpr float a = -0.001f, b = 0.05f;
     std::vector<float> depths(128 * 96, 1);
     for (int y = 0; y < 80; ++y)

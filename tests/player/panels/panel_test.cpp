@@ -1,4 +1,4 @@
-// Pointing at a panel gives the pixel that is seen there.
+// Pointing at a panel gives the pixel at that position.
 #include "player/panels/panel.h"
 
 #include <gtest/gtest.h>

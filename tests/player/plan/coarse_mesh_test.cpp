@@ -52,13 +52,13 @@ struct Sphere {
 }  // namespace
 
 TEST(CoarseMesh, IsNearTheMeshWithFarFewerTriangles) {
-    const Sphere sphere(250);  // 250 000 triangles: in two parts
+    const Sphere sphere(250);  // 250,000 triangles: in two parts
     const CoarseMesh coarse = make_coarse_mesh(sphere.scene, {});
     const std::size_t triangles = coarse.stands_for.size();
     ASSERT_EQ(coarse.indices.size(), 3 * triangles);
     EXPECT_LE(triangles, sphere.scene.triangles / 8 * 11 / 10);
     EXPECT_GT(triangles, sphere.scene.triangles / 16);
-    EXPECT_LE(triangles, coarse_triangles(sphere.scene)) << "the graphics card has no room for more";
+    EXPECT_LE(triangles, coarse_triangles(sphere.scene)) << "within the graphics memory limit";
     EXPECT_LT(coarse.error, 0.01);
     double volume = 0;
     for (std::size_t t = 0; t < triangles; ++t) {
@@ -66,7 +66,8 @@ TEST(CoarseMesh, IsNearTheMeshWithFarFewerTriangles) {
         const Eigen::Vector3f middle = (corner(0) + corner(1) + corner(2)) / 3;
         EXPECT_NEAR(middle.norm(), 1, 0.01);
         ASSERT_LT(coarse.stands_for[t], sphere.scene.triangles);
-        EXPECT_LT((sphere.middle(coarse.stands_for[t]) - middle).norm(), 0.1) << "stands for another place";
+        EXPECT_LT((sphere.middle(coarse.stands_for[t]) - middle).norm(), 0.1)
+            << "represents a distant triangle";
         volume += double(corner(0).dot(corner(1).cross(corner(2)))) / 6;
     }
     EXPECT_NEAR(std::abs(volume), 4.0 / 3 * std::numbers::pi, 0.02)

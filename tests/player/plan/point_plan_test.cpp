@@ -12,7 +12,7 @@ using namespace vantage;
 
 namespace {
 
-/// Two sheets of points and its octree.
+/// Two sheets of points and their octree.
 struct TestCloud {
     Mesh points;
     PointTree tree;
@@ -49,7 +49,7 @@ TEST(PointPlan, NeverCullsAVisiblePoint) {
     Random random;
     std::size_t planned = 0, culled = 0;
     for (int trial = 0; trial < 300; ++trial) {
-        // From among the points, too, in every direction.
+        // Views in every direction, some from among the points.
         const View view =
             view_towards(random.vector(3), random.vector(3), random.vector(1), random(10, 100), 640, 480);
         const PointPlan with = plan_points(test.cloud, view, all, 1);
@@ -62,7 +62,7 @@ TEST(PointPlan, NeverCullsAVisiblePoint) {
                 ASSERT_FALSE(is_shown(view, test.position(node, i))) << "a visible point was culled";
         }
     }
-    EXPECT_GT(culled, planned / 4) << "what is out of view is culled";
+    EXPECT_GT(culled, planned / 4) << "points out of view are culled";
 }
 
 TEST(PointPlan, TakesTheNearestAndCoarsestWithinTheBudget) {
@@ -76,11 +76,11 @@ TEST(PointPlan, TakesTheNearestAndCoarsestWithinTheBudget) {
         EXPECT_LE(plan.points, std::max<std::uint64_t>(budget, test.cloud.nodes[0].count));
         ASSERT_FALSE(plan.nodes.empty());
         EXPECT_EQ(plan.nodes.front(), 0u);
-        // The beginning of the whole plan: a larger budget adds, and exchanges nothing.
+        // A prefix of the whole plan: a larger budget only adds nodes.
         EXPECT_TRUE(std::equal(plan.nodes.begin(), plan.nodes.end(), whole.nodes.begin()));
     }
     const View far = view_towards({0, -4000, 2}, {0, 0, 0}, {0, 0, 1}, 60, 1280, 720);
-    EXPECT_EQ(plan_points(test.cloud, far, all, 1).nodes.size(), 1u) << "finer ones would not show";
+    EXPECT_EQ(plan_points(test.cloud, far, all, 1).nodes.size(), 1u) << "finer nodes would be invisible";
     const View away = view_towards({0, -4, 2}, {0, -8, 2}, {0, 0, 1}, 60, 1280, 720);
     EXPECT_TRUE(plan_points(test.cloud, away, all, 1).nodes.empty());
     EXPECT_EQ(depth_range(test.cloud, plan_points(test.cloud, away, all, 1), away, 1e9),
@@ -98,7 +98,7 @@ TEST(PointPlan, DrawsOnlyWhatIsResidentBelowWhatIsDrawn) {
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             EXPECT_TRUE(resident(drawn[i].node));
             EXPECT_TRUE(once.insert(drawn[i].node).second);
-            // Children stand where the shader looks for them, in the order of their eighths.
+            // Children are where the shader expects them, in the order of their octants.
             const package::PointNode& n = test.cloud.nodes[drawn[i].node];
             std::uint32_t child = n.children, at = drawn[i].first;
             for (unsigned octant = 0; octant < 8; ++octant) {

@@ -14,10 +14,10 @@ using namespace vantage;
 namespace {
 
 constexpr double headset_ms = 1000.0 / 90;
-constexpr std::size_t found = 30;  ///< frames in which the pace is found
+constexpr std::size_t found = 30;  ///< frames until the pace is found
 
-/// Motions on machines that are fast enough for all pixels, and that are not, whose frames' times are known
-/// with the next frame and later.
+/// Motions on machines that are fast enough for full resolution and on slower ones, with frame times that are
+/// known at the next frame or later.
 std::vector<PacedMotion> motions(const std::function<double(int)>& load) {
     std::vector<PacedMotion> out;
     for (const double full : {4.0, 7.0, 14.0, 40.0})
@@ -47,7 +47,7 @@ TEST(Pace, FollowsAMachineThatSlowsDownAndRecovers) {
     const double goal = 1000.0 / 30;
     Pace pace;
     const Machine fast{2, 10}, slow{2, 300};
-    EXPECT_EQ(next_pace(pace, fast.time(pace), goal), Pace{}) << "a fast machine draws in full";
+    EXPECT_EQ(next_pace(pace, fast.time(pace), goal), Pace{}) << "a fast machine draws at full resolution";
     for (int frame = 0; frame < 4; ++frame) pace = next_pace(pace, slow.time(pace), goal);
     EXPECT_LT(slow.time(pace), 1.1 * goal);
     for (int frame = 0; frame < 60; ++frame) pace = next_pace(pace, fast.time(pace), goal);
@@ -88,8 +88,8 @@ TEST(Pacing, MissesOnlyFramesThatCouldNotKnowThatAllTakeLonger) {
         const auto frames = paced(m);
         EXPECT_LE(longest_missed(frames, found), m.delay + 1) << text_of(m);
         EXPECT_LT(count_missed(frames, found), frames.size() / 100) << text_of(m);
-        EXPECT_NE(frames[499].pace, Pace{}) << "quality is given up for it";
-        EXPECT_GT(frames[560].pace.scale, frames[199].pace.scale - 0.1) << "and shown again " << text_of(m);
+        EXPECT_NE(frames[499].pace, Pace{}) << "quality is reduced under load";
+        EXPECT_GT(frames[560].pace.scale, frames[199].pace.scale - 0.1) << "quality recovers " << text_of(m);
     }
 }
 
@@ -99,7 +99,7 @@ TEST(Pacing, BlendsAllPhotosAgainWhenALoadHasPassed) {
             const auto frames = paced({{1, full}, headset_ms, delay, step_load});
             ASSERT_FALSE(frames[199].pace.reduced) << full;
             EXPECT_FALSE(frames.back().pace.reduced) << full << " ms, known " << delay << " late";
-            EXPECT_LT(count_changes(frames, 560), 20u) << "and does not go back and forth";
+            EXPECT_LT(count_changes(frames, 560), 20u) << "does not oscillate";
         }
 }
 

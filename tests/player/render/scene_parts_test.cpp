@@ -1,4 +1,4 @@
-// Which parts of a package settings show.
+// The parts of a package that each setting shows.
 #include "player/render/scene_parts.h"
 
 #include <gtest/gtest.h>

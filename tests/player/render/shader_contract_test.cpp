@@ -1,4 +1,4 @@
-// The block of photos has the same layout in C++ and in the shaders.
+// The uniform block of photos has the same layout in C++ and in the shaders.
 #include <gtest/gtest.h>
 
 #include <cstddef>

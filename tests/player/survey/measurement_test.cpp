@@ -29,7 +29,7 @@ double value(Measure measure, const std::vector<Vector3d>& points) {
     return measured(measure, points).value.value_or(-1);
 }
 
-/// Corners of a polygon of six sides on a plane of any direction, far from the origin.
+/// Corners of a hexagon on a plane of arbitrary orientation, far from the origin.
 std::vector<Vector3d> tilted_l_shape(const Vector3d& at) {
     const Eigen::Matrix3d R = Eigen::AngleAxisd(0.7, Vector3d(1, 2, -1).normalized()).toRotationMatrix();
     std::vector<Vector3d> out;
@@ -39,7 +39,7 @@ std::vector<Vector3d> tilted_l_shape(const Vector3d& at) {
     return out;
 }
 
-/// The standard deviation of a measurement whose points are moved at random by their uncertainties.
+/// The standard deviation of a measurement whose points are randomly displaced by their uncertainties.
 double spread(const Measurement& m, const Scale& scale) {
     std::mt19937 engine(5);
     std::normal_distribution<double> normal;

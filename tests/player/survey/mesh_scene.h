@@ -29,7 +29,7 @@ struct MeshScene {
         return {positions[3 * t].cast<double>(), positions[3 * t + 1].cast<double>(),
                 positions[3 * t + 2].cast<double>()};
     }
-    /// After the last triangle.
+    /// Call after the last triangle.
     void finish() {
         scene.positions = positions;
         scene.indices = indices;
@@ -47,7 +47,7 @@ struct MeshScene {
         }
         scene.tree = make_cluster_tree(scene.clusters);
     }
-    /// A photo that sees all triangles as far as its coverage says.
+    /// Adds a photo in which all triangles within its frame are visible.
     void add_photo(const Pose& pose, double focal_length) {
         scene.intrinsics.push_back({1000, 1000, focal_length, focal_length, 500, 500});
         scene.poses.push_back(pose);

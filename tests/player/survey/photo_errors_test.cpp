@@ -20,7 +20,7 @@ package::PairRecord pair(std::uint32_t a, std::uint32_t b, float median, std::ui
 }  // namespace
 
 TEST(PhotoErrors, AreMediansOverPairsByTheirMatches) {
-    // Photo 3 is off: it disagrees with both others, which agree with each other.
+    // Photo 3 is inaccurate: it disagrees with the two others, which agree with each other.
     const std::vector pairs{pair(0, 1, 0.5f, 200), pair(0, 3, 4.0f, 100), pair(1, 3, 6.0f, 120),
                             pair(0, 0, 0.0f, 0)};
     const auto errors = photo_errors(pairs, 5);

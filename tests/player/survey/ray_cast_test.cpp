@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Small triangles all over a cube.
+/// Small triangles spread over a cube.
 MeshScene heap(int triangles) {
     MeshScene m;
     Random random;
@@ -27,7 +27,7 @@ MeshScene heap(int triangles) {
     return m;
 }
 
-/// The distance of the nearest triangle, by solving its equations one after the other.
+/// The distance of the nearest triangle, from solving the equations of all triangles.
 double nearest_of_all(const MeshScene& m, const Ray& ray) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t t = 0; t < m.scene.triangles; ++t) {
@@ -109,7 +109,7 @@ TEST(RayCast, MissesWithRaysThatAreNone) {
 TEST(Footprint, IsThatOfTheFinestPhotoThatSeesThePoint) {
     MeshScene m;
     m.add_quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0});
-    m.add_quad({-1, -1, -3}, {2, 0, 0}, {0, 2, 0});  // hides the middle from the photo in front of it
+    m.add_quad({-1, -1, -3}, {2, 0, 0}, {0, 2, 0});  // occludes the middle in the photo in front of it
     m.finish();
     const auto at = [](double x, double y, double z) {
         return view_towards({x, y, z}, {x, y, 0}, {0, 1, 0}, 45, 1000, 1000).cam_from_origin;

@@ -31,14 +31,14 @@ MeshScene box(const Vector3d& half) {
     return m;
 }
 
-/// The length of all lines.
+/// The total length of all lines.
 double length_of(const std::vector<SectionLine>& lines) {
     double sum = 0;
     for (const auto& [a, b] : lines) sum += (b - a).norm();
     return sum;
 }
 
-/// Each end of a line is the end of another one.
+/// Whether each end of a line is also the end of another line.
 bool is_closed(const std::vector<SectionLine>& lines) {
     std::map<std::tuple<long, long, long>, int> ends;
     for (const SectionLine& line : lines)

@@ -94,7 +94,7 @@ TEST_F(SurveyFiles, AreRefusedInOneLineAndLeftAlone) {
                                                                                     << trouble();
         EXPECT_NE(trouble().find(path.string()), std::string::npos);
         SurveyFile file{path};
-        EXPECT_THROW(write_survey(file, door()), Error) << "replaces what it could not read";
+        EXPECT_THROW(write_survey(file, door()), Error) << "would replace an unreadable file";
         EXPECT_EQ(slurp(path), text);
     }
 }

@@ -27,7 +27,7 @@ class SurveySavers : public TemporaryFolder {
     }
 };
 
-/// Asks for up to ten seconds.
+/// Polls for up to ten seconds.
 std::string trouble_of(SurveySaver& saver) {
     for (int i = 0; i < 1000; ++i) {
         if (std::string trouble = saver.take_trouble(); !trouble.empty()) return trouble;
@@ -64,7 +64,7 @@ TEST_F(SurveySavers, SayWhyASurveyIsNotWrittenAndWriteTheNext) {
     std::ofstream(path) << "of another program";
     saver.save(named("lost"));
     EXPECT_NE(trouble_of(saver).find("is not as it was left"), std::string::npos);
-    EXPECT_EQ(saver.take_trouble(), "") << "said once";
+    EXPECT_EQ(saver.take_trouble(), "") << "reported once";
     fs::remove(path);
     fs::rename(dir / "away.json", path);
     saver.save(named("again"));

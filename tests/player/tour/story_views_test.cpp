@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Far from the input's origin, as surveys are.
+/// Far from the input's origin, as is common for surveys.
 const InputAxes far_axes{Vector3d(4512340, 5345210, 120), Vector3d::UnitZ()};
 
 }  // namespace
@@ -45,7 +45,7 @@ TEST(StoryViews, AreWrittenInFewDigitsAndReadBackAsTheSameCamera) {
     EXPECT_EQ(again.roll, -7.5);
     EXPECT_EQ(again.fov, 50);
     EXPECT_FALSE(again.up);
-    // 12 away, so five decimals.
+    // At a distance of 12, five decimals are stored.
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(again.eye[i] * 1e5, std::round(again.eye[i] * 1e5), 2e-3);
     view.up = Vector3d(0, 0.6, 0.8);
     const Navigation camera = camera_at(view, far_axes);

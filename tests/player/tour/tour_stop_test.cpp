@@ -13,7 +13,7 @@ TEST(TourStops, BeginWhereTheFlightToThemBegins) {
     expect(-1, 0, 2);
     expect(0, 0, 2);
     expect(6.9, 0, 2);
-    expect(7, 2, 10);  // the one between takes no time
+    expect(7, 2, 10);  // the stop between takes no time
     expect(11, 2, 10);
     expect(1e9, 2, 10);
 }

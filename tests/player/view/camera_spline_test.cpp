@@ -18,7 +18,7 @@ Navigation looking(const Vector3d& eye, const Vector3d& target, double fov = 40)
     return {eye, target, up, view_towards(eye, target, up, fov, 1, 1).cam_from_origin.R, fov};
 }
 
-/// Four views around the origin, the second of them held.
+/// Four views around the origin, of which the second is held.
 std::vector<KeyView> round_trip() {
     return {{looking({10, 0, 2}, {0, 0, 0}), 0},
             {looking({0, 10, 2}, {0, 0, 0}, 30), 2},
@@ -77,7 +77,7 @@ TEST(CameraSpline, FliesAroundTheObjectAndStaysLevel) {
         EXPECT_NEAR(n.R.determinant(), 1, 1e-9);
         EXPECT_LT((n.R * n.R.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-9);
     }
-    // Half of the way, half of the angle: accelerates and decelerates alike.
+    // Halfway in time is halfway in angle: acceleration and deceleration are symmetric.
     const double angle = std::acos(-7 / std::hypot(7, 7.2));
     EXPECT_LT((spline.at(2).eye.normalized() - Vector3d(std::cos(angle / 2), std::sin(angle / 2), 0)).norm(),
               1e-6);

@@ -52,7 +52,7 @@ TEST(Navigation, OrbitKeepsDistanceAndStopsAtThePoles) {
 
 namespace {
 
-/// Where a point is in the picture, pixels.
+/// A point's position in the picture, in pixels.
 Eigen::Vector2d shown_at(const Navigation& n, const Eigen::Vector3d& p) {
     const View view = view_of(n, 800, 600);
     const Eigen::Vector3d c = view.cam_from_origin.R * p + view.cam_from_origin.t;

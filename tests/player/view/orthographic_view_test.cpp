@@ -29,7 +29,7 @@ Placed random_placed(Random& random) {
     return p;
 }
 
-/// By the definition of a projection at right angles.
+/// By the definition of an orthographic projection.
 Eigen::Vector2d pixel_of(const Placed& p, const Vector3d& point) {
     return {p.view.intrinsics.cx + p.pixels * p.right.dot(point - p.middle),
             p.view.intrinsics.cy + p.pixels * p.down.dot(point - p.middle)};
@@ -49,8 +49,8 @@ TEST(OrthographicView, ProjectsAtRightAngles) {
         const Eigen::Vector2d expected = pixel_of(p, a);
         EXPECT_NEAR((at.x() + 1) / 2 * 640, expected.x(), 1e-6);
         EXPECT_NEAR((at.y() + 1) / 2 * 480, expected.y(), 1e-6);
-        EXPECT_NEAR(at.z() - other.z(), -ahead.dot(a - b) / 20, 1e-9) << "nearer is more";
-        // In single precision, as it is drawn.
+        EXPECT_NEAR(at.z() - other.z(), -ahead.dot(a - b) / 20, 1e-9) << "greater depth values are nearer";
+        // In single precision, as when drawing.
         const Eigen::Vector4f drawn = clip.cast<float>() * a.cast<float>().homogeneous();
         EXPECT_NEAR((double(drawn.x()) + 1) / 2 * 640, expected.x(), 0.01);
     }
@@ -101,7 +101,8 @@ TEST(OrthographicView, FindsEveryClusterInIt) {
             const double z = (p.view.cam_from_origin.R * point + p.view.cam_from_origin.t).z();
             EXPECT_TRUE(z >= range.x() && z <= range.y());
         }
-        EXPECT_TRUE(in_view.empty() || range.y() - range.x() < 20) << "the depths are of the clusters only";
+        EXPECT_TRUE(in_view.empty() || range.y() - range.x() < 20)
+            << "the depth range covers the clusters only";
     }
     EXPECT_GT(inside, 500u);
     EXPECT_LT(found, 100u * 500);

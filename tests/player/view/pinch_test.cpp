@@ -20,7 +20,7 @@ Navigation before_a_wall() {
     return n;
 }
 
-/// Of a point in the picture.
+/// The pixel that shows a point.
 Eigen::Vector2d pixel_of(const Navigation& n, const Eigen::Vector3d& point) {
     const View v = view_of(n, view_width, view_height);
     const Eigen::Vector3d p = v.cam_from_origin.R * point + v.cam_from_origin.t;
@@ -28,7 +28,7 @@ Eigen::Vector2d pixel_of(const Navigation& n, const Eigen::Vector3d& point) {
             v.intrinsics.fy * p.y() / p.z() + v.intrinsics.cy};
 }
 
-/// On the wall y = 0, which faces the camera before the pinch.
+/// The point on the wall y = 0 behind a pixel. Before the pinch, the wall faces the camera.
 Eigen::Vector3d on_wall(const Navigation& n, const Eigen::Vector2d& pixel) {
     const View v = view_of(n, view_width, view_height);
     const Eigen::Vector3d ray =
@@ -37,14 +37,14 @@ Eigen::Vector3d on_wall(const Navigation& n, const Eigen::Vector2d& pixel) {
     return n.eye - ray * (n.eye.y() / ray.y());
 }
 
-/// The same points under fingers that pinch an orthographic picture.
+/// In an orthographic picture, the points under the fingers stay under them.
 void expect_under_fingers_orthographically(const FingerPair& before, const FingerPair& now) {
     Navigation n = before_a_wall();
     const double size = 20;
     const auto seen = [&] {
         return orthographic(view_of(n, view_width, view_height), (n.target - n.eye).norm(), size);
     };
-    // Not on the wall: the camera's target is no nearer or farther than others.
+    // Points need not be on the wall: the distance to the camera's target does not matter.
     const auto shown = [&](const Eigen::Vector2d& pixel, double y) {
         const double scale = seen().orthographic_depth / seen().intrinsics.fx;
         return Eigen::Vector3d(1 + scale * (pixel.x() - view_width / 2.0), y,
@@ -80,7 +80,7 @@ TEST(Pinch, WhatIsUnderTheFingersFollowsThem) {
     expect_under_fingers({{{350, 300}, {450, 300}}}, {{{300, 300}, {500, 300}}}, 1e-6);  // apart
     expect_under_fingers({{{350, 300}, {450, 300}}}, {{{400, 250}, {400, 350}}},
                          1e-6);  // a quarter turn clockwise
-    // Beside the middle of the picture, turning tilts the wall: near, not exactly.
+    // Off the middle of the picture, rotation tilts the wall, so points follow only approximately.
     expect_under_fingers({{{520, 330}, {620, 350}}}, {{{500, 300}, {600, 360}}}, 4);
 }
 

@@ -15,12 +15,11 @@ namespace {
 
 Remembered with_recent(std::size_t length) {
     Remembered r;
-    r.recent.assign(8,
-                    std::string(length, 'a'));  // of several lengths, so that one text inside another shows
+    r.recent.assign(8, std::string(length, 'a'));  // of several lengths, so that mixed texts are noticed
     return r;
 }
 
-/// Another player, which ends with 0 if all of its writes succeed.
+/// Starts another player, which exits with 0 if all its writes succeed.
 pid_t start_player(const std::filesystem::path& folder, std::size_t length) {
     const pid_t child = ::fork();
     if (child != 0) return child;
@@ -43,7 +42,7 @@ TEST_F(RememberedSettings, AreWholeWhileTwoPlayersWriteThem) {
         EXPECT_EQ(status, 0);
         EXPECT_EQ(invalid, 0);
     }
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(dir), {}), 1) << "unfinished files are left";
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(dir), {}), 1) << "no temporary files remain";
 }
 
 TEST_F(RememberedSettings, ThatCannotBeWrittenAreAnError) {

@@ -67,14 +67,13 @@ TEST(SurfaceAtPixel, IsOnTheTriangleThatIsSeenThere) {
     scene.positions = corners;
     scene.indices = indices;
     scene.triangles = 1;
-    // Half the frame's size: the triangle is at all pixels to the left, nothing on the right.
+    // At half the frame's size: all pixels on the left show the triangle, those on the right nothing.
     std::vector<std::uint32_t> numbers(200 * 150, 0);
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = i % 200 < 110 ? 1 : 0;
     const View from = view();
     const auto numbers_seen = std::make_shared<std::vector<std::uint32_t>>(numbers);
     const SeenTriangles seen{numbers_seen, from, 1};
-    // The triangle's plane rises by one for each step ahead, from z = -1 at y = 0: the axis meets it at y
-    // = 1.
+    // The triangle's plane rises from z = -1 at y = 0 with slope 1, so the view axis meets it at y = 1.
     const auto middle = surface_at_pixel(scene, seen, {200, 150});
     ASSERT_TRUE(middle);
     EXPECT_LT((*middle - Vector3d(0, 1, 0)).norm(), 1e-6);

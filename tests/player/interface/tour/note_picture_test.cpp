@@ -21,7 +21,7 @@ class NotePictures : public TemporaryFolder {
     void expect_refused(const std::string& bytes, const char* why) const {
         try {
             read_note_picture(written(bytes));
-            ADD_FAILURE() << why << " was read";
+            ADD_FAILURE() << why << " was accepted";
         } catch (const Error& e) {
             EXPECT_EQ(e.code(), Exit::input);
             EXPECT_EQ(std::string(e.what()).rfind((dir / "picture").string(), 0), 0u) << e.what();

@@ -13,7 +13,7 @@ using namespace vantage;
 
 namespace {
 
-/// A view that others predict without error, until a test spoils something.
+/// A view that others predict without error, until a test disturbs it.
 struct Constructed {
     Picture photo, shown;
     std::vector<Picture> alone;
@@ -171,7 +171,7 @@ TEST(ErrorCauses, HolesAreToldApartByTheMesh) {
 }
 
 TEST(ErrorCauses, SharesAddUpToTheFramesError) {
-    Constructed c = constructed(101, 67);  // no multiples of a cell
+    Constructed c = constructed(101, 67);  // not multiples of a cell
     c.photo = waves(101, 67, 0.7, 0.4);
     paint(c.photo, {40, 30, 20, 20});
     for (std::size_t i = 0; i < 300; ++i) c.colored[i] = false;

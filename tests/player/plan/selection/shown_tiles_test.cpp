@@ -36,14 +36,15 @@ TEST(ShownTiles, ContainTilesWithEnoughVisiblePixels) {
         const std::vector<float> weights(samples.size(), 1.0f);
         return shown_tiles(photo, nullptr, cam_from_origin(photo), {samples, weights, pixels}, 0.1);
     };
-    // From the photo's own camera, pixels are texels: columns 0 to 268 fill tile 0 and 20 columns of tile 1.
+    // From the photo's own camera, each pixel is a texel: columns 0 to 268 fill tile 0 and 20 columns of tile
+    // 1.
     const View own = view_of_photo(photo, 1);
     TileNeeds n = needs(plane_samples(own, 4, 0, 268), 16);
     EXPECT_EQ(n.color[0], (std::vector<std::uint32_t>{0, 7, 14, 21, 28, 35})) << "seven columns, six rows";
     EXPECT_TRUE(n.color[1].empty() || n.color[1].front() == 0) << "tile 1 is left to the next coarser level";
     n = needs(plane_samples(own, 4, 0, 280), 16);
     EXPECT_EQ(n.color[0].size(), 11u)
-        << "32 of 248 columns are more than a tenth, except in the partial last row";
+        << "32 of 248 columns are more than a tenth of a tile, except in the partial last row";
     // At four times the distance, colors and weight maps are two levels coarser.
     const View far = view_of_photo(photo_at({0, 0, -40}, Eigen::Matrix3d::Identity()), 1);
     n = needs(plane_samples(far, 4, 0, 1700), 16);

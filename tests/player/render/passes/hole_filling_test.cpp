@@ -1,4 +1,4 @@
-// What no photo shows takes the colors around it.
+// Areas that no photo shows take the surrounding colors.
 #include "player/render/passes/hole_filling.h"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ struct Color {
     bool background = false;
 };
 
-/// The red of the filled picture at half the size, of samples as drawn: red by weight and weight. `behind`:
-/// as holes of the background get it.
+/// The red channel of the filled picture, at half size, from samples drawn as red times weight, and weight.
+/// `behind`: the colors for holes in the background.
 std::vector<float> filled(int width, int height, const std::function<Color(int x, int y)>& drawn,
                           float samples = 1, bool behind = false) {
     const gl::HeadlessContext context;

@@ -7,10 +7,10 @@ namespace {
 
 using What = TouchEvent::What;
 
-/// Fingers that are watched frame by frame.
+/// Finger input, processed frame by frame.
 struct Watched {
     Fingers fingers;
-    UserInput input;  ///< of the frame to come
+    UserInput input;  ///< of the next frame
 
     void touch(What what, std::uint32_t finger, double x, double y, double at = 0) {
         fingers.take({what, finger, x, y}, 1, at, 0, input);
@@ -35,7 +35,7 @@ TEST(Fingers, ATapIsAClickThatTheInterfaceSees) {
     EXPECT_TRUE(first.pointer->down[0]);
     EXPECT_FALSE(second.pointer->down[0]);
     EXPECT_TRUE(second.pointer->there);  // a button is released on itself
-    EXPECT_FALSE(third.pointer->there);  // and nothing stays lit under a finger that is gone
+    EXPECT_FALSE(third.pointer->there);  // and nothing stays highlighted under a lifted finger
 }
 
 TEST(Fingers, TwoTapsNearEachOtherAreADoubleClick) {
@@ -91,7 +91,7 @@ TEST(Fingers, ASecondFingerMakesItAPinchAndNoClick) {
     ASSERT_TRUE(f.pinch);  // both are still down
     EXPECT_FALSE(f.pinch_begins);
     EXPECT_EQ(f.pinch->spread, 1);
-    // The finger that stays neither drags nor clicks.
+    // The remaining finger neither drags nor clicks.
     w.touch(What::end, 2, 300, 100);
     w.touch(What::move, 1, 160, 160);
     w.touch(What::end, 1, 160, 160);
@@ -101,7 +101,7 @@ TEST(Fingers, ASecondFingerMakesItAPinchAndNoClick) {
     EXPECT_TRUE(f.clicks.empty());
     EXPECT_EQ(f.drags[0].right, 0);
     w.tap(100, 100, 2);
-    EXPECT_EQ(w.frame().clicks.size(), 1u);  // after all are lifted, one acts again
+    EXPECT_EQ(w.frame().clicks.size(), 1u);  // after all are lifted, a single finger acts again
 }
 
 TEST(Fingers, APinchQuickerThanAFrameIsNotLost) {
@@ -123,7 +123,7 @@ TEST(Fingers, ASmallTwistDoesNotTurn) {
     w.touch(What::begin, 2, 200, 100);
     w.touch(What::move, 2, 200, 110);
     EXPECT_EQ(w.frame().pinch->turned, 0);
-    w.touch(What::move, 2, 200, 140);  // more than 0.2 radians in all: from here on
+    w.touch(What::move, 2, 200, 140);  // more than 0.2 radians in total: from here on
     EXPECT_EQ(w.frame().pinch->turned, 0);
     w.touch(What::move, 2, 200, 150);
     EXPECT_NEAR(w.frame().pinch->turned, std::atan2(50, 100) - std::atan2(40, 100), 1e-9);
@@ -139,7 +139,7 @@ TEST(Fingers, UnknownFingersAndAThirdOneDoNothing) {
     w.touch(What::begin, 3, 500, 500);
     w.touch(What::move, 3, 700, 700);
     EXPECT_EQ(w.frame().pinch->spread, 1);
-    w.touch(What::end, 1, 100, 100);  // the second and third go on
+    w.touch(What::end, 1, 100, 100);  // the second and third continue
     w.touch(What::move, 3, 200, 1300);
     EXPECT_GT(w.frame().pinch->spread, 1);
 }
