@@ -58,7 +58,7 @@ RgbaImage chart(int width, int height) {
     return p;
 }
 
-/// A lens with its fold.
+/// A lens with the radius at which it folds back.
 struct Known {
     Lens lens;
     double fold;  ///< pinhole radius at which it folds back, from the closed form
@@ -67,9 +67,9 @@ struct Known {
 std::vector<Known> folding_lenses() {
     std::vector<Known> out;
     for (const double k1 : {-0.05, -0.2, -0.6}) {
-        const double r = std::sqrt(-1 / (3 * k1));  // of r + k1 r^3
+        const double r = std::sqrt(-1 / (3 * k1));  // the fold of r + k1 r^3
         out.push_back({{LensModel::opencv, {k1}}, r});
-        // of theta + k1 theta^3, if in front of the camera
+        // the fold of theta + k1 theta^3, if it is in front of the camera
         out.push_back({{LensModel::fisheye, {k1}}, r < std::numbers::pi / 2 ? std::tan(r) : infinite});
         out.push_back({{LensModel::thin_prism, {k1}}, r < std::numbers::pi / 2 ? std::tan(r) : infinite});
     }
@@ -172,7 +172,7 @@ TEST(Lenses, PhotoIsShownExactlyWithinTheFold) {
                     ASSERT_EQ(alpha > 0, inside) << name(k.lens.model) << " at " << x << ',' << y;
                 }
             }
-        EXPECT_TRUE(k.fold > 1 || beyond > 100) << "the frame reaches beyond the fold";
+        EXPECT_TRUE(k.fold > 1 || beyond > 100) << "the frame extends beyond the fold";
         const double off = largest_displacement(c);
         EXPECT_TRUE(std::isfinite(off));
     }
@@ -185,7 +185,7 @@ TEST(Lenses, FisheyeWiderThan180DegreesShowsWhatIsInFront) {
     const RgbaImage out = pinhole_image(chart(200, 200), lens_table(c.intrinsics, c.lens), 0);
     const auto at = [&](int x, int y) { return &out.rgba[4 * (std::size_t(y) * 200 + std::size_t(x))]; };
     EXPECT_EQ(at(100, 100)[3], 255);
-    // The fisheye images the frame's corner at this distance from the center.
+    // The fisheye lens images the frame's corner at this distance from the center.
     const double theta = std::atan(std::hypot(99.5, 99.5) / 50), drawn = 100 + 50 * theta / std::sqrt(2);
     EXPECT_EQ(at(199, 199)[3], 255);
     EXPECT_NEAR(at(199, 199)[0], 255 * drawn / 200, 2);

@@ -1,4 +1,4 @@
-// Covers and frusta: degenerate cases, and planes that just touch a sphere.
+// Photo covers and frustum culling: degenerate cases, and planes that just touch a sphere.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -105,7 +105,7 @@ double counted_share(const CoverProblem& p, const std::vector<std::size_t>& chos
 
 }  // namespace
 
-// Clusters that no photo sees must not keep the search going.
+// Clusters that no photo sees must not prolong the search.
 TEST(PhotoCoverHardCases, CoversAllTrianglesThatSomePhotoSees) {
     std::mt19937 random(3);
     for (int trial = 0; trial < 80; ++trial) {
@@ -191,7 +191,8 @@ TEST(FrustumHardCases, KeepsSpheresAndPointsThatJustTouchItsPlanes) {
                 const View view =
                     view_towards(eye, Eigen::Vector3d::Zero(), random_unit(random), fov, 640, 480);
                 const Intrinsics& k = view.intrinsics;
-                // A point on a side of the frame, and a sphere that touches that side there from outside.
+                // A point on a side of the frame, and a sphere that touches that side from outside at this
+                // point.
                 const double x = trial % 2 ? (trial % 4 == 1 ? 0 : k.width) : random_in(random, 0, k.width);
                 const double y = trial % 2 ? random_in(random, 0, k.height) : (trial % 4 == 0 ? 0 : k.height);
                 const Eigen::Vector3d ray((x - k.cx) / k.fx, (y - k.cy) / k.fy, 1);
@@ -202,7 +203,7 @@ TEST(FrustumHardCases, KeepsSpheresAndPointsThatJustTouchItsPlanes) {
                 const Eigen::Vector3d at =
                     view.cam_from_origin.R.transpose() * (10 * size * ray - radius * side.normalized()) + eye;
                 ClusterRecord c = sphere(at, radius);
-                // Enlarge the sphere by what rounding to single precision moved it.
+                // Enlarge the sphere by the displacement due to rounding to single precision.
                 const double by = double(inside_by(view, center(c))) + c.radius;
                 if (by < 0) c.radius = std::nextafter(float(c.radius - by), 1e30f);
                 const std::vector<ClusterRecord> all(20, c);
@@ -222,7 +223,7 @@ TEST(FrustumHardCases, KeepsPointsOnItsPlanes) {
             const std::vector all{sphere(p, 0)};
             EXPECT_EQ(clusters_in_view(make_cluster_tree(all), all, view).size(), 1u) << p.transpose();
         }
-    // The same, rotated: the planes are rounded.
+    // The same rotated, so that the planes are rounded.
     std::mt19937 random(7);
     for (int trial = 0; trial < 500; ++trial) {
         const View turned = view_towards(Eigen::Vector3d::Zero(), random_unit(random), random_unit(random),

@@ -32,7 +32,7 @@ class DistanceTransform : public ::testing::Test {
         std::vector<float> distance;
         bool exact;
     };
-    /// By every method.
+    /// The results of every method.
     std::vector<Result> all(const std::vector<std::uint8_t>& borders, Size s) const {
         return {{"exact", exact_distance(borders, s.width, s.height), true},
                 {"jump flooding", flood_distance(jump_flood, borders, s.width, s.height), false}};

@@ -158,7 +158,7 @@ TEST_F(FinitePictures, CountsInjectedNonFiniteValues) {
     EXPECT_EQ(count_non_finite(t).surface, pixels);
     EXPECT_EQ(count_non_finite(t).all(), 6 * pixels);
     std::string all = std::to_string(4 * pixels);
-    all += " of the sums";  // in two steps: g++ 12 warns about the sum of temporaries
+    all += " of the sums";  // in two steps, since g++ 12 warns about the sum of temporaries
     EXPECT_NE(words(count_non_finite(t)).find(all), std::string::npos);
     EXPECT_EQ(count(view, {}, "the next frame clears it all"), 0u);
 }
@@ -190,7 +190,7 @@ TEST_F(FinitePictures, NonFiniteViewIsRejectedAndTheNextOneDrawn) {
     for (std::size_t i = 0; i < views.size(); ++i) {
         try {
             picture(views[i], {});
-            ADD_FAILURE() << "view " << i << " was drawn";
+            ADD_FAILURE() << "view " << i << " was accepted";
         } catch (const Error& e) {
             EXPECT_EQ(e.code(), Exit::usage) << e.what();
         }

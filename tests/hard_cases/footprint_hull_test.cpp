@@ -1,4 +1,4 @@
-// The hull of what a photo sees, compared with another way to find it.
+// The footprint hull of a photo, compared with an independent computation.
 #include "pipeline/stages/coordinates/footprint_hull.h"
 
 #include <gtest/gtest.h>
@@ -71,7 +71,7 @@ TEST(FootprintHull, MatchesTheMonotoneChain) {
         const int points = 3 + trial % 40, grid = trial % 3 ? 0 : 5;
         for (int i = 0; i < points; ++i) {
             Eigen::Vector2d p(unit(random), unit(random) * (trial % 7 ? 1 : 0.01));
-            if (grid) p = (p * grid).array().floor() / grid;  // many collinear, many equal
+            if (grid) p = (p * grid).array().floor() / grid;  // many are collinear or equal
             const Eigen::Vector2f q = p.cast<float>();
             uv.push_back(q);
             visible.push_back(q.cast<double>());

@@ -1,4 +1,4 @@
-// Meshes that are degenerate, duplicated, broken, inside out, tiny or huge.
+// Degenerate, duplicated, invalid, inverted, tiny and huge meshes.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -58,7 +58,7 @@ TEST_F(Geometry, DuplicateTrianglesChangeNothing) {
         EXPECT_NEAR(twice.seen[i], valid.seen[i], 0.01) << "a surface does not occlude its duplicate";
 }
 
-// They would move the origin and the near plane.
+// Unused vertices would move the origin and the near plane.
 TEST_F(Geometry, UnusedVerticesChangeNothing) {
     const Result valid = shown(scene.mesh);
     Mesh mesh = scene.mesh;
@@ -100,7 +100,7 @@ TEST_F(Geometry, NanCornersInStlDoNotAffectOtherTriangles) {
     std::vector<std::string> warnings;
     const Mesh mesh = read_mesh(dir / "mesh.stl", warnings);
     EXPECT_EQ(mesh.triangles.size(), 2u);
-    EXPECT_EQ(mesh.positions.size(), 4u) << "shared corners are one vertex";
+    EXPECT_EQ(mesh.positions.size(), 4u) << "shared corners are merged";
 }
 
 TEST_F(Geometry, InvalidNormalsAreRecomputed) {
@@ -123,7 +123,7 @@ TEST_F(Geometry, InvalidNormalsAreRecomputed) {
 
 TEST_F(GeometryAtLength, VisibilityDoesNotDependOnWindingOrNormals) {
     subdivide_large_triangles(scene.mesh,
-                              main_box(scene.mesh));  // done here because it depends on the order of corners
+                              main_box(scene.mesh));  // done here, since it depends on the order of corners
     const Result valid = shown(scene.mesh);
     Mesh inside_out = scene.mesh, mixed = scene.mesh, normals_only = scene.mesh;
     std::mt19937 random(11);
@@ -148,7 +148,7 @@ TEST_F(GeometryAtLength, VisibilityDoesNotDependOnWindingOrNormals) {
 
 TEST_F(Geometry, NonManifoldOpenAndClosedSurfacesAreShown) {
     Mesh mesh;
-    // Seven triangles on one edge, two fans that meet in a point, a closed and an open tetrahedron.
+    // Seven triangles at one edge, two fans that meet at a point, a closed and an open tetrahedron.
     const Eigen::Vector3d low(-1, -3, 1), high(-1, -3, 4);
     const std::uint32_t i = add(mesh, low), j = add(mesh, high);
     for (int leaf = 0; leaf < 7; ++leaf) {

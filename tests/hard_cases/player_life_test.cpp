@@ -1,5 +1,5 @@
-// A player under adverse conditions: windows of all sizes, invalid paths, too little memory, no graphics, a
-// package that is truncated, overwritten or deleted, and clocks that jump.
+// A player under adverse conditions: windows of all sizes, invalid paths, too little memory, no graphics,
+// clock jumps, and a package that is truncated, overwritten or deleted.
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -32,7 +32,8 @@ class PlayerLifetime : public PreparedScene {
         s.photos = 4;
         return s;
     }
-    /// Draws every thirtieth of a second from `now` on until the picture has settled; empty if it never does.
+    /// Draws every thirtieth of a second, starting at `now`, until the picture has settled; empty if it never
+    /// does.
     std::optional<FrameReport> settle(Renderer& r, const View& view, const RenderSettings& s, double now,
                                       int frames = 300) {
         for (int i = 0; i < frames; ++i) {
@@ -153,7 +154,7 @@ TEST_F(PlayerLifetime, WindowsUpToTheTextureLimit) {
             EXPECT_NE(std::string(e.what()).find("picture of"), std::string::npos) << e.what();
         }
     }
-    Renderer fresh(*package, MemoryBudget{});  // minimized before it has drawn anything
+    Renderer fresh(*package, MemoryBudget{});  // minimized before the first frame
     View none = own_view(2, 1);
     none.intrinsics.width = none.intrinsics.height = 0;
     EXPECT_THROW(fresh.draw(none, s, photos, {}, 0), Error);
@@ -213,11 +214,11 @@ TEST_F(PlayerLifetime, BudgetSmallerThanATileIsExceededAndStillWorks) {
         Renderer small(*package, {bytes, 1});
         const RenderSettings s = streamed();
         ASSERT_TRUE(settle(small, view, s, 0)) << bytes;
-        EXPECT_GT(small.planner().graphics_budget(), bytes) << "the excess is not told";
+        EXPECT_GT(small.planner().graphics_budget(), bytes) << "the excess is reported";
         EXPECT_LT(small.planner().graphics_budget(), std::uint64_t(64) << 20);
         EXPECT_GE(small.planner().graphics_budget(), small.held());
     }
-    // A ring of one byte and uploads of one byte per frame let one piece through at a time.
+    // With a ring of one byte and uploads of one byte per frame, one piece gets through at a time.
     Renderer slow(*package, {0, 1});
     RenderSettings s = streamed();
     for (const std::size_t budget : {std::size_t(1), std::size_t(256) << 10}) {
@@ -239,10 +240,10 @@ TEST_F(PlayerLifetime, ClockJumpsDoNotChangeThePicture) {
         Renderer other(*package, MemoryBudget{});
         ASSERT_TRUE(settle(other, view, s, now)) << now;
         EXPECT_EQ(shown(other, view, s), usual) << now;
-        // Set back, with all tiles resident.
+        // The clock is set back, with all tiles resident.
         ASSERT_TRUE(settle(other, view, s, 0)) << "after " << now;
         EXPECT_EQ(shown(other, view, s), usual) << "after " << now;
-        // Set back, with tiles that are read only then.
+        // The clock is set back, with tiles still to be read.
         ASSERT_TRUE(settle(other, own_view(0, 0.3), s, 1)) << "after " << now;
     }
 }
@@ -251,17 +252,17 @@ TEST(LayerPoolLifetime, FrameCounterMayWrapAround) {
     constexpr std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
     LayerPool pool(2, 5);
     ASSERT_TRUE(pool.place(0, last - 1) && pool.place(1, last - 1));
-    EXPECT_FALSE(pool.place(2, last - 1)) << "both are in use";
+    EXPECT_FALSE(pool.place(2, last - 1)) << "both layers are in use";
     EXPECT_EQ(pool.available(last), 2u);
     ASSERT_TRUE(pool.place(2, last));
-    EXPECT_FALSE(pool.layer_of(0).has_value()) << "the older one was evicted";
+    EXPECT_FALSE(pool.layer_of(0).has_value()) << "the older page was evicted";
     ASSERT_TRUE(pool.place(3, 0)) << "the counter wraps around";
     EXPECT_FALSE(pool.layer_of(1).has_value());
     EXPECT_TRUE(pool.layer_of(2) && pool.layer_of(3));
 }
 
 TEST_F(PlayerLifetime, TruncatingTheOpenPackageIsReported) {
-    // Of raw tiles: the compact ones of so small a scene are all in memory by then.
+    // Raw tiles, since the compact tiles of such a small scene would already be in memory.
     repack(file, false, dir / "raw.vantage");
     fs::rename(dir / "raw.vantage", file);
     const Outcome cut = play_while([&] { fs::resize_file(file, 4096); });

@@ -1,4 +1,4 @@
-// A scene in other units, rotated or far from the origin gives the same weight maps, coordinates and
+// A scene that is in other units, rotated or far from the origin gives the same weight maps, coordinates and
 // pictures.
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ struct OtherFrame {
     Eigen::Vector3d move = Eigen::Vector3d::Zero();
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
 
-    /// The camera that sees each moved point where `pose` saw the original.
+    /// The camera that sees each moved point as `pose` sees the original.
     Pose moved(const Pose& pose) const {
         const Eigen::Matrix3d R = pose.R * turn.transpose();
         return {R, scale * pose.t - R * move};
@@ -64,7 +64,7 @@ struct Opened {
     Picture picture(const View& view, Blend blend) {
         RenderSettings s;
         s.blend = blend;
-        // Their depths are steps: where two are as good, rounding decides.
+        // Background depths are discrete: between equally good ones, rounding decides.
         s.background = ShowBackground::off;
         return take_picture(renderer, view, s, photos, 1);
     }
@@ -107,7 +107,7 @@ class ScaleAndPlace : public TemporaryFolder {
         copy_scene(spec, dir / "scene");
         scene = read_scene(discover(dir / "scene"));
         subdivide_large_triangles(
-            scene.mesh, main_box(scene.mesh));  // so that preparing adds no vertices, and their numbers stay
+            scene.mesh, main_box(scene.mesh));  // so that prepare adds no vertices and keeps their numbers
         VertexField number{"number", {}};
         for (std::size_t v = 0; v < scene.mesh.positions.size(); ++v) number.values.push_back(float(v));
         scene.mesh.scalars.push_back(number);
@@ -143,11 +143,11 @@ class ScaleAndPlace : public TemporaryFolder {
             const package::PhotoRecord& theirs = other.package.photos()[photo];
             EXPECT_NEAR(record.hull_area, theirs.hull_area, 1e-4);
         }
-        EXPECT_LE(double(flipped), 1e-4 * double(all)) << "vertices seen in one and not in the other";
+        EXPECT_LE(double(flipped), 1e-4 * double(all)) << "vertices seen in only one of them";
     }
 
     /// Angle and border weights agree; depth and the density in the depth weight agree after scaling. Corners
-    /// snap to 1/256 px, so rounding may put a texel on an edge onto the other surface.
+    /// snap to 1/256 px, so rounding may assign a texel at an edge to the other surface.
     void expect_same_weight_maps(const Opened& other, double scale) const {
         const double reference = given->package.scene().reference_density,
                      theirs = other.package.scene().reference_density * scale;
@@ -177,7 +177,7 @@ class ScaleAndPlace : public TemporaryFolder {
     }
 
     /// Expects no byte to differ by more than 2. If the order of triangles differs, this excludes a few
-    /// pixels where an edge snaps to the other side of the center.
+    /// pixels where an edge snaps to the other side of the pixel center.
     void expect_same_pictures(Opened& other, const OtherFrame& by) const {
         const double most = given->order() == other.order() ? 0 : 1e-4;
         const Eigen::Vector3d origin = given->origin();
@@ -267,8 +267,8 @@ TEST_F(ScaleAndPlace, ScalingByAPowerOfTwoIsBitExact) {
     EXPECT_EQ(given->picture(a, Blend::lumigraph).rgba, other->picture(b, Blend::lumigraph).rgba);
 }
 
-// One triangle far away takes no precision from the rest: the picture of a photo that is held out is as good,
-// and the clusters and the extent of the scene are those of the rest.
+// A distant triangle costs the rest no precision: the prediction of a held-out photo is as good, and the
+// clusters and the extent of the scene stay the same.
 TEST_F(ScaleAndPlace, StrayTriangleCostsNoPrecision) {
     struct Case {
         const char* name;
@@ -286,7 +286,7 @@ TEST_F(ScaleAndPlace, StrayTriangleCostsNoPrecision) {
         const package::SceneRecord &given = without->package.scene(), &other = with->package.scene();
         EXPECT_NEAR(other.reference_density, given.reference_density, 0.01 * given.reference_density);
         EXPECT_NEAR(double(other.clusters), double(given.clusters), 0.1 * double(given.clusters));
-        // The side of the stray in the scene is subdivided as others are.
+        // The stray triangle's edge within the scene is subdivided like other edges.
         EXPECT_NEAR(double(other.triangles), double(given.triangles), 64);
         const std::vector<std::uint32_t> others{0, 2};
         const Picture own = without->picture(view_of_photo(without->package.photos()[1], 1), Blend::best);

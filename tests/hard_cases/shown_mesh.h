@@ -70,7 +70,7 @@ class Geometry : public TemporaryFolder {
     struct Result {
         std::vector<std::string> warnings;
         std::vector<Picture> pictures;  ///< from each photo's camera, in each blend mode
-        std::vector<double> seen;       ///< share of the vertices that each photo sees
+        std::vector<double> seen;       ///< fraction of the vertices that each photo sees
         std::size_t triangles = 0;
     };
     /// Reads, prepares, checks and renders a mesh. The package must be valid and all values finite.
@@ -147,7 +147,7 @@ class Geometry : public TemporaryFolder {
         mesh.normals.emplace_back(0, 0, 1);
         return std::uint32_t(mesh.positions.size() - 1);
     }
-    /// By value: the arguments may be elements of the mesh.
+    /// By value, since the arguments may be elements of the mesh.
     static void add(Mesh& mesh, Eigen::Vector3d a, Eigen::Vector3d b, Eigen::Vector3d c) {
         const std::uint32_t i = add(mesh, a), j = add(mesh, b), k = add(mesh, c);
         mesh.triangles.push_back({i, j, k});

@@ -34,7 +34,7 @@ Pose at(double x) {
     return p;
 }
 
-/// `groups`: the number of sets of cameras that share no track.
+/// `groups`: the number of groups of cameras without shared tracks.
 Rig rig(int cameras, int tracks, int groups = 1) {
     Rig r;
     std::mt19937 random(3);
@@ -62,7 +62,7 @@ Rig rig(int cameras, int tracks, int groups = 1) {
     return r;
 }
 
-/// Moves each camera at random by about `pixels`.
+/// Displaces each camera randomly by about `pixels`.
 void disturb(Rig& r, double pixels) {
     std::mt19937 random(4);
     std::normal_distribution<double> normal(0, pixels);
@@ -90,7 +90,7 @@ PoseFit solve(Rig& r, double anchor = 5, double sigma = 3) {
     return fit;
 }
 
-/// A track of the cameras at x = -1 and 0.
+/// A track seen by the cameras at x = -1 and 0.
 Track seen_twice(const Eigen::Vector3d& x) {
     Track s;
     s.photo = 0;
@@ -107,7 +107,7 @@ TEST(PoseSolver, NoTracksLeavePosesUnchanged) {
     Rig empty = rig(3, 0);
     EXPECT_FALSE(solve(empty).usable);
     EXPECT_EQ(largest(empty), 0);
-    Rig lonely = rig(1, 20);  // tracks of a single photo
+    Rig lonely = rig(1, 20);  // tracks in a single photo
     EXPECT_FALSE(solve(lonely).usable);
     EXPECT_EQ(largest(lonely), 0);
 }
@@ -115,7 +115,7 @@ TEST(PoseSolver, NoTracksLeavePosesUnchanged) {
 TEST(PoseSolver, FreeFrameWithoutAnAnchorStaysFinite) {
     Rig r = rig(4, 200);
     disturb(r, 3);
-    // Almost without an anchor, all cameras may move together: the cost is flat in six directions.
+    // With almost no anchor, all cameras can move together: the cost is flat in six directions.
     const PoseFit fit = solve(r, 1e-12, 1);
     EXPECT_TRUE(fit.usable);
     EXPECT_LT(largest(r), 200);
@@ -153,7 +153,7 @@ TEST(PoseSolver, FarOutlierHasNoInfluence) {
         for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(with.change[i][c], clean.change[i][c], 0.2);
 }
 
-// A residual that is not finite makes Ceres give up on all photos.
+// A non-finite residual makes Ceres abort for all photos.
 TEST(PoseSolver, NonFiniteTracksAndPointsBehindCamerasAreIgnored) {
     Rig clean = rig(4, 200), with = rig(4, 200);
     disturb(clean, 2);
@@ -246,7 +246,7 @@ ColorFit fit(const SamplesByPhoto& photos) {
     for (const Vignetting& l : f.vignetting)
         for (const double v : l) EXPECT_TRUE(std::isfinite(v));
     EXPECT_TRUE(std::isfinite(f.before) && std::isfinite(f.after));
-    EXPECT_LE(f.after, f.before + 1e-3);  // up to a thousandth of the light
+    EXPECT_LE(f.after, f.before + 1e-3);  // within a thousandth of the light
     return f;
 }
 

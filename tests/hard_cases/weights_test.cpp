@@ -1,4 +1,4 @@
-// Weights that are equal up to rounding, and that span twelve orders of magnitude.
+// Weights that are equal up to rounding, and weights that span twelve orders of magnitude.
 #include "player/plan/selection/weights.h"
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ std::vector<double> reference(const View& view, const std::vector<package::Photo
     return out;
 }
 
-/// Pixels colored in one picture and not in the other, and the differences between those colored in both.
+/// Pixels colored in only one of two pictures, and the differences between those colored in both.
 struct Compared {
     std::size_t lost = 0, colored = 0, off = 0;
     int worst = 0;
@@ -128,7 +128,7 @@ RC_GTEST_PROP(DynamicWeights, AnyValuesFallMonotonicallyFromOne, ()) {
     }
 }
 
-// Otherwise rounding would decide which photo is shown.
+// Otherwise, rounding would decide which photo is shown.
 TEST(DynamicWeights, RoundingOfEqualDistancesDoesNotMatter) {
     std::mt19937 random(1);
     for (int trial = 0; trial < 100; ++trial) {
@@ -157,7 +157,7 @@ TEST(DynamicWeights, RoundingOfEqualAnglesDoesNotMatter) {
         s.angle_per_photo = true;
         s.exponent = 64;
         for (const double w : dynamic_weights(view_at({0, 0, 0}, R), photos, s))
-            ASSERT_NEAR(w, 1, 1e-3) << "away by " << away;
+            ASSERT_NEAR(w, 1, 1e-3) << "at distance " << away;
     }
 }
 
@@ -193,13 +193,13 @@ TEST(DynamicWeights, AreDefinedForOppositeDirectionsAndAtACamera) {
     const auto w = dynamic_weights(view_at({0, 0, 0}, ahead), photos, s);
     EXPECT_DOUBLE_EQ(w[0], 1) << "same position and direction";
     EXPECT_NEAR(w[1], 1e-3, 1e-12) << "same position, opposite direction";
-    EXPECT_NEAR(w[2], 1e-3, 1e-12) << "same direction, farthest away";
+    EXPECT_NEAR(w[2], 1e-3, 1e-12) << "same direction, most distant";
 }
 
 TEST(DynamicWeights, AreFiniteForExtremeFieldsOfView) {
     for (const double own : {0.1, 60.0, 170.0})
         for (const double wanted : {0.1, 60.0, 170.0}) {
-            // In front of the model, at its center, and looking away from it.
+            // In front of the model, at its center, and facing away from it.
             std::vector<package::PhotoRecord> photos{photo_at({0, 0, -10}, turned(0, 0, 0), own),
                                                      photo_at({0, 0, 0}, turned(0, 0, 0), own),
                                                      photo_at({0, 0, -10}, turned(0, 3.1, 0), own)};
@@ -210,7 +210,7 @@ TEST(DynamicWeights, AreFiniteForExtremeFieldsOfView) {
             s.exponent = 1;
             const auto w = dynamic_weights(view, photos, s);
             for (const double x : w) EXPECT_TRUE(x > 0 && x <= 1) << own << ' ' << wanted << ' ' << x;
-            EXPECT_EQ(w[2], 1) << "sees nothing, so it is not moved from the viewpoint";
+            EXPECT_EQ(w[2], 1) << "sees nothing, so it stays at the viewpoint";
             // [M] 4.1 to 4.3: w = 2 d tan(f / 2), d' = w / (2 tan(f' / 2)), with d = 10.
             const double rad = std::numbers::pi / 360;
             const double moved = 10 * (1 - std::tan(own * rad) / std::tan(wanted * rad));
@@ -271,7 +271,7 @@ TEST_F(BlendedWeights, ExtremeSettingsLoseNoPixel) {
 
 namespace {
 
-/// The weighted mean of `colors`, with one pass each, summed as resolve sums the output of blend.frag.
+/// The weighted mean of `colors`, one pass each, accumulated as resolve accumulates the output of blend.frag.
 double summed(const std::vector<double>& weights, const std::vector<double>& colors) {
     FrameTargets t = make_frame_targets({1, 1});
     const std::array<float, 4> zero{};
@@ -293,15 +293,16 @@ double summed(const std::vector<double>& weights, const std::vector<double>& col
     glUniform1f(shader::progress_uniform, 1);
     glBindVertexArray(none.id());
     for (std::size_t i = 0; i < weights.size(); ++i) {
-        // resolve squares the root and gives (color, 1); blending by a constant makes it (color * weight,
-        // weight).
+        // resolve squares the root and outputs (color, 1); blending with a constant turns it into (color *
+        // weight, weight).
         const auto c = float(std::sqrt(colors[i])), w = float(weights[i]);
         const std::array<float, 4> texel{c, c, c, 1};
         glTextureSubImage2D(one.id(), 0, 0, 0, 1, 1, GL_RGBA, GL_FLOAT, texel.data());
         glUniform3f(shader::exposure_uniform, w, w, w);
         glBindTextureUnit(shader::sums_unit, one.id());
         glBindTextureUnit(shader::surface_unit, one.id());
-        // Color by the uniform, alpha by the constant: constants are clamped to 1, which no weight exceeds.
+        // Color is scaled by the uniform, alpha by the constant: constants are clamped to 1, which no weight
+        // exceeds.
         glBlendFuncSeparate(GL_ONE, GL_ONE, GL_CONSTANT_ALPHA, GL_ONE);
         glBlendColor(0, 0, 0, w);
         glDrawArrays(GL_TRIANGLES, 0, 3);

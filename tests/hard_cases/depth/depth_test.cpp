@@ -38,8 +38,8 @@ TEST_F(Depth, EveryPixelMatchesItsFirstRayHit) {
 }
 
 TEST_F(Depth, DepthsAreExactOverANearFarRatioOfAMillion) {
-    // Around the camera, so that single precision suffices for near surfaces, too. Each strip of the frame
-    // has its own distance, and a second surface a thousandth behind the first.
+    // Surfaces around the camera, so that single precision suffices for near ones. Each strip of the frame
+    // has its own distance, and a second surface behind the first at 1.001 times its distance.
     Soup soup;
     for (const double side : {-1.0, 1.0})
         for (int strip = 0; strip < 7; ++strip) {
@@ -62,7 +62,7 @@ TEST_F(Depth, DepthsAreExactOverANearFarRatioOfAMillion) {
 }
 
 TEST_F(Depth, ClosedModelHasNoHolesFromInside) {
-    // A cube around the camera, which is close to one side.
+    // A cube around the camera, which is close to two of its sides.
     const double half = 4;
     Soup soup;
     for (int axis = 0; axis < 3; ++axis)
@@ -78,7 +78,7 @@ TEST_F(Depth, ClosedModelHasNoHolesFromInside) {
         Pose pose{random.rotation(), {}};
         pose.t = -pose.R * eye;
         for (const Seen& s : seen(soup, depth_camera, pose)) {
-            // OpenGL has only 24-bit positions, some of which the offset to the near side uses up.
+            // OpenGL has only 24-bit positions, some bits of which the offset to the near side uses up.
             EXPECT_LE(count_wrong(s.geometry, soup, depth_camera, pose, 1 / 64.0), s.by[0] == 'O' ? 4u : 0u)
                 << s.by << " turn " << turn;
             EXPECT_TRUE(std::ranges::all_of(s.geometry.z, [](float z) { return std::isfinite(z); })) << s.by;
@@ -92,7 +92,7 @@ TEST_F(Depth, ClosedModelHasNoHolesFromInside) {
     }
 }
 
-// Corners that are clamped to a frame would bend the edges.
+// Corners clamped to the frame would bend the edges.
 TEST_F(Depth, HugeFloorKeepsItsDepth) {
     Soup soup;
     soup.add({-1e6, 1, -3}, {2e6, 1, -7}, {-3e5, 1, 10});

@@ -1,4 +1,4 @@
-// Surfaces that hide each other, by little or not at all.
+// Surfaces that occlude each other by a small distance or not at all.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -38,7 +38,7 @@ TEST_F(Depth, NoTriangleOccludesItsOwnVertices) {
 TEST_F(Depth, GeometryBehindTheCameraIsNotSeen) {
     Soup soup;
     soup.add_square({-2, -2, -3}, {4, 0, 0}, {0, 4, 0});
-    soup.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0});     // touching the camera, in its plane
+    soup.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0});     // touching the camera's center, in its plane
     soup.add({-1, -1, 0}, {1, -1, 0}, {0, 1, 0});  // in its plane, around the camera
     soup.add({0, 0, 0}, {1, 0, -1}, {0, 1, -1});   // from its center backwards
     EXPECT_EQ(depth_range(soup.positions, Pose{}), Eigen::Vector2d(0, 0));
@@ -47,7 +47,7 @@ TEST_F(Depth, GeometryBehindTheCameraIsNotSeen) {
     for (const auto& uv : coordinates(soup, depth_camera, Pose{})) EXPECT_EQ(uv, Eigen::Vector2f(-1, -1));
     const PhotoProjection nothing = project_model(soup.positions, map_intrinsics(depth_camera), Pose{}, 0);
     for (std::size_t i = 0; i < soup.indices.size(); i += 3)
-        EXPECT_EQ(clipped(nothing, &soup.indices[i]).count, 0) << "nothing is left of pieces infinitely near";
+        EXPECT_EQ(clipped(nothing, &soup.indices[i]).count, 0) << "nothing remains of infinitely near pieces";
 }
 
 TEST_F(Depth, SurfacesOccludeEachOtherBeyondAThirdOfAPixel) {
@@ -64,7 +64,7 @@ TEST_F(Depth, SurfacesOccludeEachOtherBeyondAThirdOfAPixel) {
             for (const double share : shares)
                 for (int j = -16; j < 16; ++j)
                     for (int i = -24; i < 24; ++i) {
-                        // The far corners lie behind the interiors of near triangles.
+                        // The far corners are behind the interiors of near triangles.
                         const auto at = [&](int di, int dj) -> Eigen::Vector3d {
                             const Eigen::Vector3d p = point(i + di, j + dj);
                             return share * (share > 1 ? p + R * Eigen::Vector3d(0.08, 0.11, 0) : p);
@@ -104,8 +104,8 @@ TEST_F(Depth, SurfacesOccludeEachOtherBeyondAThirdOfAPixel) {
 }
 
 TEST_F(Depth, FinelyTessellatedSphereDoesNotOccludeItsNearSide) {
-    // Its facets lie inside the sphere, so they occlude no line of sight to its near side: exactly the cap up
-    // to the horizon is seen, and a little beyond where facets are below the horizon.
+    // The facets lie inside the sphere, so they occlude no line of sight to its near side: the cap up to the
+    // horizon is visible, and a little beyond where facets are below the horizon.
     constexpr std::uint32_t rings = 500, sectors = 1000;
     std::vector<std::uint32_t> indices;
     for (std::uint32_t r = 0; r < rings; ++r)
@@ -117,7 +117,7 @@ TEST_F(Depth, FinelyTessellatedSphereDoesNotOccludeItsNearSide) {
     struct Sight {
         double distance, focal;
     };
-    // All of it, a part from close by, and its center through long lenses.
+    // The whole sphere, a part from close by, and its center through long lenses.
     for (const auto& [distance, focal] : {Sight{3, 700}, {1.06, 60}, {40, 15000}, {500, 3e5}}) {
         const Eigen::Vector3d center(0.1, -0.06, distance);
         std::vector<Eigen::Vector3f> positions;

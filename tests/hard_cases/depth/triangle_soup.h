@@ -95,7 +95,7 @@ class Depth : public TemporaryFolder {
         const char* by;
         PhotoGeometry geometry;
     };
-    /// Rendered by both renderers, from the clusters that intersect the frame.
+    /// The results of both renderers, from the clusters that intersect the frame.
     static std::vector<Seen> seen(Soup soup, const Intrinsics& k, const Pose& pose) {
         const auto clusters = make_clusters(soup.positions, soup.indices, 64);
         const FrameTriangles in_frame = triangles_in_frame(clusters, soup.indices, k, pose);

@@ -1,4 +1,5 @@
-// A real scan's mesh, moved at random, and one that is not of the photos.
+// Alignment of a real scan's mesh after random transformations, and refusal of a mesh unrelated to the
+// photos.
 #include "pipeline/align/alignment.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// By an independent projection: how far vertices are in the photos from where they belong, px.
+/// The median displacement of vertices in the photos, in px, by an independent projection.
 double median_off(const SceneInput& right, const SceneInput& moved, const Similarity& mesh_from_cameras) {
     std::vector<double> off;
     const Similarity& s = mesh_from_cameras;

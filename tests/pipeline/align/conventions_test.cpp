@@ -1,4 +1,4 @@
-// Cameras and meshes of real scans, changed as exports differ; the photos must tell.
+// Cameras and meshes of real scans in different export conventions, which must be identified from the photos.
 #include "pipeline/align/conventions.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ using Eigen::Vector3d;
 
 constexpr const char* scans[] = {"sceaux-small", "fountain-P11"};
 
-/// Written out again, not taken from the program.
+/// Implemented independently of the program.
 Matrix3d axes(int x, int y, int z) {
     Matrix3d m = Matrix3d::Zero();
     int row = 0;
@@ -35,12 +35,12 @@ Matrix3d axes(int x, int y, int z) {
     return m;
 }
 
-/// Cameras of a mesh whose points p are written as `R p`.
+/// Rotates the mesh by `R` and leaves the cameras.
 void turn_mesh(SceneInput& scene, const Matrix3d& R) {
     for (Vector3d& p : scene.mesh.positions) p = R * p;
 }
 
-/// The next best, as a share of the best.
+/// The agreement of the second-best convention, as a fraction of the best.
 double margin(std::vector<ConventionTrial> trials) {
     if (trials.size() < 2) return 0;  // the first pair of photos settled it
     std::ranges::sort(trials, std::greater{}, &ConventionTrial::agreement);
@@ -55,7 +55,7 @@ struct Change {
 const Similarity chunk{
     Eigen::AngleAxisd(2.1, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix(), {30, -400, 7}, 3.7};
 
-/// The reader has moved cameras by what their file says, and the mesh was exported without it.
+/// The reader has applied the camera file's transform to the cameras, but the mesh was exported without it.
 void export_before_transform(SceneInput& scene) {
     scene.transform = chunk;
     for (PhotoInput& p : scene.photos)
@@ -87,7 +87,7 @@ const Change changes[] = {{"as-read", [](SceneInput&) {}},
                                }
                            }}};
 
-/// The same camera and mesh, up to how both are turned together: a point of the mesh in the camera.
+/// A vertex in the camera's frame, which does not change if camera and mesh are rotated together.
 Vector3d seen(const SceneInput& scene, std::size_t photo, std::size_t vertex) {
     const Pose& q = scene.photos[photo].camera.cam_from_world;
     return q.R * scene.mesh.positions[vertex] + q.t;
@@ -157,7 +157,8 @@ TEST(Conventions, AMeshBesideWhatPhotosShowStopsTheRun) {
     Vector3d eye = Vector3d::Zero();
     for (const PhotoInput& p : right.photos)
         eye += p.camera.cam_from_world.center() / double(right.photos.size());
-    // Of another unit, about where the cameras look and about zero; moved towards the cameras and aside.
+    // Meshes scaled to another unit, about the cameras' target and about zero; and moved towards the cameras
+    // and sideways.
     const std::function<Vector3d(const Vector3d&)> changes[] = {
         [&](const Vector3d& p) -> Vector3d { return box.center() + 0.1 * (p - box.center()); },
         [&](const Vector3d& p) -> Vector3d { return box.center() + 0.001 * (p - box.center()); },
@@ -190,7 +191,7 @@ TEST(Conventions, AMeshThatIsSlightlyMovedIsSaid) {
     EXPECT_NE(scene.warnings[0].find("mesh.ply: shows features"), std::string::npos) << scene.warnings[0];
 }
 
-/// Two photos from nearly the same place agree with a mesh at any distance.
+/// Two photos from nearly the same position agree with a mesh at any distance.
 TEST(Conventions, PhotosOfABurstDoNotJudgeAMesh) {
     VANTAGE_DATASET(scan, "sceaux-small");
     SceneInput scene = read_scene(discover(scan));
@@ -235,7 +236,7 @@ TEST(Conventions, CamerasThatDoNotAgreeWithPhotosAreSaid) {
         return scene;
     };
     const std::string said = "cameras and photos do not agree";
-    SceneInput few = exchanged(4);  // too few features agree to judge the mesh
+    SceneInput few = exchanged(4);  // too few features agree to validate the mesh
     settle_convention(few, convention_auto, 0);
     ASSERT_EQ(few.warnings.size(), right.warnings.size() + 1);
     EXPECT_NE(few.warnings.back().find(said), said.npos) << few.warnings.back();
@@ -254,7 +255,7 @@ TEST(Conventions, NamesOfNoConventionAreRefused) {
     EXPECT_EQ(wanted_conventions({"no-transform", "mesh-turned"}), "no-transform,mesh-turned");
 }
 
-/// Photos as a lens with tangential terms would have taken them.
+/// Photos as taken by a lens with tangential distortion.
 class TangentialPhotos : public TemporaryFolder {
   protected:
     /// Photos reduced to 1000 px and distorted with OpenCV's p1 and p2.
@@ -275,7 +276,8 @@ class TangentialPhotos : public TemporaryFolder {
     }
 
   private:
-    /// For each pixel of the distorted photo, that of the pinhole photo (OpenCV's, centers at integers).
+    /// For each pixel of the distorted photo, its position in the pinhole photo (OpenCV's convention, centers
+    /// at integers).
     static cv::Mat pinhole_pixels(const Intrinsics& k, const std::vector<double>& lens) {
         std::vector<cv::Point2f> all, out;
         for (int y = 0; y < k.height; ++y)

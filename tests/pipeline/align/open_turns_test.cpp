@@ -1,4 +1,4 @@
-// Photos whose EXIF orientation leaves open which way up they are.
+// Photos with an ambiguous EXIF orientation.
 #include "pipeline/align/open_turns.h"
 
 #include <gtest/gtest.h>
@@ -19,10 +19,11 @@ namespace {
 
 class UpsideDown : public TemporaryFolder {
   protected:
-    /// A photo whose pixels are turned by 180 degrees.
+    /// Rotates a photo's pixels by 180 degrees.
     void turn(PhotoInput& photo) const { store(photo, 3); }
 
-    /// A photo as it is stored to be displayed as it was. Its camera keeps its middle.
+    /// Stores a photo's pixels for this EXIF orientation, so that it is displayed as before. The camera's
+    /// principal point stays where it is relative to the middle.
     void store(PhotoInput& photo, int orientation) const {
         const RgbaImage from = read_photo(photo.file, photo.decoded);
         const bool swaps = orientation >= 5;
@@ -40,7 +41,7 @@ class UpsideDown : public TemporaryFolder {
     }
 
   private:
-    /// Where a stored pixel is displayed (Exif 2.3, 4.6.4).
+    /// The displayed position of a stored pixel (Exif 2.3, 4.6.4).
     static std::pair<int, int> displayed(int x, int y, int w, int h, int orientation) {
         const int right = w - 1 - x, below = h - 1 - y;
         const std::pair<int, int> at[] = {{x, y}, {right, y}, {right, below}, {x, below},
@@ -59,7 +60,7 @@ TEST_F(UpsideDown, NeighborsTell) {
         EXPECT_EQ(turns.found, found);
         EXPECT_EQ(turns.unknown, Indices());
     };
-    expect_found({});  // none is in question
+    expect_found({});  // no photo is ambiguous
     for (PhotoInput& p : photos) p.open_turn = 3;
     expect_found({});
     turn(photos[2]);
@@ -71,7 +72,7 @@ TEST_F(UpsideDown, NeighborsTell) {
     expect_found(all);
 }
 
-/// As other programs take a photo that is shown by EXIF orientation 2 or 4.
+/// A photo with EXIF orientation 2 or 4, which other programs take as displayed.
 TEST_F(UpsideDown, AMirroredPhotoIsFound) {
     VANTAGE_DATASET(scan, "sceaux-small");
     for (const int orientation : {2, 4}) {
@@ -82,7 +83,7 @@ TEST_F(UpsideDown, AMirroredPhotoIsFound) {
     }
 }
 
-/// Its camera does not say whether it is of the photo as stored: it has no size.
+/// The camera has no size, so it may be that of the photo as stored or as displayed.
 TEST_F(UpsideDown, APhotoTurnedBy90DegreesIsFoundAndTurned) {
     VANTAGE_DATASET(scan, "sceaux-small");
     for (const int orientation : {5, 6, 7, 8}) {

@@ -20,7 +20,7 @@ double quantile(std::vector<double> values, double share) {
     return values.at(std::size_t(share * double(values.size() - 1)));
 }
 
-/// Directions of the backdrop that at least three photos show, by what the yard has there.
+/// Errors of the backdrop in directions that at least three photos show, by the part of the yard.
 struct ByContent {
     std::vector<double> ground, hill;  ///< relative error of the distance
     std::vector<double> sky;           ///< distance
@@ -51,7 +51,7 @@ double degrees_from_down(const Eigen::Vector3d& direction) {
     return std::acos(std::clamp(-direction.z(), -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
-/// Discs of a wall through the origin, 4 by 4.
+/// Discs of a wall through the origin, 4 by 4 units.
 std::vector<SurfaceDisc> wall(const Eigen::Vector3f& normal, int count) {
     const Eigen::Vector3f across = normal.cross(Eigen::Vector3f::UnitZ());
     std::vector<SurfaceDisc> out;
@@ -61,7 +61,7 @@ std::vector<SurfaceDisc> wall(const Eigen::Vector3f& normal, int count) {
     return out;
 }
 
-/// Two walls that stand on a narrow floor of a twentieth of all discs, all rough.
+/// Two walls on a narrow floor, which has a twentieth of all discs. All surfaces are rough.
 std::vector<SurfaceDisc> house(double floor, double roughness) {
     std::vector<SurfaceDisc> out = wall(Eigen::Vector3f::UnitY(), 300);
     const std::vector<SurfaceDisc> other = wall(Eigen::Vector3f::UnitX(), 270);
@@ -84,7 +84,7 @@ struct Depths {
     std::vector<float> inverse;
 };
 
-/// Directions within 45 degrees of the x axis, with these inverse distances but for noise.
+/// Directions within 45 degrees of the x axis, with these inverse distances plus noise.
 Depths depths_of(const Eigen::Vector3d& center,
                  const std::function<double(const Eigen::Vector3d& ray)>& inverse) {
     Depths out;
@@ -150,7 +150,7 @@ TEST(GroundPlane, IsNotTheTableOnWhichTheMeshStands) {
 TEST(WallsBeyond, AreFoundInTheDepths) {
     const Eigen::Vector3d center(3, -2, 1), facade = Eigen::Vector3d(1, 0.2, 0).normalized();
     const double facade_away = 12, gable_away = 7;
-    // The corner of a street, seen from the center with a little noise.
+    // A street corner, seen from the center with a little noise.
     const Depths d = depths_of(center, [&](const Eigen::Vector3d& ray) {
         return std::max(facade.dot(ray) / facade_away, ray.y() / gable_away);
     });
@@ -215,7 +215,7 @@ TEST(Backdrop, NeedsMoreThanOneViewpoint) {
 TEST(CalmColors, AreWhatMostPhotosShow) {
     std::vector<CoarseView> views =
         yard::photos([](const auto&, const auto&, const auto&) { return Eigen::Array3f(0.2f, 0.4f, 0.6f); });
-    for (std::size_t i = 0; i < views[4].ln.size(); ++i)  // leaves before one lens
+    for (std::size_t i = 0; i < views[4].ln.size(); ++i)  // leaves in front of one lens
         if (views[4].is_open(i)) views[4].ln[i] = Eigen::Array3f::Constant(std::log(0.02f));
     const Backdrop b = estimate_backdrop(views, {}, validated_detail, 0);
     const std::vector<Eigen::Array3f> colors = calm_colors(b, views, paint_backdrop(b, views, 0));
@@ -224,7 +224,8 @@ TEST(CalmColors, AreWhatMostPhotosShow) {
         ASSERT_TRUE(c.isFinite().all());
         right += (c - Eigen::Array3f(0.2f, 0.4f, 0.6f)).abs().maxCoeff() < 0.1f;
     }
-    EXPECT_GT(double(right), 0.9 * double(colors.size())) << "all but what only the photo with leaves shows";
+    EXPECT_GT(double(right), 0.9 * double(colors.size()))
+        << "all but the area seen only by the photo with leaves";
 }
 
 TEST(CalmColors, OfTheSkyHaveNothingOfTheHillBelow) {

@@ -11,7 +11,7 @@ using namespace vantage;
 
 namespace {
 
-/// The yard, each photo brighter or darker by up to a seventh.
+/// Photos of the yard, each brighter or darker by up to a seventh.
 std::vector<CoarseView> unevenly_exposed() {
     std::vector<CoarseView> views = yard::photos();
     for (CoarseView& v : views) {
@@ -89,7 +89,7 @@ TEST(PhotoLabels, AreOfPhotosThatShowThePlaceAndContinueAcrossSeams) {
     }
     EXPECT_EQ(unpainted, 0u) << "of " << shown;
     ASSERT_GT(seams, 100u);
-    EXPECT_LT(after, 0.5 * before) << before / double(seams) << " in the mean at " << seams << " places";
+    EXPECT_LT(after, 0.5 * before) << before / double(seams) << " on average at " << seams << " seams";
     EXPECT_LT(after / double(seams), 4.0 / 255);
 }
 
@@ -104,7 +104,7 @@ TEST(PhotoLabels, ThereAreNoneWherePhotosShowNothing) {
         if (std::ranges::count(views, ViewSample::open, kind) > 0) continue;
         ASSERT_EQ(paint.view[d], BackdropPaint::none);
         if (std::ranges::count(views, ViewSample::nothing, kind) == std::ptrdiff_t(views.size())) {
-            ASSERT_LT(paint.trust[d], 0.7f) << "the least where one photo shows it";
+            ASSERT_LT(paint.trust[d], 0.7f) << "the minimum where one photo shows it";
         }
     }
 }

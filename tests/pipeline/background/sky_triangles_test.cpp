@@ -1,6 +1,6 @@
-// Which triangles of a mesh are sky. The truth is a house drawn by rays: brick with a window that mirrors the
-// sky, a white tower beside it, a pond before it, and above the roof a membrane that the mesh has and the
-// world has not.
+// Detection of a mesh's sky triangles. The ground truth is a ray-traced house: brick with a window that
+// mirrors the sky, a white tower beside it, a pond in front of it, and above the roof a membrane that exists
+// only in the mesh.
 #include "pipeline/background/sky_triangles.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using SkyCode = std::function<float(double elevation, int channel)>;  // codes
 
-/// An upright rectangle at a depth y, or level at a height z.
+/// An upright rectangle at depth y.
 struct HousePart {
     double x0, x1, z0, z1, y;
     bool real;
@@ -39,7 +39,8 @@ struct House {
                  {3.2, 5, 0, 5, 0, true, [white](const auto&, const auto&, int) { return white; }},
                  {-2, 2, 3, 4.6, 0.5, false, {}}};
     }
-    /// What a ray meets of the mesh, or of the world: its distance, infinite for the sky, and the part.
+    /// The nearest intersection of a ray with the mesh, or with the world: distance, infinite for the sky,
+    /// and part.
     std::pair<double, const HousePart*> meets(const Eigen::Vector3d& eye, const Eigen::Vector3d& ray,
                                               bool mesh) const {
         std::pair<double, const HousePart*> out{std::numeric_limits<double>::infinity(), nullptr};
@@ -90,7 +91,7 @@ struct House {
     }
 };
 
-/// Each part in squares of .1 units, and the ground before the house.
+/// The parts in squares of 0.1 units, and the ground in front of the house.
 struct HouseMesh {
     std::vector<Eigen::Vector3f> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -126,8 +127,8 @@ struct HouseMesh {
 };
 
 struct Removed {
-    double membrane = 0;   ///< share
-    std::size_t real = 0;  ///< triangles
+    double membrane = 0;   ///< fraction removed
+    std::size_t real = 0;  ///< number of triangles removed
 };
 Removed removed_from(const House& house) {
     const HouseMesh mesh(house);

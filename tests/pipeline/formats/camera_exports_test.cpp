@@ -1,4 +1,4 @@
-// The same cameras as other programs export them.
+// Reads the same cameras from the export formats of other programs.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -23,7 +23,7 @@ Eigen::Matrix3d random_rotation(std::mt19937& random) {
         .toRotationMatrix();
 }
 
-/// Cameras all around, with lenses of their own, two of them portrait.
+/// Cameras in all directions, each with its own lens, two of them portrait.
 std::vector<Photo> some_photos() {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> one(-1, 1);
@@ -47,7 +47,7 @@ std::vector<Photo> some_photos() {
     return out;
 }
 
-/// Photos that fit one focal length in both directions.
+/// Photos with the same focal length in x and y.
 std::vector<Photo> with_square_pixels(std::vector<Photo> photos) {
     for (Photo& p : photos) p.fy = p.fx;
     return photos;
@@ -157,7 +157,7 @@ TEST_F(CameraExports, WhatCannotBeReadIsSaidInOneLineWithItsPlace) {
         put(c.file, c.text);
         try {
             read_cameras(dir / c.file);
-            ADD_FAILURE() << c.file << " is read; expected: " << c.expected;
+            ADD_FAILURE() << c.file << " was accepted; expected: " << c.expected;
         } catch (const Error& e) {
             const std::string what = e.what();
             EXPECT_NE(what.find(c.expected), what.npos) << what;

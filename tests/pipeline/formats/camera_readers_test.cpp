@@ -1,4 +1,4 @@
-// Camera files as users have them: with cameras that no photo uses, without any, or of other things.
+// Camera files as users have them: with unused cameras, without cameras, or with other contents.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,12 +26,12 @@ class CameraReaders : public TemporaryFolder {
                        ", \"frames\": [{\"file_path\": \"a.jpg\", "
                        "\"transform_matrix\": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}]}");
     }
-    /// Expects an error of this type whose line contains these words.
+    /// Expects an error of this type whose message contains these words.
     template <class E = Error>
     static void expect_error(const fs::path& cameras, const std::string& words) {
         try {
             read_cameras(cameras);
-            ADD_FAILURE() << cameras << " is read; expected: " << words;
+            ADD_FAILURE() << cameras << " was accepted; expected: " << words;
         } catch (const E& e) {
             EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
         }
@@ -144,7 +144,7 @@ TEST_F(CameraReaders, OutputOfOtherProgramsIsNotTakenForBundler) {
 }
 
 TEST_F(CameraReaders, TransformsTakeTheFocalLengthThatIsGiven) {
-    const double right = std::numbers::pi / 2;  // 0.5 sides of the photo
+    const double right = std::numbers::pi / 2;  // a focal length of half the photo's side
     struct Case {
         std::string keys;
         CameraSet::Unit unit;

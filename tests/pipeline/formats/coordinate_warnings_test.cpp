@@ -1,4 +1,4 @@
-// Meshes far from zero whose coordinates were rounded, or with strays, are reported; others are not.
+// Warnings about rounded coordinates far from zero and about stray vertices, and no false alarms.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace {
 constexpr int grid_side = 40;
 const Eigen::Vector3d utm(500000, 5400000, 120);
 
-/// A surface of side x side vertices, 4 m wide, of random height and spacing.
+/// A surface of side x side vertices, 4 m wide, with random height and spacing.
 Mesh surface(const Eigen::Vector3d& at, double spacing = 0.1, double jitter = 0.03) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-jitter, jitter);
@@ -66,7 +66,7 @@ class CoordinateWarnings : public TemporaryFolder {
         f.close();
         return read("mesh.ply");
     }
-    /// The mesh as OBJ, by a format of printf for three numbers.
+    /// The mesh as OBJ, with a printf format for three numbers.
     std::vector<std::string> as_obj(const Mesh& m, const char* format) const {
         std::ofstream f(dir / "mesh.obj");
         for (const Eigen::Vector3d& p : m.positions) {
@@ -131,7 +131,7 @@ TEST_F(CoordinateWarnings, StraysDoNotHideRounding) {
                 ElementsAre(HasSubstr("vertex 1600"), HasSubstr("coordinates are rounded (x in steps of")));
 }
 
-// Real scans have a dense object in a large surrounding: it is no stray.
+// Real scans have a dense object in large surroundings, which are not strays.
 TEST_F(CoordinateWarnings, BackgroundAreNotStrays) {
     Mesh m = surface({0, 0, 0}, 0.001, 0.0003);
     const auto n = std::uint32_t(m.positions.size());

@@ -10,7 +10,7 @@
 namespace vantage::exported {
 namespace {
 
-/// Writes numbers with all their digits.
+/// Writes numbers with full precision.
 class Text {
   public:
     Text() { out_ << std::setprecision(17); }
@@ -19,7 +19,7 @@ class Text {
         out_ << v;
         return *this;
     }
-    /// Row by row.
+    /// Writes a matrix row by row.
     template <class M>
     Text& numbers(const M& m, const char* between) {
         for (Eigen::Index i = 0; i < m.rows(); ++i)
@@ -132,7 +132,7 @@ std::string realitycapture_csv(const std::vector<Photo>& photos) {
     Text t;
     t << "#cameras " << photos.size() << "\n#name,x,y,alt,heading,pitch,roll,f,px,py,k1,k2,k3,k4,t1,t2\n";
     for (const Photo& p : photos) {
-        // Columns of a camera that looks along -z with y up: Rz(-yaw) Rx(pitch) Ry(roll).
+        // The axes of a camera that looks along -z with y up: Rz(-yaw) Rx(pitch) Ry(roll).
         const Eigen::Matrix3d m = p.R.transpose() * Eigen::Vector3d(1, -1, -1).asDiagonal();
         const double pitch = std::asin(m(2, 1)), yaw = std::atan2(m(0, 1), m(1, 1)),
                      roll = std::atan2(-m(2, 0), m(2, 2)), s = longer(p);

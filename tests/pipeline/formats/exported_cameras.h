@@ -6,7 +6,7 @@
 
 namespace vantage::exported {
 
-/// A photo with a lens that most programs know: k1 k2 k3 and OpenCV's p1 p2.
+/// A photo with a lens model that most programs support: k1 k2 k3 and OpenCV's p1 p2.
 struct Photo {
     std::string name;
     int width, height;
@@ -16,24 +16,24 @@ struct Photo {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
 };
 
-/// Files as other programs write them, from the descriptions of their formats. They share nothing with the
-/// readers.
+/// Files as other programs write them, according to the descriptions of their formats. No code is shared with
+/// the readers.
 std::string colmap_cameras(const std::vector<Photo>& photos);
 std::string colmap_images(const std::vector<Photo>& photos);
 /// `chunk_R`, `chunk_t`, `chunk_scale`: from the chunk's frame to the world.
 std::string metashape(const std::vector<Photo>& photos, const Eigen::Matrix3d& chunk_R,
                       const Eigen::Vector3d& chunk_t, double chunk_scale);
-/// The sidecar of one photo; `as_attributes`: the form of other versions.
+/// The sidecar of one photo; `as_attributes`: the syntax of other versions.
 std::string realitycapture_xmp(const Photo& photo, bool as_attributes);
-/// With yaw, pitch and roll.
+/// Rotations as yaw, pitch and roll.
 std::string realitycapture_csv(const std::vector<Photo>& photos);
 std::string meshroom(const std::vector<Photo>& photos);
 std::string openmvg(const std::vector<Photo>& photos);
 std::string opensfm(const std::vector<Photo>& photos);
-/// `applied`: rows of a rotation that the program applied to the world.
+/// `applied`, `applied_t`: rotation and translation that the program applied to the world.
 std::string transforms(const std::vector<Photo>& photos, const Eigen::Matrix3d& applied,
                        const Eigen::Vector3d& applied_t);
-/// With y up and x to the left in the camera.
+/// Camera axes with y up and x to the left.
 std::string blocks_exchange(const std::vector<Photo>& photos);
 
 }  // namespace vantage::exported

@@ -29,7 +29,7 @@ class CameraExports : public TemporaryFolder {
         }
         put("mesh.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     }
-    /// Reads the folder as prepare does, and compares with the truth.
+    /// Reads the folder as prepare does, and compares the cameras with the ground truth.
     void expect_cameras(const std::vector<Photo>& photos, const std::string& format) {
         const SceneInput scene = read_scene(discover(dir));
         EXPECT_EQ(scene.camera_format, format);
@@ -49,7 +49,7 @@ class CameraExports : public TemporaryFolder {
         for (const Eigen::Vector2d& q : {Eigen::Vector2d(0.3, -0.2), {-0.4, 0.1}, {0.2, 0.35}})
             EXPECT_LT((distort(c.lens, q) - distorted(p, q)).norm(), 1e-12) << format << ' ' << p.name;
     }
-    /// OpenCV's equations, written out again.
+    /// OpenCV's equations, implemented independently.
     static Eigen::Vector2d distorted(const Photo& p, const Eigen::Vector2d& q) {
         const double x = q.x(), y = q.y(), r2 = x * x + y * y,
                      radial = 1 + p.k1 * r2 + p.k2 * r2 * r2 + p.k3 * r2 * r2 * r2;

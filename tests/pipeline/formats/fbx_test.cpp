@@ -28,7 +28,7 @@ using Reals = std::vector<double>;
 using Integers = std::vector<int>;
 using Property = std::variant<int, std::int64_t, double, std::string, ObjectName, Reals, Integers>;
 
-/// A node of an FBX file, version 7.4, as it is described at code.blender.org (2013).
+/// A node of an FBX file, version 7.4, as described at code.blender.org (2013).
 struct Node {
     std::string name;
     std::vector<Property> properties{};
@@ -89,7 +89,7 @@ struct AsBinary {
     }
 };
 
-/// `at`: where it begins in the file.
+/// `at`: the node's offset in the file.
 std::string binary_of(const Node& node, std::size_t at) {
     std::string properties, children;
     for (const Property& p : node.properties) properties += std::visit(AsBinary(), p);
@@ -123,7 +123,7 @@ Node model(std::int64_t id, const std::string& kind, Nodes properties) {
             {id, ObjectName{"part", "Model"}, kind},
             {{"Version", {232}}, {"Properties70", {}, std::move(properties)}}};
 }
-/// A layer with a value per corner of each polygon.
+/// A layer element with a value per polygon corner.
 Node layer(const std::string& kind, const std::string& list, Reals values) {
     return {"LayerElement" + kind,
             {0},
@@ -141,7 +141,7 @@ Node layer_list(const std::string& kind) {
 }
 constexpr std::int64_t parent = 2001, child = 2002, geometry = 1001;
 
-/// A geometry placed by a child below a parent.
+/// A file with a geometry below a child model below a parent model.
 Nodes file_of(Node shape, Nodes of_parent, Nodes of_child,
               Nodes settings = {number_property("UnitScaleFactor", 100)}) {
     const auto connects = [](std::int64_t a, std::int64_t b) { return Node{"C", {"OO", a, b}}; };
@@ -154,8 +154,8 @@ Nodes file_of(Node shape, Nodes of_parent, Nodes of_child,
             {"Connections", {}, {connects(parent, 0), connects(child, parent), connects(geometry, child)}}};
 }
 
-/// Four corners, which no float holds exactly, and the faces of a tetrahedron; the last index of each is
-/// stored as its complement.
+/// Four corners that single precision cannot represent exactly, and the faces of a tetrahedron; the last
+/// index of each face is stored as its complement.
 const Reals corners{0.1, 0.2, 0.3, 1.5, 0.25, 0.125, 0.4, 1.75, 0.6, 0.3, 0.7, 2.1};
 const Integers faces{0, 2, ~1, 0, 1, ~3, 1, 2, ~3, 0, 3, ~2};
 
@@ -169,7 +169,7 @@ Node shape_of(const Reals& vertices, const Integers& indices, Nodes layers = {})
 
 Eigen::Vector3d corner(std::size_t v) { return {corners[3 * v], corners[3 * v + 1], corners[3 * v + 2]}; }
 
-/// `p`, turned about x, then y, then z, by angles in degrees.
+/// `p`, rotated about x, then y, then z, by angles in degrees.
 Eigen::Vector3d turned(Eigen::Vector3d p, const Eigen::Vector3d& degrees) {
     for (int axis = 0; axis < 3; ++axis) {
         const double a = degrees[axis] * std::numbers::pi / 180;
@@ -188,7 +188,7 @@ class FbxMesh : public TemporaryFolder {
         warnings.clear();
         return read_mesh(dir / "mesh.fbx", warnings);
     }
-    /// The mesh, which text and binary must give alike.
+    /// The mesh, which must be the same from the text and the binary file.
     Mesh read(const Nodes& file) {
         const Mesh text = read(text_of(file)), binary = read(binary_of(file));
         EXPECT_EQ(text.positions, binary.positions);
@@ -211,7 +211,7 @@ TEST_F(FbxMesh, ModelsPlaceItsGeometry) {
                      vector_property("Lcl Scaling", s)};
     };
     const Mesh mesh = read(file_of(shape_of(corners, faces), placed(t1, r1, s1), placed(t2, r2, s2)));
-    ASSERT_EQ(mesh.positions.size(), 4u) << "vertices are stored once per corner of a triangle";
+    ASSERT_EQ(mesh.positions.size(), 4u) << "shared corners are merged";
     ASSERT_EQ(mesh.triangles.size(), 4u);
     for (std::size_t f = 0; f < 4; ++f)
         for (std::size_t c = 0; c < 3; ++c) {
@@ -255,7 +255,7 @@ TEST_F(FbxMesh, UnitAndAxesAreNotConverted) {
 }
 
 TEST_F(FbxMesh, PolygonsAreTriangulatedWithinTheirOutline) {
-    // An L of six corners; a fan about its first one would leave it.
+    // An L of six corners; a triangle fan about its first corner would leave the outline.
     const Mesh mesh = read(file_of(
         shape_of({2, 0, 0, 2, 1, 0, 1, 1, 0, 1, 2, 0, 0, 2, 0, 0, 0, 0}, {0, 1, 2, 3, 4, ~5}), {}, {}));
     ASSERT_EQ(mesh.triangles.size(), 4u);

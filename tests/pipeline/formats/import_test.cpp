@@ -1,4 +1,4 @@
-// Cameras of other programs.
+// Cameras from other programs.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

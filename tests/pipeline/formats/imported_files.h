@@ -26,7 +26,7 @@ class Import : public TemporaryFolder {
     static void append(std::string& s, T v) {
         s.append(reinterpret_cast<const char*>(&v), sizeof v);
     }
-    /// One OPENCV camera and one image, in COLMAP's binary layout.
+    /// Writes one OPENCV camera and one image in COLMAP's binary format.
     void put_binary() {
         std::string c, i;
         append<std::uint64_t>(c, 1), append<std::uint32_t>(c, 7), append<std::int32_t>(c, 4);

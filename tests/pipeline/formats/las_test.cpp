@@ -1,4 +1,4 @@
-// LAS files written here, byte by byte after ASPRS (2019), and read back.
+// LAS files, written byte by byte according to ASPRS (2019) and read back.
 #include "pipeline/formats/las.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Meshes of other programs, whole and broken.
+// Meshes from other programs, valid and invalid.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -65,7 +65,7 @@ const char* const survey_ply =
     "500000.125 5000000.0625 100 0.5 255 0 0 128 7\n500001.125 5000000.0625 100 0.25 0 255 0 255 8\n"
     "500000.125 5000001.0625 100 0.125 0 0 255 255 -9\n3 0 1 2\n";
 
-/// The same in binary; if `big`, in big-endian byte order.
+/// The same mesh in binary; if `big`, in big-endian byte order.
 std::string survey_binary(bool big) {
     std::string s = survey_ply;
     s.replace(s.find("ascii"), 5, big ? "binary_big_endian" : "binary_little_endian");
@@ -147,7 +147,7 @@ TEST_F(Import, PlyPointsStripsAndBrokenFaces) {
         "ply\nformat ascii 1.0\nelement vertex 2\n" + vertices + "end_header\n0 0 0\n1 1 nan\n");
     const Mesh points = read_mesh(dir / "points.ply", warnings);
     EXPECT_TRUE(points.points_only());
-    ASSERT_EQ(points.positions.size(), 1u) << "what is not finite is dropped";
+    ASSERT_EQ(points.positions.size(), 1u) << "non-finite points are dropped";
     put("strip.ply", "ply\nformat ascii 1.0\nelement vertex 5\n" + vertices +
                          "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
                          "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n9 0 1 2 3 4 -1 0 1 7\n");
@@ -234,7 +234,7 @@ TEST_F(Import, NumbersThatAreNotFiniteOrTiny) {
     const Mesh obj = read_mesh(dir / "mesh.obj", warnings);
     ASSERT_EQ(obj.triangles.size(), 1u);
     EXPECT_EQ(obj.positions[1], Eigen::Vector3d(1, 0, 0));
-    EXPECT_EQ(obj.normals[0], Eigen::Vector3f(0, 0, 1)) << "that of the face";
+    EXPECT_EQ(obj.normals[0], Eigen::Vector3f(0, 0, 1)) << "the face's normal";
     EXPECT_EQ(warnings, std::vector<std::string>{"mesh.obj: 2 invalid triangles dropped"});
     put("mesh.ply", replaced(survey_ply, "0.25 0 255", "-1.#IND000 0 255"));
     EXPECT_TRUE(std::isnan(read_mesh(dir / "mesh.ply", warnings).scalars[0].values[1]));

@@ -1,4 +1,4 @@
-// Camera files that other programs have written.
+// Camera files written by other programs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// Where a camera's lens images a point.
+/// The pixel at which a camera images a point.
 Eigen::Vector2d imaged(const Camera& c, const Eigen::Vector3d& point) {
     const Eigen::Vector3d p = c.cam_from_world.R * point + c.cam_from_world.t;
     const Eigen::Vector2d d = distort(c.lens, p.hnormalized());
@@ -75,7 +75,7 @@ TEST_F(RealCameras, MetashapeFilesOfAllKindsAreReadOrSayWhyNot) {
     EXPECT_NEAR(railway.entries[0].camera.intrinsics.cx, 5832 - 7.37477481323126, 1e-9);
     const CameraSet tricky = read_cameras(file("metashape/bitbyt3r-metashape-automation/cameras.xml"));
     EXPECT_GT(tricky.entries.size(), 80u);
-    EXPECT_EQ(tricky.entries[0].camera.lens.model, LensModel::brown) << "it has b2";
+    EXPECT_EQ(tricky.entries[0].camera.lens.model, LensModel::brown) << "because of b2";
     const CameraSet old = read_cameras(file("metashape/amarburg-photoscan_outputs/cameras.xml"));
     EXPECT_EQ(old.entries.size(), 16u);
     EXPECT_EQ(old.entries[0].camera.intrinsics.cx, 525.86579873845619);
@@ -184,13 +184,13 @@ TEST_F(RealCameras, BlocksExchangeLooksDownFromTheAir) {
                           "dataset_preprocessing.excerpt.xml"));
     ASSERT_EQ(set.entries.size(), 1u);
     const Camera& c = set.entries[0].camera;
-    EXPECT_NEAR(c.cam_from_world.center().z(), 127.390985712561, 1e-9) << "not that of its Metadata";
+    EXPECT_NEAR(c.cam_from_world.center().z(), 127.390985712561, 1e-9) << "not the center in its Metadata";
     EXPECT_LT(c.cam_from_world.direction().z(), 0);
     EXPECT_NEAR(c.intrinsics.fx, 9.9001356603859 * 4856 / 13.2, 1e-9);
     EXPECT_THROW(read_cameras(file("blocksexchange/StOriJimmy-libBATools/README.excerpt.xml")), Error);
 }
 
-/// The residuals of a MatchMover file's markers: ours and its own.
+/// The residuals of a MatchMover file's markers: computed here, and as stored in the file.
 struct Residuals {
     std::vector<double> ours, own;
 };
@@ -222,7 +222,7 @@ Residuals residuals_of(const fs::path& path) {
             const Camera& c = *camera->second;
             Eigen::Vector2d off = imaged(c, point->second) -
                                   Eigen::Vector2d(m.attribute("x").as_double(), m.attribute("y").as_double());
-            off.y() *= c.intrinsics.fx / c.intrinsics.fy;  // "re" counts in the width of pixels
+            off.y() *= c.intrinsics.fx / c.intrinsics.fy;  // "re" is in pixel widths
             out.ours.push_back(off.norm());
             out.own.push_back(m.attribute("re").as_double());
         }

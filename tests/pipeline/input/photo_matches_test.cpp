@@ -8,7 +8,7 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-/// Matches cameras, "group:photo", to photos of "/s"; several candidates are joined by |.
+/// Matches cameras, "group:photo", to photos of folder "/s"; several candidates are joined by |.
 Names matched(const Names& cameras, const Names& photos) {
     std::vector<CameraSet::Entry> entries;
     for (const std::string& name : cameras) {

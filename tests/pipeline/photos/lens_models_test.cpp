@@ -1,5 +1,5 @@
-// Lens models against other implementations: OpenCV's where it has one, else the equations in long double or
-// solved the other way.
+// Lens models compared with other implementations: OpenCV's where available, otherwise the equations in long
+// double or their inverse.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using Real = long double;
 using Coefficients = std::array<double, 12>;
 constexpr double focal = 3000;  // pixels, of a frame of 4000 x 3000
 
-/// Directions all over the frame that the lens images.
+/// Directions spread over the frame, within the lens's range.
 std::vector<Eigen::Vector2d> directions(const Lens& lens) {
     const double range = lens_range(lens);
     std::vector<Eigen::Vector2d> out;
@@ -37,7 +37,7 @@ double worst(const Lens& lens, const std::function<Eigen::Vector2d(const Eigen::
     return most;
 }
 
-/// Coefficients as lenses have them: some percent at the corner.
+/// Realistic coefficients: several percent of distortion at the corner.
 Coefficients coefficients(std::mt19937& random, std::initializer_list<double> sizes) {
     std::uniform_real_distribution<double> one(-1, 1);
     Coefficients p{};
@@ -63,7 +63,7 @@ struct Ld {
 Ld times(const Ld& a, Real s) { return {a.x * s, a.y * s}; }
 Eigen::Vector2d rounded(const Ld& a) { return {double(a.x), double(a.y)}; }
 
-/// On the equidistant angle.
+/// The position in the equidistant projection.
 Ld equidistant(const Eigen::Vector2d& q) {
     const Ld a{q.x(), q.y()};
     const Real r = std::sqrt(a.r2());
@@ -84,7 +84,7 @@ Ld tangential(const Ld& a, double p1, double p2) {
 
 constexpr int trials = 50;
 
-/// Expects an error in pixels below a millionth, and records the worst one of a test.
+/// Expects errors below a millionth of a pixel, and records the worst error of a test.
 class Exact {
   public:
     ~Exact() {
@@ -194,7 +194,7 @@ TEST(LensModels, UnifiedEqualsItsEquation) {
     }
 }
 
-/// How far directions are off that come back from where they were imaged.
+/// The worst error, in pixels, of directions that are distorted and undistorted again.
 double worst_return(const Lens& lens, const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& back) {
     double most = 0;
     for (const Eigen::Vector2d& q : directions(lens))
@@ -223,7 +223,7 @@ TEST(LensModels, MatchMoverComesBackByItsEquation) {
 }
 
 TEST(LensModels, RangeEndsWhereAModelHasNoImage) {
-    // The photo's radius turns at 1 / sqrt(k), and x' + k x'^3 at 1 / sqrt(-3 k).
+    // The photo's radius folds back at 1 / sqrt(k), and x' + k x'^3 at 1 / sqrt(-3 k).
     EXPECT_NEAR(lens_range({LensModel::division, {0.25}}), 1, 1e-3);
     EXPECT_TRUE(std::isinf(lens_range({LensModel::division, {-0.25}})));
     EXPECT_NEAR(lens_range({LensModel::matchmover, {-1.0 / 3}}), 2.0 / 3, 1e-3);

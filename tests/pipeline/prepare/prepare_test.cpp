@@ -39,7 +39,7 @@ TEST_F(Prepare, SceauxSmallPassesCheckAndIsDeterministic) {
     prepare(read_scene(discover(input)), settings, dir / "a.vantage", quiet);
     settings.threads = 1;
     prepare(read_scene(discover(input)), settings, dir / "b.vantage", quiet);
-    EXPECT_TRUE(slurp(dir / "a.vantage") == slurp(dir / "b.vantage")) << "1 thread against all";
+    EXPECT_TRUE(slurp(dir / "a.vantage") == slurp(dir / "b.vantage")) << "1 thread and all threads";
     for (const Issue& i : check_package(dir / "a.vantage", {.deep = true, .against = input}))
         ADD_FAILURE() << i.text;
 }
@@ -97,7 +97,7 @@ TEST_F(Prepare, ReorderedVerticesKeepTheirAttributes) {
     spec.photos.count = 1;
     copy_scene(spec, dir / "scene");
     SceneInput scene = read_scene(discover(dir / "scene"));
-    subdivide_large_triangles(scene.mesh, main_box(scene.mesh));  // so that preparing adds none
+    subdivide_large_triangles(scene.mesh, main_box(scene.mesh));  // so that prepare adds none
     const auto code = [](const Eigen::Vector3f& p) {
         return std::uint8_t(std::abs(int(p.x() * 31 + p.y() * 17 + p.z() * 7)) % 256);
     };
@@ -196,7 +196,7 @@ TEST_F(Prepare, DamageAndTruncationAreReportedForEveryChunk) {
     }
 }
 
-/// On this scene, thresholds ask for transient masks, which held-out photos refute.
+/// On this scene, thresholds enable transient masks, but validation on held-out photos rejects them.
 TEST_F(PrepareAtLength, WithoutTheJudgeThresholdsDecide) {
     VANTAGE_DATASET(input, "sceaux");
     PrepareSettings settings;
@@ -217,7 +217,7 @@ TEST_F(PrepareAtLength, WithoutTheJudgeThresholdsDecide) {
     EXPECT_TRUE(cost_of("exposure").seams.starts_with("-")) << cost_of("exposure").seams;
     EXPECT_EQ(cost_of("pose-refinement").state, "off, forced");
     EXPECT_GT(cost_of("exposure").bytes, 0u);
-    EXPECT_FALSE(cost_of("exposure").seconds) << "the run is not known";
+    EXPECT_FALSE(cost_of("exposure").seconds) << "the run's times are unknown";
     settings.validate = false;
     const EffectDecision by_threshold = decided();
     EXPECT_TRUE(by_threshold.on) << by_threshold.evidence;
@@ -230,5 +230,5 @@ TEST_F(PrepareAtLength, WithoutTheJudgeThresholdsDecide) {
     decided();
     settings.validate = false;
     decided();
-    EXPECT_TRUE(slurp(dir / "a.vantage") == fresh) << "judged and back";
+    EXPECT_TRUE(slurp(dir / "a.vantage") == fresh) << "with validation and without again";
 }

@@ -13,7 +13,7 @@ using namespace vantage;
 
 namespace {
 
-/// With an own cache, in which no speed of this machine is known yet.
+/// Each test has its own cache, without stored speeds of this machine.
 class Estimate : public TemporaryFolder {
   protected:
     void SetUp() override {

@@ -21,13 +21,13 @@ double degrees_between(const Vector3d& a, const Vector3d& b) {
     return std::acos(std::clamp(a.dot(b), -1.0, 1.0)) / degree;
 }
 
-/// Turned clockwise about its axis, as the photographer sees it.
+/// The camera rolled clockwise about its axis, from the photographer's point of view.
 Pose rolled(const Pose& pose, double degrees) {
     const Eigen::Matrix3d R = Eigen::AngleAxisd(-degrees * degree, Vector3d::UnitZ()).toRotationMatrix();
     return {R * pose.R, R * pose.t};
 }
 
-/// Cameras on an arc before a facade, held level within a degree and tilted up by some.
+/// Cameras on an arc in front of a facade, level within about a degree and tilted up.
 std::vector<Pose> photographer(int count, double arc, double tilt, unsigned seed = 1) {
     std::mt19937 random(seed);
     std::normal_distribution<double> roll(0, 1);
@@ -67,7 +67,7 @@ TEST(UpDirection, IsNotThatInWhichPhotographersLean) {
         const Vector3d up = up_direction(poses, {});
         EXPECT_LT(degrees_between(up, R * Vector3d::UnitZ()), 2) << seed;
         EXPECT_GT(degrees_between(mean.normalized(), R * Vector3d::UnitZ()), 12)
-            << "where their columns lean";
+            << "the mean of the columns leans";
     }
 }
 
@@ -122,7 +122,7 @@ TEST(UpDirection, IsFiniteForFewCamerasAndThoseThatLookDown) {
     EXPECT_LT(degrees_between(up_direction(one, {}), Vector3d::UnitZ()), 10);
     const std::vector<Pose> same(5, one[0]);
     EXPECT_NEAR(up_direction(same, {}).norm(), 1, 1e-9);
-    // Strips of photos from the air, flown to and fro.
+    // Strips of aerial photos, flown in alternating directions.
     std::vector<Pose> strips;
     for (int i = 0; i < 10; ++i) {
         Pose down{Vector3d(1, -1, -1).asDiagonal(), {0, 0, 0}};

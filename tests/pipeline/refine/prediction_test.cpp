@@ -14,8 +14,8 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-/// A photo of the plane z = 10, taken from (x, 0, 0) along z, brighter by `exposure`. It sees the plane where
-/// X is at most `until`.
+/// A photo of the plane z = 10, taken from (x, 0, 0) along z, brighter by `exposure`. It shows the plane
+/// where X is at most `until`.
 CoarsePhoto photo_of_plane(double x, float exposure, double until = 1e9) {
     CoarsePhoto photo;
     photo.k = {96, 64, 80, 80, 48, 32};
@@ -45,7 +45,7 @@ CoarsePhoto photo_of_plane(double x, float exposure, double until = 1e9) {
     return photo;
 }
 
-/// A target between two photos, of which the second is brighter and ends in the middle.
+/// A target between two photos, of which the second is brighter and shows only half of the plane.
 struct PhotosBesideTarget {
     CoarsePhoto target = photo_of_plane(0, 1), left = photo_of_plane(-0.5, 1),
                 right = photo_of_plane(0.5, 1.5f, 0);
@@ -81,7 +81,7 @@ TEST(Prediction, PaintedSeamIsMeasuredAndMendedByGains) {
 
 TEST(Prediction, ContradictedTexelsAreSkipped) {
     PhotosBesideTarget two;
-    // A passer-by in the left photo.
+    // A mask of a passer-by in the left photo.
     std::vector<std::uint8_t> weights(two.left.texels.size(), 255);
     for (int y = 20; y < 40; ++y)
         for (int x = 20; x < 40; ++x) {
@@ -105,7 +105,7 @@ TEST(Prediction, ContradictedTexelsAreSkipped) {
 TEST(Prediction, PhotosBehindTheSurfaceAndBehindTheCameraAreNotSeen) {
     const CoarsePhoto target = photo_of_plane(0, 1);
     CoarsePhoto behind = photo_of_plane(0, 1);
-    behind.pose.t = {0, 0, -20};  // looks away from the plane
+    behind.pose.t = {0, 0, -20};  // faces away from the plane
     const Sightings seen = sightings(target, std::array{OtherPhoto{0, &behind, behind.pose}});
     EXPECT_TRUE(seen.all.empty());
     const auto scores = score(own_color(target), std::array{predict(target, seen, {})});
@@ -126,7 +126,7 @@ TEST(SquareMeans, GiveTheMeanAroundAnyPosition) {
         EXPECT_NEAR(c[1], 2 * y, 1e-5);
         EXPECT_NEAR(c[2], 1, 1e-6);
     }
-    EXPECT_NEAR(means.around(0, 0)[0], 0.5, 1e-6) << "at the frame, the texels inside";
+    EXPECT_NEAR(means.around(0, 0)[0], 0.5, 1e-6) << "at the frame's edge, the texels inside";
     EXPECT_NEAR(means.around(4, 3)[0], 7.5, 1e-6);
     EXPECT_TRUE(square_means({}, 0, 0).colors.empty());
 }
@@ -162,5 +162,5 @@ TEST(Prediction, WhatIsOverexposedStaysWhiteInADarkerExposure) {
     EXPECT_NEAR(code_of_all(1), 255, 0.1);
     EXPECT_NEAR(code_of_all(std::sqrt(0.8f)), 255 * srgb_from_linear(0.4), 0.2) << "not overexposed";
     for (Sighting& s : seen.all) s.theta = 0;
-    EXPECT_NEAR(code_of_all(1), 255 * srgb_from_linear(0.5), 0.2) << "its own camera's picture is as exposed";
+    EXPECT_NEAR(code_of_all(1), 255 * srgb_from_linear(0.5), 0.2) << "a photo's own view keeps its exposure";
 }

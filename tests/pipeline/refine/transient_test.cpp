@@ -10,7 +10,8 @@ namespace {
 
 constexpr int width = 48, height = 32, cx = width / 2, cy = height / 2;
 
-/// A gray plane seen by all photos from one place; within `radius` texels of the middle it shows `light`.
+/// A photo of a gray plane, always from the same position; within `radius` texels of the middle it shows
+/// `light`.
 TransientView view(float light = 0.2f, int radius = 0) {
     CoarsePhoto photo;
     photo.k = {width, height, 40, 40, cx, cy};
@@ -26,7 +27,7 @@ int weight_in_the_middle(const TransientView& photo, std::vector<TransientView> 
     std::vector<const TransientView*> pointers;
     for (const TransientView& o : others) pointers.push_back(&o);
     const TransientMap map = transient_of(photo, pointers);
-    EXPECT_EQ(map.weight.at(0), 255) << "the rest is the same in all photos";
+    EXPECT_EQ(map.weight.at(0), 255) << "the rest is equal in all photos";
     return map.weight.at(std::size_t(cy) * width + cx);
 }
 

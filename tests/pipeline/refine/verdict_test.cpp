@@ -6,7 +6,7 @@ using namespace vantage;
 
 namespace {
 
-/// Photos that gain these decibels, with seams of 1 before and `seams` after.
+/// A judgment of photos with these gains in dB, and seams of 1 before and `seams` after.
 Judgment validated(const std::vector<double>& gains, double seams = 1) {
     std::vector<ValidatedPhoto> photos;
     for (const double g : gains)
@@ -30,8 +30,8 @@ TEST(Verdict, SummarizesGainErrorAndWorstPhoto) {
 TEST(Verdict, ClearGainCallsForAnEffect) {
     EXPECT_TRUE(is_called_for(validated({0.2, 0.3, 0.25})));
     EXPECT_FALSE(is_called_for(validated({1, -0.4, 0.1}))) << "within the error";
-    EXPECT_TRUE(is_called_for(validated({4, 1, 0, 0.01, -0.01, 0}))) << "few photos gain, and none loses";
-    EXPECT_FALSE(is_called_for(validated({2, 0.3, -0.4, -0.4, -0.4, -0.4}))) << "one gains, and most lose";
+    EXPECT_TRUE(is_called_for(validated({4, 1, 0, 0.01, -0.01, 0}))) << "few photos gain, none loses";
+    EXPECT_FALSE(is_called_for(validated({2, 0.3, -0.4, -0.4, -0.4, -0.4}))) << "one gains, most lose";
     EXPECT_FALSE(is_called_for(validated({0, 0, 0})));
     EXPECT_FALSE(is_called_for(validated({-0.2, -0.3, -0.25})));
 }
@@ -51,7 +51,7 @@ TEST(Verdict, TooFewPhotosDoNotJudge) {
     EXPECT_EQ(validated({}).photos, 0);
     EffectDecision decision{Effect::exposure, true, false, 0.1, "differ"};
     confirm(decision, validated({-1, -1}));
-    EXPECT_TRUE(decision.on) << "the threshold has decided";
+    EXPECT_TRUE(decision.on) << "decided by the threshold";
     confirm(decision, validated({-1, -1, -1}));
     EXPECT_FALSE(decision.on);
     EffectDecision forced{Effect::exposure, true, true, 0.1, "differ"};

@@ -24,12 +24,12 @@ TEST(WeightMaps, DepthHasTwelveStepsPerOctave) {
         ASSERT_EQ(weight_maps[4 * i + 3], 255);
     }
     for (std::size_t c = 0; c < 4; ++c)
-        EXPECT_EQ(weight_maps[weight_maps.size() - 4 + c], 0) << "nothing is seen there";
+        EXPECT_EQ(weight_maps[weight_maps.size() - 4 + c], 0) << "no surface there";
 }
 
 TEST(MaskPyramid, AveragesOnlyValidTexels) {
     const float inf = std::numeric_limits<float>::infinity();
-    // 3x2: one 2x2 block with a hole, and an odd column where nothing is seen.
+    // 3x2: one 2x2 block with a hole, and an odd column without surface.
     WeightMapLevel fine{3, 2, std::vector<std::uint8_t>(24, 0), {1, 5, inf, 3, inf, inf}};
     const std::uint8_t angle[] = {10, 20, 0, 33, 0, 0};
     for (std::size_t i = 0; i < 6; ++i) {

@@ -94,7 +94,7 @@ TEST_F(Rasterize, PlaneReachingBehindTheCameraIsClipped) {
 }
 
 TEST_F(Rasterize, AdjacentTrianglesLeaveNoGaps) {
-    // A fan of slivers around the center that covers the whole frame.
+    // A fan of slivers around the center, covering the whole frame.
     std::vector<Eigen::Vector3f> positions{{0, 0, 5}};
     std::vector<std::uint32_t> indices;
     constexpr std::uint32_t parts = 997;
@@ -150,7 +150,7 @@ TEST_F(Rasterize, VertexVisibilityMatchesRayCasting) {
         }
     }
     const RayScene rays(positions, indices);
-    // At several vertices per pixel, too.
+    // Includes a frame with several vertices per pixel.
     for (const Intrinsics& k : {camera, Intrinsics{32, 24, 24, 24, 15.3, 12.6}}) {
         const auto found = vertex_coordinates(projected(positions, k, Pose{}), indices, k);
         std::size_t seen = 0, hidden = 0, differ = 0;
@@ -175,7 +175,7 @@ TEST_F(Rasterize, VertexVisibilityMatchesRayCasting) {
 }
 
 TEST_F(Rasterize, VisibilityTakesNoMoreWorkPerTriangleFromFarAway) {
-    // Two wavy sheets, one behind the other, in a frame that they fill, and from 5 and 20 times as far, where
+    // Two wavy sheets, one behind the other, that fill the frame, and from 5 and 20 times the distance, where
     // hundreds of triangles share a pixel; upright and diagonal.
     constexpr std::uint32_t side = 250;
     for (const double turn : {0.0, 0.7})
@@ -211,7 +211,7 @@ TEST_F(Rasterize, VisibilityTakesNoMoreWorkPerTriangleFromFarAway) {
 }
 
 TEST_F(Rasterize, CurvedSurfaceDoesNotOccludeItself) {
-    // A finely tessellated sphere: vertices facing the camera are seen, the others are not.
+    // A finely tessellated sphere: vertices facing the camera are visible, the others are not.
     constexpr int rings = 180, sectors = 360;
     std::vector<Eigen::Vector3f> positions;
     std::vector<std::uint32_t> indices;

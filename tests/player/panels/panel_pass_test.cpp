@@ -64,7 +64,7 @@ Vector2d edges_of_l() {
 }
 
 struct Stroke {
-    double middle, width, rise;  ///< pixels; pixels from 10 % to 90 % of the peak coverage
+    double middle, width, rise;  ///< pixels; `rise`: from 10 % to 90 % of the peak coverage
 };
 
 /// The stroke of an "l" at panel pixel (200, 140), viewed head-on, from pictures shifted by fractions of a

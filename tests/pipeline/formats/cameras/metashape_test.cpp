@@ -1,4 +1,4 @@
-// Metashape's XML as projects of users have it.
+// Metashape's XML as found in users' projects.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -31,7 +31,7 @@ class Metashape : public TemporaryFolder {
     void expect_no_camera(const std::string& sensors, const std::string& in_chunk, const char* why) const {
         try {
             cameras(sensors, in_chunk);
-            ADD_FAILURE() << "is read; expected: " << why;
+            ADD_FAILURE() << "was accepted; expected: " << why;
         } catch (const NoCamera& e) {
             EXPECT_NE(std::string(e.what()).find(why), std::string::npos) << e.what();
         }
@@ -94,7 +94,7 @@ TEST_F(Metashape, SizeIsThatOfTheSensorIfTheCalibrationHasNone) {
     EXPECT_EQ(cameras(calibrated, own).entries.at(0).camera.intrinsics.width, 400);
     try {
         cameras("<sensor id=\"0\">" + calibration + "</sensor>", camera("A", 0));
-        ADD_FAILURE() << "is read without a size";
+        ADD_FAILURE() << "accepted without a size";
     } catch (const Error& e) {
         EXPECT_TRUE(std::string(e.what()).ends_with(
             "line 1: <calibration>: expected a <resolution> here or in its sensor, found none"))

@@ -27,12 +27,12 @@ const Indices tetrahedron{{0}, {2}, {1}, {0}, {1}, {3}, {1}, {2}, {3}, {0}, {3},
 
 Eigen::Vector3d vector(const std::array<float, 3>& v) { return {double(v[0]), double(v[1]), double(v[2])}; }
 
-/// `p`, turned about an axis of unit length by an angle in degrees (Rodrigues).
+/// `p`, rotated about a unit axis by an angle in degrees (Rodrigues).
 Eigen::Vector3d turned(const Eigen::Vector3d& p, const Eigen::Vector3d& axis, double degrees) {
     const double a = degrees * std::numbers::pi / 180;
     return p * std::cos(a) + axis.cross(p) * std::sin(a) + axis * axis.dot(p) * (1 - std::cos(a));
 }
-/// The same as a member of a node.
+/// The same rotation as a member of a node.
 std::string rotation(const Eigen::Vector3d& axis, double degrees) {
     const double half = degrees * std::numbers::pi / 360;
     std::ostringstream out;
@@ -65,7 +65,7 @@ class GltfMesh : public TemporaryFolder {
         }
         return "none";
     }
-    /// The tetrahedron, without a node.
+    /// A file with the tetrahedron's mesh, without a node.
     static GltfFile mesh_of(const Floats& positions, const std::string& more = "") {
         GltfFile file;
         const std::string attributes = "\"attributes\": {\"POSITION\": " + file.add(positions) + more + "}";
@@ -116,7 +116,7 @@ TEST_F(GltfMesh, NormalsStayPerpendicularIfNodesStretch) {
     file.add_node(rotation(x, -37) + ", \"scale\": [-1, 2, 3], \"mesh\": 0");
     const Mesh mesh = read(file);
     for (std::size_t v = 0; v < 4; ++v) {
-        // The inverse transpose of a scaling is the scaling by the inverse.
+        // The inverse transpose of a scaling is the inverse scaling.
         const Eigen::Vector3d n = turned(vector(normals[v]).cwiseQuotient(Eigen::Vector3d(-1, 2, 3)), x, -37);
         const Eigen::Vector3d expected = turned(n.cwiseQuotient(Eigen::Vector3d(1, 4, 0.5)), skew, 50);
         EXPECT_LT((mesh.normals[v].cast<double>() - expected.normalized()).norm(), 1e-6) << v;
@@ -158,7 +158,7 @@ TEST_F(GltfMesh, ReadsItsBufferFromTheFileAndFromFilesBesideIt) {
 }
 
 TEST_F(GltfMesh, SeamsAreClosedAndEdgesStaySharp) {
-    // Two triangles of a square that share no vertices, as at the border of a texture's patch.
+    // A square of two triangles that share no vertices, as at a texture seam.
     const Floats square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     Floats normals(6, {0, 0, 1});
     for (const bool sharp : {false, true}) {
@@ -180,7 +180,7 @@ TEST_F(GltfMesh, ColorsAreLinearLightAndOpaque) {
     GltfFile file;
     file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(four_corners) +
                   ", \"COLOR_0\": " + file.add(bytes) + "}, \"indices\": " + file.add(tetrahedron));
-    // Of three numbers, 0.2158605 is 128 / 255 in sRGB, and 0.0030353 is 10 / 255.
+    // As sRGB, 0.2158605 is 128 / 255, and 0.0030353 is 10 / 255.
     const Floats numbers{{0.2158605f, 0, 1}, {0.0030353f, 1, 1}, {2, -1, 0}, {NAN, 1, 1}};
     file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(four_corners) +
                   ", \"COLOR_0\": " + file.add(numbers) + "}, \"indices\": " + file.add(tetrahedron));
@@ -198,7 +198,7 @@ TEST_F(GltfMesh, ColorsAreLinearLightAndOpaque) {
     EXPECT_EQ(colors[5], (Color{10, 255, 255, 255}));
     EXPECT_EQ(colors[6], (Color{255, 0, 0, 255}));
     EXPECT_EQ(colors[7], (Color{0, 255, 255, 255}));
-    EXPECT_EQ(colors[8], (Color{255, 255, 255, 255})) << "of a mesh without";
+    EXPECT_EQ(colors[8], (Color{255, 255, 255, 255})) << "the default of a mesh without colors";
 }
 
 TEST_F(GltfMesh, LinesAndPointsAreSkipped) {

@@ -35,7 +35,7 @@ class Mtl : public TemporaryFolder {
     std::vector<std::filesystem::path> files;
 };
 
-/// A roof of two slopes that meet at the edge of vertices 1 and 2.
+/// A roof of two slopes that meet at the edge between vertices 1 and 2.
 const std::string roof =
     "v 0 0 1\nv 0 2 1\nv 1 0 0\nv -1 0 0\nusemtl tiles\nf 1 3 2\nusemtl skylight\nf 1 2 4\n";
 
@@ -49,7 +49,7 @@ TEST_F(Mtl, GivesColorAndAlpha) {
     EXPECT_EQ(m.size(), 7u);
     EXPECT_EQ(m.at("hole")[3], 0);
     EXPECT_EQ(m.at("glass pane"), (MaterialColor{255, 128, 0, 102}));
-    EXPECT_EQ(m.at("old"), (MaterialColor{255, 255, 255, 153})) << "Tr is what light passes";
+    EXPECT_EQ(m.at("old"), (MaterialColor{255, 255, 255, 153})) << "Tr is the transparency";
     EXPECT_EQ(m.at("both")[3], 51) << "d counts";
     EXPECT_EQ(m.at("halo")[3], 153);
     EXPECT_EQ(m.at("plain"), (MaterialColor{255, 255, 255, 255}));
@@ -66,14 +66,14 @@ TEST_F(Mtl, NamesMayHaveNumberSigns) {
     EXPECT_EQ(std::ranges::count_if(m.colors, [](const auto& c) { return c[3] == 77; }), 3)
         << "the corners of one triangle";
     EXPECT_TRUE(warnings.empty()) << warnings.front();
-    // A name may be nothing but a color, and a comment may follow one.
+    // A name may consist of a color only, and may be followed by a comment.
     const auto known =
         materials("newmtl #FF0000\nd 0.5\nnewmtl #00FF00\nd 1\nnewmtl oak # of the door\nd 0.25\n");
     EXPECT_EQ(material_named(known, "#FF0000").value()[3], 128);
     EXPECT_EQ(material_named(known, "#00FF00").value()[3], 255);
     EXPECT_EQ(material_named(known, "oak").value()[3], 64);
     EXPECT_FALSE(material_named(known, "ash"));
-    // The # of a number does not begin a comment.
+    // A # before a number does not start a comment.
     const auto numbered = materials("newmtl Glass #1 # frame\nd 1\nnewmtl Glass #2 # pane\nd 0.25\n");
     EXPECT_EQ(material_named(numbered, "Glass #2").value()[3], 64);
     EXPECT_FALSE(material_named(numbered, "Glass #3"));
@@ -117,7 +117,7 @@ TEST_F(Mtl, AreNotUsedIfAllAreOpaque) {
     const Mesh m = mesh("mtllib a.mtl\n" + roof);
     EXPECT_TRUE(m.colors.empty());
     EXPECT_EQ(m.positions.size(), 4u);
-    EXPECT_EQ(files, std::vector{dir / "a.mtl"}) << "it may become transparent";
+    EXPECT_EQ(files, std::vector{dir / "a.mtl"}) << "read in case it becomes transparent";
 }
 
 TEST_F(Mtl, KeepColorsOfVertices) {
@@ -145,9 +145,9 @@ TEST_F(Mtl, AreFoundAsExportersNameThem) {
     EXPECT_EQ(mesh("mtllib mu\u0308.mtl\n" + roof).colors.at(5)[3], 64);
     EXPECT_TRUE(warnings.empty());
     EXPECT_TRUE(mesh("mtllib none.mtl\nmtllib none.mtl\n" + roof).colors.empty());
-    EXPECT_EQ(files, std::vector{dir / "none.mtl"}) << "it may appear";
+    EXPECT_EQ(files, std::vector{dir / "none.mtl"}) << "listed in case it is added";
     write("MY materials.mtl", "newmtl skylight\n");
-    EXPECT_TRUE(mesh("mtllib My Materials.mtl\n" + roof).colors.empty()) << "which of two";
+    EXPECT_TRUE(mesh("mtllib My Materials.mtl\n" + roof).colors.empty()) << "two candidates";
     ASSERT_EQ(warnings.size(), 2u);
     EXPECT_EQ(warnings[0],
               "mesh.obj: its material file none.mtl is missing; faces of its materials are taken as opaque");

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Rotates and moves each camera at random, each by `pixels` at `distance`.
+/// Rotates and moves each camera randomly, each by `pixels` at `distance`.
 void disturb(SceneInput& scene, double pixels, double distance) {
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
@@ -83,7 +83,7 @@ TEST_F(SyntheticPoseRefinementAtLength, RecoversPerturbedCameras) {
     const auto done = prepare_as(given);
     EXPECT_TRUE(pose_refinement(done).decision.on) << pose_refinement(done).decision.evidence;
     const auto off = camera_errors(PackageReader(file), truth());
-    // The mean of all errors stays: it cannot be told from the survey's frame.
+    // The mean of all errors remains, since it is indistinguishable from a shift of the survey's frame.
     EXPECT_LT(median(off), 0.3 * pixels) << pose_refinement(done).decision.evidence;
     EXPECT_LT(worst(off), 0.4 * pixels);
     EXPECT_GT(median(camera_errors(PackageReader(file), given)), 0.4 * pixels);
@@ -114,7 +114,7 @@ TEST_F(SyntheticPoseRefinement, PairShiftsMatchTheCameraError) {
     for (const package::PairRecord& p : pose_refinement(done).pairs) {
         const bool with = p.a == 4 || p.b == 4;
         with_it += with;
-        // A rotation moves the edges of the picture somewhat more than its center.
+        // A rotation moves the picture's edges slightly more than its center.
         EXPECT_NEAR(std::hypot(p.shift[0], p.shift[1]), with ? 3.2 : 0, with ? 0.5 : 0.2)
             << p.a << ' ' << p.b;
         EXPECT_NEAR(std::abs(p.shift[1]), 0, 0.4);
@@ -165,7 +165,7 @@ TEST_F(SyntheticPoseRefinementAtLength, DegenerateInputsAreReportedAndLeftAlone)
     one.photos.resize(1);
     expect(one, "fewer than two photos");
 
-    SceneInput apart = whole;  // the second faces the other way
+    SceneInput apart = whole;  // the second faces the opposite direction
     apart.photos.resize(2);
     const Eigen::Matrix3d about = Eigen::AngleAxisd(3.14159, Eigen::Vector3d::UnitY()).toRotationMatrix();
     Pose& turned = apart.photos[1].camera.cam_from_world;
@@ -240,7 +240,7 @@ TEST_F(SyntheticPoseRefinementAtLength, ReusesPairsThatWereMeasured) {
     const auto again = prepare(input, bare, file, [](const Progress&) {});
     for (const auto& stage : again.stages) EXPECT_EQ(stage.made, 0u);
     prepare(input, {}, file, [](const Progress&) {});
-    EXPECT_TRUE(slurp(file) == fresh) << "exposure forced on and back";
+    EXPECT_TRUE(slurp(file) == fresh) << "exposure forced on and back to automatic";
 
     bare.effects = {{Effect::pose_refinement, EffectChoice::off}};
     prepare(input, bare, file, [](const Progress&) {});
@@ -280,7 +280,7 @@ TEST(RealPoseRefinement, NamesAWrongFocalLength) {
     fs::remove(file);
 }
 
-/// Neighbors and photos far apart; nobody else is accused, and nothing is moved.
+/// Swaps neighboring and distant photos; no other photo is reported, and no camera is moved.
 TEST(RealPoseRefinementAtLength, NamesSwappedCamerasAndNoOthers) {
     for (const char* name : {"sceaux-small", "fountain-P11"}) {
         VANTAGE_DATASET(dataset, name);

@@ -32,9 +32,9 @@ TEST(FieldOfView, OfAnEquidistantFisheyeIsProportionalToTheFrame) {
 }
 
 TEST(FieldOfView, EndsWhereTheLensDoes) {
-    // x (1 - x^2 / 3) has its maximum 2/3 at 1: beyond 45 degrees nothing is shown.
+    // x (1 - x^2 / 3) has its maximum 2/3 at 1: directions beyond 45 degrees have no image.
     EXPECT_NEAR(field_of_view(camera_with(LensModel::opencv, {-1 / 3.0}), 0), 90, 1e-3);
-    // The photo's radius r' shows r = r' / (1 + k r'^2), at most 1 / (2 sqrt(k)), here 1.
+    // Radius r' in the photo corresponds to r = r' / (1 + k r'^2), at most 1 / (2 sqrt(k)), here 1.
     EXPECT_NEAR(field_of_view(camera_with(LensModel::division, {0.25}), 0), 2 * std::atan(0.8) / degree,
                 1e-3);
 }
@@ -78,14 +78,14 @@ TEST(CameraFacts, NumbersThatCannotBeAreNotCounted) {
     EXPECT_TRUE(camera_facts({}).lenses.empty());
 }
 
-/// A coefficient has a name if, and only if, the lens depends on it.
+/// A coefficient has a name if and only if the lens depends on it.
 TEST(LensCoefficients, ThoseThatMatterHaveNames) {
     for (int m = 0; m <= int(last_lens_model); ++m) {
         const auto model = LensModel(m);
         const std::size_t names = coefficient_names(model).size();
         for (std::size_t i = 0; i < std::tuple_size_v<decltype(Lens::p)>; ++i) {
             Lens lens{model, {}};
-            if (model == LensModel::unified) lens.p = {0.5, 0.5};  // each does nothing without the other
+            if (model == LensModel::unified) lens.p = {0.5, 0.5};  // neither has an effect without the other
             const Eigen::Vector2d ray(0.5, 0.3), before = distort(lens, ray);
             lens.p[i] += 0.1;
             EXPECT_EQ(distort(lens, ray) != before, i < names) << name(model) << ", coefficient " << i;
