@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A compiler's launcher that stops before it would write code, and leaves an empty file in its place. Precompiled headers are made.
+# A compiler launcher that only checks the syntax and writes an empty object file. Precompiled headers are compiled.
 set -euo pipefail
 for word in "$@"; do
   [[ $word == *.gch ]] && exec "$@"

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 /// Defines `variable` as the folder of a real dataset, or skips the test if it is missing. VANTAGE_DATASETS
-/// is the folder that holds the datasets.
+/// is the folder with the datasets.
 #define VANTAGE_DATASET(variable, name)                                                           \
     const char* variable##_root = std::getenv("VANTAGE_DATASETS");                                \
     const std::filesystem::path variable =                                                        \

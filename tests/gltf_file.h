@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// A glTF 2.0 file, written from the specification (Khronos 2021): one buffer, and JSON by hand.
+/// A glTF 2.0 file, written according to the specification (Khronos 2021): one buffer, and hand-written JSON.
 struct GltfFile {
     std::string bytes;                            ///< of the buffer
     std::string views, accessors, meshes, nodes;  ///< items of these lists
@@ -34,7 +34,7 @@ struct GltfFile {
     void add_mesh(const std::string& primitive) { item(meshes, "{\"primitives\": [{" + primitive + "}]}"); }
     void add_node(const std::string& members) { item(nodes, "{" + members + "}"); }
 
-    /// `uri`: the file that holds the buffer; none in a .glb.
+    /// `uri`: the file with the buffer; none in a .glb.
     std::string json(const std::string& uri = "") const {
         return "{\"asset\": {\"version\": \"2.0\"}, \"scene\": 0, \"scenes\": [{\"nodes\": [" + roots +
                "]}], \"nodes\": [" + nodes + "], \"meshes\": [" + meshes + "], \"accessors\": [" + accessors +

@@ -10,8 +10,7 @@
 
 namespace vantage {
 
-/// A space of RGB colors by its equations: primaries and white as CIE 1931 x and y; a gamma, or 0 for the
-/// curve of sRGB.
+/// An RGB color space: primaries and white point as CIE 1931 x and y; a gamma, or 0 for the sRGB curve.
 struct RgbSpace {
     const char* name;
     std::array<double, 2> red, green, blue, white;
@@ -33,7 +32,7 @@ inline Curve curve_of(double gamma) {
             cmsFreeToneCurve};
 }
 
-/// The bytes of a profile, which is closed, under another description.
+/// Closes a profile and returns its bytes, with another description.
 inline std::string icc_bytes(cmsHPROFILE profile, const char* description) {
     const std::unique_ptr<void, decltype(&cmsCloseProfile)> owned(profile, cmsCloseProfile);
     const std::unique_ptr<cmsMLU, decltype(&cmsMLUfree)> text(cmsMLUalloc(nullptr, 1), cmsMLUfree);
@@ -47,7 +46,7 @@ inline std::string icc_bytes(cmsHPROFILE profile, const char* description) {
     return bytes;
 }
 
-/// A profile of curves and a matrix, by Little CMS.
+/// A matrix/curve profile, made by Little CMS.
 inline std::string icc_profile(const RgbSpace& space) {
     const auto xyY = [](const std::array<double, 2>& xy) { return cmsCIExyY{xy[0], xy[1], 1}; };
     const cmsCIExyY white = xyY(space.white);
@@ -57,14 +56,14 @@ inline std::string icc_profile(const RgbSpace& space) {
     return icc_bytes(cmsCreateRGBProfile(&white, &primaries, curves.data()), space.name);
 }
 
-/// A profile of grays with this gamma.
+/// A gray profile with this gamma.
 inline std::string gray_profile(double gamma) {
     const cmsCIExyY white{d50[0], d50[1], 1};
     return icc_bytes(cmsCreateGrayProfile(&white, curve_of(gamma).get()), "Gray");
 }
 
-/// Linear light of sRGB's primaries of a color in [0, 1], by the equations: to XYZ, to the other white
-/// (Bradford, as in ICC profiles), from XYZ.
+/// Converts a color in [0, 1] to linear sRGB by the equations: to XYZ, to the other white point (Bradford, as
+/// in ICC profiles), from XYZ.
 inline Eigen::Vector3d srgb_light(const RgbSpace& space, const Eigen::Vector3d& color) {
     using Eigen::Matrix3d, Eigen::Vector3d;
     const auto xyz = [](const std::array<double, 2>& xy) {
@@ -88,7 +87,7 @@ inline Eigen::Vector3d srgb_light(const RgbSpace& space, const Eigen::Vector3d& 
     return to_xyz(srgb).inverse() * adapt * to_xyz(space) * light;
 }
 
-/// The value from 0 to 255 of linear light in sRGB, clipped, before rounding.
+/// The sRGB value, from 0 to 255, of linear light, clipped and not rounded.
 inline double srgb_value(double light) {
     const double l = std::min(std::max(light, 0.0), 1.0);
     return 255 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055);

@@ -42,7 +42,7 @@ std::string key_of(const SynthSpec& s) {
     return out.str();
 }
 
-/// Names and contents of the files.
+/// A key from the names and contents of the files.
 std::string key_of(const fs::path& scan) {
     constexpr auto follow = fs::directory_options::follow_directory_symlink;
     std::set<fs::path> files;
@@ -57,7 +57,7 @@ std::string key_of(const fs::path& scan) {
     return out.str();
 }
 
-/// Of the running program as it was built: what an earlier build has made may be wrong.
+/// The folder for scenes made by this build of the program: those of an earlier build may be outdated.
 fs::path collection() {
     static const fs::path folder = [] {
         const fs::path program = fs::read_symlink("/proc/self/exe");
@@ -74,7 +74,7 @@ fs::path collection() {
     return folder;
 }
 
-/// The file or folder of this key, by `make` unless another test has made it.
+/// The file or folder of this key, made by `make` unless it already exists.
 fs::path once(const std::string& key, const std::string& extension,
               const std::function<void(const fs::path&)>& make) {
     std::ostringstream name;

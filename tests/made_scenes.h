@@ -6,19 +6,19 @@
 
 namespace vantage {
 
-/// The specifications data/NAME.toml; `tiny` with one ray per pixel, which is enough where no picture is
-/// judged.
+/// The specification data/NAME.toml; `tiny` with one ray per pixel, which suffices if picture quality does
+/// not matter.
 SynthSpec spec_named(const char* name);
 SynthSpec tiny_spec();
 
-/// A synthetic scene, as by synthesize(), in a folder of the test's. It is made by the first test that asks
-/// for it and kept for all others until the test program is built again.
+/// Puts a synthetic scene, as from synthesize(), into a test's folder. The first test that needs the scene
+/// makes it, and others reuse it until the test program is rebuilt.
 void copy_scene(const SynthSpec& spec, const std::filesystem::path& folder);
 
 /// The package of a scan, as by prepare(), made for the first test that has the same files and settings.
-/// Nobody may write to it.
+/// Tests must not write to it.
 std::filesystem::path made_package(const std::filesystem::path& scan, const PrepareSettings& settings = {});
-/// The same as a file of the test's, which replaces an existing one.
+/// Copies such a package to a test's file, replacing an existing one.
 void copy_package(const std::filesystem::path& scan, const PrepareSettings& settings,
                   const std::filesystem::path& to);
 

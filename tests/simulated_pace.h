@@ -10,19 +10,19 @@
 
 namespace vantage {
 
-/// A renderer whose frames take a time of their own, and one for each pixel and photo.
+/// A renderer whose frame times have a fixed part and a part proportional to pixels and photos.
 struct Machine {
     double fixed, full;  ///< ms; `full` at full size with all photos
     double time(const Pace& p) const { return fixed + full * p.scale * p.scale * (p.reduced ? 0.4 : 1); }
 };
 
-/// What a motion's frames are paced against.
+/// The conditions under which a motion's frames are paced.
 struct PacedMotion {
     Machine machine;
     double goal_ms;
     int delay = 0;  ///< frames until a frame's time is known, beyond the next one
     std::function<double(int frame)> load = {};  ///< factor of every frame's time; none: 1
-    double noise = 0.04;                         ///< standard deviation of a frame's time, as a share
+    double noise = 0.04;                         ///< relative standard deviation of a frame's time
     int frames = 1000;
 };
 
@@ -32,7 +32,7 @@ struct PacedFrame {
     bool missed;
 };
 
-/// Draws nothing: computes what each frame would take, and paces the next ones by that.
+/// Draws nothing: computes the time of each frame, and paces the following frames accordingly.
 inline std::vector<PacedFrame> paced(const PacedMotion& m) {
     std::mt19937 engine(3);
     std::normal_distribution<double> normal;
@@ -51,27 +51,27 @@ inline std::vector<PacedFrame> paced(const PacedMotion& m) {
     return out;
 }
 
-/// Loads for PacedMotion: 2.5 times as long for 300 frames; one frame in 150 four times as long; slowly up to
-/// 3 times as long, and back.
+/// Loads for PacedMotion: 2.5 times the duration for 300 frames; 4 times for one frame in 150; a slow rise to
+/// 3 times and back.
 inline double step_load(int i) { return i >= 200 && i < 500 ? 2.5 : 1.0; }
 inline double spike_load(int i) { return i % 150 == 149 ? 4.0 : 1.0; }
 inline double drift_load(int i) {
     return 1 + 2 * std::clamp(i < 500 ? (i - 100) / 400.0 : (900 - i) / 400.0, 0.0, 1.0);
 }
 
-/// Frames missed, from frame `first` on.
+/// The number of missed frames, starting with frame `first`.
 inline std::size_t count_missed(const std::vector<PacedFrame>& frames, std::size_t first = 0) {
     return std::size_t(std::count_if(frames.begin() + std::ptrdiff_t(first), frames.end(),
                                      [](auto& f) { return f.missed; }));
 }
-/// Frames at another pace than the one before, from frame `first` on.
+/// The number of changes of pace, starting with frame `first`.
 inline std::size_t count_changes(const std::vector<PacedFrame>& frames, std::size_t first = 1) {
     std::size_t changes = 0;
     for (std::size_t i = first; i < frames.size(); ++i) changes += frames[i].pace != frames[i - 1].pace;
     return changes;
 }
 
-/// The longest series of frames that were missed one after the other, from frame `first` on.
+/// The longest run of consecutive missed frames, starting with frame `first`.
 inline int longest_missed(const std::vector<PacedFrame>& frames, std::size_t first = 0) {
     int longest = 0, now = 0;
     for (std::size_t i = first; i < frames.size(); ++i) {

@@ -17,7 +17,7 @@ std::string content_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A file, whatever its name, and what was not flushed.
+/// A file, independent of its name: flushed content and pending operations.
 struct Inode {
     std::string flushed;
     std::vector<const DiskOperation*> pending;
@@ -79,7 +79,7 @@ class Disk {
     Files after_power_cut(std::mt19937& random) const {
         Names names = flushed_names_;
         std::size_t kept = random() % (pending_names_.size() + 1);
-        // A rename is one change.
+        // A rename is a single change.
         if (kept > 0 && kept < pending_names_.size() && pending_names_[kept].inode == nothing &&
             pending_names_[kept - 1].inode != nothing)
             ++kept;
@@ -123,7 +123,7 @@ class Disk {
     }
     static std::string content(const Inode& inode, std::mt19937& random) {
         std::string out = inode.flushed;
-        const unsigned mode = unsigned(random() % 4);  // none, all, the first ones, any
+        const unsigned mode = unsigned(random() % 4);  // none, all, the first ones, or any
         const std::size_t first = inode.pending.empty() ? 0 : random() % inode.pending.size();
         for (std::size_t i = 0; i < inode.pending.size(); ++i) {
             const unsigned chance = unsigned(random() % 3);

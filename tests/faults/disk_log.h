@@ -19,15 +19,15 @@ struct DiskOperation {
 };
 std::vector<DiskOperation> read_disk_log(const std::filesystem::path& file);
 
-/// Contents by path.
+/// File contents by path.
 using Files = std::map<std::string, std::string>;
 Files files_below(const std::filesystem::path& folder);
 /// Replaces all files of the folder.
 void restore(const std::filesystem::path& folder, const Files& files);
 
-/// What a power cut after these operations leaves, if `before` was on the disk. Files hold what was flushed,
-/// and of later writes and sizes any selection, whole or only some pages; names change in order, all that
-/// were flushed with their folder and any number of the later ones.
+/// A possible state of the disk after these operations and a power cut, starting from `before`. Files have
+/// all flushed data, and a random selection of later writes and size changes, complete or only some pages.
+/// Names change in order: all changes flushed with their folder, and any number of later ones.
 Files after_power_cut(const Files& before, std::span<const DiskOperation> operations, std::mt19937& random);
 
 }  // namespace vantage

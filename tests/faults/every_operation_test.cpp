@@ -1,4 +1,4 @@
-// Every operation of a command on its files fails in turn.
+// Each operation of a command on its files fails once.
 #include <algorithm>
 #include <array>
 #include <set>
@@ -16,7 +16,7 @@ class EveryOperation : public WrittenPackage {
     std::string fault(int n, const std::string& how) const {
         return "FAULT=any:" + std::to_string(n) + ":" + how + " FAULT_FOLDER=" + dir.string();
     }
-    /// Of the command, undisturbed; with "BAD_PAGE" pages that it maps.
+    /// The number of operations of the undisturbed command; with "BAD_PAGE", of pages that it maps.
     int operations_of(const WritingCommand& c, const std::string& how = "SHORT_ONCE") const {
         start(c);
         const fs::path count = fs::temp_directory_path() / (dir.filename().string() + ".count");
@@ -32,7 +32,7 @@ class EveryOperation : public WrittenPackage {
         const bool fails = o.code != int(Exit::ok) && o.code != int(Exit::incomplete);
         EXPECT_EQ(std::ranges::count(o.err, '\n'), fails ? 1 : 0) << when << ": " << o.err;
     }
-    /// However that many of its operations fail in turn, in these ways.
+    /// Lets about `at_most` operations of each command fail, one per run, in each of these ways.
     void expect_nothing_lost(int at_most, const std::vector<const char*>& ways) const {
         for (const WritingCommand& c : commands) {
             const int operations = operations_of(c);

@@ -1,14 +1,14 @@
-// Simulates disk failures in a program that preloads it, as set by FAULT="CALL:N:HOW".
-// CALL: pwrite, fallocate, fsync, rename, flock, statvfs, or "any" operation on a file below FAULT_FOLDER.
-// HOW: ENOSPC, EIO or EACCES, the N-th call and all later ones fail; statvfs reports no free space instead;
+// Simulates disk failures in a program that preloads this library, as set by FAULT="CALL:N:HOW". CALL:
+// pwrite, fallocate, fsync, rename, flock, statvfs, or "any" operation on a file below FAULT_FOLDER. HOW:
+// ENOSPC, EIO or EACCES, the N-th call and all later ones fail; statvfs reports no free space instead;
 //      EIO_ONCE, only the N-th fails; SHORT_ONCE, only the N-th reads or writes half of its bytes;
 //      KILL or KILL_AFTER, the process is killed before or after the N-th call is executed;
-//      WAIT, before the N-th call it waits until the file FAULT_CONTINUE exists (flock only);
-//      BAD_PAGE, the N-th page of the files that are mapped cannot be read: touching it raises SIGBUS (mmap
+//      WAIT, the N-th call waits until the file FAULT_CONTINUE exists (flock only);
+//      BAD_PAGE, the N-th page of mapped files cannot be read: touching it raises SIGBUS (mmap
 //      only).
-// FAULT_CLOCK=1 sets the clock back and forward by a year from one call to the next.
+// FAULT_CLOCK=1 moves the clock forward and back by a year at alternate calls.
 // FAULT_LOG=FILE records all operations that change files below FAULT_FOLDER (tests/faults/disk_log.h).
-// FAULT_COUNT=FILE is given the number of calls (or mapped pages) at the end.
+// FAULT_COUNT=FILE receives the number of calls (or mapped pages) at exit.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/file.h>
@@ -42,7 +42,7 @@ struct Fault {
     int from = 0, calls = 0;
     std::string folder;
     int log = -1;
-    std::mutex mutex;  ///< of `calls`, and of an operation with its record: the log is in order
+    std::mutex mutex;  ///< guards `calls` and each operation with its record, so that the log is in order
 
     Fault() {
         if (const char* text = std::getenv("FAULT")) std::sscanf(text, "%15[^:]:%d:%15s", call, &from, how);
@@ -68,8 +68,8 @@ Fault& fault() {
 
 constexpr std::size_t page_bytes = 4096;
 
-/// Counts the pages of a mapping of a file that are not holes. If the one that shall fail is among them, it
-/// is replaced by one beyond the end of a file.
+/// Counts the pages of a file mapping that are not holes. If the page that is to fail is among them, it is
+/// replaced by a page beyond the end of a file.
 void spoil_page(void* mapping, std::size_t size, int fd) {
     Fault& f = fault();
     off_t end = 0;
@@ -91,7 +91,8 @@ void spoil_page(void* mapping, std::size_t size, int fd) {
 
 enum class Fate { real, fails, is_short };
 
-/// Counts a call and says how it goes; `path`: of its file. Kills the process before a call.
+/// Counts a call and returns its fate; `path`: of its file. Kills the process if it is to be killed before
+/// the call.
 Fate fate_of(const char* name, const std::string& path, bool& killed_after) {
     Fault& f = fault();
     if (f.is("BAD_PAGE")) return Fate::real;
@@ -106,7 +107,7 @@ Fate fate_of(const char* name, const std::string& path, bool& killed_after) {
     return n >= f.from ? Fate::fails : Fate::real;
 }
 
-/// What a call returns that fails: -1, or the constant of mmap and fopen.
+/// The return value of a failed call: -1, or null.
 template <class T>
 T failed() {
     if constexpr (std::is_pointer_v<T>)
@@ -115,8 +116,8 @@ T failed() {
         return -1;
 }
 
-/// The result of the real call, or the simulated failure. `real` is given the number of bytes, 0 for calls
-/// without; `record` the result of a call that succeeded.
+/// The result of the real call, or the simulated failure. `real` gets the number of bytes, 0 for calls
+/// without; `record` gets the result of a successful call.
 template <class Real, class Record>
 auto perform(const char* name, const std::string& path, std::size_t bytes, Real real, Record record)
     -> decltype(real(bytes)) {
@@ -151,7 +152,7 @@ std::string path_of(int fd) {
     return n > 0 ? std::string(path, std::size_t(n)) : std::string();
 }
 
-/// One record: kind, offset, sizes of path, second path and data, and these.
+/// Writes one record: kind, offset, sizes of path, second path and data, then these three.
 void record(char kind, const std::string& path, std::uint64_t offset = 0, std::string_view data = {},
             const std::string& other = {}) {
     const std::uint64_t numbers[] = {std::uint64_t(kind), offset, path.size(), other.size(), data.size()};
@@ -169,7 +170,7 @@ std::uint64_t size_of(int fd) {
     return ::fstat(fd, &st) == 0 ? std::uint64_t(st.st_size) : 0;
 }
 
-/// Records bytes that are in a file by now.
+/// Records bytes that are already in a file.
 void record_content(int fd, const std::string& path, std::uint64_t offset, std::size_t size) {
     std::string data(size, '\0');
     const long n = ::syscall(SYS_pread64, fd, data.data(), size, off64_t(offset));
@@ -192,13 +193,13 @@ int open_file(const char* path, int flags, mode_t mode) {
         });
 }
 
-/// What write() has written, at the end of which the position now is.
+/// Records data that write() has written, which ends at the current position.
 void record_written(int fd, const std::string& path, std::string_view data) {
     const long end = ::syscall(SYS_lseek, fd, 0, SEEK_CUR);
     record('w', path, std::uint64_t(end) - data.size(), data);
 }
 
-/// Seconds by which the clock is wrong at this call.
+/// The clock's error at this call, in seconds.
 time_t clock_error() {
     static const bool jumps = std::getenv("FAULT_CLOCK") != nullptr;
     static std::atomic<int> calls = 0;
@@ -208,7 +209,7 @@ time_t clock_error() {
 
 }  // namespace
 
-// Where off_t has 64 bits, the names that end in 64 mean the same functions.
+// Where off_t has 64 bits, the names that end in 64 are the same functions.
 extern "C" {
 
 int open(const char* path, int flags, ...) {

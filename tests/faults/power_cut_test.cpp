@@ -1,4 +1,4 @@
-// A power cut after any operation, with any selection of what had not been flushed.
+// A power cut after any operation, with any selection of unflushed changes on the disk.
 #include <random>
 
 #include "tests/faults/disk_log.h"
@@ -24,7 +24,7 @@ class PowerCut : public WrittenPackage {
                 << c.name << ": reported as done, but not yet on the disk";
             int old = 0, fresh = 0;
             for (int i = 0; i < cuts / int(commands.size()); ++i) {
-                // Most happens at the end: flushing, renaming, cleaning up.
+                // Half of the cuts are near the end, during flushing, renaming and cleaning up.
                 const std::size_t n = operations.size() - random() % (i % 2 ? 8 : operations.size() + 1);
                 restore(out, after_power_cut(before, std::span(operations).first(n), random));
                 const std::string when = "after " + std::to_string(n) + " operations";

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Several processes use one collection of packages at random, and an oracle checks every verdict.
+"""Several processes randomly use one collection of packages, and an oracle checks every verdict.
 
     soak.py --vantage PROGRAM --player PROGRAM FOLDER [--minutes 10] [--workers 3] [--packages 4] [--seed 1]
 
-Each package has its inputs, which the soak changes: photos are exchanged, truncated, repaired, added and removed; the package
+Each package has its inputs, which the soak test changes: photos are exchanged, truncated, repaired, added and removed; the package
 is damaged, truncated, deleted or replaced by another. Then a command is run on it: prepare (with several settings, killed at a
-random instant, with little memory, with little room for files; then again without), check, check --against, refine, extract, or
-the player's picture from a photo's camera. What the command must answer is known from what was done. While one worker changes a
-package, others read it: they may see the old one or the new one.
+random time, with little memory, with little disk space; then again without disturbance), check, check --against, refine, extract,
+or the player's picture from a photo's camera. The expected answer follows from the changes. While one worker changes a package,
+others read it: they may see the old one or the new one.
 
 Prints a line per wrong verdict and, at the end, the operations by kind, the wrong verdicts and the largest memory of a command
 by tenth of the run. Exit code 1 if a verdict was wrong."""
@@ -28,7 +28,7 @@ VALID, STALE, DAMAGED, INCOMPLETE, STORAGE, MEMORY = 0, 5, 4, 9, 6, 12  # exit c
 
 
 class Package:
-    """A package, its inputs, and what the oracle knows of them."""
+    """A package, its inputs, and their state as known to the oracle."""
 
     def __init__(self, folder, index, template):
         self.scene = os.path.join(folder, 'scene%d' % index)
@@ -74,7 +74,7 @@ class Soak:
         return min(9, int(10 * (time.time() - self.start) / (60 * self.o.minutes)))
 
     def run(self, words, limit=120, kill_after=None, resources=()):
-        """Exit code (negative: signal, None: killed by us or hung), and what was printed. `resources`: limits as (kind, bytes)."""
+        """Exit code (negative: signal, None: killed by us or hung) and output. `resources`: limits as (kind, bytes)."""
 
         def set_limits():
             for kind, most in resources:
@@ -108,7 +108,7 @@ class Soak:
         if code not in allowed:
             self.fail('%s: exit %s, expected %s: %s' % (what, code, sorted(allowed), text.strip()[-300:]))
 
-    # What the package's state must be said to be.
+    # The expected verdict on the package's state.
     def verdict(self, p):
         if not os.path.exists(p.file):
             return {3}
@@ -139,7 +139,7 @@ class Soak:
         elif trouble == 'little room':
             code, text = self.run(words, resources=[(resource.RLIMIT_FSIZE, r.randrange(20000000))])
             self.expect('prepare, ' + trouble, code, text, usual | {STORAGE})
-        # Whatever has happened, the next run ends well.
+        # In any case, the next run succeeds.
         code, text = self.run(words)
         self.expect('prepare', code, text, usual)
         if code in (0, INCOMPLETE):
@@ -174,7 +174,7 @@ class Soak:
         if kind == 'delete':
             os.remove(p.file)
         else:
-            # In a copy that replaces it, as readers may have it open.
+            # In a copy that replaces the file, since readers may have it open.
             with open(p.file, 'rb') as f:
                 content = bytearray(f.read())
             if kind == 'truncate':
@@ -202,7 +202,7 @@ class Soak:
         words = [self.o.vantage, 'refine', '--progress', 'none', '--exposure', r.choice(['on', 'off']), p.file]
         code, text = self.run(words)
         self.expect('refine', code, text, {0} if self.verdict(p) <= {VALID, INCOMPLETE} else {3, DAMAGED} | ({0} if p.damaged else set()))
-        if code == 0 and p.damaged:  # what was damaged was made again, or is said to be damaged still
+        if code == 0 and p.damaged:  # damaged data was made again, or is still reported
             code, text = self.run([self.o.vantage, 'check', '--deep', p.file])
             self.expect('check --deep after refine', code, text, {0, DAMAGED})
             p.damaged = code == DAMAGED
@@ -224,7 +224,7 @@ class Soak:
             os.remove(picture)
 
     def read_while_written(self, p):
-        """Any state is right, but the answer must be one of a whole package, and no crash."""
+        """Any state is allowed, but the answer must be that of a complete package, without a crash."""
         code, text = self.run([self.o.vantage, 'check', '--deep', p.file])
         self.expect('check while it may change', code, text, {0, 3, DAMAGED, INCOMPLETE})
         code, text = self.run([self.o.vantage, 'info', p.file])

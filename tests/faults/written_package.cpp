@@ -65,7 +65,7 @@ void WrittenPackage::expect_old_or_new(const WritingCommand& c, const std::strin
     }
     const std::string now = slurp(package);
     EXPECT_TRUE(now == c.after || (!c.before.empty() && now == c.before))
-        << c.name << ", " << when << ": neither the old package nor the new one";
+        << c.name << ", " << when << ": neither the old nor the new package";
 }
 
 void WrittenPackage::expect_finished_by_next_run(const WritingCommand& c, const std::string& when) const {

@@ -18,13 +18,13 @@ class WrittenPackage : public Overnight {
     const fs::path out = dir / "out", package = out / "scene.vantage";
 
     void SetUp() override;
-    /// Puts the folder of the output into its state before the command.
+    /// Restores the output folder to its state before the command.
     void start(const WritingCommand& c) const;
-    /// Runs the command with variables of faulty_disk.cpp, or undisturbed.
+    /// Runs the command with the variables of faulty_disk.cpp, or undisturbed.
     Outcome run_command(const WritingCommand& c, const std::string& fault = "") const;
-    /// Expects the package as it was or as it shall be, and none only if there was none.
+    /// Expects the old or the new package; no package only if there was none before.
     void expect_old_or_new(const WritingCommand& c, const std::string& when) const;
-    /// Runs the command again, undisturbed, and expects what it shall write.
+    /// Runs the command again, undisturbed, and expects the new package.
     void expect_finished_by_next_run(const WritingCommand& c, const std::string& when) const;
 
     std::vector<WritingCommand> commands;

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs the .deb packages in a bare system and uses them as a user would: file type, double click, manual, completion,
-# thumbnail, removal. By hand, as root: it downloads some hundred megabytes. Needs debootstrap.
+# Installs the .deb packages in a bare system and uses them as a user would: file type, double-click, manual, completion,
+# thumbnail, removal. Run it manually, as root: it downloads several hundred megabytes. Needs debootstrap.
 # usage: bare_system.sh FOLDER DEB...
-#   FOLDER: for the system, which is kept for the next run; screenshot.png is written there
-#   SUITE (bookworm), MIRROR (http://deb.debian.org/debian): of the system, the one that the packages were built on
+#   FOLDER: contains the system, which is kept for the next run; screenshot.png is written there
+#   SUITE (bookworm), MIRROR (http://deb.debian.org/debian): the system's, on which the packages were built
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 folder=$(realpath -m "$1") suite=${SUITE:-bookworm} mirror=${MIRROR:-http://deb.debian.org/debian}

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The part of bare_system.sh that runs in the system.
+# The part of bare_system.sh that runs inside the system.
 set -euo pipefail
 export DEBIAN_FRONTEND=noninteractive LANG=C.UTF-8
 step() { echo "== $*"; }
@@ -8,7 +8,7 @@ fail() { echo "failed: $*" >&2; exit 1; }
 step "install"
 apt-get update -qq
 apt-get install -y -qq /debs/*.deb >/tmp/install.log 2>&1 || { tail -n 20 /tmp/install.log; exit 1; }
-# What a desktop has anyway, and what looks at it.
+# Programs that every desktop has, and tools that inspect it.
 apt-get install -y -qq xdg-utils desktop-file-utils man-db bash-completion xvfb xauth xdotool scrot >/tmp/tools.log 2>&1
 dpkg-query -W vantage vantage-player
 id visitor >/dev/null 2>&1 || useradd --create-home --shell /bin/bash visitor
@@ -27,7 +27,7 @@ as_visitor 'cp chapel.vantage chapel; xdg-mime query filetype chapel' | grep -qx
 [ "$(as_visitor "xdg-mime query default $type")" = vantage-player.desktop ] || fail "nothing opens $type"
 
 step "double click"
-# The window has its title before its first picture.
+# The window has a title before its first picture.
 cat >/home/visitor/open.sh <<'OPEN'
 xdg-open chapel.vantage 2>said &
 for _ in $(seq 120); do
@@ -43,7 +43,7 @@ wait
 cat said
 OPEN
 as_visitor 'xvfb-run -a -s "-screen 0 1280x720x24" bash open.sh' || fail "xdg-open shows no window"
-# A photographed object does not compress well; an empty window does, to some 10 kB.
+# A screenshot of a photographed object compresses poorly; an empty window compresses to about 10 kB.
 [ "$(stat -c %s /tmp/screenshot.png)" -gt 50000 ] || fail "the window shows nothing, see /tmp/screenshot.png"
 
 step "manual"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs into a temporary prefix and uses what is there: programs, presets, manual, completion, files for the desktop.
-# What needs a program that is not installed (man, zsh, desktop-file-validate, update-mime-database) is skipped.
+# Installs into a temporary prefix and uses the installed files: programs, presets, manual, completion, files for the desktop.
+# Checks that need a missing program (man, zsh, desktop-file-validate, update-mime-database) are skipped.
 # usage: install_test.sh BUILD_DIR SOURCE_DIR
 set -euo pipefail
 build=$1 source=$2
@@ -15,8 +15,8 @@ cd "$work/empty"
 fail() { echo "failed: $*" >&2; exit 1; }
 contains() { grep -qF -e "$2" <<<"$1" || fail "$3: expected '$2' in: $1"; }
 
-# Programs run from the prefix, with what is installed there. The source folder has presets, too, so the installed
-# one is changed.
+# Programs run from the prefix, with the files installed there. The source folder also has presets, so the installed one is
+# changed.
 for program in vantage vantage-player; do
   [ "$(command -v $program)" = "$prefix/bin/$program" ]
   $program --version >/dev/null
@@ -31,11 +31,11 @@ contains "$message" "$prefix/bin/../share/vantage/configs/ci.toml: sparkle: unkn
 LD_DEBUG=files vantage extract tiny.vantage -o files 2>loaded
 grep -q "calling init: $prefix/.*lib/vantage/libvantage_images.so" loaded || fail "the installed library is not loaded"
 
-# The manual has a page for each verb, and a page has each option of --help.
+# The manual has a page for each verb, and each page has all options of --help.
 page() { gzip -dc "$prefix/share/man/man1/$1.1.gz" | sed 's/\\-/-/g; s/\\f[BIR]//g'; }
 verbs() { $1 --help | sed -n '/^\(Subcommands\|Verbs\)/,/^$\|^Exit/s/^  \([a-z]\{1,\}\) .*/\1/p'; }
 options() { { "$@" --help-all 2>/dev/null || "$@" --help; } | grep -oE '^  (-[a-zA-Z],)?--[a-z-]+' | tr ', ' '\n' | grep .; }
-candidates() {  # WORD...: what completion offers for the last of them
+candidates() {  # WORD...: the completions of the last word
   bash --norc -c '
     for file in /usr/share/bash-completion/bash_completion "$0/share/bash-completion/completions/$1"; do
       if [ -f "$file" ]; then source "$file"; fi
@@ -118,7 +118,7 @@ eval "$call"
 size=$(od -An -tu1 -j16 -N8 thumbnail | awk '{w = $3 * 256 + $4; h = $7 * 256 + $8; print (w > h ? w : h)}')
 [ "$size" = 96 ] || fail "the thumbnail's long side is $size px, expected 96"
 
-# The documents' links to each other and to pictures lead to files.
+# The documents' links to each other and to pictures point to existing files.
 doc="$prefix/share/doc/vantage"
 for file in README.md $(cd "$doc" && ls docs/*.md); do
   for link in $(grep -ohE '\]\([^)#:]+\.(md|jpg|svg)' "$doc/$file" | cut -c3-); do

@@ -29,7 +29,7 @@ class GardenPackage : public TemporaryFolder {
         std::iota(photos.begin(), photos.end(), 0u);
         return photos;
     }
-    /// The picture NAME.png, which the player renders of the package.
+    /// Renders the package to NAME.png with the player.
     std::filesystem::path offscreen(const std::string& name, const std::string& options) const {
         const std::filesystem::path png = dir / (name + ".png");
         const int status = std::system(

@@ -5,11 +5,10 @@
 
 namespace vantage {
 
-/// Where a regular expression (ECMAScript) matches in a text, one after the other: the whole match, then its
-/// groups.
+/// All matches of a regular expression (ECMAScript) in a text: for each, the whole match, then its groups.
 std::vector<std::vector<std::string>> matches(const std::string& text, const std::string& pattern);
 
-/// The text with each match in a text replaced.
+/// The text with each match replaced.
 std::string replaced(const std::string& text, const std::string& pattern, const std::string& by);
 
 }  // namespace vantage

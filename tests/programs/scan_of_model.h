@@ -15,11 +15,11 @@
 
 namespace vantage {
 
-/// What a photo shows at a pixel beside the model.
+/// The color of a photo's pixel beside the model.
 using BesideModel = std::function<std::array<std::uint8_t, 3>(int x, int y)>;
 
-/// Writes a scan of this model, with one ray per pixel of its photos, into a folder. Photos show the model,
-/// or one of `worlds`: equal parts of the photos each, in order.
+/// Writes a scan of this model into a folder, with one ray per pixel of its photos. Photos show the model or,
+/// if given, `worlds`: consecutive groups of equal size show one each.
 inline void write_scan(const std::filesystem::path& folder, const SynthModel& model,
                        const std::vector<Camera>& cameras, const BesideModel& beside = {},
                        const std::vector<SynthModel>& worlds = {}) {

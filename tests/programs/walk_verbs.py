@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Walks through all verbs of both programs, by their own descriptions (--describe): each knows --help, --version, -q and
---json, whose results fit docs/results.schema.json, ends with the same exit codes, and says in one line what is wrong.
+--json, whose results fit docs/results.schema.json, ends with the same exit codes, and reports errors in one line.
 
-    walk_verbs.py VANTAGE VANTAGE_PLAYER SOURCE_FOLDER [--table]     --table: prints what it has tried
+    walk_verbs.py VANTAGE VANTAGE_PLAYER SOURCE_FOLDER [--table]     --table: prints the runs
 """
 import json
 import os
@@ -16,8 +16,8 @@ PROGRAMS = dict(zip(('vantage', 'vantage-player'), map(os.path.abspath, sys.argv
 SOURCE = os.path.abspath(sys.argv[3])
 SCHEMA = json.load(open(os.path.join(SOURCE, 'docs/results.schema.json')))
 
-# Of each verb: arguments of a run that succeeds, in a folder with the scene and its package; each run replaces the
-# files of the one before. None: it shows a window until it is closed.
+# For each verb, the arguments of a successful run in a folder with the scene and its package; each run replaces the files of the
+# previous one. None: the verb shows a window until it is closed.
 SUCCEEDS = {
     'vantage synth': f'{SOURCE}/data/tiny.toml -o scene',
     'vantage inspect': 'scene',
@@ -42,9 +42,9 @@ SUCCEEDS = {
     'vantage-player bench': 'p.vantage --paths still --modes resident --path-frames 2 --size 64x48 -o flights',
     'vantage-player smoothness': 'p.vantage --step 30 --size 64x48 -o steps',
 }
-# The tiny scene has too few features for align, which says so.
+# The tiny scene has too few features for align, which reports that.
 ENDS_WITH = {'vantage align': 13}
-# A file that is missing is the first argument, but for these.
+# A missing file is the first argument, except for these verbs.
 MISSING = {
     'vantage synth': 'none.toml -o none',
     'vantage inspect': 'none',
@@ -72,7 +72,7 @@ def run(command, arguments):
 
 
 def results(command, code, text):
-    """The JSON object, by the schema; an empty one if it is none."""
+    """The JSON object, validated by the schema; an empty one if it is invalid."""
     try:
         out = json.loads(text)
         jsonschema.Draft202012Validator(SCHEMA).validate(out)
@@ -84,7 +84,7 @@ def results(command, code, text):
 
 
 def fails(command, arguments, codes, word):
-    """One line that has the word, the same exit code with and without --json; returns the code."""
+    """Expects one line with the word, and the same exit code with and without --json; returns the code."""
     code, out, err = run(command, arguments)
     lines = [line for line in err.splitlines() if line]
     one_line = len(lines) == 1 and lines[0].startswith(command.split()[0] + ': ') and word in lines[0]
@@ -97,7 +97,7 @@ def fails(command, arguments, codes, word):
 
 
 def succeeds(command, arguments):
-    """Lines, nothing, or JSON; returns the exit code."""
+    """Expects text, nothing with -q, and JSON with --json; returns the exit code."""
     if command == 'vantage merge':
         for name, i in (('one', 1), ('two', 2)):
             run('vantage prepare', ['scene', '-o', f'{name}.shard', '--shard', f'{i}/2'])
@@ -130,7 +130,7 @@ def walk(command):
 
 
 def options_say_why():
-    """Of options whose answers users have missed."""
+    """Options without a useful answer in earlier versions."""
     _, out, _ = run('vantage prepare', ['scene', '-o', 'p.vantage', '--explain'])
     expect('is current' in out and 'explain' in out, 'vantage prepare', f'--explain of a current package: {out}')
     open('church.toml', 'w').close()

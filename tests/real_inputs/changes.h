@@ -54,7 +54,7 @@ inline Change with_gltf(std::string file, std::string uri) {
         s[replaced(uri, "%20", " ")] = box_gltf().bytes;
     };
 }
-/// The box as three objects, of which the second counts its vertices from the last one.
+/// The box as three objects, of which the second uses negative vertex indices.
 inline std::string several_objects() {
     return "o bottom\nusemtl stone\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nf 1 3 2\nf 1 4 3\n"
            "o top\nusemtl tin\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nf -4 -3 -2 -1\n"
@@ -64,7 +64,7 @@ inline Change mesh_at(Place place) { return with_mesh("mesh.ply", box_ply(place)
 inline Change text(std::string file, std::string from, std::string to) {
     return [=](Scan& s) { s.replace(file, from, to); };
 }
-/// The file starts with these bytes.
+/// Inserts these bytes at the start of a file.
 inline Change starts_with(std::string file, std::string bytes) {
     return [=](Scan& s) { s[file] = bytes + s.files.at(file); };
 }
@@ -81,7 +81,7 @@ inline Change binary_cameras(Names names) {
         s["sparse/images.bin"] = colmap_images_bin(names);
     };
 }
-/// All photos in another format.
+/// Stores all photos in another format.
 inline Change photos_as(std::string extension) {
     return [=](Scan& s) {
         s.remove("images");
@@ -90,18 +90,18 @@ inline Change photos_as(std::string extension) {
         s["images/C" + extension] = blue(extension);
     };
 }
-/// Photo A in another format.
+/// Stores photo A in another format.
 inline Change with_photo_a(std::string extension, std::string bytes) {
     return [=](Scan& s) {
         s.remove("images/A.jpg");
         s["images/A" + extension] = bytes;
     };
 }
-/// Photo A with this color profile.
+/// Stores photo A with this color profile.
 inline Change with_profile_a(std::string icc) {
     return [=](Scan& s) { s["images/A.jpg"] = with_profile(s.files.at("images/A.jpg"), icc); };
 }
-/// A gray photo in linear light, which its profile says.
+/// A gray photo in linear light, as its profile states.
 inline std::string linear_gray() {
     RgbSpace linear = srgb;
     linear.name = "Linear sRGB", linear.gamma = 1;
@@ -120,10 +120,9 @@ inline std::string changed(std::string text, const std::string& from, const std:
     return text.replace(at, from.size(), to);
 }
 
-/// The usual command with more options.
+/// The standard command with more options.
 inline std::string with(const std::string& more) { return std::string(prepare_command) + " " + more; }
-/// Compares the mesh with another one, which has to give a scalar field even if the distance is the same
-/// everywhere.
+/// Compares the mesh with another one, which must give a scalar field even if the distance is constant.
 inline std::string deviation(const std::string& from, const std::string& then) {
     return "vantage prepare {scan} -o {out}.vantage --no-report --effect scalar-fields=on --deviation-from " +
            from + " " + then;
@@ -134,7 +133,7 @@ inline std::string text_cloud(std::vector<std::string> points) {
     for (const std::string& p : points) text += p + "\n";
     return text;
 }
-/// A LAS file of format 2 whose points are the corners of the box, twice.
+/// A LAS file of format 2 with the corners of the box as points, each twice.
 inline std::string box_las() {
     std::string las(227, '\0');
     const auto put = [&](std::size_t at, const auto& value) { std::memcpy(&las[at], &value, sizeof value); };
@@ -155,7 +154,7 @@ inline std::string box_las() {
     return las;
 }
 
-/// A and B in one folder, C in the other.
+/// Moves A and B to one folder, C to another.
 inline Change in_image_sets(const std::string& first, const std::string& second) {
     return [=](Scan& s) {
         for (const std::string name : {"A.jpg", "B.jpg"})

@@ -1,8 +1,9 @@
-// Inputs as people have them: every row of the table is written to disk, given to the programs, and compared
-// with its expected answer. `vantage` runs in a fork of this process, which spares it its start; every
-// twentieth row of a family, and at length every fifth, runs the program itself. Of the rows that make a
-// package, every fourth is run, and at length all of them. ROW=TEXT runs the rows whose case has this text.
-// VANTAGE_WRITE_DOCS=1 writes the table to README.md beside this file; docs/real-inputs.md has the rules.
+// Realistic inputs: every row of the table is written to disk, given to the programs, and its outcome
+// compared with the expected answer. `vantage` runs in a fork of this process, which saves its startup time;
+// every twentieth row of a family, and at length every fifth, runs the program itself. Of the rows that make
+// a package, every fourth is run, and at length all of them. ROW=TEXT runs the rows whose name contains this
+// text. VANTAGE_WRITE_DOCS=1 writes the table to README.md beside this file; docs/real-inputs.md has the
+// rules.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ namespace {
 
 constexpr unsigned seconds_limit = 120;  ///< a run takes a fraction of a second
 
-/// How `vantage` is run.
+/// The way to run `vantage`.
 enum class Vantage { forked, program };
 
 struct Outcome {
@@ -53,7 +54,8 @@ std::vector<std::string> split(const std::string& text, char at) {
     return parts;
 }
 
-/// The programs' paths, and the folders of the row; blanks in them stay in one word.
+/// Splits a command into words, with paths of programs and of the row's folders inserted; blanks in paths do
+/// not split words.
 std::vector<std::string> words_of(const std::string& command, const fs::path& folder) {
     std::vector<std::string> words = split(command, ' ');
     for (std::string& word : words) {
@@ -72,7 +74,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
     return out;
 }
 
-/// Gives a package the next format version, with a checksum that matches.
+/// Gives a package the next format version, with a matching checksum.
 void make_newer(const fs::path& file) {
     std::string bytes = slurp(file);
     package::Header header;
@@ -84,7 +86,7 @@ void make_newer(const fs::path& file) {
     std::ofstream(file, std::ios::binary) << bytes;
 }
 
-/// In a child process: with the log as its output, no caches of the user's, and an end.
+/// Runs in a child process, with its output in the log, without the user's caches, and with a time limit.
 [[noreturn]] void run_child(std::vector<std::string> words, const fs::path& folder, Vantage how) {
     ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
     ::dup2(::open((folder / "log.txt").c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_APPEND, 0644),
@@ -117,7 +119,7 @@ Outcome run(const std::string& command, const fs::path& folder, Vantage how) {
     return outcome;
 }
 
-/// The name of the strongest channel; "gray(128)" if they are alike; "white".
+/// The name of the strongest channel; "gray(128)" if all are alike; or "white".
 std::string color_name(const std::array<double, 3>& mean) {
     const auto [least, most] = std::minmax_element(mean.begin(), mean.end());
     if (*least > 250) return "white";
@@ -143,7 +145,7 @@ double surface_area(const PackageReader& package) {
 }
 
 /// "A.jpg=red -B.jpg; 2 x 2 x 2, area 24, vertices green (51,179,51)": photos with their colors, those
-/// without pixels with a minus, the mesh.
+/// without pixels marked by a minus, and the mesh.
 std::string describe_package(const fs::path& file) {
     const PackageReader package(file);
     std::string text;
@@ -176,7 +178,7 @@ bool has_package(const Row& row) {
     return (row.exit == Exit::ok || row.exit == Exit::incomplete) && !row.holds.empty();
 }
 
-/// What is wrong with a row's outcome, one line each.
+/// The flaws of a row's outcome, one per line.
 std::string flaws_of(const Row& row, const fs::path& folder, Vantage how) {
     Scan scan = standard_scan();
     row.make(scan);
@@ -221,7 +223,7 @@ std::vector<std::string> families() {
     return names;
 }
 
-/// A row in a process of its own, which writes what is wrong to a file.
+/// A row that runs in its own process, which writes its flaws to a file.
 struct Judged {
     const Row* row;
     fs::path folder;
@@ -252,8 +254,8 @@ void end_row(const Judged& validated, int status) {
 
 class RealInputs : public TemporaryFolder, public ::testing::WithParamInterface<std::string> {
   protected:
-    /// What all rows share is made once, before they are forked. This starts no threads beside those of
-    /// libraries that are loaded: they would be missing there.
+    /// Resources shared by all rows are made once, before forking. This starts no threads, which would be
+    /// missing in the forks, except those of loaded libraries.
     static void SetUpTestSuite() {
         const auto threads = [] { return std::distance(fs::directory_iterator("/proc/self/task"), {}); };
         image_files();
@@ -261,8 +263,8 @@ class RealInputs : public TemporaryFolder, public ::testing::WithParamInterface<
         standard_scan();
         ASSERT_EQ(threads(), of_libraries);
     }
-    /// `whole`: of so many rows, one runs the program itself. `packages`: of so many that make a package, one
-    /// is run.
+    /// `whole`: one of so many rows runs the program itself. `packages`: one of so many rows that make a
+    /// package is run.
     void validate(std::size_t whole, std::size_t packages) const {
         const char* only = std::getenv("ROW");
         std::vector<Row> rows = rows_of(GetParam());
@@ -309,7 +311,7 @@ std::string joined(const Parts& parts) {
 std::string command_text(const Row& row) {
     const std::string full = utf8_name(row.command.words), usual = prepare_command;
     if (full == usual) return "";
-    if (full == usual + " " + row.what) return "";  // the case's name says it
+    if (full == usual + " " + row.what) return "";  // the case's name contains the options
     if (full.starts_with(usual)) return "<code>" + full.substr(usual.size() + 1) + "</code>";
     return "<code>" + full + "</code>";
 }

@@ -12,25 +12,25 @@ namespace vantage::real_inputs {
 /// The command of most rows. {scan} is the scan's folder, {out} a path in an empty folder; commands are
 /// separated by ';' and words by blanks.
 inline constexpr const char* prepare_command = "vantage prepare {scan} -o {out}.vantage --no-report";
-/// What the package of most rows holds: each photo with its color, and the mesh.
+/// The content of most rows' packages: each photo with its color, and the mesh.
 inline constexpr const char* whole_package = "A.jpg=red B.jpg=green C.jpg=blue; 2 x 2 x 2, area 24";
 
 using Parts = std::vector<std::string>;
 struct Says : Parts {  ///< parts of what the last command prints
     using Parts::Parts;
 };
-struct Never : Parts {  ///< what the last command must not print
+struct Never : Parts {  ///< parts that the last command must not print
     using Parts::Parts;
 };
-struct Holds : Parts {  ///< parts of the package's description; empty: no package is looked at
+struct Holds : Parts {  ///< parts of the package's description; empty: the package is not checked
     using Parts::Parts;
 };
 struct Command {
     std::string words;
 };
 
-/// One input as people have it, and what must come of it. The parts after `make` are an Exit, Says, Holds, a
-/// Command and Never, in any order; those that are absent are those of a scan that prepares well.
+/// One realistic input, with the expected outcome. The parts after `make` are an Exit, Says, Holds, a Command
+/// and Never, in any order; absent parts are those of a scan that is prepared successfully.
 struct Row {
     std::string family;
     std::string what;  ///< the case in words, unique in its family
@@ -55,7 +55,7 @@ struct Row {
     void set(Never n) { never = std::move(n); }
 };
 
-// Rows by family: a new case is a new row.
+// Rows by family: add a row for a new case.
 std::vector<Row> scan_rows();
 std::vector<Row> photo_rows();
 std::vector<Row> command_rows();

@@ -292,7 +292,7 @@ std::string points_ply(std::size_t points) {
     return text;
 }
 
-/// OpenImageIO and OpenEXR start threads that stay, and are missing in a process that is forked later.
+/// OpenImageIO and OpenEXR start permanent threads, which are missing in processes forked later.
 static bool in_a_fork(const std::function<bool()>& work) {
     const pid_t child = ::fork();
     if (child == 0) ::_exit(work() ? 0 : 1);

@@ -10,7 +10,7 @@
 
 namespace vantage::real_inputs {
 
-/// A scan as a user has it on disk, in memory: paths relative to its folder, and the files' bytes.
+/// An in-memory copy of a scan on disk: paths relative to its folder, and the files' bytes.
 struct Scan {
     std::map<std::string, std::string> files;
     std::map<std::string, std::string> links;  ///< symbolic links: path, target
@@ -40,10 +40,10 @@ using Names = std::vector<std::string>;
 
 /// COLMAP's images.txt for the cameras of A, B and C, in this order, under these names.
 std::string colmap_images(const Names& names);
-/// images.bin and cameras.bin of the same.
+/// images.bin and cameras.bin of the same cameras.
 std::string colmap_images_bin(const Names& names);
 std::string colmap_cameras_bin();
-/// A Bundler file of as many of these cameras.
+/// A Bundler file with this number of cameras.
 std::string bundle(std::size_t cameras = 3);
 /// A MeshLab project with these file names.
 std::string meshlab(const Names& names);
@@ -51,7 +51,7 @@ std::string meshlab(const Names& names);
 void use_bundler(Scan& scan, const std::string& list);
 void use_meshlab(Scan& scan, const Names& names);
 
-/// The box as text, its corners moved and scaled: x = scale * corner + at.
+/// A transform of the box's corners: x = scale * corner + at.
 struct Place {
     double scale = 1, x = 0, y = 0, z = 0;
 };
@@ -65,7 +65,7 @@ std::string box_stl();
 std::string box_stl_binary();
 GltfFile box_gltf(const Place& place = {});
 std::string box_fbx();  ///< as text, in centimeters
-/// Points of the box's corners without faces, as COLMAP's fused.ply.
+/// The box's corners as points without faces, as in COLMAP's fused.ply.
 std::string points_ply(std::size_t points = 1000);
 
 /// A photo of one color in the format of the extension: ".jpg", ".png", ".tif", ".exr", ".hdr", ...
@@ -75,7 +75,7 @@ std::string photo(const std::string& extension, double r, double g, double b, in
 std::string red(const std::string& extension = ".jpg");
 std::string green(const std::string& extension = ".jpg");
 std::string blue(const std::string& extension = ".jpg");
-/// A JPEG with this many bytes of metadata before its size.
+/// A JPEG with this number of metadata bytes before its size.
 std::string with_metadata(const std::string& jpeg, std::size_t bytes);
 /// A JPEG with an ICC profile of less than 64 KB.
 std::string with_profile(const std::string& jpeg, const std::string& icc);

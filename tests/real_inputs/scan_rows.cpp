@@ -1,4 +1,4 @@
-// How scans lie on the disk, and their cameras and meshes.
+// Files and folders of scans, and their cameras and meshes.
 #include "tests/real_inputs/changes.h"
 
 namespace vantage::real_inputs {

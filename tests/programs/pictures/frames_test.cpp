@@ -1,5 +1,5 @@
-// Frames drawn in other ways than a picture: photos blended pixel by pixel or on the model drawn again, and
-// frames smaller than their render targets. They show the same.
+// Alternative ways to draw a frame, which must give the same picture: photos blended pixel by pixel or by
+// drawing the model again, and frames smaller than their render targets.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,14 +21,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of a package that has a background.
+/// Frames of a package with a background.
 class Frames : public GardenPackage {
   protected:
     void SetUp() override {
         GardenPackage::SetUp();
         make_package({{Effect::background, EffectChoice::on}, {Effect::per_fragment, EffectChoice::on}});
     }
-    /// A photo's own; between photos; and so near that triangles reach behind the viewer.
+    /// A photo's own view, one between photos, and one so near that triangles extend behind the viewer.
     static std::vector<View> views(const PackageReader& package) {
         std::vector<View> out;
         for (const double ahead : {0.0, 1.5, 4.0}) {
@@ -59,7 +59,7 @@ Difference difference(const std::vector<std::uint8_t>& a, const std::vector<std:
     return d;
 }
 
-/// Milliseconds that `draw` takes until the graphics card has finished.
+/// The time that `draw` takes until the graphics card has finished, in milliseconds.
 double ms_of(const std::function<void()>& draw) {
     const auto begin = std::chrono::steady_clock::now();
     draw();
@@ -67,7 +67,7 @@ double ms_of(const std::function<void()>& draw) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Compares what a picture with sections shows with rays that end at them.
+/// Compares a picture with sections with rays that are clipped by them.
 void expect_cut(const PackageReader& package, const View& view, std::vector<SectionPlane> sections,
                 std::span<const std::uint32_t> photos) {
     Renderer renderer(package, MemoryBudget{});
@@ -90,12 +90,12 @@ void expect_cut(const PackageReader& package, const View& view, std::vector<Sect
             wrong += shown != (hit ? hit->triangle + 1 : 0);
             changed += cut[at] != whole[at];
         }
-    EXPECT_GT(changed, cut.size() / 50) << "something is cut away";
-    EXPECT_LT(wrong, cut.size() / 200) << "but for edges";
+    EXPECT_GT(changed, cut.size() / 50) << "the section removes a part";
+    EXPECT_LT(wrong, cut.size() / 200) << "except at edges";
 }
 
-/// The largest difference of two pictures of the frame last drawn, but for pixels whose triangle is seen at
-/// less than 3 degrees: derivatives are not differences of neighbors there.
+/// The largest difference of two pictures of the frame last drawn, except at pixels whose triangle is seen at
+/// less than 3 degrees, where derivatives are not differences of neighbors.
 int largest_difference(Renderer& renderer, const View& view, const Picture& a, const Picture& b) {
     constexpr double grazing = 0.05;
     const std::vector<std::uint32_t> triangles = read_triangles(renderer.resources().targets);
@@ -138,15 +138,16 @@ TEST_F(FramesAtLength, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
                 const Picture by_pixel = take_picture(renderer, view, settings, all(package), 1);
                 renderer.resources().trials.by_triangle = false;
                 const Picture by_model = take_picture(renderer, view, settings, all(package), 1);
-                EXPECT_LT(by_pixel.report.draws, by_model.report.draws) << "they were drawn in the same way";
+                EXPECT_LT(by_pixel.report.draws, by_model.report.draws) << "the two methods must differ";
                 const Difference d = difference(by_pixel.rgba, by_model.rgba);
                 if (background == ShowBackground::on) {
-                    // On the model, labels of the background are not mixed across the triangles at seams.
+                    // When the model is drawn again, the background's labels are not mixed across triangles
+                    // at seams.
                     EXPECT_LT(d.share_above_one, 1e-2) << "blend " << int(blend);
                     EXPECT_LE(d.share_above_24, 1e-3) << "blend " << int(blend);
                     continue;
                 }
-                // Which photo is best may be a matter of the last digit.
+                // Rounding may decide which photo is best.
                 EXPECT_LT(d.share_above_one, 2e-3) << "blend " << int(blend);
                 if (blend != Blend::best) {
                     EXPECT_LE(d.share_above_24, 2e-5) << "blend " << int(blend);
@@ -180,7 +181,7 @@ TEST_F(Frames, ACoarseMeshInMotionLooksLikeTheMesh) {
     for (std::size_t i = 0; i < coarse.rgba.size(); ++i)
         squares += std::pow(int(coarse.rgba[i]) - int(of_mesh.rgba[i]), 2);
     EXPECT_GT(10 * std::log10(255 * 255 / (squares / double(coarse.rgba.size()))), 30);
-    // What is under a pixel is known as a triangle of the mesh.
+    // The triangle under a pixel is one of the mesh.
     const auto triangles = renderer.planner().seen().triangles();
     ASSERT_FALSE(triangles.empty());
     EXPECT_LE(std::ranges::max(triangles), renderer.scene().triangles);
@@ -221,7 +222,7 @@ TEST_F(Frames, SmallerThanTheirTargetsLookAsWithTargetsOfTheirOwn) {
     for (const View& view : views(package)) {
         RenderSettings large = settings;
         large.capacity = {view.intrinsics.width, view.intrinsics.height};
-        // The larger frame before it leaves its pixels beside those of the smaller one.
+        // The preceding larger frame leaves its pixels beside those of the smaller one.
         take_picture(roomy, view, large, all(package), 1);
         const View small = scaled(view, 0.37);
         EXPECT_EQ(take_picture(roomy, small, large, all(package), 2).rgba,
@@ -257,8 +258,8 @@ TEST_F(Frames, SmallerOnesAreShownEnlarged) {
     EXPECT_GT(mean_off(half), 0);
     EXPECT_LT(mean_off(half), 8);
     EXPECT_LT(mean_off(half), mean_off(tiny));
-    EXPECT_LT(mean_off(tiny), 30) << "in the right place";
-    // The last rows and columns show no more of what larger frames left beside the picture.
+    EXPECT_LT(mean_off(tiny), 30) << "in the right position";
+    // The last rows and columns do not show the remains of larger frames beside the picture.
     const auto edge_off = [&](const Picture& p) {
         double sum = 0;
         for (int x = 0; x < p.width; ++x)
@@ -309,7 +310,7 @@ TEST_F(Frames, SamplesAreDrawnOneByOneWhereTargetsWouldBeTooLarge) {
     EXPECT_EQ(frames(any, 3000, 1000), 4u);
     GLint longest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &longest);
-    EXPECT_EQ(frames(any, longest / 2 + 1, 20), 4u) << "it can be drawn, but not at twice the size";
+    EXPECT_EQ(frames(any, longest / 2 + 1, 20), 4u) << "drawable, but not at twice the size";
     EXPECT_EQ(frames(small, 1000, 1000), 4u) << "three quarters of graphics memory are for tiles";
     EXPECT_EQ(frames(small, 100, 100), 1u);
 }
@@ -324,7 +325,7 @@ TEST_F(Frames, PassesThatAreTimedTakeNoMoreThanTheFrames) {
     take_picture(renderer, view, settings, all(package), 1);
     glFinish();
     PassClock& clock = renderer.resources().pass_clock;
-    EXPECT_EQ(clock.finish(), PassTimes()) << "nothing is timed unless it is asked for";
+    EXPECT_EQ(clock.finish(), PassTimes()) << "nothing is timed unless requested";
     PassTimes times{};
     const double all_ms = ms_of([&] {
         clock.start();

@@ -1,4 +1,4 @@
-// What photos of a garden show beside the mesh, compared with the garden itself.
+// The photographed background of a garden scene, compared with the garden's geometry.
 #include "pipeline/synth/garden.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 
 class Garden : public TemporaryFolder {
   protected:
-    /// Its photos, and its package.
+    /// Makes the photos and the package.
     void SetUp() override {
         TemporaryFolder::SetUp();
         spec = garden_spec(4000, 600, 450);
@@ -53,7 +53,7 @@ bool shows(const RayScene& world, const Camera& camera, const Eigen::Vector3d& p
 TEST_F(Garden, BackgroundHaveItsDepth) {
     const PackageReader package = prepared({});
     const auto found = read_background(package);
-    ASSERT_TRUE(found) << "lawn, hill and sky are worth showing";
+    ASSERT_TRUE(found) << "lawn, hill and sky are a background";
     const RayScene world(build_world(spec).mesh), model(build_model(spec).mesh);
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
     for (const NamedCamera& c : cameras) center += c.camera.cam_from_world.center() / double(cameras.size());

@@ -1,4 +1,4 @@
-// Several objects in one picture, compared with each alone and with what rays meet first.
+// Several objects in one picture, compared with each alone and with the first intersections of rays.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Three small buildings, each with photos of its own.
+/// Three small buildings, each with its own photos.
 class Objects : public TemporaryFolder {
   protected:
     void SetUp() override {
@@ -55,13 +55,13 @@ class Objects : public TemporaryFolder {
         v.cam_from_origin.t += Vector3d(0, 0, 3);  // farther away
         return v;
     }
-    /// The rays of the view's pixels against one placed object.
+    /// Casts rays through the view's pixels at one placed object.
     struct PlacedRays {
         RayScene rays;
         View view;
         Vector3d origin;
         double scale;
-        /// Along the view's axis; infinite if the ray misses.
+        /// The distance along the view's axis; infinite if the ray misses.
         double distance(double x, double y) const {
             const Intrinsics& k = view.intrinsics;
             const Vector3d ray =
@@ -79,7 +79,7 @@ class Objects : public TemporaryFolder {
         return {RayScene(meshes[i]), view_of_object(view(), origin_of(*first), origin, p), origin, p.scale};
     }
     std::array<PlacedRays, 3> all_rays() const { return {placed(0), placed(1), placed(2)}; }
-    /// A picture of each object; shows the last one alone.
+    /// A picture of each object alone; afterwards, only the last one is shown.
     std::vector<Picture> each_alone(ObjectSet& set) const {
         std::vector<Picture> out;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -107,7 +107,7 @@ TEST_F(Objects, EachPixelShowsTheObjectThatItsRayMeetsFirst) {
     std::size_t wrong = 0;
     for (int y = 2; y < together.height - 2; y += 2)
         for (int x = 2; x < together.width - 2; x += 2) {
-            // The nearest in the middle and around it: outlines may be of either.
+            // The nearest object at the pixel and around it: at outlines, either object may be shown.
             std::optional<unsigned> nearest;
             bool inside = true;
             for (const auto& [dx, dy] : {std::pair(0, 0), {-2, 0}, {2, 0}, {0, -2}, {0, 2}}) {
@@ -124,7 +124,7 @@ TEST_F(Objects, EachPixelShowsTheObjectThatItsRayMeetsFirst) {
             const std::size_t p = 4 * (std::size_t(y) * std::size_t(together.width) + std::size_t(x));
             ++compared[*nearest];
             const std::vector<std::uint8_t>& own = alone[*nearest].rgba;
-            if (own[p + 3] < 255) continue;  // no photo of its own shows it: others may shine through
+            if (own[p + 3] < 255) continue;  // none of its photos shows it: others may shine through
             for (std::size_t c = 0; c < 4; ++c)
                 wrong += std::abs(int(together.rgba[p + c]) - int(own[p + c])) > 1;
         }
@@ -172,7 +172,7 @@ TEST_F(Objects, ThroughAFadedObjectThoseBehindItShowInLinearLight) {
             bool inside = true;
             for (unsigned i = 0; i < 3; ++i) {
                 const double z = rays[i].distance(x + 0.5, y + 0.5);
-                // Where an object has no color, or is seen at an outline, this test has nothing to say.
+                // Pixels where an object has no color or an outline are not compared.
                 inside &= (std::isfinite(z) ? 255 : 0) == alone[i].rgba[p + 3];
                 if (std::isfinite(z)) order.emplace_back(z, i);
             }
@@ -258,7 +258,7 @@ TEST_F(Objects, TogetherTheyKeepTheUploadLimitAndConverge) {
     }
     EXPECT_TRUE(settled);
     EXPECT_LE(most, settings.upload_bytes);
-    EXPECT_GT(total, 2 * settings.upload_bytes) << "nothing to limit";
+    EXPECT_GT(total, 2 * settings.upload_bytes) << "the upload limit must matter";
 }
 
 TEST_F(Objects, MovedApartTheyAreBesideEachOtherAndBackTogetherAsBefore) {
@@ -272,7 +272,7 @@ TEST_F(Objects, MovedApartTheyAreBesideEachOtherAndBackTogetherAsBefore) {
     };
     const Picture together = take_picture(set, view(), {}, photos, 1);
     Placement apart = scene[1].placement;
-    apart.move = {500, 0, 0};  // out of the picture
+    apart.move = {500, 0, 0};  // outside the picture
     set.place(1, apart);
     set.place(2, apart);
     const Picture moved = take_picture(set, view(), {}, photos, 1);

@@ -1,4 +1,4 @@
-// vantage-player orthophoto, against rays cast at right angles through a synthetic scene.
+// vantage-player orthophoto, compared with parallel rays cast through a synthetic scene.
 #include "player/pictures/orthophoto.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ SynthSpec spec() {
     return s;
 }
 
-/// What the scene is, without any camera.
+/// The scene's geometry and light, independent of cameras.
 struct Truth {
     SynthModel model = build_model(spec());
     RayScene rays{model.mesh};
@@ -41,7 +41,7 @@ struct Truth {
         Vector3d normal;
         Eigen::Vector3f light;  ///< linear
     };
-    /// Along a direction; nothing if there is no surface. Sun and sky as in the photos.
+    /// The surface along a direction, if there is one, lit by sun and sky as in the photos.
     std::optional<Seen> at(const Vector3d& from, const Vector3d& ahead) const {
         const auto hit = rays.first_hit(from, ahead);
         if (!hit) return {};
@@ -141,7 +141,8 @@ TEST_F(OrthophotoProgram, HasTheColorsOfTheSceneInTheirPlace) {
             expected[std::size_t(y * width + x)] = 255 * srgb_from_linear(green);
             shown[std::size_t(y * width + x)] = pixel(p, x, y)[1];
         }
-    // The whole, where photos show it; and parts of it, which must not fit better when moved.
+    // Compares the whole picture where photos show it, and parts of it, which must not fit better when
+    // shifted.
     double squares = 0;
     int colored = 0;
     const auto is_colored = [&](int x, int y) { return pixel(p, x, y)[3] == 255; };
@@ -175,7 +176,7 @@ TEST_F(OrthophotoProgram, HasTheColorsOfTheSceneInTheirPlace) {
             for (int dy = -reach; dy <= reach; ++dy)
                 for (int dx = -reach; dx <= reach; ++dx)
                     best = std::min(best, off(dx, dy)), worst = std::max(worst, off(dx, dy));
-            if (!whole || worst < 4 * best || worst < 60) continue;  // nothing in it that tells its place
+            if (!whole || worst < 4 * best || worst < 60) continue;  // too uniform to locate
             ++parts;
             in_place += here == best;
         }
@@ -219,7 +220,7 @@ TEST_F(OrthophotoProgram, IsTheSameHoweverItIsTiled) {
 
 TEST_F(OrthophotoProgram, WritesWhereItIs) {
     const Picture p = picture("--resolution 0.1");
-    // The ground is 16 m wide and 8 m deep in front of the building, whose eaves reach 4.4 m behind its
+    // The ground is 16 m wide and 8 m deep in front of the building, whose eaves extend 4.4 m behind its
     // front.
     EXPECT_EQ(p.width, 160);
     std::istringstream world(slurp(dir / "o.pgw"));
@@ -230,7 +231,7 @@ TEST_F(OrthophotoProgram, WritesWhereItIs) {
     EXPECT_EQ(v[3], -0.1);
     EXPECT_NEAR(v[4], -8 + 0.05, 1e-5);
     EXPECT_NEAR(v[5], 4.4 - 0.05, 1e-5);
-    EXPECT_EQ(pixel(p, 2, 2)[3], 0) << "nothing beside the building's back";
+    EXPECT_EQ(pixel(p, 2, 2)[3], 0) << "empty beside the building's back";
 }
 
 TEST_F(OrthophotoProgram, AsGeoTiffIsTheSamePictureAndTellsItsPlace) {
@@ -260,7 +261,7 @@ TEST_F(OrthophotoProgram, AsGeoTiffIsTheSamePictureAndTellsItsPlace) {
         return std::vector<double>(values, values + (values ? count : 0));
     };
     EXPECT_EQ(numbers(33550), (std::vector<double>{0.1, 0.1, 0})) << "the size of a pixel";
-    const std::vector<double> tie = numbers(33922);  // column and row of a point, and where it is
+    const std::vector<double> tie = numbers(33922);  // column and row of a point, and its position
     ASSERT_EQ(tie.size(), 6u);
     EXPECT_EQ(tie[0], 0);
     EXPECT_EQ(tie[1], 0);
@@ -285,5 +286,5 @@ TEST_F(OrthophotoProgram, RefusesWhatCannotBeInOneLine) {
     refuses("--resolution 0.1" + to, 2);
     EXPECT_EQ(slurp(dir / "x.pgw"), "my notes\n");
     EXPECT_FALSE(fs::exists(dir / "x.png"));
-    EXPECT_NE(run(to), 0) << "a resolution is needed";
+    EXPECT_NE(run(to), 0) << "a resolution is required";
 }

@@ -1,4 +1,4 @@
-// Pictures of all directions.
+// Panoramas.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -27,7 +27,7 @@ class Panoramas : public GardenPackage {
     }
 };
 
-/// The color at a position, between four pixels; codes.
+/// The color at a position, interpolated between four pixels, as 8-bit values.
 Eigen::Vector3d color_at(const Picture& p, double x, double y) {
     const int left = std::clamp(int(std::floor(x - 0.5)), 0, p.width - 2),
               top = std::clamp(int(std::floor(y - 0.5)), 0, p.height - 2);
@@ -43,7 +43,8 @@ Eigen::Vector3d color_at(const Picture& p, double x, double y) {
 }  // namespace
 
 TEST_F(Panoramas, ShowEachDirectionWhereAViewerLooksForIt) {
-    // From one place, toward all sides. In the panorama, north is +y, where the first view looks.
+    // Views from one position in several directions. The panorama's center is +y, the direction of the first
+    // view.
     const PackageReader package(file);
     const auto panorama = read_png(
         offscreen("around", "--view 4,-7,2,4,-3,2 --panorama --size 1024x512 --holes shade --samples 2"));
@@ -54,7 +55,7 @@ TEST_F(Panoramas, ShowEachDirectionWhereAViewerLooksForIt) {
             read_png(offscreen("direct", "--view " + text + " --size 240x180 --holes shade --samples 2"));
         const View view = parse_view(text, package, {240, 180});
         const Intrinsics& k = view.intrinsics;
-        // Means of blocks: the two are sampled differently.
+        // Block means, since the two are sampled differently.
         constexpr int block = 4;
         double sum = 0;
         int counted = 0;
@@ -81,7 +82,8 @@ TEST_F(Panoramas, ShowEachDirectionWhereAViewerLooksForIt) {
 
 using PanoramasAtLength = Panoramas;
 TEST_F(PanoramasAtLength, ShowToEachEyeWhatItSeesWhereItTurns) {
-    // Far apart, to tell the eyes apart. What is straight ahead is seen from both sides of the middle.
+    // A large eye separation, so that the eyes differ. For objects straight ahead, the eyes are on both sides
+    // of the middle.
     const PackageReader package(file);
     constexpr double apart = 0.4;
     constexpr int w = 768, h = 384;
@@ -101,7 +103,7 @@ TEST_F(PanoramasAtLength, ShowToEachEyeWhatItSeesWhereItTurns) {
                 "direct", std::string("--view ") + text + " --size 480x360 --holes shade --samples 2"));
             const View view = parse_view(text, package, {480, 360});
             const Intrinsics& k = view.intrinsics;
-            // Blocks of 4 rows, within 2 columns from where this eye looks straight ahead.
+            // Blocks of 4 rows, within 2 columns of the direction in which this eye looks straight ahead.
             const double middle = (std::atan2(ahead.x(), ahead.y()) / (2 * pi) + 0.5) * w;
             std::array<double, 2> psnr{};
             for (const int half : {0, 1}) {
@@ -123,7 +125,7 @@ TEST_F(PanoramasAtLength, ShowToEachEyeWhatItSeesWhereItTurns) {
                 psnr[std::size_t(half)] = 10 * std::log10(255 * 255 * counted / sum);
             }
             EXPECT_GT(psnr[std::size_t(eye)], 30) << ahead.transpose() << ", eye " << eye;
-            EXPECT_GT(psnr[std::size_t(eye)], psnr[std::size_t(1 - eye)] + 3) << "it is the other eye's";
+            EXPECT_GT(psnr[std::size_t(eye)], psnr[std::size_t(1 - eye)] + 3) << "closer to the other eye";
         }
     }
 }

@@ -1,5 +1,5 @@
-// Scenes of points only, with photos on the points and without photos. The truth is the mesh of which the
-// points are samples, shown with the same photos, and the points themselves, projected one by one.
+// Point-only scenes, with and without photos. The ground truth is the mesh from which the points are sampled,
+// shown with the same photos, and the points themselves, projected one by one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ namespace {
 
 constexpr std::array<std::uint8_t, 3> magenta{255, 0, 255};
 
-/// A folder with a cloud in place of the small building's mesh.
+/// A scan with a point cloud in place of the small building's mesh.
 class PointScenes : public TemporaryFolder {
   protected:
     void SetUp() override {
@@ -42,7 +42,7 @@ class PointScenes : public TemporaryFolder {
         with_mesh = read_scene(discover(dir / "scene"));
         mesh_file = with_mesh.files.mesh;
     }
-    /// Magenta points all over the mesh, as many per area everywhere.
+    /// Magenta points, uniformly distributed over the mesh.
     std::vector<PlyPoint> samples(std::size_t count) const {
         const Mesh& m = with_mesh.mesh;
         std::vector<double> areas;
@@ -62,7 +62,7 @@ class PointScenes : public TemporaryFolder {
         }
         return out;
     }
-    /// Replaces the mesh's file by a cloud.
+    /// Replaces the mesh file with a point cloud.
     void put_cloud(const std::vector<PlyPoint>& points) {
         std::filesystem::remove(mesh_file);
         write_points_ply(dir / "scene" / "cloud.ply", points.size(), [&](const auto& put) {
@@ -87,7 +87,8 @@ class PointScenes : public TemporaryFolder {
     std::filesystem::path mesh_file;
 };
 
-/// Mean difference of the codes at pixels that both pictures show; `share`: of these among those of `truth`.
+/// The mean difference of 8-bit values at pixels colored in both pictures; `share`: their fraction of the
+/// pixels colored in `truth`.
 double difference(const Picture& truth, const Picture& p, double& share) {
     double sum = 0;
     std::size_t both = 0, shown = 0;
@@ -132,7 +133,8 @@ TEST_F(PointScenes, LookLikeTheMeshWithTheSamePhotos) {
         RenderSettings bare;
         bare.points.color = PointColor::own;
         const Picture own_colors = taken(cloud, same_view, bare);
-        EXPECT_GT(difference(truth, own_colors, share), 40) << "the points' own colors are not the photos'";
+        EXPECT_GT(difference(truth, own_colors, share), 40)
+            << "the points' own colors differ from the photos";
     }
 }
 
@@ -146,14 +148,14 @@ TEST_F(PointScenes, TheFirstFrameOfAWindowShowsTheWholeCloudCoarsely) {
     window.loading = Loading::streamed;
     window.upload_bytes = 1;  // a block, at most
     const Picture first = taken(package, view, window);
-    EXPECT_LT(first.report.points, all.report.points) << "the rest is still to come";
+    EXPECT_LT(first.report.points, all.report.points) << "the rest follows";
     double share = 0;
     difference(all, first, share);
     EXPECT_GT(share, 0.95);
 }
 
 TEST_F(PointScenes, WhatNoPhotoSeesKeepsItsOwnColor) {
-    // A sheet inside the building, behind its walls from everywhere.
+    // A sheet inside the building, hidden by its walls from everywhere.
     std::vector<PlyPoint> points = samples(200'000);
     for (int x = 0; x < 200; ++x)
         for (int z = 0; z < 200; ++z) points.push_back({{-1 + 0.01 * x, 2, 2 + 0.01 * z}, magenta});
@@ -189,7 +191,7 @@ TEST_F(PointScenes, AreSharedMergedRefinedCheckedAndExtracted) {
     extract(whole.path(), dir / "files", {}, false);
     EXPECT_TRUE(std::filesystem::exists(dir / "files" / "points.ply"));
     EXPECT_FALSE(std::filesystem::exists(dir / "files" / "mesh.ply"))
-        << "the stand-in is no mesh of the user's";
+        << "the substitute mesh is not exported";
 }
 
 TEST_F(PointScenes, NeedNoPhotos) {
@@ -218,7 +220,7 @@ TEST_F(PointScenes, NeedNoPhotos) {
     for (std::size_t i = 0, n = p.rgba.size() / 4; i < n; ++i)
         differing += std::abs(p.rgba[4 * i + 3] - rolled.rgba[4 * (n - 1 - i) + 3]) > 64;
     EXPECT_LT(differing, shown / 50);
-    // From where a window starts, the whole cloud is in the frame.
+    // In the window's first view, the whole cloud is in the frame.
     const PackageReader reader(package);
     const View home = view_of(home_of(reader, 0), 320, 240);
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(reader.scene().origin);
@@ -304,9 +306,9 @@ TEST_F(PointScenes, APickedPointHasTheCoordinatesAndColorOfTheNearestOneAtThePix
         right += found && (found->position - truth.position).norm() < 1e-4 && found->color == truth.color;
     }
     EXPECT_GT(asked, 50u);
-    EXPECT_GE(double(right), 0.97 * double(asked)) << "but for points on the border of two pixels";
+    EXPECT_GE(double(right), 0.97 * double(asked)) << "except points on the border of two pixels";
     EXPECT_GE(double(nothing), 0.97 * double(empty));
     renderer.pick({-1, 5});
     renderer.pick({-1, 5});
-    EXPECT_FALSE(renderer.picked()) << "beside the frame";
+    EXPECT_FALSE(renderer.picked()) << "outside the frame";
 }

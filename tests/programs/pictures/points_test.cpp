@@ -1,4 +1,4 @@
-// Point clouds beside the model, compared with points projected one by one.
+// Point clouds shown with the model, compared with points projected one by one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,7 +69,7 @@ class Points : public TemporaryFolder {
 };
 class PointsAtLength : public Points {};
 
-/// Points of a pixel, drawn as they are, without shading.
+/// Settings for one-pixel points in their own colors, without shading.
 RenderSettings plain() {
     RenderSettings s;
     s.points.by = PointSize::pixels;
@@ -88,7 +88,7 @@ bool is_near(const PointCode& a, const PointCode& b) {
     return true;
 }
 
-/// The nearest point at each pixel: its depth and color.
+/// The depth and color of the nearest point at a pixel.
 struct Nearest {
     double z = 1e300, next = 1e300;  ///< of the second nearest
     PointCode color{};
@@ -140,19 +140,19 @@ TEST_F(Points, AreWhereProjectionPutsThemBeforeAndBehindTheModel) {
         if (n.next - n.z < 1e-4) continue;
         ++shown;
         right += is_near(code_at(alone, i), n.color);
-        // In the model's depth, where the ray through the pixel's middle meets it.
+        // The model's depth is where the ray through the pixel's center meets it.
         const Eigen::Vector3d ray((double(i % std::size_t(k.width)) + 0.5 - k.cx) / k.fx,
                                   (double(i / std::size_t(k.width)) + 0.5 - k.cy) / k.fy, 1);
         const Eigen::Matrix3d turned = view.cam_from_origin.R.transpose();
         const auto hit = mesh.first_hit(view.cam_from_origin.center() + origin, turned * ray);
-        if (hit && std::abs(hit->distance - n.z) < 0.3) continue;  // beside an edge, they may change sides
+        if (hit && std::abs(hit->distance - n.z) < 0.3) continue;  // near an edge, the order may differ
         ++compared;
         const bool behind = hit && hit->distance < n.z;
         in_order += is_near(code_at(with_model, i), behind ? code_at(model, i) : n.color);
     }
     EXPECT_GT(shown, 10'000u);
     EXPECT_GT(compared, 5'000u);
-    // Graphics cards round positions to 1/256 px: points beside the border of two pixels may be in either.
+    // Graphics cards round positions to 1/256 px: points near the border of two pixels may be in either.
     EXPECT_GE(double(right), 0.99 * double(shown));
     EXPECT_GE(double(clear), 0.998 * double(empty));
     EXPECT_GE(double(in_order), 0.99 * double(compared));
@@ -193,7 +193,7 @@ TEST_F(Points, OfTwoEyesHideAndAreHiddenAsForOne) {
     Renderer renderer(package, MemoryBudget{});
     const auto both =
         eye_views(view_of_photo(package.photos()[0], 0.5), {.distance = 0.4, .convergence = 6}, 1);
-    // Without points, each eye has its own surface; with them, they share one.
+    // Without points, each eye has its own surface buffer; with points, both share one.
     for (const bool shown : {false, true, false}) {
         RenderSettings s = plain();
         s.points.show = shown;
@@ -222,7 +222,7 @@ TEST_F(Points, NothingOfThemIsThereWhenTheyAreOff) {
     PrepareSettings forced;
     forced.effects[Effect::points] = EffectChoice::on;
     const PackageReader none = prepared("none", forced);
-    EXPECT_FALSE(effect_on(none.scene(), Effect::points)) << "there is nothing to show";
+    EXPECT_FALSE(effect_on(none.scene(), Effect::points)) << "nothing to show";
     const auto bare = shown(none);
     scatter(1000);
     PrepareSettings off;
@@ -266,7 +266,7 @@ TEST_F(Points, SurviveSharesRefiningExtractingAndChecking) {
     const auto a = sorted(back), b = sorted(input.points);
     std::size_t same = 0;
     for (std::size_t i = 0; i < a.size(); ++i) same += std::abs(a[i][0] - b[i][0]) < 2 && a[i][3] == b[i][3];
-    EXPECT_GT(double(same), 0.99 * double(a.size())) << "but for ties of rounding";
+    EXPECT_GT(double(same), 0.99 * double(a.size())) << "except for rounding ties";
 }
 
 TEST_F(Points, DamagedOnesAreReportedAndTheOthersShown) {
@@ -287,7 +287,7 @@ TEST_F(Points, DamagedOnesAreReportedAndTheOthersShown) {
     Renderer renderer(package, MemoryBudget{});
     const Picture picture = taken(renderer, view_of_photo(package.photos()[1], 1), plain());
     EXPECT_EQ(picture.report.tiles_damaged, 1u);
-    EXPECT_EQ(picture.report.nodes_missing, 0u) << "a damaged block is not waited for";
+    EXPECT_EQ(picture.report.nodes_missing, 0u) << "does not wait for a damaged block";
     EXPECT_GT(picture.report.points, 30'000u);
 }
 

@@ -1,4 +1,4 @@
-// Scalar fields on the model, compared with the values where rays meet the mesh.
+// Scalar fields on the model, compared with the values at ray intersections.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace {
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
-/// A small building whose mesh has fields, and its package.
+/// A small building whose mesh has scalar fields, and its package.
 class ScalarFields : public TemporaryFolder {
   protected:
     void SetUp() override {
@@ -37,7 +37,7 @@ class ScalarFields : public TemporaryFolder {
         scene = read_scene(discover(dir / "scene"));
         subdivide_large_triangles(scene.mesh, main_box(scene.mesh));
     }
-    /// Linear in the position, so that its value is known everywhere on the surface.
+    /// A field that is linear in the position, so that its value is known everywhere on the surface.
     static double height(const Eigen::Vector3d& p) { return p.z() + 0.25 * p.x(); }
 
     void add(const std::string& name, const std::function<double(const Eigen::Vector3d&)>& value) {
@@ -61,7 +61,7 @@ class ScalarFields : public TemporaryFolder {
     SceneInput scene;
 };
 
-/// Where a pixel's ray meets the mesh, unless it is next to an edge in the picture.
+/// Intersections of pixels' rays with the mesh, except next to edges in the picture.
 class Rays {
   public:
     Rays(const Mesh& mesh, const Eigen::Vector3d& origin, const View& view)
@@ -177,7 +177,7 @@ TEST_F(ScalarFields, PhotosAreShownWhereAFieldHasNoValueAndMixedWhereAsked) {
         }
     }
     EXPECT_GT(right, 500u);
-    // Triangles across the border have no value either.
+    // Triangles across the border also have no value.
     EXPECT_GT(double(shown), 0.5 * double(left));
 }
 
@@ -210,7 +210,7 @@ TEST_F(ScalarFields, LogarithmsAndLinesAreWhereTheyBelong) {
     }
     EXPECT_GT(changed, 100u);
     EXPECT_GT(far, 1000u);
-    // Between vertices the exponential is not linear: lines on large triangles are off.
+    // The exponential is not linear between vertices, so lines on large triangles are displaced.
     EXPECT_LT(double(far_changed), 0.02 * double(far));
 }
 
@@ -272,7 +272,7 @@ TEST_F(ScalarFields, NothingOfThemIsThereWhenTheyAreOff) {
     EXPECT_TRUE(effect_on(on.scene(), Effect::scalar_fields));
     EXPECT_TRUE(misshapen(on).empty());
     ASSERT_EQ(read_fields(on).size(), 3u);
-    EXPECT_EQ(shown(on), bare) << "before it is shown";
+    EXPECT_EQ(shown(on), bare) << "before the field is shown";
     EXPECT_GT(shown(on, 0).second, bare.second);
 }
 
@@ -303,12 +303,12 @@ TEST_F(ScalarFields, PhotosAreCountedAndTheirDensityMeasuredAsByRays) {
             most = std::max(most, photo.fx / (pose.R * at + pose.t).z());
         }
         EXPECT_EQ(count[v] > 0, density[v] > 0) << "NaN where no photo sees it";
-        EXPECT_LE(count[v], photos + 1) << "by rays; one more at an edge";
+        EXPECT_LE(count[v], photos + 1) << "compared with rays; one more at an edge";
         seen += photos > 0;
         same += photos > 0 && count[v] == float(photos);
         dense += photos > 0 && std::abs(density[v] - most) < 1e-3 * most;
     }
-    // Next to an edge of the photo or of what hides the surface, no triangle is seen whole.
+    // Next to the photo's edge or an occluder's edge, no triangle is entirely visible.
     EXPECT_GT(seen, positions.size() / 2);
     EXPECT_GT(double(same), 0.9 * double(seen));
     EXPECT_GT(double(dense), 0.9 * double(seen));

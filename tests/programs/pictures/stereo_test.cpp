@@ -1,4 +1,4 @@
-// Pictures for two eyes.
+// Stereo pictures.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of a package that has a background.
+/// Stereo pictures of a package with a background.
 class StereoPictures : public GardenPackage {
   protected:
     void SetUp() override {
@@ -56,7 +56,7 @@ double srgb_code(double light) {
     return 255 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055);
 }
 
-/// Mean difference of codes, of the upper part of two pictures of the same width.
+/// The mean difference of 8-bit values in the upper parts of two pictures of the same width.
 double difference_of_frames(const Picture& a, const Picture& b) {
     double sum = 0;
     for (std::size_t i = 0; i < std::min(a.rgba.size(), b.rgba.size()); ++i)
@@ -71,7 +71,8 @@ TEST_F(StereoPicturesAtLength, AreTwoSinglePicturesToTheBit) {
     const gl::HeadlessContext context;
     const View middle = view_of_photo(package.photos()[2], 0.7);
     const double apart = 0.3, convergence = 5;
-    // By hand: moved along the rows, and the picture shifted so that it stays at the convergence.
+    // Computed by hand: cameras moved sideways, and pictures shifted so that points at the convergence
+    // distance coincide.
     View left = middle, right = middle;
     left.cam_from_origin.t.x() += 0.15, right.cam_from_origin.t.x() -= 0.15;
     left.intrinsics.cx -= middle.intrinsics.fx * 0.15 / 5,
@@ -83,7 +84,7 @@ TEST_F(StereoPicturesAtLength, AreTwoSinglePicturesToTheBit) {
             settings.fill_holes = true;
             const auto single = [&](const View& view) {
                 Renderer renderer(package, MemoryBudget{});
-                for (const PixelSample sample : single_samples(side))  // as for two eyes
+                for (const PixelSample sample : single_samples(side))  // as for stereo
                     renderer.draw(view, settings, all(package), sample, 0);
                 return shown_picture(renderer, view, settings);
             };
@@ -109,7 +110,7 @@ TEST_F(StereoPicturesAtLength, AreTheSameHoweverTheirSurfaceIsDrawn) {
     const fs::path fine = made_package(dir / "fine", prepared);  // fine enough for a coarse mesh
     const PackageReader package(fine);
     const gl::HeadlessContext context;
-    // As in some headsets, the eyes look apart.
+    // The eyes' axes diverge, as in some headsets.
     auto eyes = eye_views(scaled(view_of_photo(package.photos()[1], 0.8), 0.5),
                           {.distance = 0.3, .convergence = 5}, 1);
     for (const int i : {0, 1}) {
@@ -126,7 +127,7 @@ TEST_F(StereoPicturesAtLength, AreTheSameHoweverTheirSurfaceIsDrawn) {
     cases["cut"].sections = {{Eigen::Vector3d::UnitX(), 0.2}, {Eigen::Vector3d::UnitY(), 0.1}};
     cases["field"].field.index = 0;
     cases["reduced"].reduced = true;
-    cases["reduced"].photos = 0;  // of fewer, one eye alone may choose others than both together
+    cases["reduced"].photos = 0;  // with fewer, one eye alone may select other photos than both together
     Renderer renderer(package, MemoryBudget{});
     renderer.planner().coarsen(true);
     ObjectSet objects(renderer, {{"garden", fine, {}, true}}, MemoryBudget{});
@@ -146,7 +147,7 @@ TEST_F(StereoPicturesAtLength, AreTheSameHoweverTheirSurfaceIsDrawn) {
             }
         }
     if (!epoxy_has_gl_extension("GL_ARB_shader_viewport_layer_array"))
-        GTEST_SKIP() << "not tried: one pass for both eyes, which this driver cannot draw";
+        GTEST_SKIP() << "this driver does not support one pass for both eyes";
 }
 
 TEST_F(StereoPictures, OfAWindowShareTheirPhotosAndUploadEachTileOnce) {
@@ -190,7 +191,7 @@ TEST_F(StereoPictures, OfTheProgramAreArrangedAsAsked) {
             ASSERT_TRUE(std::equal(&eye.rgba[at], &eye.rgba[at] + 4, &board.rgba[at])) << x << ", " << y;
         }
 
-    // Dubois's matrices for red and cyan glasses, on light.
+    // Dubois's matrices for red-cyan glasses, on linear light.
     const Picture glasses = offscreen("glasses", view + "anaglyph");
     ASSERT_EQ(glasses.rgba.size(), left.rgba.size());
     double most = 0;
@@ -217,12 +218,12 @@ TEST_F(StereoPicturesAtLength, OfAWindowAreThoseOfTwoEyes) {
         EXPECT_EQ(std::system(command.c_str()), 0) << options;
         return read_png(png);
     };
-    // Where no panels are.
+    // The area without panels.
     constexpr int w = 400, h = 250;
     const Picture mono = part(window("mono", "--size 400x400"), 0, 0, w, h);
     const Picture both = window("both", "--size 800x400 --stereo side-by-side --eye-separation 0.3");
     const Picture left = part(both, 0, 0, w, h), right = part(both, w, 0, w, h);
-    EXPECT_GT(difference_of_frames(left, right), 0.5) << "the eyes are at two places";
+    EXPECT_GT(difference_of_frames(left, right), 0.5) << "the eyes are at different positions";
     EXPECT_LT(difference_of_frames(left, mono), 10);
     EXPECT_LT(difference_of_frames(right, mono), 10);
     const Picture above = window("above", "--size 400x800 --stereo over-under --eye-separation 0.3");

@@ -1,4 +1,4 @@
-// Videos of vantage-player: turntables, paths and tours, as frames and through ffmpeg.
+// Videos by vantage-player: turntables, paths and tours, as frames and through ffmpeg.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -46,7 +46,7 @@ class Video : public TemporaryFolder {
     void write(const std::string& name, const std::string& text) const {
         std::ofstream(dir / name, std::ios::binary) << text;
     }
-    /// A program `ffmpeg`, first on the path.
+    /// The environment with a script as `ffmpeg`, first in PATH.
     std::string with_ffmpeg(const std::string& script) const {
         fs::create_directories(dir / "bin");
         write("bin/ffmpeg", "#!/bin/sh\n" + script);
@@ -58,7 +58,7 @@ class Video : public TemporaryFolder {
         for (const auto& e : fs::directory_iterator(folder)) out.insert(e.path().filename().string());
         return out;
     }
-    /// The view from `eye` toward `target`, relative to the origin, as an option.
+    /// The view from `eye` toward `target`, relative to the origin, as a command-line option.
     std::string view_option(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, int fov = 40) const {
         const PackageReader reader(file);
         const Eigen::Map<const Eigen::Vector3d> origin(reader.scene().origin);
@@ -70,7 +70,7 @@ class Video : public TemporaryFolder {
     }
 };
 
-/// Mean squared difference of all values.
+/// The mean squared difference of all values.
 double difference(const Picture& a, const Picture& b) {
     if (a.rgba.size() != b.rgba.size()) return HUGE_VAL;
     double sum = 0;
@@ -78,7 +78,7 @@ double difference(const Picture& a, const Picture& b) {
     return sum / double(a.rgba.size());
 }
 
-/// How much of the picture is not its most common color.
+/// The fraction of the picture that differs from its most common color.
 double detail(const Picture& a) {
     std::map<std::uint32_t, int> colors;
     int most = 0;
@@ -172,7 +172,7 @@ TEST_F(Video, TourOfTheStoryStaysAtItsStops) {
     ASSERT_EQ(play("video --tour Kurz --frame-rate 4 -o frames").code, 0);
     EXPECT_EQ(files_in(dir / "frames").size(), 3u);
     EXPECT_TRUE(slurp(dir / "frames/scene-0001.png") == slurp(dir / "frames/scene-0003.png"))
-        << "it stands still";
+        << "the camera does not move";
     ASSERT_EQ(play("render --holes shade -o still.png --view " + view_option({5, -9, 3}, {0, 0, 0})).code, 0);
     EXPECT_LT(difference(read_png(dir / "still.png"), read_png(dir / "frames/scene-0001.png")), 1);
     const Outcome none = play("video --tour long -o frames");
@@ -200,7 +200,7 @@ TEST_F(Video, BackgroundOfTheStoryIsBehindTheModel) {
     EXPECT_LT(gradient[0][2], 40);
     EXPECT_NEAR(gradient[1][0], gradient[1][2], 8) << "as much red as blue in the middle";
     EXPECT_GT(gradient[2][2], 250);
-    // The facade fills the frame, and fades into the background at the edges only.
+    // The facade fills the frame, and fades into the background only at its edges.
     const std::string close = "--view " + view_option({0, -20, 1}, {0, 0, 1}, 6);
     const auto hard = corners(R"({"color": "#00ff00"})", close);
     const auto soft = corners(R"({"color": "#00ff00", "soft_edges": 0.2})", close);
@@ -250,7 +250,7 @@ TEST_F(Video, WhatFailsIsOneLineAndLeavesNothing) {
     for (const char* tool : {"env", "sh"}) fs::create_symlink(fs::path("/bin") / tool, dir / "bin" / tool);
     expect(play(clip, "PATH=" + (dir / "bin").string()), Exit::input, "installed", "no ffmpeg");
     const std::string swallow = with_ffmpeg("for last; do :; done\ncat >\"${last#file:}\"\n");
-    // Ctrl+C once ffmpeg is at work.
+    // Presses Ctrl+C once ffmpeg is running.
     const std::string interrupt =
         "sh -c '\"$@\" & until ls clip.mp4.part-* >/dev/null 2>&1; do sleep 0.1; done; "
         "kill -INT $!; wait $!' sh";

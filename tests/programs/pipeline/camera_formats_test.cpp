@@ -1,4 +1,4 @@
-// A real scan with its cameras in the files of other programs becomes the same package.
+// A real scan gives the same package with its cameras in the formats of other programs.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -29,8 +29,8 @@ class CameraFormats : public TemporaryFolder {
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
     fs::path package(const std::string& name) const { return dir / (name + ".vantage"); }
-    /// Prepares the scan with these files as its cameras. Without a background, whose choices between depths
-    /// may depend on a pose's last digits.
+    /// Prepares the scan with these files as its cameras. The background is off, since its depths may depend
+    /// on the last digits of a pose.
     void prepare(const std::string& name, const std::map<std::string, std::string>& files,
                  const fs::path& scan) const {
         fs::create_directories(dir / name);
@@ -42,7 +42,7 @@ class CameraFormats : public TemporaryFolder {
                   0)
             << slurp(dir / "says");
     }
-    /// Poses to 1e-9, everything else to the bit.
+    /// Compares poses to 1e-9 and everything else bit by bit.
     void expect_equal(const std::string& a, const std::string& b) const {
         const PackageReader one(package(a)), other(package(b));
         ASSERT_EQ(one.photos().size(), other.photos().size()) << b;
@@ -73,7 +73,7 @@ std::vector<Photo> photos_of(const fs::path& sparse) {
 }
 
 struct Format {
-    const char *name, *same_as;  ///< "square": it stores one focal length, not one for x and one for y
+    const char *name, *same_as;  ///< "square": the format stores a single focal length for x and y
     std::map<std::string, std::string> files;
 };
 
@@ -117,7 +117,7 @@ TEST_F(CameraFormats, CamerasOfAnotherFrameAreMovedByTheSceneFile) {
         "given",
         {{"cameras.txt", exported::colmap_cameras(photos)}, {"images.txt", exported::colmap_images(photos)}},
         real);
-    // x = 2 T y + (5, -3, 400) leads from the other frame, where T turns the axes, to the mesh.
+    // x = 2 T y + (5, -3, 400) transforms from the other frame to the mesh; T permutes the axes.
     Eigen::Matrix3d T;
     T << 0, 0, 1, 1, 0, 0, 0, 1, 0;
     for (Photo& p : photos) {

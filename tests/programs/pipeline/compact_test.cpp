@@ -1,4 +1,4 @@
-// Packages whose tiles are the photos' own JPEG, and what else is short.
+// Compact packages: tiles with the photos' own JPEG data, and other compact chunks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ Bytes content(const std::filesystem::path& file) {
 
 class CompactPackages : public TemporaryFolder {
   protected:
-    /// Nothing is decided by the photos, so that both forms have the same cameras and weights.
+    /// Effects that depend on the photos are off, so that both forms have the same cameras and weights.
     static PrepareSettings settings(EffectChoice compact, unsigned threads = 2) {
         PrepareSettings s;
         s.effects[Effect::compact] = compact;
@@ -190,7 +190,8 @@ TEST_F(CompactPackages, GiveThePhotosBackAsJpeg) {
     std::filesystem::copy_file(std::filesystem::path(scan) / "images" / package.photos()[0].name,
                                dir / "files" / "photos" / package.photos()[0].name,
                                std::filesystem::copy_options::overwrite_existing);
-    EXPECT_THROW(extract(dir / "compact.vantage", dir / "files", {}, false), Error) << "not one of ours";
+    EXPECT_THROW(extract(dir / "compact.vantage", dir / "files", {}, false), Error)
+        << "not a folder that extract wrote";
 }
 
 TEST_F(CompactPackages, AreReadByAProgramThatKnowsOnlyTheTextOfTheFormat) {
@@ -202,7 +203,7 @@ TEST_F(CompactPackages, AreReadByAProgramThatKnowsOnlyTheTextOfTheFormat) {
             (INDEPENDENT_READER " " + (dir / compact).string() + " " + (dir / raw).string()).c_str());
     };
     EXPECT_EQ(read("compact.vantage", "raw.vantage"), 0);
-    EXPECT_NE(read("raw.vantage", "raw.vantage"), 0) << "no form but raw occurs";
+    EXPECT_NE(read("raw.vantage", "raw.vantage"), 0) << "all forms are raw";
 }
 
 TEST_F(CompactPackages, ADamagedCellCostsTheTilesThatShowIt) {

@@ -53,7 +53,7 @@ class Diff : public TemporaryFolder {
 TEST_F(Diff, PageOfEqualPackagesSaysSo) {
     prepare("b");
     EXPECT_EQ(diff("b"), 0);
-    EXPECT_NE(slurp(dir / "says").find(page.string()), std::string::npos) << "where the page is";
+    EXPECT_NE(slurp(dir / "says").find(page.string()), std::string::npos) << "the page's path";
     for (const char* text : {"Identical", "a.vantage", "b.vantage", "<td class=n>5<"})
         EXPECT_TRUE(says(text)) << text;
     EXPECT_EQ(pictures(), 0u);
@@ -78,5 +78,5 @@ TEST_F(Diff, PageShowsPhotosThatDiffer) {
     EXPECT_EQ(diff("b"), int(Exit::different));
     EXPECT_TRUE(says("<td>0003.jpg<td>tiles<td>"));
     EXPECT_FALSE(says("<td>0002.jpg<td>tiles<td>"));
-    EXPECT_EQ(pictures(), 1u) << "of the photo; its weight maps are the same";
+    EXPECT_EQ(pictures(), 1u) << "only of the photo; its weight maps are equal";
 }

@@ -1,4 +1,4 @@
-// What `vantage extract` writes is a scan that other programs, and `vantage prepare`, read.
+// The output of `vantage extract` is a scan that other programs and `vantage prepare` can read.
 #include "pipeline/reports/extract.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ class Extract : public TemporaryFolder {
         const std::string command = VANTAGE_PROGRAM " " + words + " >" + (dir / "says").string() + " 2>&1";
         ASSERT_EQ(std::system(command.c_str()), 0) << command << '\n' << slurp(dir / "says");
     }
-    /// Prepares the scan, extracts the package, and prepares what was extracted.
+    /// Prepares the scan, extracts the package, and prepares the extracted scan.
     void round_trip(const std::string& options = "", const std::string& again = "") const {
         vantage("prepare " + scan.string() + " -o " + (dir / "first.vantage").string() + " --no-report " +
                 options);
@@ -47,8 +47,7 @@ class Extract : public TemporaryFolder {
     }
     PackageReader first() const { return PackageReader(dir / "first.vantage"); }
     PackageReader again() const { return PackageReader(dir / "again.vantage"); }
-    /// Moves the whole scan, as if it were in the coordinates of a map, and turns the camera of `wrong` by 4
-    /// px.
+    /// Moves the whole scan, as if in map coordinates, and rotates the camera of `wrong` by 4 px.
     void move_scan(const Eigen::Vector3d& by, const std::string& wrong) const {
         std::vector<NamedCamera> cameras;
         for (const CameraSet::Entry& e : read_cameras(scan / "sparse").entries) {
@@ -73,7 +72,7 @@ Pose in_world(const PackageReader& package, const package::PhotoRecord& p) {
     return cam_from_origin(p).relative_to(-Eigen::Map<const Eigen::Vector3d>(package.scene().origin));
 }
 
-/// The photo of another package that has this name, whatever the extension.
+/// The photo with this name in another package, with any extension.
 const package::PhotoRecord& same_photo(const PackageReader& package, const package::PhotoRecord& p) {
     return package.photos()[package.photo_index(stem_of(p.name)).value()];
 }
@@ -104,7 +103,7 @@ TEST_F(Extract, FolderIsAScanWithTheSamePhotosAndRefinedCameras) {
     move_scan(far, "0003.jpg");
     round_trip("--effect pose-refinement=on --hold-out 0000");
     const PackageReader a = first(), b = again();
-    ASSERT_EQ(b.photos().size(), 4u) << "the photo that is held out has no pixels";
+    ASSERT_EQ(b.photos().size(), 4u) << "the held-out photo has no pixels";
     const CameraSet given = read_cameras(scan / "sparse");
     double moved = 0;
     for (const package::PhotoRecord& p : a.photos()) {
@@ -115,7 +114,7 @@ TEST_F(Extract, FolderIsAScanWithTheSamePhotosAndRefinedCameras) {
         const Pose before = std::ranges::find_if(given.entries, of_p)->camera.cam_from_world;
         EXPECT_LT((before.center() - in_world(a, p).center()).norm(), 0.5) << "in the input's coordinates";
         moved = std::max(moved, (before.R - in_world(a, p).R).norm());
-        // What the mesh does not show is not cut away. Colors may be rounded twice by JPEG.
+        // Pixels beside the mesh are kept. JPEG may round colors twice.
         const auto pixels = [](const PackageReader& r, const package::PhotoRecord& photo) {
             return read_level_image(r, photo, std::uint32_t(&photo - r.photos().data()), package::Type::tiles,
                                     0)
@@ -139,7 +138,7 @@ TEST_F(Extract, PhotosAreAsTakenOrUndistorted) {
     round_trip();
     const PackageReader a = first();
     for (std::uint32_t i = 0; i < a.photos().size(); ++i)
-        EXPECT_EQ(lens_of(a, i).p, lens_of(again(), i).p) << "the lens goes with the photos";
+        EXPECT_EQ(lens_of(a, i).p, lens_of(again(), i).p) << "the lens is extracted with the photos";
     const std::string package = (dir / "first.vantage").string();
     const fs::path straight = dir / "straight";
     vantage("extract " + package + " -o " + straight.string() + " --undistorted");
@@ -147,7 +146,7 @@ TEST_F(Extract, PhotosAreAsTakenOrUndistorted) {
             " --no-report --refine off");
     const PackageReader s(dir / "straight.vantage");
     EXPECT_EQ(s.find(package::Type::lenses), nullptr);
-    // A point at the frame's corner moves by k1 r^2: the two pictures differ there, and only there.
+    // A point at the frame's corner moves by k1 r^2: the two pictures differ only there.
     const auto pixels = [](const PackageReader& r) {
         return read_level_image(r, r.photos()[0], 0, package::Type::tiles, 0);
     };
@@ -231,10 +230,10 @@ TEST_F(Extract, CamerasAreThoseOfThePhotosInTheFolder) {
     vantage("extract " + package + " -o " + files.string());
     EXPECT_EQ(named().size(), 4u);
     vantage("extract " + package + " -o " + files.string() + " --photo 0003");
-    EXPECT_EQ(named().size(), 4u) << "the others are still there";
+    EXPECT_EQ(named().size(), 4u) << "the others are kept";
     for (const CameraSet::Entry& e : read_cameras(files / "sparse").entries)
         EXPECT_TRUE(fs::exists(files / "photos" / e.photo)) << e.photo;
-    // As COLMAP reads it: three files, two lines per image, numbers apart by single blanks.
+    // In the form that COLMAP reads: three files, two lines per image, numbers separated by single blanks.
     EXPECT_TRUE(fs::exists(files / "sparse" / "points3D.txt"));
     const std::string images = slurp(files / "sparse" / "images.txt");
     EXPECT_EQ(matches(images, "\\d+( -?[0-9.e-]+){7} \\d+ 000[0-3]\\.jpg\n\n").size(), 4u);

@@ -1,4 +1,4 @@
-// Effects that a scene does not call for: off, and without consequence where they are forced on.
+// Effects that a scene does not need are off, and without consequence if forced on.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// A wall of triangles smaller than two pixels that fills all photos, which one camera took in one light.
+/// A wall of triangles smaller than two pixels, which fills all photos. All are taken by one camera in the
+/// same light.
 class CalmScene : public TemporaryFolder {
   protected:
     void SetUp() override {
@@ -38,8 +39,8 @@ class CalmScene : public TemporaryFolder {
     PackageReader prepared(const PrepareSettings& settings) const {
         return PackageReader(made_package(dir / "scan", settings));
     }
-    /// Between the photos, where all of them show the wall: next to the frame of one, exact coordinates end a
-    /// pixel later.
+    /// Views between the photos, where all of them show the wall: next to the frame of a photo, exact
+    /// coordinates end a pixel later.
     static std::vector<std::uint8_t> pictures(const PackageReader& package) {
         const gl::HeadlessContext context;
         Renderer renderer(package, MemoryBudget{});
@@ -58,7 +59,7 @@ class CalmScene : public TemporaryFolder {
 };
 class CalmSceneAtLength : public CalmScene {};
 
-/// Of the differences of codes.
+/// The percentile of absolute differences of 8-bit values.
 int percentile_99_9(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     std::vector<int> off;
     for (std::size_t i = 0; i < a.size(); ++i) off.push_back(std::abs(int(a[i]) - int(b[i])));

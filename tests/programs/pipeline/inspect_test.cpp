@@ -1,5 +1,5 @@
-// What `vantage inspect` says of a scan is true, agrees with what `vantage prepare` then does, and is said
-// even if the scan lacks a part.
+// The output of `vantage inspect` is true, agrees with `vantage prepare`, and is complete even if a part of
+// the scan is missing.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -53,7 +53,7 @@ class Inspect : public TemporaryFolder {
         return run("prepare --progress none --no-report " + scan.string() + " -o " +
                    (dir / "scan.vantage").string());
     }
-    /// The facts as JSON, which must have the program's exit code.
+    /// The JSON output, which must contain the program's exit code.
     json facts(const std::string& words = "") const {
         const Outcome done = inspect((words.empty() ? scan.string() : words) + " --json");
         const json j = json::parse(done.out, nullptr, false);
@@ -87,7 +87,8 @@ std::map<fs::path, std::pair<std::uintmax_t, fs::file_time_type>> contents_of(co
     return all;
 }
 
-/// Of a binary PLY as `vantage synth` writes it: three doubles and three floats per vertex.
+/// Counts and extent of a binary PLY as written by `vantage synth`: three doubles and three floats per
+/// vertex.
 struct PlyTruth {
     std::size_t vertices = 0, triangles = 0;
     Eigen::AlignedBox3d box;
@@ -150,14 +151,14 @@ TEST_F(Inspect, StatesTheTruthOfASyntheticScan) {
     EXPECT_NEAR(lens["focal_x"][1], focal, 1e-9);
     EXPECT_EQ(lens["calibrations"], 1);
     EXPECT_TRUE(lens["coefficients"].empty());
-    // The principal point is not quite in the middle.
+    // The principal point is slightly off the middle.
     EXPECT_NEAR(lens["field_of_view_x"][0], truth.photos.fov, 0.1);
     EXPECT_EQ(j["usable_photos"], truth.photos.count);
     EXPECT_TRUE(j["not_seeing"].empty());
     EXPECT_EQ(effect(j, "undistortion")["on"], false);
     EXPECT_TRUE(effect(j, "pose-refinement")["on"].is_null()) << "only pixels can decide";
 
-    // Positions of cameras on an arc of known radius around the building.
+    // The cameras are on an arc of known radius around the building.
     const Eigen::Vector3d low = point(j["cameras"]["low"]), high = point(j["cameras"]["high"]);
     EXPECT_NEAR(high.x() - low.x(), 2 * truth.photos.radius * std::sin(truth.photos.arc / 2 * degrees), 0.01);
     EXPECT_EQ(j["scale"]["guessed_units"], json{"m"});
@@ -199,7 +200,7 @@ TEST_F(Inspect, CoefficientsOfTheLensAreNamed) {
     const json& lens = j["cameras"]["lenses"][0];
     EXPECT_EQ(lens["coefficients"], (json{{"k1", {-0.08, -0.08}}, {"k2", {0.015, 0.015}}}));
     EXPECT_EQ(effect(j, "undistortion")["on"], true);
-    // The angle at which the lens shows half the width, by fixed-point iteration.
+    // The angle that the lens images at half the width, by fixed-point iteration.
     const double half = std::tan(spec.photos.fov / 2 * degrees);
     double x = half;
     for (int i = 0; i < 100; ++i) x = half / (1 + x * x * (spec.lens.k1 + x * x * spec.lens.k2));
@@ -257,7 +258,7 @@ TEST_F(Inspect, NothingIsWritten) {
     EXPECT_EQ(contents_of(dir), before);
 }
 
-/// Only files that are older than a few seconds, as those of a dataset, would be cached.
+/// Only files older than a few seconds, such as those of a dataset, would be cached.
 TEST_F(Inspect, IdentitiesOfFilesAreNotCached) {
     VANTAGE_DATASET(real, "sceaux-small");
     EXPECT_EQ(inspect(fs::absolute(real).string()).code, 0);
@@ -266,7 +267,7 @@ TEST_F(Inspect, IdentitiesOfFilesAreNotCached) {
 
 TEST_F(Inspect, WhatIsThereIsShownIfAPartIsMissing) {
     struct Case {
-        const char* without;  ///< below the scan
+        const char* without;  ///< relative to the scan
         std::map<std::string, bool> known;
         const char* text;
     };
@@ -298,7 +299,7 @@ TEST_F(Inspect, WhatIsThereIsShownIfAPartCannotBeRead) {
     EXPECT_EQ(looked.err, prepared.err);
     EXPECT_NE(looked.out.find("mesh.ply: cannot be used"), std::string::npos) << looked.out;
     EXPECT_NE(looked.out.find("COLMAP text, 5 cameras"), std::string::npos) << looked.out;
-    // Of two broken parts, one is the error and the other a warning.
+    // With two invalid parts, one is the error and the other a warning.
     std::ofstream(scan / "sparse" / "images.txt", std::ios::trunc) << "1 2 3\n";
     const json j = facts();
     EXPECT_TRUE(j["mesh"].is_null());
@@ -357,7 +358,7 @@ TEST_F(Inspect, PartsAreTakenFromTheCommandLine) {
     json folder = facts();
     for (const char* key : {"needs", "notes"}) folder[key] = parts[key];
     EXPECT_EQ(parts, folder);
-    // A camera file alone is no input, but is shown.
+    // A camera file alone is not an input, but is described.
     const json cameras = facts("--cameras " + (scan / "sparse").string());
     EXPECT_EQ(cameras["exit_code"], 2);
     EXPECT_EQ(cameras["cameras"]["count"], 5);

@@ -1,5 +1,4 @@
-// Scans of five kinds: which way is up, what is shown first, and whether there is a background, decided by
-// prepare with its defaults.
+// Scans of five kinds, with the up direction, first view and background that prepare chooses by default.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -43,7 +42,7 @@ class KindsOfScan : public TemporaryFolder {
     double degrees_off(const Vector3d& up) const {
         return std::acos(std::clamp(up_of(package->scene()).dot(up), -1.0, 1.0)) * 180 / pi;
     }
-    /// How far a box reaches from the middle of a square frame in the first view, 1 at its edges.
+    /// The extent of a box in the first view, relative to half of a square frame: 1 at its edges.
     Eigen::Vector2d reach(const Vector3d& low, const Vector3d& high) const {
         const View view = view_of(first_view(*package, 0), 1000, 1000, {0, 0, 1000, 1000});
         const Eigen::Map<const Vector3d> origin(package->scene().origin);
@@ -56,7 +55,7 @@ class KindsOfScan : public TemporaryFolder {
             box.extend(Eigen::Vector2d(at.x() / at.z() * view.intrinsics.fx / 500,
                                        at.y() / at.z() * view.intrinsics.fy / 500));
         }
-        EXPECT_LT(box.center().norm(), 0.2) << "is in the middle";
+        EXPECT_LT(box.center().norm(), 0.2) << "centered";
         return box.sizes() / 2;
     }
     std::optional<PackageReader> package;
@@ -79,7 +78,7 @@ TEST_F(KindsOfScan, AnObjectThatWasMovedBetweenSeriesIsShownUprightWithoutBackgr
     EXPECT_GT(fills, 0.6);
     EXPECT_LT(fills, 0.9);
     const auto& shade = package->scene().shade;
-    EXPECT_GT(shade[0], 0.01) << "of the walls";
+    EXPECT_GT(shade[0], 0.01) << "the walls' color";
     EXPECT_LT(shade[0], 0.9);
 }
 
@@ -116,7 +115,7 @@ TEST_F(KindsOfScan, ACourtyardIsShownFromInsideWithWhatIsBeyond) {
     EXPECT_EQ(a.presentation.kind, KindOfScan::inside);
     EXPECT_TRUE(a.background.on) << a.background.evidence;
     const Navigation n = first_view(*package, 0);
-    EXPECT_NEAR(n.fov, 2 * std::atan(180 / 280.0) * 180 / pi, 1e-6) << "as a photo shows it";
+    EXPECT_NEAR(n.fov, 2 * std::atan(180 / 280.0) * 180 / pi, 1e-6) << "as in a photo";
 }
 
 TEST_F(KindsOfScanAtLength, AClosedCourtyardHasItsSky) {
@@ -147,7 +146,7 @@ TEST_F(KindsOfScanAtLength, HousesFromTheAirOnALawnHaveNone) {
     EXPECT_NE(a.presentation.kind, KindOfScan::inside);
     EXPECT_FALSE(a.background.on);
     EXPECT_NE(a.background.evidence.find("is plain"), std::string::npos) << a.background.evidence;
-    EXPECT_GT(package->scene().shade[1], package->scene().shade[0]) << "the lawn's";
+    EXPECT_GT(package->scene().shade[1], package->scene().shade[0]) << "the lawn's color";
 }
 
 TEST_F(KindsOfScan, AFacadeInAGardenHasItsGarden) {
@@ -201,7 +200,7 @@ TEST_F(KindsOfScanAtLength, AHeadOnATableShowsItsFaceBeforeCalmGround) {
     EXPECT_EQ(a.presentation.kind, KindOfScan::object);
     EXPECT_FALSE(a.background.on) << a.background.evidence;
     EXPECT_LT(degrees_off(-Vector3d::UnitY()), 12);
-    // The face looks toward -z, seen from the photos of the last series.
+    // The face looks toward -z and is seen in the photos of the last series.
     const std::string first = package->photos()[package->scene().first_photo].name;
     EXPECT_TRUE(first.starts_with("IMG_20161202_1548") || first.starts_with("IMG_20161202_1549")) << first;
 }

@@ -1,4 +1,4 @@
-// A real scan with its mesh in another format becomes the same package.
+// A real scan gives the same package with its mesh in another format.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 class MeshFormats : public TemporaryFolder {
   protected:
-    /// What the program prints.
+    /// The program's output.
     std::string run(const std::string& words, int expected = 0) const {
         const fs::path says = dir / "says";
         const int status =
@@ -26,7 +26,7 @@ class MeshFormats : public TemporaryFolder {
         EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, expected) << slurp(says);
         return slurp(says);
     }
-    /// Prepares the scan in a folder, whose mesh is there already.
+    /// Prepares the scan in a folder that already contains the mesh.
     fs::path prepared(const fs::path& folder, const fs::path& scan) const {
         for (const char* part : {"images", "sparse"}) fs::create_symlink(scan / part, folder / part);
         const fs::path package = folder.string() + ".vantage";
@@ -48,7 +48,7 @@ TEST_F(MeshFormats, MakeTheSamePackageOfARealScan) {
     std::istringstream differences(run("diff " + ply.string() + " " + glb.string(), int(Exit::different)));
     for (std::string line; std::getline(differences, line);)
         EXPECT_TRUE(line.starts_with("inputs: ") || line == "model: normals: different") << line;
-    // The normals were scaled to unit length once more.
+    // The normals have been normalized once more.
     const PackageReader one(ply), other(glb);
     const auto a = one.records<Eigen::Vector3f>(package::Type::normals),
                b = other.records<Eigen::Vector3f>(package::Type::normals);

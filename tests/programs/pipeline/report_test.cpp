@@ -1,4 +1,4 @@
-// The preparation report, looked at as a reader does: its pictures and legends are taken from the page.
+// The preparation report as a reader sees it: its pictures and legends are extracted from the page.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -33,7 +33,7 @@ Camera look(const Vector3d& eye, const Vector3d& target, const Vector3d& up) {
     return c;
 }
 
-/// Bytes of standard base64.
+/// Decodes standard base64.
 std::string decoded(std::string_view text) {
     const std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string out;
@@ -52,8 +52,8 @@ class Report : public TemporaryFolder {
   protected:
     std::vector<NamedCamera> cameras;
 
-    /// A wall in the world's plane y = 0, and gray photos of it from `cameras`; the world turned by `R`.
-    /// `passer-by`: a photo with something red in its middle.
+    /// Prepares a wall in the world's plane y = 0, with gray photos of it from `cameras`; the world is
+    /// rotated by `R`. `passer_by`: a photo with a red object in its middle.
     void prepare(const Matrix3d& R, const std::vector<Vector3f>& corners, const std::string& passer_by = "",
                  const std::string& options = "") const {
         fs::create_directories(dir / "scan" / "images");
@@ -80,7 +80,7 @@ class Report : public TemporaryFolder {
         ASSERT_EQ(std::system(command.c_str()), 0) << slurp(dir / "says");
     }
     std::string page() const { return slurp(dir / "scan.html"); }
-    /// The picture whose description this is.
+    /// The picture with this description.
     RgbaImage picture(const std::string& description) const {
         const std::string html = page(), mark = "alt=\"" + description + "\" src=\"data:image/jpeg;base64,";
         const std::size_t at = html.find(mark);
@@ -107,7 +107,7 @@ Rgb at(const RgbaImage& p, double x, double y) {
     return {p.rgba[i], p.rgba[i + 1], p.rgba[i + 2]};
 }
 
-/// The legend's entry that a color is, or between which and white it is.
+/// The legend's entry for a color or for a tint of it.
 std::string meaning(const Rgb& color, const std::map<std::string, Rgb>& legend) {
     const Vector3d white = Vector3d::Constant(255), off = Vector3d(color[0], color[1], color[2]) - white;
     if (off.norm() < 25) return "full weight";
@@ -125,7 +125,7 @@ std::string meaning(const Rgb& color, const std::map<std::string, Rgb>& legend) 
 const std::vector<Vector3f> wall{{-3, 0, -3}, {3, 0, -3}, {3, 0, 3}, {-3, 0, 3}};
 const Vector3d up = Vector3d::UnitZ();
 
-/// Share of a part of the picture, given in shares of its size, that is not white.
+/// The fraction of non-white pixels in a part of the picture, which is given as fractions of its size.
 double covered(const RgbaImage& p, double x0, double y0, double x1, double y1) {
     int all = 0, dark = 0;
     for (int y = int(y0 * p.height); y < int(y1 * p.height); ++y)
@@ -164,7 +164,7 @@ TEST_F(Report, ContradictedPartsHaveTheirColor) {
 }
 
 TEST_F(ReportAtLength, ModelStandsUprightWhateverAxisIsUp) {
-    // A gable that is low on its right, as seen by the cameras.
+    // A gable that is low on its right side, from the cameras' point of view.
     const std::vector<Vector3f> gable{{-2, 0, -2}, {2, 0, -2}, {-2, 0, 2}};
     for (int i = -1; i <= 1; ++i)
         cameras.push_back({std::to_string(i + 1) + ".png", look({2.0 * i, -8, 1}, {0, 0, 0}, up)});
@@ -194,7 +194,7 @@ TEST_F(ReportAtLength, ModelStandsUprightWhateverAxisIsUp) {
 
 TEST_F(Report, OfCamerasThatLookStraightDownIsSeenWithItsUpperSideAbove) {
     const std::vector<Vector3f> floor{{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}};
-    for (int i = 0; i < 4; ++i)  // flown in lines, to and fro and across
+    for (int i = 0; i < 4; ++i)  // flown in parallel and crossing lines
         cameras.push_back(
             {std::to_string(i) + ".png",
              look({0.5 * i, 0, 6}, {0.5 * i, 0, 0}, Eigen::AngleAxisd(i * 1.5708, up) * Vector3d::UnitY())});

@@ -1,5 +1,5 @@
-// vantage thumbnail, as file managers call it: a picture of the photo at which the player opens, or one line
-// and an exit code.
+// vantage thumbnail, as file managers call it: a picture of the photo that the player shows first, or one
+// line and an exit code.
 #include <cmath>
 #include <fstream>
 
@@ -30,8 +30,8 @@ class Thumbnail : public Overnight {
     }
 };
 
-/// The mean absolute difference, in gray levels, between the colors of two pictures of any size, each
-/// averaged in 8x8 cells.
+/// The mean absolute difference, in gray levels, between two pictures of any size, each averaged over 8x8
+/// cells.
 double difference(const RgbaImage& a, const RgbaImage& b) {
     constexpr int cells = 8;
     const auto mean = [&](const RgbaImage& image, int x, int y, int c) {

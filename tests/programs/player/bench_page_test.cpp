@@ -26,7 +26,7 @@ Measurement row(std::string setting, std::map<std::string, double> values) {
     return {"border", "hall", "weight maps at 1/2", std::move(setting), false, false, std::move(values), {}};
 }
 
-/// Coarse values, so that many are equal; some are missing or not finite.
+/// Rows with coarse values, so that many are equal; some are missing or not finite.
 std::vector<Measurement> random_rows(unsigned seed, int count) {
     std::mt19937 random(seed);
     std::uniform_int_distribution<int> value(0, 12), odd(0, 9);
@@ -173,7 +173,7 @@ PlotSpec plot_of(std::vector<PlotPoint> points) {
             {PlotCurve{"weight maps", std::move(points)}}};
 }
 
-/// A complete SVG without anything that SVG does not allow.
+/// Expects a complete and valid SVG.
 void expect_valid(const std::string& svg) {
     EXPECT_EQ(svg.find("<svg "), 0U);
     EXPECT_EQ(count(svg, "<svg"), 1U);

@@ -1,5 +1,5 @@
 // The program vantage-bench on a small synthetic scene: the exact setting of every sweep reproduces the
-// reference to its stated precision, and an interrupted run resumes.
+// reference to its stated precision, and interrupted runs are resumed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ struct Bound {
     const char *sweep, *metric;
     double least, most;
 };
-// As described by Sweep::precision.
+// The bounds described by Sweep::precision.
 constexpr Bound precisions[] = {
     {"border", "weight_worst", 0, 0},      {"border", "distance_worst", 0, 0},
     {"depth", "false_hidden", 0, 0.05},    {"depth", "false_visible", 0, 0.05},
@@ -96,7 +96,7 @@ TEST_F(VantageBench, ResumesAfterBeingKilled) {
     const std::string options = "--set smoke --only border,hysteresis -o " + (dir / "out").string();
     ASSERT_EQ(run(options), 0) << output;
     const std::string whole = slurp(dir / "out" / "log.jsonl"), results = slurp(dir / "out" / "results.csv");
-    // As if killed while writing the last job.
+    // As if the program was killed while writing the last job.
     std::ofstream(dir / "out" / "log.jsonl") << whole.substr(0, whole.size() - 40);
     ASSERT_EQ(run(options), 0) << output;
     EXPECT_NE(output.find("resuming after 4 completed jobs"), std::string::npos) << output;

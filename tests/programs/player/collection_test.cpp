@@ -1,4 +1,4 @@
-// A collection of packages as checked in CI: damaged, stale, incomplete and visually different packages are
+// A collection of packages checked as in CI: damaged, stale, incomplete and visually different packages are
 // found.
 #include <fstream>
 #include <functional>
@@ -33,7 +33,7 @@ class Collection : public Overnight {
             fs::create_directory_symlink(scene, scans / name(i));
         }
     }
-    /// Gives one package its own scan, in which one photo is changed.
+    /// Gives one package its own scan, with one photo changed.
     fs::path own_scan(int i, const std::function<void(const fs::path& photo)>& change) const {
         const fs::path own = dir / ("scan of " + name(i));
         fs::copy(scene, own, fs::copy_options::recursive);
@@ -111,7 +111,7 @@ TEST_F(Collection, CheckFindsDamagedStaleAndIncompletePackages) {
 TEST_F(Collection, VerifyFindsChangedPictures) {
     const std::string words = all() + " --golden " + golden.string();
     const std::string one = package(0).string() + " --golden " + (golden / name(0)).string();
-    EXPECT_EQ(verify(one).code, int(Exit::input)) << "no pictures are stored yet";
+    EXPECT_EQ(verify(one).code, int(Exit::input)) << "no reference pictures yet";
     EXPECT_EQ(verify(words + " --update").code, 0);
     EXPECT_EQ(verify(one + " --tolerance 0 --max-diff-fraction 0").code, 0) << "rendering is deterministic";
     spoil();

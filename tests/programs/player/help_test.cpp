@@ -1,5 +1,5 @@
-// README.md and docs/ agree with the programs: every verb, option and choice that they mention is one
-// that the programs describe, and the exit codes are those of Exit.
+// README.md and docs/ agree with the programs: every verb, option and choice that they mention exists, and
+// the exit codes are those of Exit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The options of a command, with the values of those that take no others.
+/// The options of a command, with the allowed values of those with choices.
 using Options = std::map<std::string, std::set<std::string>>;
 
 struct Program {
@@ -32,7 +32,7 @@ struct Program {
     bool takes_arguments;
 };
 
-/// A command or a part of one, as quoted in a document.
+/// A command or part of a command, as quoted in a document.
 struct Quote {
     std::string place, text;
 };
@@ -100,7 +100,7 @@ class Help : public TemporaryFolder {
         return out;
     }
 
-    /// What is wrong with the options from `words[first]` on; empty if nothing.
+    /// The first mistake in the options from `words[first]` on; empty if there is none.
     static std::string mistake(const Options& options, const std::vector<std::string>& words,
                                std::size_t first) {
         for (std::size_t i = first; i < words.size() && words[i] != "&&" && words[i] != "|"; ++i) {
@@ -115,7 +115,7 @@ class Help : public TemporaryFolder {
         return {};
     }
 
-    /// What is wrong with a quote; empty if nothing, or if it is not about these programs.
+    /// The mistake in a quote; empty if there is none, or if it is not about these programs.
     std::string mistake(const std::string& text) const {
         const std::vector<std::string> words = words_of(text);
         if (words.empty()) return {};
@@ -128,7 +128,7 @@ class Help : public TemporaryFolder {
                 return "has no verb " + words[1];
             return mistake(verbs.at(""), words, 1);
         }
-        // A verb with options, or options alone: one of the programs must take them.
+        // A verb with options, or options alone: one of the programs must accept them.
         std::string mistaken;
         for (const auto& [name, program] : programs)
             for (const auto& [verb, options] : program.verbs) {
@@ -175,7 +175,7 @@ std::optional<std::string> word_for(Exit code) {
     return std::nullopt;
 }
 
-/// Codes with their descriptions, by the two groups of `pattern`.
+/// Exit codes with their descriptions, from the two groups of `pattern`.
 std::map<int, std::string> codes_in(const std::string& text, const char* pattern) {
     std::map<int, std::string> out;
     for (const auto& m : matches(text, pattern))

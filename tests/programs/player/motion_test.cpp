@@ -1,4 +1,4 @@
-// Frames in motion, whose plans are made on another thread: what they allocate, and what they show.
+// Frames in motion, with plans made on another thread: their allocations, and their content.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace {
 
-thread_local std::size_t allocations = 0;  // by C++ code; the driver's own are C's
+thread_local std::size_t allocations = 0;  // by C++ code; the driver allocates in C
 
 void* allocated(std::size_t bytes) {
     ++allocations;
@@ -61,7 +61,7 @@ class Motion : public TemporaryFolder {
         std::iota(photos.begin(), photos.end(), 0u);
         return photos;
     }
-    /// Around the model, close to it, by this many degrees per frame.
+    /// Views that orbit the model closely by this many degrees per frame.
     static std::vector<View> orbit(const PackageReader& package, int frames, double degrees) {
         Navigation from = home_of(package, 2);
         from.eye = from.target + 0.6 * (from.eye - from.target);
@@ -73,7 +73,7 @@ class Motion : public TemporaryFolder {
         }
         return out;
     }
-    /// To the left and to the right, from a place from which the frame shows a part of the model.
+    /// Views that pan left and right, from a position where the frame shows a part of the model.
     static std::vector<View> pan(const PackageReader& package, int frames) {
         const Navigation from = home_of(package, 2);
         const Eigen::Vector3d ahead = from.target - from.eye, right = ahead.cross(from.up).normalized();
@@ -90,7 +90,7 @@ class Motion : public TemporaryFolder {
     }
 };
 
-/// Pixels that show nothing.
+/// The number of empty pixels.
 std::size_t holes(const Picture& picture) {
     std::size_t n = 0;
     for (std::size_t at = 3; at < picture.rgba.size(); at += 4) n += picture.rgba[at] == 0;
@@ -105,14 +105,15 @@ TEST_F(Motion, FramesAllocateNothing) {
     Renderer renderer(package, {});
     const std::vector<std::uint32_t> photos = all(package);
     const std::vector<View> views = orbit(package, 300, 0.1);
-    for (int i = 0; i < 300; i += 3) draw(renderer, views[std::size_t(i)], photos);  // until all is there
+    for (int i = 0; i < 300; i += 3)
+        draw(renderer, views[std::size_t(i)], photos);  // until everything is loaded
     std::vector<std::size_t> of_frames;
     for (const View& view : views) {
         const std::size_t before = allocations;
         draw(renderer, view, photos);
         of_frames.push_back(allocations - before);
     }
-    // A frame that is late enough waits for its plan, and a busy machine may delay one that is being made.
+    // A frame that is late enough waits for its plan, and a busy machine may delay planning.
     EXPECT_LE(std::ranges::count_if(of_frames, [](std::size_t n) { return n > 0; }), 15);
 }
 

@@ -173,7 +173,7 @@ TEST(PictureMetrics, LocateChanges) {
     EXPECT_FALSE(none.better || none.worse);
 }
 
-// An independent implementation is distributed with the datasets.
+// The datasets come with an independent implementation.
 TEST_F(PictureMetricsReference, AgreeWithinAHundredthOfADecibel) {
     const char* root = std::getenv("VANTAGE_DATASETS");
     const std::filesystem::path kit =

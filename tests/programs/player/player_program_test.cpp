@@ -74,12 +74,12 @@ class PlayerProgram : public TemporaryFolder {
                 EXPECT_TRUE(found.code == int(Exit::damaged) && one_line(found.message))
                     << type << " " << e.photo << ": " << found.code << " " << found.message;
             const bool read = e.photo == package::scene_wide && type != "STAT" && type != "REGI" &&
-                              type != "PAIR";  // which the player does not read
+                              type != "PAIR";  // not read by the player
             EXPECT_TRUE(!read || found.code != 0) << type;
         }
         EXPECT_EQ(play("--photo 0002").picture, good.picture);
     }
-    /// Cut off before every so many chunks.
+    /// Truncates the package before every `step`-th chunk.
     void expect_truncation_said(std::size_t step) const {
         const auto all = chunks();
         for (std::size_t i = all.size(); i > 0; i -= std::min(i, step)) {
@@ -121,7 +121,7 @@ TEST_F(PlayerProgram, TheFirstPictureOfTheWindowShowsPhotos) {
     double squares = 0;
     int values = 0;
     for (int y = 100; y < 500; ++y)
-        for (int x = 320; x < 540; ++x)  // between the panels, which the first picture does not have
+        for (int x = 320; x < 540; ++x)  // between the panels, which the first picture lacks
             for (int c = 0; c < 3; ++c, ++values) {
                 const auto at = std::size_t(4 * (y * first.width + x) + c);
                 squares += std::pow(double(first.rgba[at]) - double(later.rgba[at]), 2);

@@ -1,4 +1,4 @@
-// Both programs with the URL of a package instead of a file, against servers that serve it well and badly.
+// Both programs with the URL of a package instead of a file, with correct and faulty servers.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -36,7 +36,7 @@ class RemotePackages : public Overnight {
         EXPECT_EQ(local.code, 0) << local.err;
         return slurp(dir / "local.png");
     }
-    /// The sparse file in the cache.
+    /// The path of the sparse file in the cache.
     fs::path cached() const {
         for (const auto& entry : fs::recursive_directory_iterator(dir / "cache"))
             if (entry.path().extension() == ".vantage") return entry.path();
@@ -62,7 +62,7 @@ TEST_F(RemotePackages, SecondVisitIsFromTheCacheAndNeedsNoServer) {
         ASSERT_EQ(play(url).code, 0);
         const int before = server.requests();
         ASSERT_EQ(play(url, "again.png").code, 0);
-        EXPECT_EQ(server.requests() - before, 1) << "beyond asking whether the file has changed";
+        EXPECT_EQ(server.requests() - before, 1) << "besides the check whether the file has changed";
     }
     const Outcome offline = play(url, "offline.png");
     EXPECT_EQ(offline.code, 0) << offline.err;
@@ -153,7 +153,7 @@ TEST_F(RemotePackages, FaultsOfTheServerAreOneLine) {
 
 TEST_F(RemotePackages, ServerThatFailsWhileTilesAreFetchedIsOneLine) {
     const FaultServer server([&](const Asked& asked) {
-        // The beginning is served, up to the last tiles.
+        // Serves the first half, and fails for the rest.
         if (asked.range.begin < content.size() / 2) return answer_well(asked, content);
         return asked.send("HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\n\r\n");
     });

@@ -42,7 +42,7 @@ class SmoothnessOfFlights : public TemporaryFolder {
         settings.effects[Effect::transients] = EffectChoice::off;
         copy_package(dir / "scene", settings, file);
     }
-    /// Multiplies the light of photo 2, in the middle of the five.
+    /// Brightens photo 2, the middle one of five.
     void brighten() {
         const fs::path photo = read_scene(discover(dir / "scene")).photos[2].file;
         const RgbaImage image = image_files().read(photo);
@@ -53,7 +53,7 @@ class SmoothnessOfFlights : public TemporaryFolder {
         }
         image_files().write(photo, image.width, image.height, 3, Sample::u8, rgb);
     }
-    /// From one photo's camera to another's.
+    /// Flies from one photo's camera to another's.
     std::vector<FrameStep> fly(std::uint32_t from, std::uint32_t to, const SmoothnessOptions& o = {}) {
         const PackageReader package(file);
         const gl::HeadlessContext context(gl::Debug::on);
@@ -64,7 +64,7 @@ class SmoothnessOfFlights : public TemporaryFolder {
         std::vector<ShownStep> shown;
         return fly_in_steps(package, o, path, size, shown);
     }
-    /// What the surface looks like from a photo's camera: its mean code.
+    /// The surface's mean 8-bit value from a photo's camera.
     double brightness_at(std::uint32_t photo) {
         const PackageReader package(file);
         const gl::HeadlessContext context(gl::Debug::on);
@@ -130,7 +130,7 @@ TEST_F(SmoothnessOfFlightsAtLength, AbruptChangesAreMeasuredAsLargerSteps) {
         shipped, chosen, fading, replaced);
     EXPECT_GT(chosen, 1.5 * shipped);
     EXPECT_LT(fading, 0.25 * jump) << "one photo replaces another over nine frames";
-    EXPECT_NEAR(replaced, jump, 0.3 * jump) << "the whole jump in one frame";
+    EXPECT_NEAR(replaced, jump, 0.3 * jump) << "the full jump in one frame";
 }
 
 TEST_F(SmoothnessOfFlights, ProgramWritesTheSameTwice) {

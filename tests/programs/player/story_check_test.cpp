@@ -62,5 +62,5 @@ TEST_F(StoryCheck, SaysWhatIsWrongWithAStoryThatCannotBeRead) {
     EXPECT_EQ(check("").code, int(Exit::input));
     std::filesystem::remove(dir / "scene.story.json");
     std::filesystem::create_symlink("nowhere", dir / "scene.story.json");
-    EXPECT_EQ(run("check " + file.string()).code, int(Exit::input)) << "a link that leads nowhere";
+    EXPECT_EQ(run("check " + file.string()).code, int(Exit::input)) << "a dangling link";
 }

@@ -1,5 +1,5 @@
-// Streaming in the player: fetched bytes match the package, budgets are kept, damaged tiles are never shown;
-// and the coverage of plans.
+// Streaming in the player: fetched bytes match the package, budgets are kept, damaged tiles are never shown.
+// Also the coverage of plans.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -114,7 +114,7 @@ TEST_F(Streaming, UploadBudgetIsKeptAndThePictureConverges) {
     for (int frame = 0; frame < 400 && !report.settled; ++frame) {
         report = renderer.draw(view, settings, all(package), {}, frame / 30.0);
         ASSERT_LE(report.uploaded, settings.upload_bytes);
-        // On a busy machine, thumbnails of some photos come frames before those of others.
+        // On a busy machine, thumbnails of some photos arrive several frames before others.
         const bool all_shown =
             report.photos > 0 && report.photos >= renderer.planner().frame().plan().photos.size();
         if (first.empty() && all_shown) first = shown_picture(renderer, view, settings).rgba;
@@ -124,7 +124,7 @@ TEST_F(Streaming, UploadBudgetIsKeptAndThePictureConverges) {
     settings.loading = Loading::complete;
     renderer.draw(view, settings, all(package), {}, 100);
     const auto exact = shown_picture(renderer, view, settings).rgba;
-    EXPECT_LT(mean_difference(first, exact), 12) << "base levels show the scene, though blurred";
+    EXPECT_LT(mean_difference(first, exact), 12) << "base levels show the scene, but blurred";
     EXPECT_GT(mean_difference(first, exact), 0.2);
     EXPECT_LT(mean_difference(last, exact), 0.1);
 }
@@ -201,7 +201,7 @@ TEST_F(Streaming, DamagedTilesFallBackToCoarserOnesUntilRestored) {
     invert_tiles();
     now += 6;
     settle();
-    now += 11;  // lets requests in flight at the restoration, and those no longer needed, expire
+    now += 11;  // requests in flight at the restoration and obsolete ones expire
     EXPECT_EQ(settle().tiles_damaged, 0u);
     Renderer fresh(package, {});
     fresh.draw(view, settings, only, {}, 0);
@@ -221,11 +221,11 @@ TEST_F(Streaming, PicturesReadTheTilesThatTheyShow) {
     const auto tiles_of_level = [&](int level) {
         return std::size_t(level_size(int(photo.width), int(photo.height), level).tiles());
     };
-    // Each of its tiles once, or twice: for the mesh, and for what is beside it.
+    // Each of its tiles is used at most twice: for the mesh and for the background.
     FrameReport report = take_picture(renderer, view_of_photo(photo, 1), {}, all(package), 1).report;
     EXPECT_EQ(report.tiles_missing, 0u);
     EXPECT_LE(report.tiles, 2 * (tiles_of_level(0) + tiles_of_level(1)));
-    // At an eighth of the size, no photo's finest level is shown, nor its next.
+    // At an eighth of the size, no photo's two finest levels are shown.
     report = take_picture(renderer, view_of_photo(photo, 0.125), {}, all(package), 1).report;
     EXPECT_EQ(report.tiles_missing, 0u);
     EXPECT_GT(report.tiles, 0u);
@@ -248,7 +248,7 @@ TEST_F(Streaming, AtAPhotosCameraOthersShowWhatIsBesideIt) {
     for (const package::PhotoRecord& photo : package.photos()) {
         View wide = view_of_photo(photo, 0.25);
         wide.intrinsics.fx *= 0.5, wide.intrinsics.fy *= 0.5;
-        View beside = wide;  // where no photo is the viewer's own
+        View beside = wide;  // where no photo has the viewer's position
         beside.cam_from_origin.t += Eigen::Vector3d(1e-3, 0, 0);
         EXPECT_NEAR(colored(wide) / colored(beside), 1, 2e-3) << photo.name;
     }
@@ -277,7 +277,7 @@ TEST_F(Streaming, APictureOfASmallModelComesToRest) {
     settings.loading = Loading::repeatable;
     for (const double away : {100.0, 1000.0}) {
         const View view = view_towards({0.3 * away, -away, 0.2 * away}, {0, 0, 0}, {0, 0, 1}, 40, 640, 480);
-        // As a window does: one sample per frame once everything is settled, from the first again otherwise.
+        // As in a window: one sample per frame once everything is settled; otherwise, sampling restarts.
         constexpr int side = 4;
         int samples = 0, frame = 0;
         bool settled = false;
@@ -286,7 +286,7 @@ TEST_F(Streaming, APictureOfASmallModelComesToRest) {
             const bool rests = settled;
             settled = renderer.draw(view, settings, all(package), sample, away + frame / 30.0).settled;
             samples = rests && settled ? samples + 1 : 0;
-            glFinish();  // what was seen arrives before the next frame
+            glFinish();  // visibility results arrive before the next frame
         }
         EXPECT_EQ(samples, side * side) << "from " << away;
     }

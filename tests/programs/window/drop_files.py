@@ -25,7 +25,7 @@ def send(kind, *data):
 
 
 def answer(request):
-    """With the names of the files."""
+    """Answers the request for the names of the files."""
     request.requestor.change_property(request.property, request.target, 8, uris)
     request.requestor.send_event(event.SelectionNotify(time=request.time, requestor=request.requestor,
                                                        selection=request.selection, target=request.target,
@@ -34,7 +34,7 @@ def answer(request):
 
 
 def await_message(kind, seconds=20):
-    """Whether the window has said so; answers its questions meanwhile."""
+    """Whether the window has sent this message; answers its requests meanwhile."""
     until = time.time() + seconds
     while time.time() < until:
         while screen.pending_events():

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every text of the window is translated into every language that has a catalog. usage: languages_test.sh SOURCE_DIR
+# Every text of the window is translated into every language with a catalog. usage: languages_test.sh SOURCE_DIR
 set -uo pipefail
 source=$1
 for tool in xgettext msgcmp msgfmt; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Shows a demo scene in Monado's simulated headset, without a compositor's window: without a display; through X11, with the
-# validation layer of Khronos; and through the loss of the runtime.
+# Shows a demo scene in Monado's simulated headset, without a compositor window: without a display; through X11, with the Khronos
+# validation layer; and across the loss of the runtime.
 # usage: monado_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if Monado is not installed.
 set -euo pipefail
 vantage=$1 player=$2 source=$3
@@ -16,7 +16,7 @@ fail() {
   exit 1
 }
 mkdir -m 700 run
-mkfifo stdin  # something that the service can wait for: it ends when a line comes
+mkfifo stdin  # stdin for the service, which exits when it reads a line
 exec 3<>stdin
 export XDG_RUNTIME_DIR=$dir/run SIMULATED_ENABLE=1 XRT_COMPOSITOR_NULL=1 XR_RUNTIME_JSON=$runtime
 service= running=

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A kiosk shows a story, as a process of its own; a video of a tour begins at its first note.
+# A kiosk, as a separate process, shows a story; a video of a tour begins at its first note.
 # usage: story_window_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"

@@ -3,14 +3,14 @@
 
 usage: touch_device.py SOCKET WIDTHxHEIGHT < GESTURES
 
-The driver takes one connection in its life. One gesture per line, answered by "done"; positions in pixels of the screen:
+The driver accepts a single connection. One gesture per line, answered by "done"; positions in screen pixels:
   tap X Y                          a finger, for 60 ms
   double X Y                       two taps, 120 ms apart
-  drag X Y TO_X TO_Y               a finger, in 20 steps, that rests before it is lifted
-  swing X Y TO_X TO_Y              the same there and back, without being lifted
-  pinch X Y FROM TO [DEGREES]      two fingers on both sides of a point, from one distance to another, turning clockwise
+  drag X Y TO_X TO_Y               one finger, in 20 steps, which pauses before it is lifted
+  swing X Y TO_X TO_Y              the same and back again, without lifting
+  pinch X Y FROM TO [DEGREES]      two fingers on both sides of a point, from one distance to another, rotating clockwise
   pan X Y TO_X TO_Y                two fingers, 100 pixels apart, in 20 steps
-  random SEED COUNT                that many events of up to four fingers; all are lifted at the end
+  random SEED COUNT                COUNT events of up to four fingers; all are lifted at the end
   wait SECONDS
 """
 import math
@@ -49,7 +49,7 @@ class Device:
             self.down[finger] = (x, y)
 
     def move(self, paths, rest=STEP):
-        """Fingers along their paths, functions of 0 to 1, together; they rest for some seconds at the end."""
+        """Moves fingers together along their paths, functions of 0 to 1; they pause for some seconds at the end."""
         for finger, at in enumerate(paths):
             self.touch(finger, BEGIN, *at(0))
         for step in range(1, 21):

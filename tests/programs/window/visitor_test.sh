@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A visitor at a kiosk, who only touches: looks around, finds a dormer of the roof, looks closer, compares it with the photo, goes home.
+# A visitor at a kiosk, by touch only: orbits, finds a dormer on the roof, zooms in, compares it with the photo, returns home.
 # usage: visitor_test.sh VANTAGE PLAYER SOURCE_DIR FIND_PICTURE [WIDTHxHEIGHT [FOLDER for screenshots]]
 # Exits with 77 if there is no X server with a touch screen, or no photos (VANTAGE_DATASETS).
 set -uo pipefail
@@ -13,7 +13,7 @@ set=$VANTAGE_DATASETS/sceaux-small
 "$vantage" prepare "$set" -o sceaux.vantage --no-report >/dev/null 2>&1 || { fail "prepare"; exit 1; }
 wide=${size%x*} high=${size#*x}
 
-# shot NAME: a screenshot, as NAME.ppm, once nothing has moved for ten frames: X may pass events on late
+# shot NAME: a screenshot, as NAME.ppm, once the picture has been still for ten frames: X may deliver events late
 shot() {
   local still=0 last now rests
   last=$(frame)
@@ -26,7 +26,7 @@ shot() {
   screenshot "$1.ppm"
   [ -z "$pictures" ] || cp "$1.ppm" "$pictures/$1-$size.ppm"
 }
-# look NAME: sets x, y, times and likeness of the dormer in the screenshot
+# look NAME: sets x, y, times and likeness of the dormer, from the screenshot
 look() {
   shot "$1"
   read -r x y times likeness <<<"$("$find_picture" "$1.ppm" "$set/images/00003.jpg" 323 193 54 60)"
@@ -34,7 +34,7 @@ look() {
   is "$likeness > 0.5" || fail "$1: the dormer is not to be seen"
 }
 is() { awk "BEGIN { exit !($1) }"; }
-# A finger on a control; its place from the file of the controls.
+# Taps a control at its position from the file of controls.
 touch_control() {
   local at
   at=$(place "$1") || { fail "there is no '$1'"; return; }
@@ -50,7 +50,7 @@ within 10 covers || fail "the kiosk does not cover the screen"
 look home
 home=($x $y $times)
 
-# Around the building by one finger; there and back again, if it is not lifted.
+# One finger orbits the building; moved back without being lifted, it restores the view.
 finger drag $((wide / 2)) $((high / 3)) $((wide / 2 + wide / 8)) $((high / 3))
 shot around
 cmp -s home.ppm around.ppm && fail "one finger does not turn the model"
@@ -60,7 +60,7 @@ finger swing $((wide / 2)) $((high / 3)) $((wide / 2 + wide / 8)) $((high / 3))
 look back
 is "sqrt(($x - ${home[0]})^2 + ($y - ${home[1]})^2) < 0.01 * $wide" || fail "dragging back does not lead back"
 
-# Two taps on the dormer bring it to the middle, two fingers closer still.
+# Two taps on the dormer bring it to the middle, two fingers zoom in further.
 finger double "$x" "$y"
 look closer
 is "$times > 1.7 * ${home[2]}" || fail "two taps do not bring the dormer closer"
@@ -75,7 +75,7 @@ finger pan "$x" "$y" $((x + wide / 10)) $((y + high / 20))
 look panned
 is "($x - ${before[0]} - $wide / 10)^2 + ($y - ${before[1]} - $high / 20)^2 < (0.03 * $wide)^2" || fail "two fingers do not move the picture with them"
 
-# Compared with the photo: the line between both follows the finger.
+# Compares with the photo: the line between both follows the finger.
 touch_control "Bar Compare"
 shot compared
 place Swipe >/dev/null || fail "Compare shows no line to drag"
@@ -87,16 +87,16 @@ cmp -s compared.ppm wiped.ppm && fail "the line does not follow the finger"
 [ "$(place Swipe)" != "$at" ] || fail "the line is still at $at"
 touch_control "Bar Compare"
 
-# Home again, as it was.
+# Returns to the home view, which is unchanged.
 touch_control "Bar Home"
 look home-again
 is "sqrt(($x - ${home[0]})^2 + ($y - ${home[1]})^2) < 0.01 * $wide && ($times / ${home[2]} - 1)^2 < 0.01" || fail "Home leads elsewhere"
 
-# What the public must not do, fingers cannot do either.
+# Visitors must not reach expert functions by touch.
 grep -q "^Bar Expert	" places && fail "a kiosk offers the expert's panels"
 kill -0 $pid 2>/dev/null || fail "the kiosk ended: $(cat says)"
 
-# A kiosk that fails is started again; SIGTERM ends it.
+# A kiosk that crashes is restarted; SIGTERM ends it.
 rm -f places
 pkill -KILL -P $pid
 within 20 is_at "Bar Home" || fail "a kiosk that was killed is not started again"

@@ -1,7 +1,7 @@
 # Functions for tests of the window, to be sourced: real mouse and key events through the X server. Needs xvfb-run, xdotool and
-# inotifywait. What is waited for shows in files that the player moves to the folder, of which `places` comes with every frame.
+# inotifywait. Changes appear in files that the player moves to the folder, of which `places` comes with every frame.
 
-# Runs the calling script again under Xvfb, with a screen of this size, in an empty folder $dir; once there, goes on.
+# Runs the calling script again under Xvfb, with a screen of this size, in an empty folder $dir; once under Xvfb, continues.
 # under_xvfb WIDTHxHEIGHT "$@"
 under_xvfb() {
   local screen=$1
@@ -12,14 +12,14 @@ under_xvfb() {
     done
     export VANTAGE_WINDOW_TEST=$(mktemp -d)
     trap 'rm -rf "$VANTAGE_WINDOW_TEST"' EXIT
-    # By the process's number: of tests that start at once, -a alone gives two the same screen.
+    # The display number comes from the process's: with -a alone, tests that start simultaneously may get the same display.
     xvfb-run -n $((1000 + $$ % 30000)) -a -s "-screen 0 ${screen}x24" "$0" "$@"
     exit $?
   fi
   enter_folder
 }
 
-# The same under Xorg with a touch screen, for finger(). Needs its drivers "dummy" and "inputtest", besides xdotool.
+# The same under Xorg with a touch screen, for finger(). Also needs its drivers "dummy" and "inputtest".
 # under_touch_screen WIDTHxHEIGHT "$@"
 under_touch_screen() {
   screen=$1
@@ -100,21 +100,21 @@ END
   kill $xorg 2>/dev/null
   return 1
 }
-# finger GESTURE...: of touch_device.py; waits until it is made
+# finger GESTURE...: of touch_device.py; waits until it is done
 finger() {
   local answer
   echo "$*" >&"${TOUCH[1]}"
   read -r -t 60 answer <&"${TOUCH[0]}" && [ "$answer" = done ] || { fail "no finger: ${answer:-}"; exit 1; }
 }
-# screenshot FILE.ppm [LEFT TOP WIDTH HEIGHT]: with the libraries of the system's Python
+# screenshot FILE.ppm [LEFT TOP WIDTH HEIGHT]: uses the libraries of the system's Python
 screenshot() { /usr/bin/python3 "$source_of_tests/screenshot.py" "$@" || exit 1; }
 
-# Waits until a file is moved to the folder, or a second. Conditions that are waited for must not do that themselves.
+# Waits until a file is moved to the folder, at most a second. Conditions passed to within() must not call it.
 changed() {
   read -r -t 1 -u "$changes" _ || return 0
   while read -r -t 0 -u "$changes"; do read -r -u "$changes" _; done
 }
-# within SECONDS COMMAND...: runs it, and again after each change, until it succeeds
+# within SECONDS COMMAND...: runs a command, and again after each change, until it succeeds
 within() {
   local end=$((SECONDS + $1))
   shift
@@ -159,7 +159,7 @@ press() {  # press NAME [share of its width]: clicks a control
   frames 3
 }
 
-# From far away the model is small, which is fast in software.
+# From far away the model is small and software rendering is fast.
 step_back() {
   xdotool mousemove 500 400
   xdotool click --repeat 40 --delay 10 5
@@ -167,7 +167,7 @@ step_back() {
 }
 key() { xdotool keydown "$1"; frames 2; xdotool keyup "$1"; frames 2; }
 
-# Waits for the window of the player that was started with --controls places, and gives it the keyboard.
+# Waits for the window of the player that was started with --controls places, and gives it keyboard focus.
 find_window() {
   within 60 is_at "Photo 1" || { cat says; fail "no window"; exit 1; }
   focus
@@ -195,7 +195,7 @@ opens() { soon is_titled "$1" || soon is_titled "$1" || fail "expected $1, the w
 quit() { xdotool key ctrl+q; await_exit "Ctrl+Q"; }
 there() { frames 3; place "$1" >/dev/null; }  # waits for it; see gone
 gone() { frames 3; awk -F'\t' -v n="$1" '$1 == n { found = 1 } END { exit found }' places; }
-# Whether nothing is drawn at rest: less than 1 % of a processor.
+# Whether nothing is drawn at rest: less than 1 % of one processor core.
 rests() {
   local before seconds=2
   for _ in $(seq 60); do

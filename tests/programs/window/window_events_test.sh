@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the window does with the system around it: keys within a frame, the desktop's dialog, files beside the window, folders that
-# nobody can write to, rest with little memory.
+# The window and the system around it: keys within a frame, the desktop's file dialog, output files, read-only folders, idling with
+# little memory.
 # usage: window_events_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"
@@ -11,7 +11,7 @@ vantage=$1 player=$2 source=$3
 mkdir folder && cp one.vantage folder/two.vantage
 alive() { frames 10; kill -0 $pid 2>/dev/null || fail "$1 ended the player: $(cat says)"; }
 
-# Taps and clicks shorter than a frame: all of them act, in order.
+# Taps and clicks shorter than a frame are all handled, in order.
 start one.vantage --size 900x700
 xdotool mousemove 500 400 click 4
 xdotool key --delay 0 Tab c F5
@@ -32,7 +32,7 @@ there "Cancel" || fail "O does not open the dialog on the start page"
 xdotool key Escape; frames 3
 quit
 
-# The desktop's own dialog, where there is one.
+# The desktop's own file dialog, if there is one.
 mkdir bin
 printf '#!/bin/sh\necho "%s"\n' "$dir/folder/two.vantage" >bin/zenity && chmod +x bin/zenity
 start_page PATH="$dir/bin:$PATH" XDG_CURRENT_DESKTOP=GNOME
@@ -40,7 +40,7 @@ xdotool key o
 opens two.vantage
 quit
 
-# An orthophoto is written while the window is used: that of the command.
+# An orthophoto is written while the window is in use, the same as from the command.
 start one.vantage --no-saved-settings --size 1200x800
 key Tab
 press "Section Picture"; press "Section Blending"; press "Section Orthophoto"
@@ -53,7 +53,7 @@ within 30 test -s one-orthophoto-0001.pgw
 cmp -s one-orthophoto-0001.png expected.png || fail "the window's orthophoto is not that of the command"
 quit
 
-# Where nothing can be written, that is said, and the window stays.
+# In a read-only folder, an error is shown and the window stays open.
 rm -f places
 (cd /proc && exec "$player" "$dir/one.vantage" --size 900x700 --controls "$dir/places") >says 2>&1 &
 pid=$!
@@ -63,7 +63,7 @@ there "Message" || fail "it is not said that a screenshot cannot be written"
 alive "a screenshot that cannot be written"
 quit
 
-# At rest nothing is drawn, also where tiles do not all fit into the memory, and a key wakes the window.
+# At rest nothing is drawn, even if not all tiles fit into memory, and a key wakes the window.
 comes_to_rest() {
   "$player" "$@" --no-saved-settings >says 2>&1 &
   pid=$!

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A session in a real window, with real mouse and key events through the X server: what only such a window can show. What
-# controls, keys and gestures do is tested without one (tests/window).
+# A session in a real window, with real mouse and key events through the X server, for behavior that needs such a window. The
+# effects of controls, keys and gestures are tested without one (tests/window).
 # usage: window_session_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"
@@ -10,7 +10,7 @@ vantage=$1 player=$2 source=$3
 "$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage --no-report >/dev/null 2>&1 || exit 1
 cp one.vantage two.vantage
 head -c 3000 one.vantage >cut.vantage
-picture() { screenshot "$1" 400 100 400 300; }  # a part of the picture beside the sidebar, as the screen shows it
+picture() { screenshot "$1" 400 100 400 300; }  # a part of the picture beside the sidebar, as on the screen
 settled() {  # settled FILE.ppm: the picture, once it is final
   for _ in $(seq 100); do
     frames 6
@@ -23,7 +23,7 @@ settled() {  # settled FILE.ppm: the picture, once it is final
   fail "the picture $1 is never final"
 }
 
-# alike FILE.ppm FILE.ppm: as far as a busy processor shows the same, which may do with fewer samples per pixel
+# alike FILE.ppm FILE.ppm: equal up to the fewer samples per pixel that a busy processor may draw
 alike() {
   /usr/bin/python3 -c '
 import sys
@@ -31,7 +31,7 @@ a, b = (open(name, "rb").read() for name in sys.argv[1:])
 sys.exit(len(a) != len(b) or sum(abs(x - y) for x, y in zip(a, b)) > 2 * len(a))' "$1" "$2"
 }
 
-# Without a package: a damaged one that is dropped is refused, a valid one is shown.
+# On the start page, a dropped damaged package is refused, and a valid one is shown.
 start_page
 /usr/bin/python3 "$source_of_tests/drop_files.py" "$window" cut.vantage || fail "the start page takes no files"
 frames 3
@@ -43,8 +43,8 @@ opens one.vantage
 find_window
 place "Photo 5" >/dev/null || fail "the strip does not show the photos"
 
-# The mouse orbits: the picture changes, and stays when it is let go.
-key ctrl+minus; key ctrl+minus  # as on a usual screen
+# Dragging orbits: the picture changes, and stays when the button is released.
+key ctrl+minus; key ctrl+minus  # as on a standard screen
 settled before.ppm
 xdotool mousemove 600 250; frames 2
 xdotool mousedown 1; frames 2; xdotool mousemove_relative 80 30; frames 3; xdotool mouseup 1
@@ -54,7 +54,7 @@ key h
 soon_settled() { settled home.ppm; alike home.ppm before.ppm; }
 soon soon_settled || fail "H does not lead back to the first picture"
 
-# A click quicker than a frame, with the pointer elsewhere by the end of it; a setting changes the picture.
+# A click shorter than a frame, with the pointer elsewhere at the end of the frame; a setting changes the picture.
 # shellcheck disable=SC2046
 xdotool mousemove $(place "Bar Expert") mousedown 1 mouseup 1 mousemove 600 250
 there "Section Picture" || fail "a click on Expert quicker than a frame is lost"
@@ -67,8 +67,8 @@ press "Show"; press "photos"
 settled again-photos.ppm
 alike photos.ppm again-photos.ppm || fail "the photos are not shown again as they were"
 
-# Screenshots show the model alone; nothing of the picture shines through the help.
-key F4  # the strip would be over the help
+# Screenshots show only the model; the picture does not shine through the help.
+key F4  # the strip would cover the help
 settled strip.ppm
 key p
 soon test -s one-0001.png || fail "P writes no screenshot"
@@ -89,7 +89,7 @@ alike help.ppm help-after.ppm || fail "the picture shines through the help"
 key F1
 key F4
 
-# The window follows its size and covers the screen.
+# The interface follows the window's size and can cover the screen.
 timeout 20 xdotool windowsize --sync "$window" 1200 800
 frames 3
 at=$(place "Bar Expert")
@@ -101,8 +101,8 @@ key F11
 soon_small() { at=$(place "Bar Expert"); [ "${at%% *}" -lt 1200 ]; }
 soon soon_small || fail "F11 does not lead back: Expert is at $at"
 
-# Packages: one is dropped and added, one opened by the dialog; a truncated one replaces nothing.
-press "Section Picture"; press "Section Blending"  # they leave no room for that of objects
+# One package is dropped and added, one is opened by the dialog; a truncated one does not replace the open one.
+press "Section Picture"; press "Section Blending"  # they leave no space for the section of objects
 /usr/bin/python3 "$source_of_tests/drop_files.py" "$window" two.vantage || fail "the window takes no files"
 there "Add to the scene" || fail "it is not asked what to do with a dropped package"
 press "Add to the scene"
@@ -124,18 +124,18 @@ press "$dir/one.vantage"
 opens one.vantage
 quit
 
-# Damage is said, and is the exit code.
+# Damage is reported and sets the exit code.
 /usr/bin/python3 - <<'END'
 data = bytearray(open("two.vantage", "rb").read())
 starts = [-1]
 while (at := data.find(b"\xff\xd8\xff", starts[-1] + 1)) >= 0:
     starts.append(at)
-for at in starts[-10:]:  # tiles of colors, behind the thumbnails of five photos
+for at in starts[-10:]:  # color tiles, after the thumbnails of five photos
     data[at + 2000 : at + 2002] = bytes(2)
 open("two.vantage", "wb").write(data)
 END
 start two.vantage --no-saved-settings --size 900x700
-place "Message" >/dev/null || fail "damage is not said: $(cat says)"  # it goes after some seconds
+place "Message" >/dev/null || fail "damage is not said: $(cat says)"  # it disappears after some seconds
 xdotool key ctrl+q
 await_exit "Ctrl+Q" 4
 

@@ -1,4 +1,4 @@
-// Image sets in packages, in scores, and in what the programs say.
+// Image sets in packages, scores and messages.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ TEST_F(ImageSets, ExposureIsDecidedPerImageSet) {
     EXPECT_FALSE(effect_on(brighter.scene(), Effect::exposure))
         << "one image set is twice as bright as the other";
     EXPECT_TRUE(std::ranges::all_of(brighter.photos(), is_neutral));
-    spec.exposure.stops = 0.5;  // of photos in visible light
+    spec.exposure.stops = 0.5;  // for photos in visible light
     make(spec);
     const PackageReader uneven = prepared();
     const std::vector<ImageSet> image_sets = read_image_sets(uneven);
@@ -81,7 +81,7 @@ TEST_F(ImageSets, PairsAreOfOneImageSet) {
             EXPECT_EQ(package.photos()[p.a].image_set, package.photos()[p.b].image_set);
             ++pairs;
         }
-    EXPECT_GE(pairs, 6u) << "photos of each image set share surface";
+    EXPECT_GE(pairs, 6u) << "photos of each image set overlap";
 }
 
 TEST_F(ImageSets, AreAbsentIfThereIsOne) {
@@ -155,7 +155,7 @@ TEST_F(ImageSets, NumbersOutOfRangeAreRefused) {
 TEST_F(ImageSetsAtLength, EvaluatePredictsAPhotoFromItsOwnImageSet) {
     make(small_scene());
     const PackageReader scene = prepared("scene");
-    // The shade behind the model is that of the first image set's photos.
+    // The background shade comes from the first image set's photos.
     const auto copy_shade_to = [&](const fs::path& file) {
         const std::uint64_t at = PackageReader(file).find(package::Type::scene)->offset;
         const std::string whole = slurp(file);

@@ -1,4 +1,4 @@
-// Pictures of image sets: one alone, two mixed, and one that takes the place of another.
+// Pictures of image sets: one alone, two mixed, and one replacing another.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::vector<std::uint32_t> all(const PackageReader& package) {
     return photos;
 }
 
-/// From the front, between the cameras of both image sets.
+/// A view from the front, between the cameras of both image sets.
 View front() { return view_towards({1, -9, 0}, {0, 0, 0}, {0, 0, 1}, 45, 200, 150); }
 
 Picture taken(Renderer& renderer, const RenderSettings& settings) {
@@ -43,14 +43,14 @@ double mean_difference(const Picture& a, const Picture& b) {
     return sum / double(a.rgba.size());
 }
 
-/// The mean of two sRGB codes in square roots of light.
+/// The mean of two sRGB values, computed with square roots of linear light.
 double mixed(int a, int b, double share) {
     const double root =
         (1 - share) * std::sqrt(linear_from_srgb(a / 255.0)) + share * std::sqrt(linear_from_srgb(b / 255.0));
     return 255 * srgb_from_linear(root * root);
 }
 
-/// How far a mix is from the mean of two pictures, in codes, at most.
+/// The largest difference of a mix from the mean of two pictures, in 8-bit values.
 double largest_error(const Picture& a, const Picture& b, const Picture& mix, double share) {
     double worst = 0;
     for (std::size_t i = 0; i < mix.rgba.size(); i += 4) {
@@ -152,7 +152,7 @@ TEST_F(ImageSets, LookAsIfTheyWereAlone) {
     const gl::HeadlessContext context;
     Renderer a(both, MemoryBudget{}), b(alone, MemoryBudget{});
     RenderSettings s;
-    s.blend = Blend::average;  // in which distances to cameras count most
+    s.blend = Blend::average;  // where distances to cameras matter most
     for (const int photos : {0, 2}) {
         s.photos = photos;
         const Picture in_both = taken(a, s), by_itself = taken(b, s);
@@ -194,12 +194,12 @@ TEST_F(ImageSets, AImageSetThatTakesAnothersPlaceLeavesNoHole) {
     s.image_sets.shown = infrared;
     ASSERT_TRUE(settle([&](const Picture& p) { shown.push_back(p); }));
     EXPECT_GT(mean_difference(before, shown.back()), 10);
-    EXPECT_LT(mean_difference(before, shown.front()), 0.1) << "its photos are not there yet";
+    EXPECT_LT(mean_difference(before, shown.front()), 0.1) << "its photos are not loaded yet";
     const auto settled_at =
         std::ranges::find_if(shown, [&](const Picture& p) { return mean_difference(before, p) > 0.1; });
     EXPECT_GE(shown.end() - settled_at, 5) << "it fades in";
     for (std::size_t f = 0; f < shown.size(); ++f) {
-        std::size_t of_neither = 0;  // beside edges, until the finest tiles are there
+        std::size_t of_neither = 0;  // near edges, until the finest tiles are loaded
         for (std::size_t i = 0; i < before.rgba.size(); ++i) {
             const int low = std::min(before.rgba[i], shown.back().rgba[i]),
                       high = std::max(before.rgba[i], shown.back().rgba[i]), is = shown[f].rgba[i];

@@ -1,4 +1,4 @@
-// Transparent surfaces, compared with rays through pixels that are blended in double precision.
+// Transparent surfaces, compared with ray casting and blending in double precision.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,10 +18,11 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-/// Distance by which fragments of triangles in one plane differ at most, by the rounding of their corners.
+/// The largest distance between fragments of coplanar triangles that rounding of their corners causes.
 constexpr double one_plane = 3e-6;
 
-/// Whether the order of fragments depends on rounding: planes that cross at the pixel, or the opaque surface.
+/// Whether the order of fragments depends on rounding, because planes cross each other or the opaque surface
+/// at the pixel.
 bool crosses(std::vector<TransparentLayers::Fragment> fragments, double opaque) {
     std::ranges::sort(fragments, {}, &TransparentLayers::Fragment::z);
     for (std::size_t i = 0; i < fragments.size(); ++i) {
@@ -32,7 +33,7 @@ bool crosses(std::vector<TransparentLayers::Fragment> fragments, double opaque) 
     return false;
 }
 
-/// Planes at one place have one distance, and their order is that of the triangles.
+/// Gives coplanar fragments the same distance, so that their order is that of the triangles.
 void tie(std::vector<TransparentLayers::Fragment>& fragments) {
     std::ranges::sort(fragments, {}, &TransparentLayers::Fragment::z);
     for (std::size_t i = 1; i < fragments.size(); ++i)
@@ -51,7 +52,7 @@ TEST_F(Transparent, ExactBlendingIsThatOfSortedFragments) {
         ASSERT_TRUE(effect_on(package.scene(), Effect::transparency));
         const gl::HeadlessContext context;
         Renderer renderer(package, MemoryBudget{});
-        // Lists have room for 4 layers on average, so that 64 may cover a part of the frame.
+        // Lists have space for 4 layers on average, so 64 layers can cover a part of the frame.
         const View view = facing(package, 75, 200, 200);
         const FrameReport report = taken(renderer, view, shown_as(Transparency::exact)).report;
         ASSERT_EQ(report.fragments_approximated, 0u) << "of " << report.fragments;
@@ -85,7 +86,7 @@ TEST_F(Transparent, ExactBlendingIsThatOfSortedFragments) {
         approximation /= double(compared);
         std::printf("%s, alpha up to %d: exact within %.3f codes; approximate: mean %.1f, worst %.1f codes\n",
                     inclined ? "inclined" : "facing", max_alpha, worst, approximation, worst_approximation);
-        EXPECT_GT(approximation, 0.5) << "the approximation is told from what it approximates";
+        EXPECT_GT(approximation, 0.5) << "the approximation is distinguishable";
         EXPECT_LT(approximation, 45);
     }
 }
@@ -114,7 +115,7 @@ TEST_F(Transparent, ExactBlendingIsThatOfThePaintersAlgorithm) {
             const auto f = std::ranges::find(pixels[i].fragments, p.triangle + layers.first(),
                                              &TransparentLayers::Fragment::triangle);
             if (f == pixels[i].fragments.end() || f->z > opaque[i]) continue;
-            // On the same side of all edges of the piece.
+            // Inside, if on the same side of all edges of the piece.
             const Vector3d ray = view.cam_from_origin.R.transpose() *
                                  Vector3d((at.x() - k.cx) / k.fx, (at.y() - k.cy) / k.fy, 1),
                            eye = view.cam_from_origin.center();
@@ -137,7 +138,7 @@ TEST_F(Transparent, ExactBlendingIsThatOfThePaintersAlgorithm) {
         wrong += codes_apart(exact[i], painted[i]) > 1;
     }
     EXPECT_GT(compared, 5000u);
-    EXPECT_LE(double(wrong), 0.001 * double(compared)) << "but for pixels at the cuts of pieces";
+    EXPECT_LE(double(wrong), 0.001 * double(compared)) << "except pixels at cuts between pieces";
 }
 
 TEST_F(Transparent, WhatFindsNoRoomIsApproximatedAndCounted) {
@@ -166,7 +167,7 @@ TEST_F(Transparent, WhatFindsNoRoomIsApproximatedAndCounted) {
     };
     {
         Renderer renderer(package, MemoryBudget{});
-        EXPECT_LT(mean_error(renderer), 1.5) << "what is behind 64 layers hardly shows";
+        EXPECT_LT(mean_error(renderer), 1.5) << "surfaces behind 64 layers hardly show";
         const FrameReport r = taken(renderer, facing(package), shown_as(Transparency::exact)).report;
         EXPECT_GT(r.fragments, 50'000u);
         std::size_t deep = 0;
@@ -176,7 +177,7 @@ TEST_F(Transparent, WhatFindsNoRoomIsApproximatedAndCounted) {
         EXPECT_NEAR(double(four.fragments), 4.0 * double(r.fragments), 0.02 * double(r.fragments))
             << "of all samples";
     }
-    // Nearer, the stack fills the frame.
+    // From nearer, the stack fills the frame.
     Renderer renderer(package, MemoryBudget{});
     const View near = facing(package, 5);
     const auto shown = light(renderer, near, shown_as(Transparency::exact)),

@@ -1,4 +1,4 @@
-// Packages with transparent surfaces, and without.
+// Packages with and without transparent surfaces.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -41,10 +41,10 @@ TEST_F(Transparent, NothingOfItIsThereWithoutAlpha) {
     };
     settings.effects[Effect::transparency] = EffectChoice::on;
     const PackageReader forced = prepared("forced");
-    EXPECT_FALSE(effect_on(forced.scene(), Effect::transparency)) << "there is nothing to show";
+    EXPECT_FALSE(effect_on(forced.scene(), Effect::transparency)) << "nothing to show";
     settings.effects.erase(Effect::transparency);
     const PackageReader none = prepared("none");
-    EXPECT_EQ(none.meta().find("transparency"), std::string_view::npos) << "the package of before";
+    EXPECT_EQ(none.meta().find("transparency"), std::string_view::npos) << "the same package as before";
     const Shown bare = shown(none);
     EXPECT_FALSE(bare.symbol || bare.buffer);
     EXPECT_EQ(shown(forced), bare);
@@ -105,7 +105,7 @@ TEST_F(Transparent, DamagedAlphaIsReported) {
     add_quad({-2, -5, 0.5}, {4, 0, 0}, {0, 0, 4}, {200, 100, 50, 128});
     std::vector<std::uint8_t> bytes;
     std::uint64_t colors = 0;
-    settings.effects[Effect::compact] = EffectChoice::off;  // alpha is where it can be changed
+    settings.effects[Effect::compact] = EffectChoice::off;  // so that alpha can be changed in the file
     {
         const PackageReader package = prepared();
         colors = package.find(package::Type::colors)->offset;

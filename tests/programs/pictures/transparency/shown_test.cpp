@@ -1,4 +1,4 @@
-// Transparent surfaces in pictures: with nothing behind, before photos, points and holes, and in light.
+// Transparent surfaces in pictures: in front of nothing, of photos, points and holes, and with lighting.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ TEST_F(Transparent, AWhollyTransparentMeshIsShownWithNothingBehind) {
             EXPECT_NEAR(p.rgba[middle + 3], 128, 1) << "its alpha; the quad of alpha 0 is invisible";
             for (std::size_t c = 0; c < 3; ++c)
                 EXPECT_NEAR(p.rgba[middle + c], own[c], 1) << "straight color, facing the viewer";
-            EXPECT_EQ(p.rgba[3], 0) << "nothing is there";
+            EXPECT_EQ(p.rgba[3], 0) << "empty";
         }
     const Picture off = taken(renderer, view, shown_as(Transparency::off));
     EXPECT_TRUE(std::ranges::all_of(off.rgba, [](std::uint8_t c) { return c == 0; }));
@@ -71,7 +71,7 @@ TEST_F(Transparent, IsLitColoredAndCoveredAsTheModelIs) {
     for (const Vector3d& p : input.mesh.positions)
         field.values.push_back(p.y() == -1 && p.z() > 0 ? 1.0f : 0.0f);
     input.mesh.scalars.push_back(field);
-    // Points in front of the quad at the left, behind it at the right.
+    // Points in front of the quad on the left, behind it on the right.
     for (int x = -200; x <= 200; ++x)
         for (int z = 0; z < 200; ++z) {
             input.points.positions.emplace_back(0.01 * x, x < 0 ? -2.0 : -0.5, 1 + 0.01 * z);
@@ -116,9 +116,9 @@ TEST_F(Transparent, IsLitColoredAndCoveredAsTheModelIs) {
     EXPECT_EQ(at(alone.first, right), at(alone.second, right)) << "points alone";
     const auto layered = with([](RenderSettings& s) { s.field.index = 0; });
     const Vector4d shown = at(layered.first, left), behind = at(layered.second, left);
-    EXPECT_GT((shown - behind).norm(), 0.2) << "the end of the color map over its beginning";
+    EXPECT_GT((shown - behind).norm(), 0.2) << "the color map's end blended over its beginning";
     const auto counted = with([](RenderSettings& s) { s.show = Show::coverage; });
-    EXPECT_EQ(at(counted.first, left), at(counted.second, left)) << "counts have no colors over them";
+    EXPECT_EQ(at(counted.first, left), at(counted.second, left)) << "counts are not blended";
 }
 
 TEST_F(Transparent, HolesBehindItAreFilledWithColorsWithoutIt) {
@@ -147,7 +147,8 @@ TEST_F(Transparent, HolesBehindItAreFilledWithColorsWithoutIt) {
             if (pixels[i].fragments.size() != 1 || pixels[i].edge || holes[i][3] > 0.5) continue;
             ++filled;
             const auto& f = pixels[i].fragments[0];
-            const double covers = without.rgba[4 * i + 3] / 255.0;  // beyond the background, nothing does
+            const double covers =
+                without.rgba[4 * i + 3] / 255.0;  // beyond the background, nothing is covered
             int most = 0;
             for (std::size_t c = 0; c < 3; ++c) {
                 const double s = without.rgba[4 * i + c] / 255.0,
@@ -177,7 +178,7 @@ TEST_F(TransparentAtLength, PhotosLookThroughAGlassCase) {
     runs(vantage + " prepare " + glass + " -o " + package + " --vertex-coordinates");
     runs(vantage + " check --deep --against " + glass + " " + package);
     EXPECT_NE(runs(vantage + " info " + package).find("transparency       on"), std::string::npos);
-    // What photos see is what they see of the same scene without the case.
+    // The photos' visibility data is that of the same scene without the case.
     SynthSpec spec = spec_named("glass");
     spec.glass.alpha = 0;
     copy_scene(spec, dir / "bare");
@@ -195,7 +196,7 @@ TEST_F(TransparentAtLength, PhotosLookThroughAGlassCase) {
         const auto uv = with.records<std::array<float, 2>>(package::Type::coordinates, i);
         for (std::size_t v = opaque.vertices; v < uv.size(); ++v) EXPECT_EQ(uv[v][0], -1);
     }
-    // The glass tints what is behind it, and hides nothing.
+    // The glass tints the surfaces behind it, and hides none of them.
     const auto picture = [&](const std::string& file, const std::string& options) {
         runs(player + " render " + file + " --photo 0002 -o " + folder + "/p.png " + options);
         return read_png(dir / "p.png");
@@ -213,7 +214,7 @@ TEST_F(TransparentAtLength, PhotosLookThroughAGlassCase) {
         gone += change(off, bare) > 1;
         if (change(exact, off) <= 2) continue;
         ++tinted;
-        // Of what is behind, (1 - 0.3)^1 or ^2 remains, and the glass adds its own.
+        // Of the light from behind, (1 - 0.3)^1 or ^2 remains, and the glass adds its own.
         bright += exact.rgba[i + 1] + 2 >= int(255 * encoded(0.4 * std::pow(off.rgba[i + 1] / 255.0, 2.2)));
         apart += change(approximate, exact) > 40;
         differs += change(approximate, exact) > 0;
@@ -223,7 +224,7 @@ TEST_F(TransparentAtLength, PhotosLookThroughAGlassCase) {
     EXPECT_GE(double(bright), 0.99 * double(tinted));
     EXPECT_LT(double(apart), 0.05 * double(tinted));
     EXPECT_GT(differs, 0u);
-    // Extracted, the mesh has its alpha.
+    // The extracted mesh has its alpha.
     runs(vantage + " extract " + package + " -o " + folder + "/files");
     std::vector<std::string> warnings;
     const Mesh back = read_mesh(dir / "files" / "mesh.ply", warnings);

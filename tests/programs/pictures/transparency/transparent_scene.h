@@ -16,13 +16,13 @@
 
 namespace vantage {
 
-/// Linear light as an sRGB code from 0 to 1.
+/// Linear light as an sRGB value from 0 to 1.
 inline double encoded(double l) {
     l = std::clamp(l, 0.0, 1.0);
     return l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
 }
 
-/// The largest difference of channels, in codes of 8 bits. The second may be empty pixels' color.
+/// The largest difference of channels, in 8-bit values. The second color may be that of empty pixels.
 inline double codes_apart(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
     double most = 255 * std::abs(a[3] - b[3]);
     for (int c = 0; c < 3; ++c) most = std::max(most, 255 * std::abs(encoded(a[c]) - encoded(b[c])));
@@ -44,7 +44,7 @@ class Transparent : public TemporaryFolder {
         settings.validate = false;
         settings.effects[Effect::background] = EffectChoice::off;
     }
-    /// A triangle of its own, with one normal.
+    /// Adds a separate triangle with one normal.
     void add(const std::array<Vector3d, 3>& corners, const std::array<Color, 3>& colors) {
         Mesh& m = input.mesh;
         const Vector3d n = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
@@ -61,7 +61,7 @@ class Transparent : public TemporaryFolder {
         add({corner, corner + u, corner + u + v}, {color, color, color});
         add({corner, corner + u + v, corner + v}, {color, color, color});
     }
-    /// Ground so wide that nothing on it is subdivided, and a wall on it.
+    /// Ground so wide that no triangle on it is subdivided, and a wall on it.
     void ground() {
         input.mesh = {};
         for (int x = 0; x < 70; ++x)
@@ -74,9 +74,8 @@ class Transparent : public TemporaryFolder {
         std::uniform_int_distribution<int> code(0, 255);
         return {std::uint8_t(code(random)), std::uint8_t(code(random)), std::uint8_t(code(random)), 255};
     }
-    /// Triangles that cross each other, with alpha from 0 to 1, both included; every fifth lies in the plane
-    /// of the one before it, at the same place or at another. These planes face the viewer, or are
-    /// `inclined`.
+    /// Triangles that cross each other, with alpha from 0 to 1 inclusive; every fifth is coplanar with the
+    /// one before it, at the same or another position. These planes face the viewer, or are `inclined`.
     void scatter(int count, int max_alpha, bool inclined) {
         std::uniform_real_distribution<double> across(-3, 3), up(0.2, 4.5), size(1, 4);
         std::uniform_int_distribution<int> alpha(0, max_alpha), kind(0, 9);
@@ -137,7 +136,7 @@ class Transparent : public TemporaryFolder {
         return view_towards(Vector3d(0, -14, 2.5) - origin, Vector3d(0, 0, 2.5) - origin, {0, 0, 1}, fov,
                             width, height);
     }
-    /// Depth of the opaque surface at each pixel.
+    /// The depth of the opaque surface at each pixel.
     std::vector<double> opaque_depth(const PackageReader& package, const View& view) const {
         Mesh opaque = input.mesh;
         std::erase_if(opaque.triangles, [&](const auto& t) {

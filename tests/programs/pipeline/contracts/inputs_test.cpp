@@ -1,4 +1,4 @@
-// What docs/contracts.md promises of inputs and packages: what "current" and "valid" mean.
+// The guarantees of docs/contracts.md about inputs and packages: the meaning of "current" and "valid".
 #include <fstream>
 
 #include "base/text/error.h"
@@ -93,7 +93,7 @@ void vantage::Contracts::expect_damage_found(std::initializer_list<package::Type
     EXPECT_EQ(evaluated.code, int(Exit::damaged));
     EXPECT_EQ(prepare_again().code, 0);
     fs::resize_file(file, fs::file_size(file) / 2);
-    EXPECT_EQ(prepare_again().code, 0) << "a truncated package is still one";
+    EXPECT_EQ(prepare_again().code, 0) << "a truncated package is still replaced";
     expect_whole(bytes, "a truncated package");
 }
 
@@ -118,7 +118,7 @@ TEST_F(Contracts, EveryCameraFileIsAnInput) {
     write(sparse / "images.txt", slurp(sparse / "images.txt") + "# a comment\n");
     expect_stale(by_file, "images.txt beside the cameras.txt that was given");
 
-    // Bundler: the same cameras, with the principal point in the middle.
+    // The same cameras as a Bundler file, with the principal point in the middle.
     std::string bundle = "# Bundle file v0.3\n6 0\n", list;
     for (const PhotoInput& photo : read_scene(discover(scene)).photos) {
         const Camera& c = photo.camera;
@@ -139,13 +139,13 @@ TEST_F(Contracts, EveryCameraFileIsAnInput) {
     expect_stale(by_bundle, "list.txt");
 
     ASSERT_EQ(prepare_program().code, 0);
-    fs::rename(scene / "truth", dir / "truth");  // has cameras too
+    fs::rename(scene / "truth", dir / "truth");  // contains cameras, too
     for (const char* name : {"cameras.bin", "images.bin"})
-        write(sparse / name, std::string(8, '\0'));  // none, but binary cameras are preferred
+        write(sparse / name, std::string(8, '\0'));  // no cameras, but binary files are preferred
     const Outcome checked = run("check " + package() + " --against " + scene.string());
     EXPECT_EQ(checked.code, int(Exit::stale));
     EXPECT_NE(checked.out.find("cameras.bin: was added"), std::string::npos) << checked.out;
-    EXPECT_EQ(prepare_program().code, int(Exit::input)) << "it reads them";
+    EXPECT_EQ(prepare_program().code, int(Exit::input)) << "it reads the binary files";
     fs::rename(dir / "truth", scene / "truth");
     write(sparse / "cameras.bin", "cut off");
     EXPECT_EQ(run("check " + package() + " --against " + scene.string()).code, int(Exit::input));

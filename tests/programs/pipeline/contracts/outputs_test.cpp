@@ -1,5 +1,4 @@
-// What docs/contracts.md promises of files that programs write: which they replace, and which they never
-// touch.
+// The guarantees of docs/contracts.md about output files: which are replaced, and which are never touched.
 #include <sys/stat.h>
 
 #include "base/text/error.h"
@@ -74,7 +73,8 @@ TEST_F(Contracts, PrepareReplacesOnlyPackagesReportsAndTracesOfItsOwn) {
     const fs::path pipe = dir / "pipe";
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     for (const std::string force : {"", "--force"})
-        EXPECT_EQ(run(prepare_to(pipe) + force).code, int(Exit::usage)) << "a device would become a file";
+        EXPECT_EQ(run(prepare_to(pipe) + force).code, int(Exit::usage))
+            << "a device would be replaced by a file";
     EXPECT_TRUE(fs::is_fifo(pipe));
 
     fs::remove(images / "0001.mask.png");
@@ -85,7 +85,7 @@ TEST_F(Contracts, PrepareReplacesOnlyPackagesReportsAndTracesOfItsOwn) {
     const PackageReader replaced(text);
     EXPECT_EQ(replaced.photos()[0].thumbnail_width, 128u);
     write(file, "");
-    EXPECT_EQ(run(prepare_to(file) + "--no-report").code, 0) << "an empty file holds nothing";
+    EXPECT_EQ(run(prepare_to(file) + "--no-report").code, 0) << "an empty file may be replaced";
 }
 
 TEST_F(ContractsAtLength, LinksAreFollowed) {
@@ -130,7 +130,7 @@ TEST_F(Contracts, OtherCommandsReplaceOnlyTheirOwnFiles) {
     }
     write(files / "sparse" / "images.txt", "mine");
     expect_refused("extract " + package() + " -o " + files.string(), files / "sparse" / "images.txt");
-    // The input mesh and a mask, by content; --force does not help.
+    // The input mesh and a mask are recognized by content, even with --force.
     for (const std::string force : {"", " --force"})
         expect_refused("extract " + package() + " -o " + scene.string() + force, mesh);
     fs::remove_all(scene / "truth");
@@ -158,7 +158,7 @@ TEST_F(Contracts, PlayerReplacesPicturesButNoInputs) {
     }
     expect_refused(small + text.string(), text, VANTAGE_PLAYER);
     EXPECT_EQ(player(small + text.string() + " --force").code, 0);
-    EXPECT_EQ(player(small + text.string()).code, 0) << "a picture over an older one";
+    EXPECT_EQ(player(small + text.string()).code, 0) << "a picture replaces an older one";
     fs::create_directories(page);
     write(page / "index.html", "<html>mine</html>");
     write(page / "frames.csv", "mine");
@@ -170,10 +170,10 @@ TEST_F(Contracts, PlayerReplacesPicturesButNoInputs) {
                    VANTAGE_PLAYER);
     const std::string again = "evaluate " + package() + " --photo 0003 --level 3 -o " + (dir / "e").string();
     EXPECT_EQ(player(again).code, 0);
-    EXPECT_EQ(player(again).code, 0) << "an evaluation over an older one";
+    EXPECT_EQ(player(again).code, 0) << "an evaluation replaces an older one";
     fs::remove(dir / "e" / "index.html");
     for (const char* last : {"photos.csv", "regions.csv", "regions.ply"}) fs::remove(dir / "e" / last);
-    EXPECT_EQ(player(again).code, 0) << "an evaluation over one that was interrupted";
+    EXPECT_EQ(player(again).code, 0) << "an evaluation replaces an interrupted one";
     fs::copy_file(images / "0000.png", dir / "e" / "0003-photo.png", fs::copy_options::overwrite_existing);
     expect_refused(again, dir / "e" / "0003-photo.png", VANTAGE_PLAYER);
 }
@@ -183,9 +183,9 @@ TEST_F(ContractsAtLength, MeasurementsReplaceOlderOnes) {
     const std::string bench = "bench " + package() + " --paths still --modes resident --path-frames 2 " +
                               "--repeats 1 --size 64x48 -o " + (dir / "b").string();
     EXPECT_EQ(player(bench).code, 0);
-    EXPECT_EQ(player(bench).code, 0) << "measurements over older ones";
+    EXPECT_EQ(player(bench).code, 0) << "measurements replace older ones";
     const std::string steps =
         "smoothness " + package() + " --step 30 --size 64x48 -o " + (dir / "s").string();
     EXPECT_EQ(player(steps).code, 0);
-    EXPECT_EQ(player(steps).code, 0) << "steps over older ones";
+    EXPECT_EQ(player(steps).code, 0) << "steps replace older ones";
 }

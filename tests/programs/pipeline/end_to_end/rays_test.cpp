@@ -1,4 +1,4 @@
-// Pictures and visibility, compared with ray casting by Embree and with the photos themselves.
+// Pictures and visibility, compared with Embree's ray casting and with the photos themselves.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Unoccluded, in front of the camera and inside the photo, by ray casting.
+/// Whether a point is unoccluded, in front of the camera and inside the photo, by ray casting.
 bool sees(const RayScene& rays, const Camera& camera, const Eigen::Vector3d& point) {
     const auto p = project(camera.intrinsics, camera.cam_from_world, point);
     if (!p || p->pixel.x() < 0 || p->pixel.y() < 0 || p->pixel.x() >= camera.intrinsics.width ||
@@ -48,7 +48,7 @@ struct Colored {
     std::size_t seen = 0, colored = 0;
 };
 
-/// Among every `step`-th pixel along each side, counts those whose surface some photo sees, and how many of
+/// Of every `step`-th pixel in both directions, counts those whose surface some photo sees, and how many of
 /// these are colored.
 Colored count_colored(const Picture& picture, const Camera& from, const RayScene& rays,
                       const std::vector<Camera>& cameras, int step) {
@@ -72,8 +72,8 @@ Colored count_colored(const Picture& picture, const Camera& from, const RayScene
 }
 
 /// Renders from the camera of every `every`-th photo at full size, with the player's default settings.
-/// Expects the photo itself, by the default blend and by "best", and surfaces that some photo sees to be
-/// colored, as sampled at every `step`-th pixel.
+/// Expects the photo itself with the default blend and with "best". Surfaces that some photo sees must be
+/// colored, sampled at every `step`-th pixel.
 void expect_own_views_are_the_photos(Prepared& p, int step, std::uint32_t every) {
     const Eigen::Map<const Eigen::Vector3d> origin(p.package->scene().origin);
     const RayScene rays(about_origin(p.scene.mesh, origin));
@@ -104,13 +104,13 @@ void expect_own_views_are_the_photos(Prepared& p, int step, std::uint32_t every)
     EXPECT_GE(double(all.colored), 0.995 * double(all.seen));
 }
 
-/// Projections of silhouette and boundary edges, where depth jumps.
+/// The projections of silhouette and boundary edges, where depth is discontinuous.
 class DepthBorders {
   public:
     DepthBorders(const Mesh& mesh, const Camera& camera) {
         const Eigen::Vector3d eye = camera.cam_from_world.center();
         std::map<std::array<std::uint32_t, 2>, std::array<int, 2>>
-            edges;  // numbers of triangles facing away from and toward the camera
+            edges;  // number of triangles facing away from and toward the camera
         for (const auto& t : mesh.triangles) {
             const Eigen::Vector3d a = mesh.positions[t[0]];
             const double away = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).dot(a - eye);
@@ -137,7 +137,7 @@ class DepthBorders {
     std::vector<std::array<Eigen::Vector2d, 2>> segments;
 };
 
-/// Whether the depth within a few pixels is too curved for a smooth surface.
+/// Whether the depth varies too abruptly within a few pixels for a smooth surface.
 bool depth_jumps_around(const RayScene& rays, const Camera& camera, const Eigen::Vector2d& pixel) {
     constexpr int reach = 3;
     double inverse[2 * reach + 1][2 * reach + 1], largest = 0;
@@ -161,8 +161,8 @@ bool depth_jumps_around(const RayScene& rays, const Camera& camera, const Eigen:
     return false;
 }
 
-/// Compares the package's per-vertex visibility with ray casting, for every vertex in each photo, or in one
-/// of so many.
+/// Compares the package's per-vertex visibility with ray casting, for all vertices and every `every`-th
+/// photo.
 void expect_visibility_is_that_of_rays(Prepared& p, std::uint32_t every = 1) {
     const Eigen::Map<const Eigen::Vector3d> origin(p.package->scene().origin);
     const Mesh mesh = about_origin(p.scene.mesh, origin);
@@ -244,7 +244,7 @@ TEST_F(EndToEndAtLength, OwnViewsMatchThePhotosOnSceaux) {
 }
 
 TEST_F(EndToEndAtLength, OwnViewsMatchThePhotosDespiteTheTransientMask) {
-    VANTAGE_DATASET(set, "sceaux-small");  // trees appear in single photos
+    VANTAGE_DATASET(set, "sceaux-small");  // trees appear in some photos only
     PrepareSettings masked;
     masked.effects[Effect::transients] = EffectChoice::on;
     Prepared p(set, dir / "scene.vantage", masked);

@@ -1,4 +1,4 @@
-// What becomes of photos in pictures: exposures, sizes, lenses, masks, passers-by and the background.
+// The handling of photos in pictures: exposures, sizes, lenses, masks, passers-by and the background.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -89,7 +89,7 @@ TEST_F(EndToEnd, PhotosCoarserThanThePictureCountLess) {
     spec.photos.width = 662, spec.photos.height = 500;
     spec.photos.arc = 40;
     SceneInput input = read_scene(discover(make(spec)));
-    // One of the neighbors of photo 2, at a quarter of its size.
+    // A neighbor of photo 2, at a quarter of its size.
     PhotoInput& coarse = input.photos[1];
     RgbaImage image = read_photo(coarse.file, {662, 500});
     image = reduced(image, {166, 125});
@@ -98,7 +98,7 @@ TEST_F(EndToEnd, PhotosCoarserThanThePictureCountLess) {
         if (i % 4 < 3) rgb.push_back(image.rgba[i]);
     image_files().write(coarse.file, 166, 125, 3, Sample::u8, std::as_bytes(std::span(rgb)));
     coarse.camera.intrinsics = coarse.camera.intrinsics.scaled(166, 125);
-    coarse.read.clear();  // changed on purpose
+    coarse.read.clear();  // changed intentionally
     Prepared p(std::move(input), dir / "scene.vantage");
     const auto photo = read_photo(p.scene.photos[2].file, {662, 500}).rgba;
     std::erase(p.photos, 2u);
@@ -111,7 +111,7 @@ TEST_F(EndToEnd, PhotosCoarserThanThePictureCountLess) {
     };
     EXPECT_GT(gain_of_weights(1, photo), 0.05);
     const RgbaImage whole{662, 500, photo}, small = reduced(whole, {82, 62});
-    EXPECT_NEAR(gain_of_weights(0.124, small.rgba), 0, 0.02) << "where every photo shows enough";
+    EXPECT_NEAR(gain_of_weights(0.124, small.rgba), 0, 0.02) << "where all photos have sufficient resolution";
 }
 
 TEST_F(EndToEnd, PhotosAreReducedToTheRequestedSize) {
@@ -147,7 +147,7 @@ TEST_F(EndToEnd, DifferentExposuresAreReconciled) {
                     original);
         EXPECT_GT(agreeing, original + 5);
     }
-    // With the exposure of the mean photo and of another one.
+    // With the mean photo's exposure and with that of another photo.
     RenderSettings settings;
     View view = view_of_photo(p.package->photos()[1], 1);
     view.exposure = {};
@@ -178,14 +178,14 @@ TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
                       off.package->find(package::Type::weight_maps, i, weight_map_level)->checksum)
                 << "a consistent scene is not changed";
     }
-    // A person in front of the wall, and the reflection of a flash.
+    // A person in front of the wall, and a flash reflection.
     const auto passer_by = [](int x, int y) { return std::hypot((x - 420) / 45.0, (y - 380) / 110.0) < 1; };
     const auto flash = [](int x, int y) { return std::hypot(x - 640, y - 300) < 40; };
     paint(scene.photos[2], {190, 30, 25}, passer_by);
     paint(scene.photos[4], {255, 255, 255}, flash);
     Prepared p = prepared(folder);
     ASSERT_TRUE(effect_on(p.package->scene(), Effect::transients));
-    // The photo between them, rendered from the others.
+    // The photo, rendered from the others.
     std::vector<std::uint32_t> others = p.photos;
     std::erase(others, 3u);
     const View view = view_of_photo(p.package->photos()[3], 1);
@@ -195,7 +195,7 @@ TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
     RenderSettings all = model_only;
     all.weights.transient_mask = false;
     const double with = psnr(take_picture(*p.renderer, view, all, others, 1), untouched);
-    // The same photos, unpainted.
+    // The same photos without painting.
     fs::remove_all(folder);
     Prepared clean = Prepared(make(spec), dir / "again.vantage");
     const double best = psnr(take_picture(*clean.renderer, view, model_only, others, 1), untouched);
@@ -244,7 +244,7 @@ TEST_F(EndToEnd, MaskExcludesCoveredPixels) {
 }
 
 TEST_F(EndToEnd, LensDistortionIsRemoved) {
-    // The reference is the same scene photographed without distortion.
+    // The reference is the same scene, photographed without distortion.
     SynthSpec spec = spec_named("hard");
     spec.photos.count = 3;
     Prepared p = prepared(make(spec));
@@ -287,7 +287,7 @@ TEST_F(EndToEnd, BackgroundFillTheFrameAndLeaveTheMeshAlone) {
         triangles = read_triangles(none.renderer->resources().targets);
     }
     Prepared p = prepared(set);
-    ASSERT_TRUE(effect_on(p.package->scene(), Effect::background)) << "trees, lawn and sky";
+    ASSERT_TRUE(effect_on(p.package->scene(), Effect::background)) << "trees, lawn and sky are a background";
     EXPECT_EQ(p.package->directory().size(), chunks.size() + 1);
     for (const package::DirectoryEntry& e : chunks) {
         const auto* same = p.package->find(package::Type(e.type), e.photo, e.level);
@@ -303,7 +303,7 @@ TEST_F(EndToEnd, BackgroundFillTheFrameAndLeaveTheMeshAlone) {
     for (std::size_t i = 0; i < triangles.size(); ++i)
         different += !std::equal(&off[4 * i], &off[4 * i] + 4, &before[4 * i]) &&
                      !std::ranges::binary_search(hidden, triangles[i] - 1);
-    EXPECT_EQ(different, 0u) << "the same frame as without the effect, but where the mesh is sky";
+    EXPECT_EQ(different, 0u) << "the same frame as without the effect, except where the mesh is sky";
     std::size_t filled = 0, beside = 0, changed = 0, darker = 0;
     for (std::size_t i = 0; i < on.size(); i += 4) {
         filled += on[i + 3] == 255;
@@ -317,7 +317,7 @@ TEST_F(EndToEnd, BackgroundFillTheFrameAndLeaveTheMeshAlone) {
     }
     EXPECT_GE(double(filled), 0.99 * double(on.size() / 4));
     EXPECT_GT(double(beside), 0.2 * double(on.size() / 4));
-    // The clip planes differ, and with them which of two triangles at the same depth is drawn.
+    // The clip planes differ, so the choice between two triangles at the same depth may differ.
     EXPECT_LE(double(changed), 1e-4 * double(on.size() / 4 - beside)) << "pixels of the mesh";
     EXPECT_EQ(darker, beside);
 }

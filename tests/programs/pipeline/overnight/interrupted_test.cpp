@@ -1,4 +1,4 @@
-// Runs of vantage prepare that are killed, stopped, or out of space or memory, and those that resume them.
+// Runs of vantage prepare that are killed, stopped, or run out of space or memory, and runs that resume them.
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -59,7 +59,7 @@ TEST_F(OvernightAtLength, ResumesToTheSameBytesWhenKilledAtAnyWrite) {
 
 TEST_F(OvernightAtLength, EndsWithOneLineIfMemoryRunsOut) {
 #ifdef VANTAGE_SANITIZED
-    GTEST_SKIP() << "sanitizers reserve address space of their own";
+    GTEST_SKIP() << "sanitizers reserve address space";
 #endif
     const std::string bytes = undisturbed();
     const auto limited_to = [](int megabytes) {
@@ -163,13 +163,13 @@ TEST_F(Overnight, InsufficientMemoryStopsAtOnce) {
 
 TEST_F(Overnight, MemoryStaysBelowTheEstimateAndTheLimit) {
 #ifdef VANTAGE_SANITIZED
-    GTEST_SKIP() << "sanitizers use memory of their own";
+    GTEST_SKIP() << "sanitizers use additional memory";
 #endif
     const auto megabytes = [](const std::string& text, const std::string& before) {
         const std::size_t at = text.find(before);
         return at == std::string::npos ? -1 : std::atoi(text.c_str() + at + before.size());
     };
-    // The last one allows fewer photos in flight than threads.
+    // The last case allows fewer photos in flight than threads.
     for (const std::string options : {"--threads 1", "--threads 6", "--threads 6 --memory 140M"}) {
         fs::remove(file);
         const Outcome done = prepare_program(options);

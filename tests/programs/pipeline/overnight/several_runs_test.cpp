@@ -1,4 +1,4 @@
-// One package by several processes: at once, in shares, and compared.
+// One package prepared by several processes: simultaneously, as shards, and compared.
 #include <cstdlib>
 #include <fstream>
 #include <future>
@@ -49,9 +49,9 @@ TEST_F(Overnight, ProcessThatOpensAPartJustBeforeItIsCompletedLeavesThePackageAl
     fs::create_hard_link(file, kept);
     std::ofstream(completed).close();
     EXPECT_EQ(WEXITSTATUS(late.get()), 0);
-    EXPECT_TRUE(slurp(kept) == bytes) << "a complete package was written to";
+    EXPECT_TRUE(slurp(kept) == bytes) << "a complete package was modified";
     EXPECT_FALSE(fs::exists(part_of(file)));
-    EXPECT_FALSE(slurp(file) == bytes) << "the late process did its work, with its own settings";
+    EXPECT_FALSE(slurp(file) == bytes) << "the late process finished with its own settings";
 }
 
 TEST_F(OvernightRuns, SharesMergeToTheBytesOfASingleRun) { expect_shares_merge({3}); }
@@ -74,7 +74,7 @@ TEST_F(Overnight, SharesOfDifferentSettingsAreRejected) {
     EXPECT_EQ(merged.code, int(Exit::input));
     EXPECT_TRUE(one_line(merged.err)) << merged.err;
     EXPECT_FALSE(fs::exists(file));
-    EXPECT_EQ(run("check " + (dir / "1").string()).code, int(Exit::damaged)) << "a share is not a package";
+    EXPECT_EQ(run("check " + (dir / "1").string()).code, int(Exit::damaged)) << "a shard is not a package";
 }
 
 TEST_F(Overnight, DiffListsDifferences) {

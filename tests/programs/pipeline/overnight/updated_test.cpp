@@ -1,4 +1,4 @@
-// Packages that a later run updates or refines, and photos that cannot be used.
+// Packages that a later run updates or refines, and unusable photos.
 #include <atomic>
 #include <fstream>
 
@@ -38,7 +38,7 @@ TEST_F(Overnight, RefiningLaterGivesTheSamePackage) {
         run("diff " + (dir / "off.vantage").string() + " " + (dir / "undisturbed.vantage").string());
     EXPECT_EQ(diff.code, 0) << diff.out;
     EXPECT_EQ(run("refine " + (dir / "off.vantage").string()).code, 0);
-    EXPECT_TRUE(slurp(dir / "off.vantage") == agreeing) << "in place, by the evidence again";
+    EXPECT_TRUE(slurp(dir / "off.vantage") == agreeing) << "in place, based on the evidence again";
 }
 
 TEST_F(OvernightAtLength, RegisteringLaterOrByMergingGivesTheSamePackage) {
@@ -48,7 +48,7 @@ TEST_F(OvernightAtLength, RegisteringLaterOrByMergingGivesTheSamePackage) {
     spec.photos.samples = 1;
     spec.error.pixels = 4;
     copy_scene(spec, scene);
-    // A run that is stopped while registering resumes later.
+    // A run that is stopped during pose refinement is resumed later.
     std::atomic<bool> stop{false};
     PrepareRun stopped;
     stopped.stop = &stop;
@@ -78,7 +78,7 @@ TEST_F(OvernightAtLength, RegisteringLaterOrByMergingGivesTheSamePackage) {
     const Outcome diff = run("diff " + merged + " " + (dir / "undisturbed.vantage").string());
     EXPECT_EQ(diff.code, 0) << diff.out;
     EXPECT_EQ(run("refine " + merged).code, 0);
-    EXPECT_TRUE(slurp(merged) == registered) << "in place, by the evidence again";
+    EXPECT_TRUE(slurp(merged) == registered) << "in place, based on the evidence again";
 }
 
 TEST_F(Overnight, UnchangedInputsRerunNothing) {

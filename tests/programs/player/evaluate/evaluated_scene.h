@@ -20,7 +20,7 @@ class Evaluate : public TemporaryFolder {
   protected:
     fs::path file = dir / "scene.vantage";
     SceneInput scene;
-    /// Five photos close together.
+    /// Five photos taken close to each other.
     static SynthSpec close_photos() {
         SynthSpec spec = spec_named("tiny");
         spec.photos.width = 800;
@@ -34,9 +34,9 @@ class Evaluate : public TemporaryFolder {
         spec.photos.samples = 2;
         copy_scene(spec, dir / "scene");
         scene = read_scene(discover(dir / "scene"));
-        for (PhotoInput& photo : scene.photos) photo.read.clear();  // tests repaint photos on purpose
+        for (PhotoInput& photo : scene.photos) photo.read.clear();  // tests repaint photos intentionally
     }
-    /// Of every photo, or of one.
+    /// Evaluates every photo, or one.
     std::vector<PhotoEvaluation> evaluate(bool corrects_exposure = true,
                                           std::optional<std::uint32_t> only = {}) {
         PrepareSettings as_given;
@@ -66,7 +66,7 @@ class Evaluate : public TemporaryFolder {
 };
 class EvaluateAtLength : public Evaluate {};
 
-/// Repaints a photo's file: `paint` gets each pixel's channels and place.
+/// Repaints a photo's file: `paint` gets each pixel's channels and position.
 void repaint(const fs::path& file, const auto& paint) {
     const RgbaImage image = image_files().read(file);
     std::vector<std::byte> rgb;

@@ -1,4 +1,4 @@
-// Pictures without the photo that they are compared with, their scores, and what evaluate writes.
+// Pictures predicted without the photo that they are compared with, their scores, and the output of evaluate.
 #include "player/measure/evaluation/held_out.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ void replace_by_noise(const fs::path& file) {
     });
 }
 
-/// Effects that depend on all photos, on without a judgment, which would be another without a photo.
+/// Effects that depend on all photos, forced on, since validation could decide differently without a photo.
 PrepareSettings all_but_pose_refinement() {
     PrepareSettings settings;
     for (const Effect e : {Effect::exposure, Effect::vignetting, Effect::transients})
@@ -160,7 +160,7 @@ TEST_F(EvaluateAtLength, ComparesWithAnEarlierEvaluation) {
     options.folder = dir / "average";
     options.blending.render.blend = Blend::average;
     ASSERT_EQ(run_evaluate(package, options), 0);
-    EXPECT_TRUE(fs::exists(options.folder / "0002-worse.png")) << "the average is blurred somewhere";
+    EXPECT_TRUE(fs::exists(options.folder / "0002-worse.png")) << "the average blend is more blurred";
     options.level = 1;
     EXPECT_THROW(run_evaluate(package, options), Error) << "of a different size";
     options.against = dir / "nowhere";
@@ -210,11 +210,11 @@ TEST_F(Evaluate, PictureIsThatOfAPackagePreparedWithoutThePhoto) {
     const Picture evaluated = read_png(options.folder / "0002-rendered.png");
     EXPECT_EQ(evaluated.rgba, picture(without, true).rgba);
     EXPECT_NE(evaluated.rgba, picture(without, false).rgba) << "the passer-by is masked";
-    EXPECT_NE(evaluated.rgba, picture(file, true).rgba) << "on whose weight maps the photo has voted";
+    EXPECT_NE(evaluated.rgba, picture(file, true).rgba) << "its weight maps depend on the held-out photo";
 }
 
 TEST_F(EvaluateAtLength, CamerasAreRegisteredWithoutTheHeldOutPhoto) {
-    // A wrong camera, which moves; the photo held out has a say in it.
+    // A wrong camera that pose refinement corrects; the held-out photo influences the correction.
     Pose& wrong = scene.photos[3].camera.cam_from_world;
     const Intrinsics k = scene.photos[3].camera.intrinsics;
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(4 / k.fx, Eigen::Vector3d::UnitY()).toRotationMatrix();
@@ -235,7 +235,7 @@ TEST_F(EvaluateAtLength, CamerasAreRegisteredWithoutTheHeldOutPhoto) {
     const auto held_out = records(dir / "without.vantage", false);
     const PackageReader package(file);
     const auto given = package.records<package::PoseRefinementRecord>(package::Type::pose_refinement);
-    // How far the middle of the photo moves.
+    // The displacement of the photo's middle, in pixels.
     const auto apart = [&](const Pose& a, const Pose& b) {
         const Eigen::Vector3d x = a.R.transpose() * (Eigen::Vector3d(0, 0, stored[3].seen_distance) - a.t);
         const Eigen::Vector3d p = b.R * x + b.t;
@@ -243,7 +243,7 @@ TEST_F(EvaluateAtLength, CamerasAreRegisteredWithoutTheHeldOutPhoto) {
     };
     const auto pose = [](const auto& r) { return cam_from_origin(r[3]); };
     EXPECT_GT(apart(pose(stored), pose(given)), 3) << "the camera was moved";
-    EXPECT_GT(apart(pose(before), pose(stored)), 0) << "the photo had a say in it";
+    EXPECT_GT(apart(pose(before), pose(stored)), 0) << "the photo influenced it";
     EXPECT_LT(apart(pose(before), pose(held_out)), 0.25);
     EXPECT_EQ(cam_from_origin(before[2]).t, cam_from_origin(given[2]).t) << "viewed from its given camera";
 }
@@ -277,8 +277,8 @@ TEST_F(EvaluateAtLength, JudgeFindsTheGainsThatThePlayerShows) {
     }
     const auto exposure = parse_meta(package).at("effects").at(std::size_t(Effect::exposure)).at("judged");
     EXPECT_EQ(exposure.at("photos"), photos.size());
-    EXPECT_GT(gain, 1) << "a third of a stop is plain to see";
-    // Coarse pixels at silhouettes, which mix surfaces, add the same error with and without gains.
+    EXPECT_GT(gain, 1) << "a third of a stop is clearly visible";
+    // Coarse pixels at silhouettes mix surfaces, which adds the same error with and without gains.
     EXPECT_GT(double(exposure.at("gain")), 0.3 * gain);
     EXPECT_LT(double(exposure.at("gain")), 1.2 * gain);
     EXPECT_LT(double(exposure.at("seams_after")), 0.9 * double(exposure.at("seams_before")));

@@ -1,4 +1,4 @@
-// Causes of errors that evaluate remarks on: cameras, passers-by, exposure, noise.
+// Causes of errors that evaluate reports: cameras, passers-by, exposure, noise.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -54,7 +54,7 @@ TEST_F(EvaluateAtLength, WrongCameraIsDetectedWithItsOffset) {
     EXPECT_NEAR(std::abs(results[2].shift[0]), off, 0.8);
     EXPECT_LT(std::abs(results[2].shift[1]), 0.5);
     EXPECT_TRUE(reports_offset(results[2]));
-    for (const PhotoEvaluation& r : results)  // the others are blended with it, too, so they are slightly off
+    for (const PhotoEvaluation& r : results)  // the others are also blended with it, so they are slightly off
         EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), r.photo == 2 ? 2 * off : 0.7 * off) << r.name;
 }
 

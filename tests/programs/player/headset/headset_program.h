@@ -1,5 +1,5 @@
 #pragma once
-// Whole programs with a headset: an OpenXR runtime that plays scenarios and checks each call (tests/openxr).
+// The player with a headset: an OpenXR runtime that plays scenarios and checks each call (tests/openxr).
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -21,7 +21,7 @@ inline json pose(const Vector3d& at, const Eigen::Quaterniond& turn = Eigen::Qua
     return {{"position", {at.x(), at.y(), at.z()}},
             {"orientation", {turn.x(), turn.y(), turn.z(), turn.w()}}};
 }
-/// A hand that points from one place of the room to another.
+/// A hand that points from one position in the room toward another.
 inline json pointing(const Vector3d& from, const Vector3d& to) {
     return pose(from, Eigen::Quaterniond::FromTwoVectors(-Vector3d::UnitZ(), to - from));
 }
@@ -50,7 +50,7 @@ class HeadsetProgram : public GardenPackage {
         EXPECT_EQ(run.violations, "");
         EXPECT_EQ(run.message, "");
     }
-    /// Without a display: the program takes EGL, which the runtime then has to offer.
+    /// A scenario without a display: the program uses EGL, which the runtime then has to support.
     json scenario(int frames) const {
         return {
             {"end", frames},
@@ -84,7 +84,7 @@ class HeadsetProgram : public GardenPackage {
     }
 };
 
-/// What takes many runs.
+/// Tests with many runs.
 class HeadsetProgramAtLength : public HeadsetProgram {};
 
 }  // namespace vantage

@@ -1,4 +1,4 @@
-// What a visitor does by the menu in a headset: tours, measurements, settings.
+// A visitor's use of the menu in a headset: tours, measurements, settings.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -19,7 +19,7 @@ using namespace vantage;
 
 namespace {
 
-/// What somebody does with the right hand, frame by frame, with a headset at (0, 1.6, 0) that looks ahead.
+/// Actions of the right hand, frame by frame, with a headset at (0, 1.6, 0) that looks ahead.
 struct Script {
     static constexpr int hold = 2;  ///< frames for which a button is down, and up again
     json hands = json::array();
@@ -40,7 +40,7 @@ struct Script {
     }
     void open_or_close_menu() { press({0, 0, -5}, menu_button); }
     void select(const Vector3d& at) { press(at, "/input/trigger/value"); }
-    /// A place of the menu, in panel pixels.
+    /// Clicks a position on the menu, in panel pixels.
     void click(const Eigen::Vector2d& pixel) {
         const Panel panel = menu_panel(menu, {}, SceneInterface::width, SceneInterface::height);
         select(point_on(panel, pixel));
@@ -48,7 +48,7 @@ struct Script {
     static constexpr const char* menu_button = "/input/b/click";
 };
 
-/// The middles of the controls that are noted in a file, by name; those on the menu.
+/// The centers of the menu's controls, by name, from a file of controls.
 std::vector<std::pair<std::string, Eigen::Vector2d>> controls_in(const std::string& text) {
     std::vector<std::pair<std::string, Eigen::Vector2d>> out;
     std::istringstream lines(text);
@@ -65,7 +65,8 @@ std::vector<std::pair<std::string, Eigen::Vector2d>> controls_in(const std::stri
     return out;
 }
 
-/// Middles of triangles that are seen from a place, between two distances, one per so many triangles.
+/// The centers of up to `wanted` triangles, spread over the mesh, that are visible from a position, between
+/// two distances.
 std::vector<Vector3d> seen_middles(const PlanScene& scene, const Vector3d& from, double nearest,
                                    double farthest, std::size_t wanted) {
     const std::vector<Corners> mesh = triangles_of(scene);
@@ -121,7 +122,7 @@ TEST_F(HeadsetProgramAtLength, TakesAVisitorFromStopToStopOfATour) {
         const auto controls = controls_in(slurp(dir / "controls"));
         return std::ranges::any_of(controls, [&](const auto& c) { return c.first == name; });
     };
-    // The card of the last stop stays open when the tour is over.
+    // The last stop's card stays open after the tour.
     Script whole = script;
     whole.frame = at[1] + 30;
     whole.click(menu.place("All notes"));
@@ -145,9 +146,9 @@ TEST_F(HeadsetProgramAtLength, TakesAVisitorFromStopToStopOfATour) {
                 right += std::abs(distance_at(dir / "out" / name, views[0], x, y) - truth) < 0.02 * truth;
             }
         EXPECT_GT(all, 8);
-        EXPECT_GE(right, all - 2) << "stop " << stop << ": but for outlines";
+        EXPECT_GE(right, all - 2) << "stop " << stop << ": except at outlines";
     }
-    // Somebody who flies leaves the tour before its note.
+    // Flying leaves the tour before its note.
     for (const int y : {0, 1, 0}) {
         script.frame += 6;
         script.hands.push_back(hand(script.frame, "left", pointing({-0.2, 1.3, -0.1}, {-3, 1.3, -0.1}),
@@ -209,7 +210,7 @@ TEST_F(HeadsetProgram, TheMenuDoesWhatItSays) {
     for (const auto& [page, at] : menu.places()) {
         if (!page.starts_with("Page ")) continue;
         menu.press(page);
-        EXPECT_TRUE(menu.has(page)) << "pages stay beside the page that is shown";
+        EXPECT_TRUE(menu.has(page)) << "all pages stay selectable";
         for (const auto& [name, place] : menu.places()) {
             if (name.starts_with("Page ") || name == "Leave" || name == "Tooltip" || !menu.has(name))
                 continue;
@@ -217,7 +218,7 @@ TEST_F(HeadsetProgram, TheMenuDoesWhatItSays) {
             const auto photos = menu.session.photos;
             const auto shown = menu.places();
             menu.press(name);
-            if (menu.popup_open) {  // a list, whose last entry is chosen
+            if (menu.popup_open) {  // a list: choose its last entry
                 std::string entry = name;
                 for (const auto& [other, at_other] : menu.places())
                     if (std::ranges::count(shown, other, [](const auto& c) { return c.first; }) == 0)

@@ -1,4 +1,4 @@
-// Pictures for both eyes of a headset, and where they are taken from.
+// Pictures for both eyes of a headset, and their viewpoints.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// What the offscreen renderer makes of a view, from thumbnails.
+/// The offscreen renderer's picture of a view, from thumbnails.
 Picture offscreen_picture(const PackageReader& package, const View& view,
                           const std::vector<std::uint32_t>& photos, bool thumbnails) {
     BlendingOptions options;
@@ -30,7 +30,7 @@ Picture offscreen_picture(const PackageReader& package, const View& view,
     return take_picture(renderer, view, render_settings(package, options, Purpose::window), photos, 1);
 }
 
-/// The same of two eyes, as a window renders them.
+/// The pictures of two eyes, as a window renders them.
 std::vector<Picture> window_pictures(const PackageReader& package, const std::vector<View>& eyes,
                                      const std::vector<std::uint32_t>& photos) {
     BlendingOptions options;
@@ -50,7 +50,7 @@ std::vector<Picture> window_pictures(const PackageReader& package, const std::ve
     return out;
 }
 
-/// Pixels that differ, and the largest difference in codes.
+/// The number of pixels that differ, and the largest difference in 8-bit values.
 struct Difference {
     std::size_t pixels = 0;
     int codes = 0;
@@ -67,7 +67,7 @@ Difference difference(const Picture& a, const Picture& b) {
     return out;
 }
 
-/// In dB.
+/// The PSNR in dB.
 double psnr(const Picture& a, const Picture& b) {
     if (a.rgba.size() != b.rgba.size()) return 0;
     double squares = 0;
@@ -75,7 +75,7 @@ double psnr(const Picture& a, const Picture& b) {
     return -10 * std::log10(squares / double(a.rgba.size()) / (255.0 * 255));
 }
 
-/// The same view by the player's own functions, to the last bit of its numbers.
+/// The same view computed by the player's own functions, equal to the last bit.
 View players_view(const package::PhotoRecord& photo, const Vector3d& up, const RoomPose& head, double scale,
                   const json& v) {
     const Pose camera = view_of_photo(photo, 1).cam_from_origin;
@@ -119,7 +119,7 @@ TEST_F(HeadsetProgram, ShowsToEachEyeWhatOffscreenPicturesShowToTheBit) {
             const Picture seen = saved(frame, e == 0 ? "left" : "right");
             ASSERT_EQ(seen.width, 160);
             EXPECT_EQ(difference(seen, truth[e]).codes, 0) << "frame " << frame << ", eye " << e;
-            // By hand, and in pictures of one eye, numbers are rounded in other places.
+            // Views computed by hand and pictures of a single eye are rounded differently.
             const Difference single =
                 difference(seen, offscreen_picture(package, by_hand[e], all(package), true));
             EXPECT_LE(single.codes, 1);
@@ -139,7 +139,8 @@ TEST_F(HeadsetProgramAtLength, FinePicturesAreThoseOfOffscreenRenderingToTheEye)
     const gl::HeadlessContext context;
     const json& views = run.frames.at(37)["layers"][0]["views"];
     const View view = players_view(package.photos()[2], Vector3d::UnitZ(), head_between(views), 2, views[0]);
-    // Which tiles are there depends on when they came: where few pixels would show it, a coarser one stays.
+    // The resident tiles depend on their order of arrival: where few pixels would show a tile, a coarser one
+    // stays.
     const Picture seen = saved(38, "left"), truth = offscreen_picture(package, view, all(package), false);
     EXPECT_GT(psnr(seen, truth), 45) << "dB";
 }
@@ -155,7 +156,7 @@ TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
     const auto stick = [&](int frame, double right, double ahead) {
         return hand(frame, "right", upward, {{"/input/thumbstick", {right, ahead}}});
     };
-    const auto away = [](int frame) {  // nothing of it is in the picture
+    const auto away = [](int frame) {  // the hand is not in the picture
         return json{{"frame", frame}, {"hand", "right"}, {"active", false}};
     };
     s["hands"] = {stick(10, 0, 0), stick(20, 0, 1), stick(26, 0, 0), away(30),
@@ -170,7 +171,8 @@ TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
         return middle_distance(dir / "out" / name,
                                run.frames.at(std::size_t(frame - 1))["layers"][0]["views"][0]);
     };
-    // A stone that is thrown up at 35 degrees, at 7.5 m/s, from 1.2 m over the floor to the ground at 0.
+    // A trajectory that starts upward at 35 degrees, at 7.5 m/s, 1.2 m above the floor, and ends on the
+    // ground at 0.
     const PackageReader package(file);
     Room room(package.photos()[2], Vector3d::UnitZ(), {0, 1.6, 0}, 1);
     const double ground = room.in_room({0, 0, -package.scene().origin[2]}).y();
@@ -182,8 +184,8 @@ TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
     const gl::HeadlessContext context;
     const View there = room.view(run.frames.at(37)["layers"][0]["views"][0]);
     EXPECT_GT(psnr(saved(38, "left"), offscreen_picture(package, there, all(package), true)), 35);
-    EXPECT_NEAR(distance(58), 1.6, 0.03) << "the eyes are 1.6 m over the ground";
-    // Turned by 30 degrees to the right, about the head.
+    EXPECT_NEAR(distance(58), 1.6, 0.03) << "the eyes are 1.6 m above the ground";
+    // The room is turned by 30 degrees to the right, about the head.
     room.axes = room.axes * Eigen::AngleAxisd(-30 * degree, Vector3d::UnitY()).toRotationMatrix();
     const View turned = room.view(run.frames.at(87)["layers"][0]["views"][0]);
     EXPECT_GT(psnr(saved(88, "left"), offscreen_picture(package, turned, all(package), true)), 35);

@@ -1,4 +1,4 @@
-// The player and an OpenXR runtime: its rules, its faults, and what it offers.
+// The player with an OpenXR runtime: its rules, failures and extensions.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -108,7 +108,7 @@ TEST_F(HeadsetProgram, SaysInOneLineWhatIsMissing) {
 TEST_F(HeadsetProgramAtLength, MirrorsTheLeftEyeInAWindow) {
     if (std::system("command -v xvfb-run >/dev/null") != 0) GTEST_SKIP() << "no X server available";
     json s = scenario(30);
-    s["extensions"] = {"XR_KHR_opengl_enable"};  // a context of GLX, and no depth
+    s["extensions"] = {"XR_KHR_opengl_enable"};  // a GLX context, and no depth
     const Run run = play(s, "--size 300x200", "xvfb-run -a -s '-screen 0 640x480x24'");
     expect_valid(run);
     EXPECT_GE(shown_frames(run.frames), 27u);
@@ -124,7 +124,8 @@ TEST_F(HeadsetProgramAtLength, ValidationLayerOfKhronosFindsNothing) {
     if (!there) GTEST_SKIP() << "needs openxr-layer-corevalidation";
     if (std::system("command -v xvfb-run >/dev/null") != 0) GTEST_SKIP() << "no X server available";
     json s = scenario(60);
-    s["extensions"] = {"XR_KHR_opengl_enable", "XR_KHR_composition_layer_depth"};  // it does not know EGL
+    s["extensions"] = {"XR_KHR_opengl_enable",
+                       "XR_KHR_composition_layer_depth"};  // the layer does not support EGL
     s["hands"] = {hand(8, "right", pointing({0.2, 1.2, -0.2}, {0, 1, -3}), {{"/input/b/click", true}}),
                   hand(12, "left", pointing({-0.2, 1.2, -0.2}, {0, 1, -3}), {{"/input/thumbstick", {0, 1}}})};
     s["events"] = {{{"frame", 20}, {"lose", "session"}}, {{"frame", 40}, {"lose", "instance"}}};
@@ -133,6 +134,6 @@ TEST_F(HeadsetProgramAtLength, ValidationLayerOfKhronosFindsNothing) {
                          "XR_CORE_VALIDATION_EXPORT_TYPE=text xvfb-run -a -s '-screen 0 640x480x24'");
     EXPECT_EQ(run.code, 0);
     EXPECT_NE(run.message.find("Core Validation"), std::string::npos)
-        << "the layer is there: " << run.message;
+        << "the layer is loaded: " << run.message;
     EXPECT_EQ(run.message.find("VALID_"), std::string::npos) << run.message;
 }

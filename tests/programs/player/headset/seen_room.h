@@ -16,8 +16,8 @@ namespace vantage {
 using Eigen::Vector3d;
 using nlohmann::json;
 
-/// The scene as seen by eyes in the room, by hand: the room is level, its -z leads from the photo's camera to
-/// what it sees, and the head was at the photo's camera when it was first seen.
+/// The scene from the eyes' positions in the room, computed by hand: the room is level, its -z axis is the
+/// photo's viewing direction, and the head was at the photo's camera when tracking started.
 struct Room {
     Eigen::Matrix3d axes;
     Vector3d at;
@@ -32,7 +32,7 @@ struct Room {
     }
     Vector3d in_scene(const Vector3d& p) const { return at + scale * (axes * p); }
     Vector3d in_room(const Vector3d& p) const { return axes.transpose() * (p - at) / scale; }
-    /// `submitted`: a view of frames.jsonl.
+    /// `submitted`: a view from frames.jsonl.
     View view(const json& submitted) const {
         const auto& p = submitted["position"];
         const auto& q = submitted["orientation"];
@@ -56,7 +56,7 @@ struct Room {
     }
 };
 
-/// Where an eye of frames.jsonl is.
+/// The pose of an eye in frames.jsonl.
 inline RoomPose eye_pose(const json& view) {
     const auto number = [&](const char* of, std::size_t i) { return double(view[of][i].get<float>()); };
     return {Eigen::Quaterniond(number("orientation", 3), number("orientation", 0), number("orientation", 1),
@@ -65,14 +65,14 @@ inline RoomPose eye_pose(const json& view) {
             {number("position", 0), number("position", 1), number("position", 2)}};
 }
 
-/// Between two of them.
+/// The head's pose, midway between two eyes.
 inline RoomPose head_between(const json& views) {
     const RoomPose left = eye_pose(views[0]), right = eye_pose(views[1]);
     return {left.turn.slerp(0.5, right.turn), (left.at + right.at) / 2};
 }
 
-/// A pixel of a saved depth picture, from its upper left corner, as distance along the eye's axis in meters;
-/// `submitted`: its view.
+/// The distance along the eye's axis, in meters, at a pixel of a saved depth picture, counted from its upper
+/// left corner; `submitted`: its view.
 inline double distance_at(const fs::path& pfm, const json& submitted, int x, int y) {
     std::ifstream in(pfm, std::ios::binary);
     std::string kind;
@@ -96,7 +96,7 @@ inline double middle_distance(const fs::path& pfm, const json& submitted) {
 
 using Corners = std::array<Vector3d, 3>;
 
-/// The distance along a ray at which it meets a triangle; infinity if it does not.
+/// The distance along a ray to a triangle; infinity if the ray misses it.
 inline double meets(const Vector3d& from, const Vector3d& along, const Corners& c) {
     Eigen::Matrix3d m;
     m << c[1] - c[0], c[2] - c[0], -along;
@@ -106,7 +106,7 @@ inline double meets(const Vector3d& from, const Vector3d& along, const Corners& 
     return inside ? x[2] : std::numeric_limits<double>::infinity();
 }
 
-/// The mesh, without a background.
+/// The triangles of the mesh, without the background.
 inline std::vector<Corners> triangles_of(const PlanScene& scene) {
     std::vector<Corners> mesh;
     for (const package::ClusterRecord& c :
@@ -120,7 +120,7 @@ inline std::vector<Corners> triangles_of(const PlanScene& scene) {
     return mesh;
 }
 
-/// How far a mesh that was moved is along a view's axis, at a pixel; infinity if it is not there.
+/// The distance along a view's axis to a moved mesh, at a pixel; infinity if the ray misses it.
 inline double distance_by_hand(const View& view, int x, int y, const std::vector<Corners>& mesh,
                                const Vector3d& moved = Vector3d::Zero()) {
     const Intrinsics& k = view.intrinsics;
