@@ -71,7 +71,8 @@ void WrittenPackage::expect_old_or_new(const WritingCommand& c, const std::strin
 void WrittenPackage::expect_finished_by_next_run(const WritingCommand& c, const std::string& when) const {
     const Outcome next = run_command(c);
     EXPECT_EQ(next.code, 0) << c.name << ", " << when << ": " << next.err;
-    EXPECT_TRUE(slurp(package) == c.after) << c.name << ", " << when << ": the next run wrote other bytes";
+    EXPECT_TRUE(slurp(package) == c.after)
+        << c.name << ", " << when << ": the next run wrote different bytes";
     EXPECT_FALSE(fs::exists(part_of(package))) << c.name << ", " << when;
 }
 

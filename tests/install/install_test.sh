@@ -122,7 +122,7 @@ size=$(od -An -tu1 -j16 -N8 thumbnail | awk '{w = $3 * 256 + $4; h = $7 * 256 + 
 doc="$prefix/share/doc/vantage"
 for file in README.md $(cd "$doc" && ls docs/*.md); do
   for link in $(grep -ohE '\]\([^)#:]+\.(md|jpg|svg)' "$doc/$file" | cut -c3-); do
-    [ -e "$(dirname "$doc/$file")/$link" ] || fail "$file: the link to $link leads nowhere"
+    [ -e "$(dirname "$doc/$file")/$link" ] || fail "$file: the link to $link is dangling"
   done
 done
 for program in vantage vantage-player; do

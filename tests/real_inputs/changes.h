@@ -21,7 +21,7 @@ using Change = std::function<void(Scan&)>;
 inline Change nothing() {
     return [](Scan&) {};
 }
-/// Photo A has another name on disk and in the cameras.
+/// Photo A has these names on disk and in the cameras.
 inline Change named(std::string disk, std::string cameras) {
     return [=](Scan& s) {
         s.move("images/A.jpg", "images/" + disk);

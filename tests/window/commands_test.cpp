@@ -51,7 +51,7 @@ TEST_F(WindowCommands, TheDialogListsFoldersFirstAndIsUsedByKeysAlone) {
     EXPECT_EQ(entries, (std::vector<std::string>{"../", "folder/", "one.vantage"}));
     w.point_at(w.place("folder/")), w.frames();
     w.double_click();
-    EXPECT_TRUE(w.there("two.vantage")) << "a double click enters a folder";
+    EXPECT_TRUE(w.there("two.vantage")) << "a double-click opens a folder";
     w.key(GLFW_KEY_DOWN), w.key(GLFW_KEY_DOWN);
     w.key(GLFW_KEY_ENTER);
     EXPECT_EQ(opened(w), "two.vantage");

@@ -137,7 +137,7 @@ TEST_F(Depth, FinelyTessellatedSphereDoesNotOccludeItsNearSide) {
             const Eigen::Vector3d p = positions[v].cast<double>();
             const auto at = project(k, pose, p);
             if (!at || !in_frame(k, at->pixel)) continue;
-            // In front of the plane where the tangent cone touches the sphere.
+            // The distance in front of the plane where the tangent cone touches the sphere.
             const double before = -(p - center).dot(p);
             if (before > 1e-6 * distance) ++in_cap, hidden += found[v].x() < 0;
             if (before < -0.03 * p.norm()) ++beyond, shown += found[v].x() >= 0;

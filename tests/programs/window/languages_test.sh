@@ -9,7 +9,7 @@ texts=$(mktemp -d)
 trap 'rm -rf "$texts"' EXIT
 "$source/player/interface/languages/extract.sh" "$texts/vantage.pot" || exit 1
 failed=0
-[ "$(grep -c '^msgid' "$texts/vantage.pot")" -gt 300 ] || { echo "FAILED: hardly any text was found"; failed=1; }
+[ "$(grep -c '^msgid' "$texts/vantage.pot")" -gt 300 ] || { echo "FAILED: too few texts were found"; failed=1; }
 for catalog in "$source"/player/interface/languages/*.po; do
   msgfmt --check -o /dev/null "$catalog" || failed=1
   msgcmp "$catalog" "$texts/vantage.pot" || { echo "FAILED: $catalog lacks texts"; failed=1; }

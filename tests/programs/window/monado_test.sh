@@ -41,13 +41,13 @@ shown=("$player" headset scene.vantage --no-saved-settings --fps 0)
 start_service || { echo "skipped: monado-service does not start here"; exit 77; }
 
 env -u DISPLAY timeout 120 "${shown[@]}" --frames 40 >egl.log 2>&1 || fail "without a display, the player ended with $?"
-grep -q "^OpenXR: Monado" egl.log || fail "the player did not say what it shows the scene in"
+grep -q "^OpenXR: Monado" egl.log || fail "the player did not name the headset"
 
 if ls /usr/share/openxr/1/api_layers/explicit.d/*core_validation* >/dev/null 2>&1; then
   XR_ENABLE_API_LAYERS=XR_APILAYER_LUNARG_core_validation XR_CORE_VALIDATION_EXPORT_TYPE=text \
     timeout 120 "${shown[@]}" --frames 40 >layer.log 2>&1 || fail "with the validation layer, the player ended with $?"
   grep -q "Core Validation" layer.log || fail "the validation layer was not loaded"
-  ! grep -q "VUID-" layer.log || fail "the validation layer found something"
+  ! grep -q "VUID-" layer.log || fail "the validation layer reported errors"
 fi
 
 timeout 120 "${shown[@]}" --frames 200 >player.log 2>&1 &
@@ -56,6 +56,6 @@ shows_picture() { [ "$(colors)" -ge 300 ]; }
 within 30 shows_picture || fail "the mirror shows no picture"
 kill -9 $service
 wait $service || true
-soon grep -q "the OpenXR runtime was lost; waiting for it" player.log || fail "the player did not say that the runtime is gone"
+soon grep -q "the OpenXR runtime was lost; waiting for it" player.log || fail "the player did not report the loss of the runtime"
 start_service || fail "monado-service does not start again"
 wait $running || fail "after the loss of the runtime, the player ended with $?"

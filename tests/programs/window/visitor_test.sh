@@ -18,7 +18,7 @@ shot() {
   local still=0 last now rests
   last=$(frame)
   while [ $still -lt 10 ]; do
-    within 60 has_drawn $((last + 1)) || { fail "the window never rests"; return; }
+    within 60 has_drawn $((last + 1)) || { fail "the window never comes to rest"; return; }
     read -r now rests < <(awk -F'\t' '$1 == "frame" { print $2, $3; exit }' places)
     [ "$rests" = rests ] && still=$((still + now - last)) || still=0
     last=$now
@@ -31,7 +31,7 @@ look() {
   shot "$1"
   read -r x y times likeness <<<"$("$find_picture" "$1.ppm" "$set/images/00003.jpg" 323 193 54 60)"
   echo "$1: the dormer is at $x, $y, $times times the photo's size, similar by $likeness"
-  is "$likeness > 0.5" || fail "$1: the dormer is not to be seen"
+  is "$likeness > 0.5" || fail "$1: the dormer is not visible"
 }
 is() { awk "BEGIN { exit !($1) }"; }
 # Taps a control at its position from the file of controls.
@@ -58,7 +58,7 @@ touch_control "Bar Home"
 shot homed
 finger swing $((wide / 2)) $((high / 3)) $((wide / 2 + wide / 8)) $((high / 3))
 look back
-is "sqrt(($x - ${home[0]})^2 + ($y - ${home[1]})^2) < 0.01 * $wide" || fail "dragging back does not lead back"
+is "sqrt(($x - ${home[0]})^2 + ($y - ${home[1]})^2) < 0.01 * $wide" || fail "dragging back does not restore the view"
 
 # Two taps on the dormer bring it to the middle, two fingers zoom in further.
 finger double "$x" "$y"
@@ -69,7 +69,7 @@ before=($x $y $times)
 finger pinch "$x" "$y" $((high / 6)) $((high / 4)) 0
 look pinched
 is "$times > 1.3 * ${before[2]} && $times < 1.7 * ${before[2]}" || fail "fingers that spread by half enlarge by $times / ${before[2]}"
-is "sqrt(($x - ${before[0]})^2 + ($y - ${before[1]})^2) < 0.05 * $wide" || fail "what was between the fingers did not stay there"
+is "sqrt(($x - ${before[0]})^2 + ($y - ${before[1]})^2) < 0.05 * $wide" || fail "the point between the fingers moved"
 before=($x $y)
 finger pan "$x" "$y" $((x + wide / 10)) $((y + high / 20))
 look panned

@@ -59,7 +59,7 @@ rm -f places
 pid=$!
 find_window
 xdotool key p
-there "Message" || fail "it is not said that a screenshot cannot be written"
+there "Message" || fail "no error about a screenshot that cannot be written"
 alive "a screenshot that cannot be written"
 quit
 
@@ -71,7 +71,7 @@ comes_to_rest() {
   focus
   rm -f ./*-0001.png
   xdotool key p
-  soon test -s "${1%.vantage}-0001.png" || fail "P does nothing at rest"
+  soon test -s "${1%.vantage}-0001.png" || fail "P has no effect at rest"
   quit
 }
 comes_to_rest one.vantage --size 900x700 --graphics-memory 110

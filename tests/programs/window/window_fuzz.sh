@@ -44,7 +44,7 @@ for ((done = 0; done < events; done += 100)); do
   timeout 120 xdotool commands >/dev/null 2>&1 || fail "events $done to $((done + 100)) of seed $seed were not taken"
   [ -z "${TOUCH_PID:-}" ] || { read -r -t 60 answer <&"${TOUCH[0]}" && [ "$answer" = done ]; } || fail "no fingers after event $done of seed $seed"
   /usr/bin/python3 "$source_of_tests/drop_files.py" "$window" "${dropped[$(((seed + done / 100) % ${#dropped[@]}))]}" ||
-    fail "no files are taken after event $done of seed $seed"
+    fail "no files are accepted after event $done of seed $seed"
   kill -0 $pid 2>/dev/null || { fail "the player ended after event $done of seed $seed: $(tail -3 says)"; exit 1; }
 done
 
@@ -58,5 +58,5 @@ within 10 one_more || fail "a tap of P after $events events was lost"
 rests || fail "the window does not come to rest after $events events"
 xdotool key --delay 60 ctrl+q
 await_exit "Ctrl+Q"
-[ $failed = 0 ] && echo "$events events are survived"
+[ $failed = 0 ] && echo "$events events were survived"
 exit $failed

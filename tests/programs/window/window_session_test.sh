@@ -20,7 +20,7 @@ settled() {  # settled FILE.ppm: the picture, once it is final
     picture later.ppm
     cmp -s "$1" again.ppm && cmp -s "$1" later.ppm && return
   done
-  fail "the picture $1 is never final"
+  fail "the picture $1 never settles"
 }
 
 # alike FILE.ppm FILE.ppm: equal up to the fewer samples per pixel that a busy processor may draw
@@ -33,12 +33,12 @@ sys.exit(len(a) != len(b) or sum(abs(x - y) for x, y in zip(a, b)) > 2 * len(a))
 
 # On the start page, a dropped damaged package is refused, and a valid one is shown.
 start_page
-/usr/bin/python3 "$source_of_tests/drop_files.py" "$window" cut.vantage || fail "the start page takes no files"
+/usr/bin/python3 "$source_of_tests/drop_files.py" "$window" cut.vantage || fail "the start page does not accept files"
 frames 3
 kill -0 $pid || fail "a truncated package ends the player: $(cat says)"
 high=$(awk -F'\t' '$1 == "Open a package..." { print int($5) }' places)
 [ "${high:-0}" -ge 25 ] || fail "on a screen of 2160 lines, buttons are ${high:-0} pixels high, expected 1.5 times 18"
-/usr/bin/python3 "$source_of_tests/drop_files.py" "$window" one.vantage || fail "the start page takes no files"
+/usr/bin/python3 "$source_of_tests/drop_files.py" "$window" one.vantage || fail "the start page does not accept files"
 opens one.vantage
 find_window
 place "Photo 5" >/dev/null || fail "the strip does not show the photos"
@@ -52,7 +52,7 @@ settled after.ppm
 alike before.ppm after.ppm && fail "dragging changes nothing"
 key h
 soon_settled() { settled home.ppm; alike home.ppm before.ppm; }
-soon soon_settled || fail "H does not lead back to the first picture"
+soon soon_settled || fail "H does not return to the first picture"
 
 # A click shorter than a frame, with the pointer elsewhere at the end of the frame; a setting changes the picture.
 # shellcheck disable=SC2046
@@ -96,19 +96,19 @@ at=$(place "Bar Expert")
 [ "${at%% *}" -gt 1050 ] && [ "${at##* }" -gt 740 ] || fail "at 1200x800, Expert is at $at"
 key F11
 soon_wide() { at=$(place "Bar Expert"); [ "${at%% *}" -gt 3000 ]; }
-soon soon_wide || fail "F11 does not cover the screen: Expert is at $at"
+soon soon_wide || fail "F11 does not fill the screen: Expert is at $at"
 key F11
 soon_small() { at=$(place "Bar Expert"); [ "${at%% *}" -lt 1200 ]; }
-soon soon_small || fail "F11 does not lead back: Expert is at $at"
+soon soon_small || fail "F11 does not leave full screen: Expert is at $at"
 
 # One package is dropped and added, one is opened by the dialog; a truncated one does not replace the open one.
 press "Section Picture"; press "Section Blending"  # they leave no space for the section of objects
-/usr/bin/python3 "$source_of_tests/drop_files.py" "$window" two.vantage || fail "the window takes no files"
-there "Add to the scene" || fail "it is not asked what to do with a dropped package"
+/usr/bin/python3 "$source_of_tests/drop_files.py" "$window" two.vantage || fail "the window does not accept files"
+there "Add to the scene" || fail "no question about a dropped package"
 press "Add to the scene"
 place "Only two" >/dev/null || { fail "the dropped package was not added"; cut -f 1 places | tr '\n' ' '; }
 key o; press "cut.vantage"; press "Open"
-place "Message" >/dev/null || fail "a truncated package is not refused aloud"
+place "Message" >/dev/null || fail "no error about a truncated package"
 [ "$(title)" = "one.vantage - Vantage" ] || fail "a truncated package replaced the open one: $(title)"
 key o; press "two.vantage"; press "Open"
 opens two.vantage
@@ -135,9 +135,9 @@ for at in starts[-10:]:  # color tiles, after the thumbnails of five photos
 open("two.vantage", "wb").write(data)
 END
 start two.vantage --no-saved-settings --size 900x700
-place "Message" >/dev/null || fail "damage is not said: $(cat says)"  # it disappears after some seconds
+place "Message" >/dev/null || fail "damage is not reported: $(cat says)"  # it disappears after some seconds
 xdotool key ctrl+q
 await_exit "Ctrl+Q" 4
 
-[ $failed = 0 ] && echo "a session is as it should be"
+[ $failed = 0 ] && echo "the session passed"
 exit $failed

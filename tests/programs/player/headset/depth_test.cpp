@@ -28,7 +28,7 @@ TEST_F(HeadsetProgramAtLength, TwoHandsMakeTheModelTwiceAsLarge) {
         middle_distance(dir / "out" / "0018-left-depth.pfm", run.frames[17]["layers"][0]["views"][0]);
     const double after =
         middle_distance(dir / "out" / "0058-left-depth.pfm", run.frames[57]["layers"][0]["views"][0]);
-    EXPECT_NEAR(after / before, 2, 0.01) << "about the middle between the hands, where the eyes are";
+    EXPECT_NEAR(after / before, 2, 0.01) << "scaled about the midpoint of the hands, where the eyes are";
 }
 
 TEST_F(HeadsetProgramAtLength, HandsOverTheDepthOfTheNearestObject) {
