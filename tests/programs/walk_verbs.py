@@ -136,6 +136,8 @@ def options_say_why():
     open('church.toml', 'w').close()
     code, _, err = run('vantage align', ['church.toml', '-o', 'a.toml'])
     expect(code == 2 and 'is a scene file' in err, 'vantage align', f'of a scene file: {code} {err}')
+    code, _, err = run('vantage-player evaluate', ['p.vantage', '--show', 'coverage'])
+    expect(code == 2 and 'no option --show' in err, 'vantage-player evaluate', f'scores false colors: {code} {err}')
     expect('scene file' not in run('vantage align', ['--help'])[1].split('Options')[0], 'vantage align', '--help')
 
 

@@ -213,7 +213,7 @@ TEST_F(PointScenes, NeedNoPhotos) {
     for (std::size_t i = 3; i < p.rgba.size(); i += 4) shown += p.rgba[i] > 0;
     EXPECT_GT(shown, p.rgba.size() / 4 / 10);
     // Of points with z down, a view stands upright with a roll of half a turn.
-    run(player + " " + package + " --offscreen --view 0,-14,5,0,0,3,45,180 --size 200x150 -o " + at +
+    run(player + " render " + package + " --view 0,-14,5,0,0,3,45,180 --size 200x150 -o " + at +
         "/rolled.png");
     const Picture rolled = read_png(dir / "rolled.png");
     std::size_t differing = 0;
@@ -252,7 +252,7 @@ TEST_F(PointScenes, AreObjectsOfASceneBeforeAndBehindOthers) {
         << "[[object]]\npackage = \"out/wall.vantage\"\n[[object]]\npackage = \"out/scene.vantage\"\n";
     for (const std::string scene : {"/out/s.toml", "/t.toml"}) {
         const auto magenta_share = [&](const std::string& view) {
-            run(VANTAGE_PLAYER " " + at + scene + " --offscreen --holes shade --size 200x150 --view " + view +
+            run(VANTAGE_PLAYER " render " + at + scene + " --holes shade --size 200x150 --view " + view +
                 " -o " + at + "/p.png");
             const Picture p = read_png(dir / "p.png");
             std::size_t n = 0;

@@ -142,20 +142,20 @@ TEST_F(PlayerProgram, RejectsInvalidRequests) {
 
 TEST_F(PlayerProgram, APictureNamedLikeAnotherFormatIsRefusedInsteadOfMadeAFolder) {
     const auto refused = [&](const std::string& name, const std::string& options) {
-        const Outcome o = run_command(
-            VANTAGE_PLAYER " " + file.string() + " -o " + (dir / name).string() + " " + options, dir);
+        const Outcome o =
+            run_command(VANTAGE_PLAYER " " + with_file(options, file) + " -o " + (dir / name).string(), dir);
         EXPECT_EQ(o.code, int(Exit::usage)) << name;
         EXPECT_TRUE(one_line(o.err)) << o.err;
         EXPECT_FALSE(fs::exists(dir / name)) << name;
         return o.err;
     };
     for (const char* name : {"x.jpg", "X.JPEG", "x.tif", "x.mp4"})
-        EXPECT_THAT(refused(name, "--offscreen --photo 0002"), testing::HasSubstr("ends with .png")) << name;
-    EXPECT_THAT(refused("x.png", "--offscreen --photo 0001 0002"), testing::HasSubstr("a folder, for 2"));
-    EXPECT_THAT(refused("x.gif", "--turntable"), testing::HasSubstr("FILE.webm or a folder"));
+        EXPECT_THAT(refused(name, "render --photo 0002"), testing::HasSubstr("ends with .png")) << name;
+    EXPECT_THAT(refused("x.png", "render --photo 0001 0002"), testing::HasSubstr("a folder, for 2"));
+    EXPECT_THAT(refused("x.gif", "video --turntable"), testing::HasSubstr("FILE.webm or a folder"));
     fs::create_directory(dir / "scan.jpg");
     const Outcome into = run_command(
-        VANTAGE_PLAYER " " + file.string() + " -q --offscreen --photo 0002 -o " + (dir / "scan.jpg").string(),
+        VANTAGE_PLAYER " render " + file.string() + " -q --photo 0002 -o " + (dir / "scan.jpg").string(),
         dir);
     EXPECT_EQ(into.code, 0) << into.err;
     EXPECT_TRUE(fs::exists(dir / "scan.jpg" / "0002.png")) << "a folder that exists stays one";
