@@ -25,21 +25,21 @@ using Eigen::Vector3d;
 using Points = std::vector<FeaturePoint>;
 
 constexpr std::size_t least_points = 200, starts = 24;
-constexpr std::size_t quick_points = 600;  ///< of the many fits; the last one takes all
+constexpr std::size_t quick_points = 600;  ///< for the trial fits; the final fit uses all
 /// Agreement relative to that of the cameras alone, and to the next best alignment's. A wall that slides
-/// along itself agrees, too: its relief must tell.
+/// along its own plane also agrees: only its relief tells the two apart.
 constexpr double least_share = 0.5, clearly = 1.05;
-/// Shares of a photo's longer side: of features that show one point, and of the alignment.
+/// Fractions of a photo's longer side: epipolar error of a matched feature, uncertainty of the alignment.
 constexpr double max_epipolar = 0.003, max_uncertain = 0.0005;
 
-/// A surface, and what motions of points toward it are about.
+/// A surface, and the frame in which motions of points toward it are expressed.
 struct Target {
     const NearestSurface& surface;
     MotionFrame frame;
 };
 
-/// A point led onto the mesh: its distance from the plane of the nearest triangle, in standard errors, and
-/// the derivative of that by the motion.
+/// A point transformed toward the mesh: its distance from the plane of the nearest triangle, in standard
+/// errors, and the derivative of that distance with respect to the motion.
 struct Residual {
     double value;
     SmallMotion derivative;
@@ -59,7 +59,7 @@ Residual residual(const FeaturePoint& p, const Similarity& s, const Target& targ
     return out;
 }
 
-/// A motion after a similarity.
+/// The similarity followed by a small motion.
 Similarity stepped(const Similarity& s, const SmallMotion& d, const MotionFrame& frame) {
     const Similarity m = similarity(d, frame);
     return {m.R * s.R, m(s.t), m.scale * s.scale};
@@ -99,7 +99,7 @@ std::vector<Camera> cameras_in_mesh(const SceneInput& scene, const Similarity& s
     return out;
 }
 
-/// How far the mesh's vertices move in the photos between two alignments: the median, px.
+/// The median motion of the mesh's vertices in the photos between two alignments, px.
 double motion_in_photos(const SceneInput& scene, const Similarity& a, const Similarity& b) {
     const std::vector<Camera> in_a = cameras_in_mesh(scene, a), in_b = cameras_in_mesh(scene, b);
     const std::vector<Vector3d>& vertices = scene.mesh.positions;
@@ -113,7 +113,7 @@ double motion_in_photos(const SceneInput& scene, const Similarity& a, const Simi
     return quantile(std::move(moved), 0.5);
 }
 
-/// An alignment, and how well the photos agree with it.
+/// An alignment and its agreement with the photos.
 struct Candidate {
     Similarity s;
     ConventionTrial trial;
@@ -131,11 +131,11 @@ class Aligner {
             shared_features(scene.photos, neighboring_photos(scene.photos, most, ranks), how), cameras_,
             max_epipolar);
         of_cameras_ = trial_of("", epipolar_errors(features_, cameras_)).agreement;
-        // A feature is found to about half a pixel of the reduced photo.
+        // Features are accurate to about half a pixel of the reduced photo.
         points_ = feature_points(features_, cameras_, 0.5 * longer_side(cameras_.front()) / how.long_side);
         if (points_.size() < least_points)
-            fail(fmt::format("the photos share {} features in space, expected {} or more", points_.size(),
-                             least_points));
+            fail(fmt::format("the photos share {} features that can be triangulated, expected {} or more",
+                             points_.size(), least_points));
         const std::size_t step = std::max<std::size_t>(1, points_.size() / quick_points);
         for (std::size_t i = 0; i < points_.size(); i += step) quick_.push_back(points_[i]);
     }
@@ -165,7 +165,7 @@ class Aligner {
                       0};
         add_uncertainty(out);
         if (!(out.pixels <= max_uncertain * longer_side(cameras_.front())))
-            fail(fmt::format("the alignment is certain to {:.1f} px only, expected {:.1f}", out.pixels,
+            fail(fmt::format("the alignment is uncertain by {:.1f} px, expected at most {:.1f}", out.pixels,
                              max_uncertain * longer_side(cameras_.front())));
         return out;
     }
@@ -181,7 +181,7 @@ class Aligner {
         return trial_of("", surface_errors(features_, cameras_in_mesh(scene_, s), rays_));
     }
 
-    /// Fitted from each of `begin`; the best first.
+    /// The fits from each of `begin`; the best first.
     std::vector<Candidate> fitted_from(const std::vector<Similarity>& begin) const {
         std::vector<Candidate> out(begin.size());
         for_each_photo(begin.size(), 0, [&](std::size_t i) {
@@ -197,7 +197,8 @@ class Aligner {
         return fitted_from(start_poses(positions, scene_.mesh, surface_, starts));
     }
 
-    /// Moved along each axis and scaled as long as that agrees better, then fitted to all points.
+    /// Moves and scales the alignment along each axis while the agreement improves, then fits it to all
+    /// points.
     Candidate polished(Candidate best) const {
         for (bool better = true; better;) {
             std::vector<Similarity> near;
@@ -213,14 +214,14 @@ class Aligner {
         return best;
     }
 
-    /// The agreement of the best candidate that puts the mesh elsewhere.
+    /// The agreement of the best candidate with a different pose.
     double next_best(const std::vector<Candidate>& all, const Candidate& best) const {
         for (const Candidate& c : all)
             if (motion_in_photos(scene_, best.s, c.s) > px(0.01)) return c.trial.agreement;
         return 0;
     }
 
-    /// From fits that each leave out the features of one photo.
+    /// From fits that each exclude the features of one photo.
     void add_uncertainty(Alignment& a) const {
         const Similarity& s = a.mesh_from_cameras;
         std::set<std::uint32_t> photos;
@@ -238,7 +239,7 @@ class Aligner {
             scale.push_back(w.scale / s.scale - 1);
             move.push_back((w(middle) - frame_.middle).norm());
         }
-        // Two are needed, or nothing is known.
+        // At least two are needed for an estimate.
         const double unknown = std::numeric_limits<double>::infinity();
         const auto error = [&](const std::vector<double>& d) {
             return d.size() < 2 ? unknown : jackknife_error(d);

@@ -7,23 +7,23 @@
 
 namespace vantage {
 
-/// Where a mesh belongs, found from its cameras' photos.
+/// The pose of a mesh, found from its cameras' photos.
 struct Alignment {
     Similarity mesh_from_cameras;
     std::size_t features;  ///< shared features that agree with the cameras
-    std::size_t on_mesh;   ///< those that the mesh shows
+    std::size_t on_mesh;   ///< those whose rays hit the mesh
     double agreement;      ///< as ConventionTrial
     double median;         ///< error of `on_mesh`, px
-    double next;           ///< the agreement of the next best alignment that differs
-    /// Standard errors (a jackknife over the photos): of the mesh in the photos, px, and of the similarity.
-    double pixels, degrees, scale;  ///< the scale relative
-    double move;                    ///< of the mesh's middle, units of the mesh
+    double next;           ///< the agreement of the next best, different alignment
+    /// Standard errors, by a jackknife over the photos: of the mesh's projection, px, and of the similarity.
+    double pixels, degrees, scale;  ///< the scale's is relative
+    double move;                    ///< of the mesh's center, units of the mesh
 };
 
-/// Aligns the mesh with the cameras: features that photos share are triangulated, led onto the surface from
-/// start_poses(), and fitted to it point to plane, each with its own uncertainty. Throws Error(misplaced) if
-/// the photos share too little, if no alignment agrees with them, if two do, or if it is less certain than
-/// 0.05 % of a photo's longer side.
+/// Aligns the mesh with the cameras: features that photos share are triangulated, transformed to the surface
+/// from start_poses(), and fitted to it point to plane, each with its own uncertainty. Throws
+/// Error(misplaced) if the photos share too few features, if no alignment agrees with them, if two do, or if
+/// the uncertainty exceeds 0.05 % of a photo's longer side.
 Alignment align(const SceneInput& scene);
 
 }  // namespace vantage

@@ -16,14 +16,13 @@ Eigen::Matrix3d rows(const Eigen::Vector3d& x, const Eigen::Vector3d& y, const E
 using Eigen::Vector3d;
 const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
 
-/// The camera in a frame that is turned from the file's.
+/// The camera in a frame that is rotated relative to the file's.
 std::optional<Camera> turned(Camera camera, const Eigen::Matrix3d& R) {
     camera.cam_from_world = compose(camera.cam_from_world, turn(R.transpose()));
     return camera;
 }
 
-/// The place of the first tangential coefficient, which the other one follows; empty without tangential
-/// terms.
+/// The index of the first of two consecutive tangential coefficients; empty without tangential terms.
 std::optional<std::size_t> tangential(LensModel model) {
     switch (model) {
         case LensModel::opencv:

@@ -7,19 +7,19 @@
 
 namespace vantage {
 
-/// A way in which camera files or meshes differ from what their format says, because a program wrote or an
-/// export setting made them so. Undone by changing all cameras.
+/// A known deviation of camera files or meshes from the definition of their format, caused by a program or an
+/// export setting. Undone by changing all cameras.
 struct Convention {
     const char* name;     ///< of --convention
     const char* meaning;  ///< in messages: "the mesh is turned by 180 degrees about x"
-    bool of_mesh;         ///< moves all cameras together: only the mesh tells whether it applies
+    bool of_mesh;         ///< moves all cameras together: only the mesh shows whether it applies
     std::optional<Camera> (*apply)(Camera camera,
-                                   const Similarity& transform);  ///< empty: changes nothing
+                                   const Similarity& transform);  ///< empty if nothing changes
 };
 
 std::span<const Convention> convention_table();
 
-/// Conventions of the table. Empty without a transform, or without tangential terms.
+/// Conventions of the table. Empty without a transform or without tangential terms.
 std::optional<Camera> without_transform(Camera camera, const Similarity& transform);
 std::optional<Camera> swapped_tangential(Camera camera, const Similarity&);
 

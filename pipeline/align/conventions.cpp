@@ -18,17 +18,18 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The error that counts half; a tenth of a percent is 4 px of a photo of 12 megapixels.
+/// The error whose weight is one half; a tenth of a percent is 4 px in a photo of 12 megapixels.
 constexpr double half = 0.001;
 /// Matched features with a larger epipolar error do not show the same point; a mesh with larger errors does
 /// not fit.
 constexpr double far_off = 0.005, misfit = 0.005;
-/// Fewer features, or a lower agreement, tell nothing.
+/// Fewer features, or a lower agreement, are inconclusive.
 constexpr std::size_t enough = 60;
 constexpr double some_agreement = 0.15;
-/// The median error of a mesh that fits, relative to that of the epipolar lines, is less: it is about twice.
+/// The largest median error of a mesh that fits, relative to the median epipolar error; typically it is
+/// twice.
 constexpr double some_times = 4;
-/// Agreement relative to as read, and to every other convention.
+/// Agreement relative to that as read, and to that of every other convention.
 constexpr double clear_ratio = 2;
 
 const Convention& convention(std::string_view name) {
@@ -49,7 +50,7 @@ std::string joined(const std::string& names, const std::string& more) {
     return names == as_read ? more : more == as_read ? names : names + "," + more;
 }
 
-/// The cameras under conventions; empty if they change none.
+/// The cameras with the conventions applied; empty if no camera changes.
 std::vector<Camera> changed(std::vector<Camera> cameras, const Similarity& transform,
                             const std::string& names) {
     for (const std::string& name : parts(names)) {
@@ -69,16 +70,16 @@ std::vector<Camera> cameras_of(const SceneInput& scene) {
 
 bool is_enough(const ConventionTrial& t) { return t.defined >= enough && t.agreement >= some_agreement; }
 
-/// Whether the mesh shows features where photos do, though they may be few: a small object on a table.
+/// Whether the mesh and the photos agree on features, even on few: a small object on a table.
 bool shows_features(const ConventionTrial& t) {
     constexpr std::size_t fewest = 3;
     return t.defined >= fewest && t.median <= (t.defined < enough ? 2 * half : misfit);
 }
 
-/// Whether many features are where the mesh shows them, though most may be of what is behind it.
+/// Whether many features lie on the mesh, even if most belong to the background.
 bool shows_many(const ConventionTrial& t) { return t.defined >= enough && t.agreement >= 2 * some_agreement; }
 
-/// The trial with which the photos agree clearly better than with all others; else the first.
+/// The trial whose agreement clearly exceeds that of all others; else the first.
 const ConventionTrial& best_of(std::span<const ConventionTrial> trials) {
     const ConventionTrial& best = *std::ranges::max_element(trials, {}, &ConventionTrial::agreement);
     const bool clear = std::ranges::all_of(trials, [&](const ConventionTrial& t) {
@@ -87,7 +88,7 @@ const ConventionTrial& best_of(std::span<const ConventionTrial> trials) {
     return clear && is_enough(best) ? best : trials.front();
 }
 
-/// Conventions of the mesh alone, and with the camera file's own transform undone.
+/// Conventions of the mesh, alone and combined with "no-transform".
 std::vector<std::string> mesh_conventions() {
     std::vector<std::string> out;
     for (const Convention& c : convention_table())
@@ -97,8 +98,8 @@ std::vector<std::string> mesh_conventions() {
     return out;
 }
 
-/// Tangential terms move features by a few pixels only: both ways agree, but one of them better. It is judged
-/// by how many features come nearer to their epipolar lines.
+/// Tangential terms move features by a few pixels only: both orders agree, one of them better. The number of
+/// features that move closer to their epipolar lines decides.
 void settle_tangential(const SceneInput& scene, std::span<const SharedFeature> features,
                        ConventionTrials& trials) {
     constexpr double max_nearer = 0.6;
@@ -118,7 +119,7 @@ void settle_tangential(const SceneInput& scene, std::span<const SharedFeature> f
         trials.chosen = swapped;
 }
 
-/// The scene's mesh for rays, made when it is first asked for.
+/// The scene's mesh for rays, built on first use.
 class MeshOnDemand {
   public:
     explicit MeshOnDemand(const Mesh& mesh) : mesh_(mesh) {}
@@ -149,8 +150,8 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
     const std::vector<SharedFeature> telling = features_with_parallax(agreeing, cameras, 2 * misfit);
     if (telling.size() < enough) {
         out.not_validated = fmt::format(
-            "of {} features that photos share, {} agree with the cameras and {} of these tell "
-            "their distance, expected at least {}",
+            "of {} features that photos share, {} agree with the cameras and {} of these have "
+            "parallax, expected at least {}",
             out.shared, out.agreeing, telling.size(), enough);
         return out;
     }
@@ -167,8 +168,8 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
     return out;
 }
 
-/// Whether the format leaves the order of tangential terms open, because other programs export it with
-/// theirs, and exchanging them would move what photos show by a noticeable share of a pixel.
+/// Whether the format leaves the order of tangential terms open, because other programs export it with their
+/// own order, and exchanging the terms would move features by a noticeable fraction of a pixel.
 bool has_open_terms(const SceneInput& scene) {
     constexpr double noticeable = 0.5;
     if (!scene.camera_format.starts_with("COLMAP") && scene.camera_format != "transforms.json") return false;
@@ -211,13 +212,13 @@ ConventionTrials not_validated(std::string why) {
     return out;
 }
 
-/// A share of the longer side, in pixels of the first photo.
+/// Converts a fraction of the longer side to pixels of the first photo.
 double in_pixels(double share, const SceneInput& scene) {
     return share * longer_side(scene.photos.front().camera);
 }
 
-/// What is wrong with cameras; empty if more features agree with them than by chance. Around an object that
-/// was moved or turned, a seventh of them may be its own.
+/// The flaw of the cameras; empty if more features agree with them than by chance. If the object was moved or
+/// turned, only a seventh of the features may lie on it.
 std::string said_of_cameras(const ConventionTrials& trials) {
     if (10 * trials.agreeing >= trials.shared) return {};
     return fmt::format(
@@ -226,14 +227,15 @@ std::string said_of_cameras(const ConventionTrials& trials) {
         trials.agreeing, trials.shared);
 }
 
-/// What is wrong with a mesh that fits roughly; empty if it fits well, as far as features tell.
+/// The flaw of a mesh that fits roughly; empty if it fits to within the accuracy of the features.
 std::string said_of_mesh(const ConventionTrials& trials, const SceneInput& scene) {
     if (trials.mesh.empty()) return {};
     const ConventionTrial& t = trials.mesh[trials.chosen_of_mesh];
     if (t.median <= trials.expected || shows_many(t)) return {};
     return fmt::format(
-        "{}: shows features {:.1f} px from where photos do (median), expected at most {:.1f}; if it is moved "
-        "or turned and not just coarse, 'vantage align' finds where it belongs",
+        "{}: shows features {:.1f} px from their place in the photos (median), expected at most {:.1f}; if "
+        "it "
+        "is moved or turned and not just coarse, 'vantage align' finds its pose",
         utf8_name(scene.files.mesh.filename().string()), in_pixels(t.median, scene),
         in_pixels(trials.expected, scene));
 }
@@ -242,11 +244,11 @@ std::string said_of_mesh(const ConventionTrials& trials, const SceneInput& scene
     const std::string found =
         t.defined < enough
             ? fmt::format("of {} features that photos share, it is behind {}", t.features, t.defined)
-            : fmt::format("a point of it projects {:.1f} px from where photos agree (median of {})",
+            : fmt::format("its points project {:.1f} px from the photos' features (median of {})",
                           in_pixels(t.median, scene), t.defined);
     throw Error(Exit::misplaced,
                 fmt::format("{}: the mesh does not fit these cameras: {}, also if it is turned; 'vantage "
-                            "align' finds where it belongs, --convention as-read takes it as it is",
+                            "align' finds its pose, --convention as-read accepts it unchanged",
                             scene.files.mesh.string(), found));
 }
 
@@ -311,7 +313,7 @@ ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted,
     const std::string flaw = said_of_cameras(trials);
     if (trials.misfit && !flaw.empty())
         throw Error(Exit::misplaced, scene.files.cameras.string() + ": " + flaw +
-                                         " --convention as-read takes them as they are");
+                                         " --convention as-read accepts them unchanged");
     if (trials.misfit) fail_as_misfit(scene, trials.mesh.front());
     for (const std::string& said : {flaw, said_of_mesh(trials, scene)})
         if (!said.empty()) scene.warnings.push_back(said);

@@ -26,7 +26,7 @@ std::optional<Ray> ray_of(PhotoRays& rays, std::span<const Camera> cameras, std:
     return Ray{pose.center(), (pose.R.transpose() * p->homogeneous()).normalized()};
 }
 
-/// Distances along two rays to where they pass closest; empty if they are nearly parallel.
+/// Distances along two rays to their points of closest approach; empty if they are nearly parallel.
 std::optional<Eigen::Vector2d> closest(const Ray& a, const Ray& b) {
     const Vector3d between = b.eye - a.eye;
     const double cosine = a.along.dot(b.along), sine2 = a.along.cross(b.along).squaredNorm();

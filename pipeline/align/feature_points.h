@@ -9,16 +9,17 @@
 
 namespace vantage {
 
-/// The point that two photos show as a feature.
+/// The triangulated point of a feature.
 struct FeaturePoint {
     std::size_t feature;    ///< index of the feature
-    Eigen::Vector3d point;  ///< midway between the two rays, where they pass closest
+    Eigen::Vector3d point;  ///< midway between the two rays at their closest approach
     Eigen::Vector3d ray;    ///< of photo a, unit length
     double across, along;   ///< standard error across and along the ray, scene units
 };
 
-/// Triangulates features, which must agree with the cameras, if their rays meet in front of both cameras at 2
-/// degrees or more. `pixel`: standard error of a feature, px. `cameras`: by photo.
+/// Triangulates features that agree with the cameras. Features whose rays do not meet in front of both
+/// cameras, at 2 degrees or more, give no point. `pixel`: standard error of a feature, px. `cameras`: by
+/// photo.
 std::vector<FeaturePoint> feature_points(std::span<const SharedFeature> features,
                                          std::span<const Camera> cameras, double pixel);
 

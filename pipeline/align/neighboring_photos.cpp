@@ -10,10 +10,10 @@ namespace {
 
 const double least_cosine = std::cos(50 * std::numbers::pi / 180);
 
-/// Cameras that are nearer, relative to the median distance, stand in the same place: bursts, doubled photos.
+/// Cameras closer than this, relative to the median distance, share a viewpoint: bursts, duplicate photos.
 constexpr double same_place = 0.005;
 
-/// The others of its image set that look in a similar direction, the nearest first.
+/// The other photos of its image set with a similar viewing direction, the nearest first.
 std::vector<std::uint32_t> neighbors(std::span<const PhotoInput> photos, std::uint32_t photo) {
     const Pose& own = photos[photo].camera.cam_from_world;
     std::vector<std::pair<double, std::uint32_t>> found;

@@ -10,10 +10,10 @@ namespace vantage {
 namespace {
 
 constexpr std::size_t max_tried = 300, fewest_agreeing = 30;
-constexpr double near_line = 0.002;  ///< an epipolar error, as a share of the longer side
+constexpr double near_line = 0.002;  ///< epipolar error, as a fraction of the longer side
 constexpr double clearly_more = 2;
 
-/// What an EXIF orientation does to pixels, about the photo's middle (Exif 2.3, 4.6.4).
+/// The rotation or reflection of an EXIF orientation, about the photo's center (Exif 2.3, 4.6.4).
 Eigen::Matrix2d turn_of(int orientation) {
     const bool swaps = orientation >= 5;
     const double x = orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7 ? -1 : 1,
@@ -23,7 +23,7 @@ Eigen::Matrix2d turn_of(int orientation) {
     return out;
 }
 
-/// The features with the pixels of some photos turned as is open.
+/// The features, with the pixels of the photos in `which` turned by their open turn.
 std::vector<SharedFeature> turned(std::vector<SharedFeature> features, std::span<const PhotoInput> photos,
                                   const std::vector<bool>& which) {
     const auto turn = [&](std::uint32_t photo, Eigen::Vector2d& pixel) {
@@ -36,7 +36,7 @@ std::vector<SharedFeature> turned(std::vector<SharedFeature> features, std::span
     return features;
 }
 
-/// Judges photos by the features that they share.
+/// Tests turns of photos by the features that they share.
 class Judge {
   public:
     Judge(std::span<const PhotoInput> photos, std::vector<SharedFeature> features)
@@ -44,11 +44,11 @@ class Judge {
         for (const PhotoInput& p : photos) cameras_.push_back(p.camera);
     }
 
-    /// Whether features agree if those photos are turned, and do not if the others are.
+    /// Whether features agree if the photos in `which` are turned, and disagree if those in `without` are.
     bool agree_only(const std::vector<bool>& which, const std::vector<bool>& without) const {
         return agree_only(features_, which, without);
     }
-    /// The same, of the features of one photo.
+    /// The same for the features of one photo.
     bool agree_only(std::uint32_t photo, const std::vector<bool>& which,
                     const std::vector<bool>& without) const {
         std::vector<SharedFeature> own;
@@ -58,7 +58,7 @@ class Judge {
     }
 
   private:
-    /// How many features lie near their epipolar lines.
+    /// The number of features near their epipolar lines.
     std::size_t agreeing(std::span<const SharedFeature> features, const std::vector<bool>& which) const {
         return agreeing_features(turned({features.begin(), features.end()}, photos_, which), cameras_,
                                  near_line)

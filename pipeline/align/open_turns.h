@@ -6,19 +6,20 @@
 
 namespace vantage {
 
-/// Photos whose EXIF orientation leaves open how their pixels lie for their cameras: another program has
-/// turned the pixels and kept the tag, or the cameras are of the photos as displayed.
+/// Photos whose EXIF orientation does not settle the orientation of their pixels relative to the cameras:
+/// another program turned the pixels and kept the tag, or the cameras refer to the displayed photos.
 struct OpenTurns {
-    std::vector<std::uint32_t> found;    ///< to be turned by PhotoInput::open_turn
-    std::vector<std::uint32_t> unknown;  ///< nothing tells
+    std::vector<std::uint32_t> found;    ///< must be turned by PhotoInput::open_turn
+    std::vector<std::uint32_t> unknown;  ///< the features are inconclusive
 };
 
-/// The neighbors of photos in question tell: features that they share lie near the epipolar lines if they are
-/// turned, and only then, or only as they are. At most 300 photos are tried. Empty if no photo is in
-/// question.
+/// Decides by the features that such photos share with their neighbors: these lie near the epipolar lines
+/// either only if the photo is turned, or only if it is not. At most 300 photos are tried. Empty if there is
+/// no such photo.
 OpenTurns find_open_turns(std::span<const PhotoInput> photos, const FeatureSettings& how);
 
-/// Takes a photo whose camera is about its middle turned by 90 degrees: read_photo() goes by the size.
+/// Gives the camera the size of the photo turned by 90 degrees about its center; read_photo() then turns the
+/// pixels, because of the size.
 void take_as_displayed(PhotoInput& photo);
 
 }  // namespace vantage

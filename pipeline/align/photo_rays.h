@@ -12,13 +12,13 @@ namespace vantage {
 /// The longer side of a camera's photo, px.
 double longer_side(const Camera& camera);
 
-/// Rays of photos as taken, lens included; remembers the ranges of their lenses. Not thread-safe.
+/// Rays of the original photos, including the lens; caches the valid ranges of the lenses. Not thread-safe.
 class PhotoRays {
   public:
-    /// `cameras`, by photo, must outlive it.
+    /// `cameras`, by photo, must outlive this object.
     explicit PhotoRays(std::span<const Camera> cameras) : cameras_(cameras) {}
 
-    /// Normalized pinhole coordinates of a pixel; empty beyond the lens's range.
+    /// Normalized pinhole coordinates of a pixel; empty beyond the lens's valid range.
     std::optional<Eigen::Vector2d> pinhole(std::uint32_t photo, const Eigen::Vector2d& pixel);
 
   private:
@@ -26,7 +26,7 @@ class PhotoRays {
     std::map<std::uint32_t, double> ranges_;
 };
 
-/// Where the lens of a camera images a point; empty behind the camera.
+/// The pixel at which a camera, including its lens, images a point; empty behind the camera.
 std::optional<Eigen::Vector2d> imaged(const Camera& camera, const Eigen::Vector3d& point);
 
 }  // namespace vantage

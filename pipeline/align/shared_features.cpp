@@ -13,12 +13,12 @@ namespace vantage {
 namespace {
 
 constexpr float ratio = 0.8f;      ///< to the second best match
-constexpr double contrast = 0.02;  ///< half of OpenCV's default: stone and plaster have little
+constexpr double contrast = 0.02;  ///< half of OpenCV's default: stone and plaster have little texture
 
 cv::Ptr<cv::SIFT> detector(int features) { return cv::SIFT::create(features, 3, contrast); }
 
-/// How far from a blob's middle features are found, in pixels to the right and down: a quarter by OpenCV
-/// before 4.8, which doubles the image without regard to where pixels have their centers.
+/// The offset of features from a blob's center, in pixels to the right and down: a quarter in OpenCV before
+/// 4.8, which doubles the image without regard to pixel centers.
 double shift_of_features() {
     constexpr int size = 64;
     cv::Mat blob(size, size, CV_8U);
@@ -33,7 +33,7 @@ double shift_of_features() {
 
 struct Features {
     std::vector<Eigen::Vector2d> pixels;  ///< full size
-    cv::Mat descriptors;                  ///< a row each
+    cv::Mat descriptors;                  ///< one row per feature
 };
 
 Features find_features(const PhotoInput& photo, const FeatureSettings& how) {
@@ -57,7 +57,7 @@ Features find_features(const PhotoInput& photo, const FeatureSettings& how) {
     return out;
 }
 
-/// For each feature its best match, if that is much better than the second best; else -1.
+/// The best match of each feature, if it is much better than the second best; else -1.
 std::vector<int> best_matches(const Features& from, const Features& to) {
     std::vector<std::vector<cv::DMatch>> two;
     cv::BFMatcher(cv::NORM_L2).knnMatch(from.descriptors, to.descriptors, two, 2);
@@ -90,7 +90,7 @@ std::vector<SharedFeature> shared_features(std::span<const PhotoInput> photos,
     for_each_photo(each.size(), how.threads, [&](std::size_t i) {
         try {
             each[i]->second = find_features(photos[each[i]->first], how);
-        } catch (const Error&) {  // said when the photo is prepared
+        } catch (const Error&) {  // reported when the photo is prepared
         }
     });
     std::vector<std::vector<SharedFeature>> found(pairs.size());

@@ -14,7 +14,7 @@ struct SharedFeature {
     Eigen::Vector2d in_a, in_b;
 };
 
-/// How features are found.
+/// Settings of feature detection.
 struct FeatureSettings {
     int long_side = 480;   ///< of the reduced photos, px
     int features = 1000;   ///< per photo, at most
@@ -22,7 +22,7 @@ struct FeatureSettings {
 };
 
 /// SIFT features (Lowe 2004) of the photos in `pairs`, matched in both directions with a ratio of 0.8. Does
-/// not use the cameras. A photo that cannot be decoded has none. Deterministic.
+/// not use the cameras. A photo that cannot be decoded has no features. Deterministic.
 std::vector<SharedFeature> shared_features(std::span<const PhotoInput> photos,
                                            std::span<const TwoPhotos> pairs, const FeatureSettings& how);
 

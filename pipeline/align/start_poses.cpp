@@ -17,10 +17,10 @@ using Eigen::Vector3d;
 using PointSet = std::vector<Vector3d>;
 
 constexpr std::size_t rotations = 600, used_points = 200;
-constexpr double scales[] = {0.5, 0.7, 1, 1.4, 2};  ///< times that of the sizes
-constexpr double overlap = 0.7;                     ///< share of the points that lie on the mesh
-constexpr int iterations[] = {8, 20, 40};           ///< of ICP, each with a fifth of the starts before
-constexpr int cells = 48;                           ///< of the grid, along the longest side
+constexpr double scales[] = {0.5, 0.7, 1, 1.4, 2};  ///< relative to the ratio of sizes
+constexpr double overlap = 0.7;                     ///< fraction of the points assumed on the mesh
+constexpr int iterations[] = {8, 20, 40};           ///< of ICP, each on the best fifth of the previous starts
+constexpr int cells = 48;                           ///< of the grid along its longest side
 
 /// The i-th of n rotations spread evenly (super-Fibonacci spirals; Alexa 2022).
 Eigen::Matrix3d spread_rotation(std::size_t i, std::size_t n) {
@@ -31,7 +31,7 @@ Eigen::Matrix3d spread_rotation(std::size_t i, std::size_t n) {
         .toRotationMatrix();
 }
 
-/// The middle of points and their typical distance from it, of which outliers change little.
+/// The center of points and their typical distance from it, robust to outliers.
 struct Extent {
     Vector3d middle;
     double size;
@@ -49,7 +49,7 @@ Extent extent_of(const PointSet& points) {
     return out;
 }
 
-/// Every n-th, up to `count`.
+/// Every n-th point, up to `count` points.
 PointSet some_of(std::span<const Vector3d> all, std::size_t count) {
     PointSet out;
     for (std::size_t i = 0; i < std::min(count, all.size()); ++i)
@@ -57,7 +57,7 @@ PointSet some_of(std::span<const Vector3d> all, std::size_t count) {
     return out;
 }
 
-/// The middles of triangles, as many as their area calls for.
+/// The centers of triangles, in numbers proportional to their area.
 PointSet on_surface(const Mesh& mesh, std::size_t count) {
     std::vector<double> until;
     double area = 0;
@@ -74,7 +74,7 @@ PointSet on_surface(const Mesh& mesh, std::size_t count) {
     return out;
 }
 
-/// The nearest points of a surface, of the middles of cells in and around its box.
+/// The nearest surface point to the center of each cell of a grid in and around the surface's box.
 class NearestGrid {
   public:
     NearestGrid(const PointSet& mesh, const NearestSurface& surface) {
@@ -110,13 +110,13 @@ class NearestGrid {
     PointSet nearest_;
 };
 
-/// A start and how far its points are from the surface, in units of the points.
+/// A start and the mean distance of its points from the surface, in units of the points.
 struct Start {
     Similarity to_mesh;
     double distance = std::numeric_limits<double>::infinity();
 };
 
-/// From `p` to `q`, in the least squares of rotation; the scale treats both alike (Horn 1987).
+/// The least-squares similarity from `p` to `q`, with Horn's symmetric scale (Horn 1987).
 Similarity fit(const PointSet& p, const PointSet& q, std::span<const std::size_t> which) {
     Vector3d mp = Vector3d::Zero(), mq = Vector3d::Zero();
     for (const std::size_t i : which) mp += p[i] / double(which.size()), mq += q[i] / double(which.size());
@@ -133,7 +133,7 @@ Similarity fit(const PointSet& p, const PointSet& q, std::span<const std::size_t
     return out;
 }
 
-/// Iterates closest points, of which the nearer share counts.
+/// ICP on the fraction `overlap` of the points that is nearest to the surface.
 void improve(Start& start, const PointSet& points, const NearestGrid& surface, int times) {
     const auto used = std::size_t(overlap * double(points.size()));
     PointSet nearest(points.size());
@@ -148,7 +148,7 @@ void improve(Start& start, const PointSet& points, const NearestGrid& surface, i
                                  [&](std::size_t i) { return distance[i]; });
         double sum = 0;
         for (std::size_t i = 0; i < used; ++i) sum += distance[order[i]];
-        // In the points' units, so that shrinking them is no gain.
+        // In the points' units, so that shrinking does not reduce it.
         start.distance = sum / double(used) / start.to_mesh.scale;
         if (n == times) return;
         start.to_mesh = fit(points, nearest, std::span(order).first(used));

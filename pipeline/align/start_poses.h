@@ -8,9 +8,9 @@
 
 namespace vantage {
 
-/// Similarities that lead points near a mesh's surface, found without an initial guess: iterated closest
-/// points (Besl and McKay 1992) with scale, from rotations all around and several scales, of which the better
-/// are kept. To the accuracy of a grid. The nearer `count` ones, the nearest first. Deterministic.
+/// Similarities that transform points to near a mesh's surface, found without an initial guess: iterated
+/// closest points (Besl and McKay 1992) with scale, started from evenly spread rotations and several scales.
+/// Accurate to a grid cell. Returns the best `count`, the best first. Deterministic.
 std::vector<Similarity> start_poses(std::span<const Eigen::Vector3d> points, const Mesh& mesh,
                                     const NearestSurface& surface, std::size_t count);
 

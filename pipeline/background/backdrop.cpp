@@ -11,7 +11,7 @@
 namespace vantage {
 namespace {
 
-/// A rotation to the cameras' own axes, so that the world's do not matter.
+/// A rotation to axes derived from the cameras, so that the world's axes do not matter.
 Eigen::Matrix3f frame_of(std::span<const CoarseView> views) {
     const Eigen::Vector3d down = down_direction(views);
     Eigen::Vector3d forward = Eigen::Vector3d::Zero();
@@ -24,7 +24,7 @@ Eigen::Matrix3f frame_of(std::span<const CoarseView> views) {
     return out;
 }
 
-/// Directions of the sky become infinitely far.
+/// Moves the directions of the sky to infinity.
 void move_sky_away(Backdrop& backdrop, std::span<const CoarseView> views, const SweptDepths& depths,
                    std::vector<float>& inverse, unsigned threads) {
     backdrop.is_sky = sky_directions(views, backdrop.sky, backdrop.sphere, threads);

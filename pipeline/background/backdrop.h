@@ -11,17 +11,17 @@
 
 namespace vantage {
 
-/// How finely background is estimated.
+/// Resolution of the background estimate.
 struct BackdropDetail {
     int sphere = 5;       ///< level of the direction sphere
     int labels = 96;      ///< depths per direction
-    int refinements = 2;  ///< times that the sphere is divided again, for edges
-    bool sky = true;      ///< whether sky is told from other things far away
+    int refinements = 2;  ///< number of further subdivisions of the sphere, for edges
+    bool sky = true;      ///< whether sky is distinguished from other distant background
 };
-/// Enough to judge whether there is anything to estimate; too coarse for the outline of the sky.
+/// Enough to validate the effect; too coarse for the outline of the sky.
 inline constexpr BackdropDetail validated_detail{.sphere = 4, .labels = 32, .refinements = 0, .sky = false};
 
-/// A closed surface around the cameras, as seen from their center: one vertex per direction.
+/// A closed surface around the cameras, star-shaped about their center: one vertex per direction.
 struct Backdrop {
     DirectionSphere sphere;
     Eigen::Vector3d center;                  ///< relative to the origin
@@ -30,8 +30,8 @@ struct Backdrop {
     std::vector<std::uint8_t> is_sky;  ///< per direction, see sky_directions
 };
 
-/// Finds the background' depth by direction from what the photos show beside the mesh, see docs/method.md.
-/// Needs at least two views, not all from one place.
+/// Estimates the background's depth by direction from the photos, see docs/method.md. Needs at least two
+/// views with different centers.
 Backdrop estimate_backdrop(std::span<const CoarseView> views, const MeshPlanes& mesh,
                            const BackdropDetail& detail, unsigned threads);
 

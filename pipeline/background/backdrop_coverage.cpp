@@ -89,12 +89,12 @@ std::vector<package::CoverageRecord> backdrop_coverage(const Backdrop& b,
             const int x = seen[corners[0]].is, y = seen[corners[1]].is, z = seen[corners[2]].is;
             const int all = x & y & z, any = x | y | z;
             if (!(any & Seen::in_front) || all & Seen::outside) continue;
-            Eigen::AlignedBox2f area = frame;  // of one that reaches behind the camera
+            Eigen::AlignedBox2f area = frame;  // for a cluster that reaches behind the camera
             if (all & Seen::in_front) {
                 area.setEmpty();
                 for (const std::uint32_t v : corners) area.extend(seen[v].place);
             }
-            // Between the corners of a large one, anything may be open.
+            // Inside a large cluster, open texels may lie between the corners.
             const bool large = (area.sizes().array() > large_area.array()).any();
             if (!large && !(any & Seen::near)) continue;
             ++part;

@@ -8,14 +8,14 @@
 
 namespace vantage {
 
-/// Triangles per cluster of a backdrop: the 256 pieces of a larger one.
+/// Triangles per cluster of a backdrop: the 256 pieces of one coarser triangle.
 inline constexpr std::uint32_t backdrop_cluster = 256;
 
 /// The backdrop's clusters, as in CLUS; without culling by normals.
 std::vector<package::ClusterRecord> backdrop_clusters(const Backdrop& backdrop);
 
-/// What a photo sees of each of the backdrop's clusters, as COVR says it of the mesh: where it is in the
-/// photo and the mesh leaves it open. `gaps`: of the view.
+/// A photo's coverage of each of the backdrop's clusters, in the form of COVR: the region in the photo that
+/// the mesh leaves open. `gaps`: of the view, see gaps_in().
 std::vector<package::CoverageRecord> backdrop_coverage(const Backdrop& backdrop,
                                                        std::span<const package::ClusterRecord> clusters,
                                                        const CoarseView& view,

@@ -8,15 +8,15 @@
 namespace vantage {
 namespace {
 
-/// What a direction shows, for colors that are continued.
+/// The class of a direction; colors are extrapolated within a class.
 enum class Side { sky, above, below };
 Side side_of(const Backdrop& b, std::size_t direction) {
     if (b.is_sky[direction]) return Side::sky;
     return b.sphere.directions[direction].dot(b.sky.down) < 0 ? Side::above : Side::below;
 }
 
-/// The color that a direction's photo shows, square root of light, with weight 1; nothing of what is
-/// before the sky.
+/// The color of a direction in its photo, square root of light, with weight 1; weight 0 where something
+/// occludes the sky.
 Eigen::Array4f shown_color(const Backdrop& b, std::span<const CoarseView> views, const BackdropPaint& paint,
                            std::size_t direction) {
     Eigen::Array4f out = Eigen::Array4f::Zero();
@@ -30,16 +30,16 @@ Eigen::Array4f shown_color(const Backdrop& b, std::span<const CoarseView> views,
     return out;
 }
 
-/// Continues known colors (weight 1) to where none is known (0), from neighbor to neighbor, and with the
-/// distance into their mean.
+/// Extrapolates known colors (weight 1) to directions without one (weight 0), from neighbor to neighbor,
+/// fading to their mean with the distance.
 void continue_colors(const DirectionSphere& sphere, std::vector<Eigen::Array4f>& colors) {
     constexpr int smoothing = 32;          // rounds
-    constexpr float from = 8, steps = 24;  // of the sphere, over which the mean takes over
+    constexpr float from = 8, steps = 24;  // on the sphere, over which the color fades to the mean
     Eigen::Array4f all = Eigen::Array4f::Zero();
     for (const Eigen::Array4f& c : colors) all += c;
     all = all[3] > 0 ? Eigen::Array4f(all / all[3]) : Eigen::Array4f(0.5f, 0.5f, 0.5f, 1);
     std::vector<std::uint8_t> unknown;
-    std::vector<float> away(colors.size(), -1);  // steps from what is known
+    std::vector<float> away(colors.size(), -1);  // steps from the nearest known color
     std::vector<std::uint32_t> front;
     for (std::uint32_t v = 0; v < colors.size(); ++v) {
         unknown.push_back(colors[v][3] == 0);
@@ -68,7 +68,7 @@ void continue_colors(const DirectionSphere& sphere, std::vector<Eigen::Array4f>&
 
 std::vector<Eigen::Array3f> calm_colors(const Backdrop& backdrop, std::span<const CoarseView> views,
                                         const BackdropPaint& paint) {
-    constexpr int fine_level = 6;  // about a degree: colors are smooth
+    constexpr int fine_level = 6;  // about a degree: the colors are smooth
     constexpr int smoothing = 3;   // rounds
     DirectionSphere sphere = direction_sphere(0);
     for (int l = 0; l < fine_level && sphere.directions.size() < backdrop.positions.size(); ++l)
@@ -89,7 +89,7 @@ std::vector<Eigen::Array3f> calm_colors(const Backdrop& backdrop, std::span<cons
             if (side_of(backdrop, v) == side) out[v] = known[v].head<3>();
         if (side == Side::sky) sky = std::move(known);
         if (side != Side::above || !backdrop.sky.any()) continue;
-        // Haze: what no photo shows above the horizon soon becomes sky.
+        // Haze: unseen directions above the horizon soon take the sky's color.
         for (std::size_t v = 0; v < n; ++v) {
             const float rise =
                 std::clamp(-backdrop.sphere.directions[v].dot(backdrop.sky.down) / lowest_alone, 0.0f, 1.0f);
@@ -97,14 +97,14 @@ std::vector<Eigen::Array3f> calm_colors(const Backdrop& backdrop, std::span<cons
                 out[v] += rise * rise * (sky[v].head<3>() - out[v]);
         }
     }
-    // Sky and what photos show keep their edge: above a hill, the sky has nothing of the hill's color.
+    // The edge between sky and land stays sharp: the hill's color does not bleed into the sky above it.
     std::vector<std::uint8_t> soft;
     for (std::size_t v = 0; v < n; ++v) soft.push_back(shown[v][3] == 0 && !backdrop.is_sky[v]);
     relax(sphere, soft, smoothing, out);
     out.reserve(backdrop.positions.size());
     for (std::size_t v = n; v < backdrop.positions.size(); ++v) {
         auto [a, b] = backdrop.sphere.ends[v];
-        // Of one end, if the other is on the other side of the sky's edge.
+        // Uses one end alone if the other is across the edge of the sky.
         if (backdrop.is_sky[a] != backdrop.is_sky[v]) a = b;
         if (backdrop.is_sky[b] != backdrop.is_sky[v]) b = a;
         out.push_back((out[a] + out[b]) / 2);

@@ -17,12 +17,12 @@ inline constexpr float ln_offset = 0.02f;
 inline Eigen::Array3f ln_of(const Eigen::Array3f& linear) { return (linear + ln_offset).log(); }
 inline Eigen::Array3f linear_of(const Eigen::Array3f& ln) { return ln.exp() - ln_offset; }
 
-/// Square roots of light, in which darkness and light look evenly spaced.
+/// Square roots of light, which are roughly perceptually uniform.
 inline Eigen::Array3f root_of(const Eigen::Array3f& ln) { return linear_of(ln).max(0.0f).sqrt(); }
 
 inline constexpr int gap_reach = 2;  ///< texels
 
-/// A photo at a coarse level, and where the mesh leaves it open: where it shows something else.
+/// A photo at a coarse level, with its open texels: those that do not show the mesh.
 struct CoarseView {
     std::uint32_t photo = 0;
     Intrinsics k;  ///< of the level
@@ -30,8 +30,8 @@ struct CoarseView {
     /// ln_of linear light in the exposure of the mean photo; NaN where the photo has no pixel or shows the
     /// mesh.
     std::vector<Eigen::Array3f> ln;
-    std::vector<float> z;              ///< of the mesh, +inf where it is open
-    std::size_t pixels = 0, open = 0;  ///< texels with a pixel, and those of them without mesh
+    std::vector<float> z;              ///< depth of the mesh, +inf in open texels
+    std::size_t pixels = 0, open = 0;  ///< texels with a pixel, and those among them without mesh
 
     bool is_open(std::size_t texel) const { return !std::isnan(ln[texel][0]); }
 };
@@ -48,18 +48,18 @@ std::vector<CoarseView> read_coarse_views(const PackageReader& package,
                                           std::span<const std::uint32_t> of, const PhotoColors& colors,
                                           unsigned threads);
 
-/// Per texel of the view, 1 where something within `gap_reach` texels is open at `weight_map_level`. Throws
+/// Per texel of the view, 1 if any texel within `gap_reach` is open at `weight_map_level`. Throws
 /// Error(damaged).
 std::vector<std::uint8_t> gaps_in(const CoarseView& view, const PackageReader& package,
                                   const package::PhotoRecord& record);
 
-/// Views, and the colors in which they are.
+/// Views and the color corrections applied to them.
 struct CoarseViews {
     std::vector<CoarseView> views;
     PhotoColors colors;
 };
 
-/// At most `most` photos with pixels, spread over the cameras: each is the farthest from those before it.
+/// At most `most` photos with pixels, spread over the camera positions by farthest-point sampling.
 std::vector<std::uint32_t> spread_photos(std::span<const package::PhotoRecord> photos, std::size_t most);
 
 }  // namespace vantage

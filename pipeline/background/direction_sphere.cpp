@@ -12,7 +12,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 void find_neighbors(DirectionSphere& s) {
     constexpr std::uint32_t none = DirectionSphere::none;
     s.neighbors.assign(s.directions.size(), {none, none, none, none, none, none});
-    // Around a direction, each neighbor starts one of its triangles' opposite edges.
+    // Each neighbor of a direction is the start of the opposite edge in one of the adjacent triangles.
     for (const Triangle& t : s.triangles)
         for (std::size_t i = 0; i < 3; ++i) {
             auto& around = s.neighbors[t[i]];
@@ -42,7 +42,7 @@ DirectionSphere divided(const DirectionSphere& s) {
     out.directions.reserve(count);
     out.ends.reserve(count);
     out.triangles.reserve(4 * s.triangles.size());
-    // The middle of the edge to each neighbor that comes later.
+    // The midpoint of the edge to each neighbor with a larger index.
     std::vector<std::array<std::uint32_t, 6>> middles(s.directions.size());
     for (auto& m : middles) m.fill(DirectionSphere::none);
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {

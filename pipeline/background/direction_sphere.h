@@ -10,25 +10,24 @@
 
 namespace vantage {
 
-/// Directions spread evenly over the sphere: the vertices of an icosahedron whose triangles were divided into
-/// four, several times.
+/// Directions spread evenly over the sphere: the vertices of an icosahedron whose triangles are repeatedly
+/// divided into four.
 struct DirectionSphere {
     static constexpr std::uint32_t none = ~0u;
     std::vector<Eigen::Vector3f> directions;              ///< unit length
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise seen from the center;
                                                           ///< the four pieces of a triangle are consecutive
     std::vector<std::array<std::uint32_t, 6>> neighbors;  ///< per direction; the last of twelve is none
-    std::vector<std::array<std::uint32_t, 2>> ends;       ///< per direction, of the edge that it divided;
-                                                          ///< of the first twelve, the direction itself
+    std::vector<std::array<std::uint32_t, 2>> ends;  ///< of the bisected edge; the first 12: itself twice
 };
 
-/// `level`: how often triangles are divided; 20 * 4^level triangles.
+/// `level`: number of subdivisions; the result has 20 * 4^level triangles.
 DirectionSphere direction_sphere(int level);
 
 /// The sphere with each triangle divided into four. Its first directions are those of `sphere`.
 DirectionSphere divided(const DirectionSphere& sphere);
 
-/// Calls `visit` with 0 to `count` - 1 on up to `threads` threads, many at a time.
+/// Calls `visit` with 0 to `count` - 1 on up to `threads` threads, in large batches.
 template <class Visit>
 void for_each_direction(std::size_t count, unsigned threads, const Visit& visit) {
     constexpr std::size_t run = 256;

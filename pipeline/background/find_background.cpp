@@ -32,14 +32,14 @@ std::array<std::uint8_t, 4> srgb(const Eigen::Array3f& linear) {
     return out;
 }
 
-/// Share of the photos' pixels that the mesh does not cover.
+/// Fraction of the photos' pixels that the mesh does not cover.
 double open_share(std::span<const CoarseView> views) {
     std::size_t pixels = 0, open = 0;
     for (const CoarseView& v : views) pixels += v.pixels, open += v.open;
     return pixels ? double(open) / double(pixels) : 0;
 }
 
-/// The median per channel of what the mesh leaves open.
+/// The median color per channel of the open texels.
 std::array<double, 3> shade_beside(std::span<const CoarseView> views) {
     std::array<std::vector<float>, 3> channels;
     for (const CoarseView& v : views)
@@ -56,14 +56,14 @@ std::array<double, 3> shade_beside(std::span<const CoarseView> views) {
 EffectDecision first_decision(const BackgroundInput& in, std::span<const CoarseView> views) {
     const double share = open_share(views);
     EffectDecision d = decide(Effect::background, in.choice, share,
-                              fmt::format("the mesh leaves {:.1f} % of the photos open", 100 * share));
+                              fmt::format("the mesh does not cover {:.1f} % of the photos", 100 * share));
     if (have_parallax(views)) return d;
     d.on = false;
-    d.evidence += "; one viewpoint does not show how far away it is";
+    d.evidence += "; one viewpoint does not determine its depth";
     return d;
 }
 
-/// Lets held-out photos confirm it.
+/// The decision after validation with held-out photos.
 EffectDecision validated(const BackgroundInput& in, const CoarseViews& some, const MeshPlanes& mesh,
                          EffectDecision d) {
     const BackgroundVerdict j =
@@ -72,8 +72,9 @@ EffectDecision validated(const BackgroundInput& in, const CoarseViews& some, con
     d.evidence += "; " + sentence(j.gain);
     if (j.gain.photos >= min_validated_photos) d.evidence += " over a plain color";
     if (j.agreed)
-        d.evidence += fmt::format("; of what one color does not explain, other photos explain {:.0f} %",
-                                  100 * std::max(*j.agreed, 0.0));
+        d.evidence +=
+            fmt::format("; other photos explain {:.0f} % of the variation that a single color does not",
+                        100 * std::max(*j.agreed, 0.0));
     if (const std::string objection = j.objection(in.kind); !objection.empty()) {
         d.evidence += "; " + objection;
         if (!d.forced) d.on = false;
@@ -81,7 +82,7 @@ EffectDecision validated(const BackgroundInput& in, const CoarseViews& some, con
     return d;
 }
 
-/// Per photo the triangles all of whose corners have its label, and those with any.
+/// Marks the triangles whose corners all have a photo's label, and those with such a corner.
 void mark_labels(const BackdropPaint& paint, std::span<const CoarseView> views, BackgroundContent& content) {
     const std::size_t words = package::visible_words(content.triangles.size());
     for (std::vector<std::uint64_t>& bits : content.visible) bits.assign(2 * words, 0);
@@ -137,11 +138,11 @@ std::vector<std::byte> chunk_of(const BackgroundInput& in, const Backdrop& backd
         std::vector<Eigen::Array3f> calm = calm_colors(backdrop, some.views, paint);
         return Painted{std::move(paint), std::move(calm)};
     });
-    // Some at a time: there may be many photos.
+    // In batches, because there may be many photos.
     std::vector<std::uint32_t> with_pixels;
     for (std::uint32_t i = 0; i < in.photos.size(); ++i)
         if (in.photos[i].levels) with_pixels.push_back(i);
-    // Few photos are all among those that were compared, in the same order.
+    // With few photos, `some` contains all of them, in the same order.
     const bool all_known = with_pixels.size() == some.views.size();
     for (std::span<const std::uint32_t> rest = with_pixels; !rest.empty();) {
         const auto now = rest.first(std::min(rest.size(), max_surrounding_views));
@@ -173,7 +174,7 @@ Background find_background(const BackgroundInput& in) {
     const MeshPlanes mesh = mesh_planes(in.discs, some.views);
     Background out{first_decision(in, some.views), {}, shade_beside(some.views)};
     if (!out.decision.on) return out;
-    // In the meantime where most scenes with something to show keep it: not around objects.
+    // Concurrently with the validation, except around objects: in most other scenes, the effect stays on.
     std::future<Backdrop> estimate =
         std::async(in.kind == KindOfScan::object ? std::launch::deferred : std::launch::async,
                    [&] { return estimate_backdrop(some.views, mesh, {}, in.threads); });
@@ -183,7 +184,7 @@ Background find_background(const BackgroundInput& in) {
     std::vector<std::uint32_t> hidden = hidden_triangles(in, some, backdrop.sky);
     if (!hidden.empty())
         out.decision.evidence +=
-            fmt::format("; {} triangles of the mesh are sky, and are not shown", hidden.size());
+            fmt::format("; {} triangles of the mesh are sky and are hidden", hidden.size());
     out.chunk = chunk_of(in, backdrop, some, std::move(hidden));
     return out;
 }

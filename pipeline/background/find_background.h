@@ -13,10 +13,10 @@
 
 namespace vantage {
 
-/// Photos from which background is estimated, at most.
+/// Maximum number of photos from which the background is estimated.
 inline constexpr std::size_t max_surrounding_views = max_background_labels;
 
-/// What background is estimated from. The spans must outlive the call.
+/// Input of the background estimate. The spans must outlive the call.
 struct BackgroundInput {
     const PackageReader& package;  ///< with tiles and depth
     std::span<const package::PhotoRecord> photos;
@@ -34,11 +34,10 @@ struct BackgroundInput {
 struct Background {
     EffectDecision decision;
     std::vector<std::byte> chunk;
-    std::array<double, 3> shade{};  ///< linear light beside the model, median; 0 if it is not known
+    std::array<double, 3> shade{};  ///< median linear light of open texels; 0 if unknown
 };
 
-/// Decides whether the photos show background that the mesh lacks, and estimates them. Throws
-/// Error(damaged).
+/// Decides whether the photos show background that the mesh lacks, and estimates it. Throws Error(damaged).
 Background find_background(const BackgroundInput& input);
 
 }  // namespace vantage

@@ -11,21 +11,21 @@ namespace vantage {
 namespace {
 
 constexpr std::uint8_t none = BackdropPaint::none;
-constexpr int cut_level = 5;  ///< of the sphere, on which labels are cut
+constexpr int cut_level = 5;  ///< of the sphere on which the graph cuts run
 constexpr int rounds_of_cuts = 2;
-constexpr float invalid = 1e3f;  ///< cost of a view that does not show the place
-// Costs, in square roots of light where they compare colors.
+constexpr float invalid = 1e3f;  ///< cost of a view that does not show the point
+// Costs; color differences are in square roots of light.
 constexpr float from_median = 4, most_from_median = 0.4f;
 constexpr float next_to_mesh = 1, mesh_reach = 3.25f;      ///< texels
 constexpr float next_to_frame = 0.5f, frame_reach = 6.5f;  ///< texels
 constexpr float coarser = 0.3f;                            ///< per halving of the resolution
-constexpr float not_sky = 0.5f;                            ///< where another view shows sky
+constexpr float not_sky = 0.5f;                            ///< if another view shows sky
 constexpr float seam = 0.02f, seam_contrast = 3;
 
-/// What one view shows of a direction; `cost` is `invalid` if nothing.
+/// One view's sample of a direction; `cost` is `invalid` without one.
 struct Shown {
     float cost = invalid;
-    bool inside = false;                            ///< in the photo, if perhaps behind the mesh
+    bool inside = false;                            ///< in the photo, but possibly behind the mesh
     Eigen::Array3f color = Eigen::Array3f::Zero();  ///< square root of light
 };
 
@@ -40,7 +40,7 @@ class Photos {
             to_mesh_.push_back(distance);
         }
     }
-    /// What all views show of a direction.
+    /// The samples of a direction in all views.
     void show(std::uint32_t d, std::vector<Shown>& out) const {
         out.assign(views_.size(), Shown{});
         thread_local std::vector<Eigen::Array3f> colors;
@@ -87,8 +87,8 @@ class Photos {
 
 using Labels = std::vector<std::uint8_t>;
 
-/// The cost of two views at a place, one on each side of a seam; colors that are not known count as the mean
-/// of those that are.
+/// The cost of a seam between two views at a point; unknown colors are replaced by the mean of the known
+/// ones.
 float contrast(const std::vector<Shown>& at, std::uint8_t a, std::uint8_t b) {
     if (at[a].cost >= invalid || at[b].cost >= invalid) return most_from_median / 2;
     return (at[a].color - at[b].color).abs().mean();
@@ -119,7 +119,7 @@ class Cuts {
         for (std::size_t i = 0; i < directions_.size(); ++i) graph.addVtx();
         for (std::size_t i = 0; i < directions_.size(); ++i) {
             const std::uint32_t u = directions_[i];
-            // On the side of the source, a direction keeps its label.
+            // Directions on the source's side keep their labels.
             graph.addTermWeights(int(i), units(shown_[u][alpha].cost), units(shown_[u][labels_[u]].cost));
             for (const std::uint32_t v : sphere_.neighbors[u])
                 if (v != DirectionSphere::none && v > u && node_[v] >= 0) add_edge(graph, u, v, alpha);
@@ -134,7 +134,8 @@ class Cuts {
     using Graph = cv::detail::GCGraph<int>;
     static int units(float cost) { return int(std::lround(1000 * cost)); }
 
-    /// A pair's costs as terminal weights and one edge (Kolmogorov and Zabih 2004); both alpha: 0.
+    /// A pair's costs as terminal weights and one edge (Kolmogorov and Zabih 2004); if both are alpha, the
+    /// cost is 0.
     void add_edge(Graph& graph, std::uint32_t u, std::uint32_t v, std::uint8_t alpha) const {
         const int keep = units(cost(u, v, labels_[u], labels_[v])),
                   only_v = units(cost(u, v, labels_[u], alpha)),
@@ -154,7 +155,7 @@ class Cuts {
     std::vector<std::uint32_t> directions_;
 };
 
-/// Labels of a sphere divided once more: of either end, and at seams of any neighbor, the cheapest.
+/// Labels of the next subdivision: the cheaper label of either end; at seams, the cheapest of all neighbors.
 Labels refined(const Photos& photos, const DirectionSphere& sphere, const Labels& coarse, unsigned threads) {
     constexpr int rounds = 2;
     Labels out(sphere.directions.size(), none);
@@ -194,9 +195,9 @@ Labels refined(const Photos& photos, const DirectionSphere& sphere, const Labels
     return out;
 }
 
-/// Corrections on the coarse sphere: smooth within a label, and at seams as far apart as the photos' colors.
-/// Minimizes the sum over edges of |x_u - x_v - (color_v - color_u)|^2, where the colors of both labels are
-/// known, plus |x|^2 / reach^2, by successive overrelaxation.
+/// Corrections on the coarse sphere: smooth within a label, and differing at seams by the difference of the
+/// photos' colors. Minimizes the sum over edges of |x_u - x_v - (color_v - color_u)|^2, where the colors of
+/// both labels are known, plus |x|^2 / reach^2, by successive overrelaxation.
 std::vector<Eigen::Array3f> coarse_corrections(const DirectionSphere& sphere, const Labels& labels,
                                                const std::vector<std::vector<Shown>>& shown) {
     constexpr int rounds = 120;
@@ -235,7 +236,7 @@ std::vector<Eigen::Array3f> coarse_corrections(const DirectionSphere& sphere, co
     return x;
 }
 
-/// Continues corrections to a sphere divided once more: within a label, or across the seam.
+/// Interpolates corrections to the next subdivision, within a label or across the seam.
 std::vector<Eigen::Array3f> refined(const std::vector<Eigen::Array3f>& coarse, const Labels& old_labels,
                                     const Photos& photos, const DirectionSphere& sphere, const Labels& labels,
                                     unsigned threads) {
@@ -261,7 +262,7 @@ std::vector<Eigen::Array3f> refined(const std::vector<Eigen::Array3f>& coarse, c
     return out;
 }
 
-/// 0 in directions outside of all photos, 1 some steps from there in those inside of at least three.
+/// 0 in directions outside all photos, rising within some steps to 1 in directions inside at least three.
 std::vector<float> trust_of(const DirectionSphere& sphere, const std::vector<std::vector<Shown>>& shown) {
     constexpr float of_few[] = {0, 0.7f, 0.9f, 1};  // views
     constexpr int steps = 2;

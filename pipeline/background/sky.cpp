@@ -9,14 +9,14 @@
 namespace vantage {
 namespace {
 
-constexpr float brightest = 130;     ///< sRGB code of the brightest channel, at least
-constexpr float steepest = 14;       ///< codes between neighboring texels, at most
-constexpr float far_away = 20;       ///< times the cameras' spread
-constexpr double far_share = 0.1;    ///< of a connected part, at least
+constexpr float brightest = 130;     ///< minimum sRGB code of the brightest channel
+constexpr float steepest = 14;       ///< maximum difference between neighboring texels, codes
+constexpr float far_away = 20;       ///< in units of the cameras' spread
+constexpr double far_share = 0.1;    ///< minimum fraction of a connected region
 constexpr int smallest_part = 30;    ///< texels
-constexpr double least_share = 0.3;  ///< of what photos show openly above the horizon
+constexpr double least_share = 0.3;  ///< minimum fraction of the open texels above the horizon
 
-/// The direction in which a texel lies, of any length.
+/// The viewing direction of a texel, not normalized.
 Eigen::Vector3f ray_of(const CoarseView& v, int x, int y) {
     const Eigen::Vector3d ray((x + 0.5 - v.k.cx) / v.k.fx, (y + 0.5 - v.k.cy) / v.k.fy, 1);
     return (v.pose.R.transpose() * ray).cast<float>();
@@ -32,7 +32,7 @@ cv::Mat1f brightness(const CoarseView& v) {
     return out;
 }
 
-/// Open texels above the horizon: 1, and 255 those that look like sky.
+/// Open texels above the horizon: 255 if they look like sky, else 1.
 cv::Mat1b candidates(const CoarseView& v, const Eigen::Vector3f& down) {
     const cv::Mat1f light = brightness(v);
     cv::Mat1b out(v.k.height, v.k.width, uchar(0));
@@ -52,7 +52,7 @@ cv::Mat1b candidates(const CoarseView& v, const Eigen::Vector3f& down) {
     return out;
 }
 
-/// Directions by the connected part of the view in which they lie: all, and those far away.
+/// Number of directions per connected region of the view: all, and those far away.
 struct PartDirections {
     int all = 0, far = 0;
 };
@@ -74,7 +74,7 @@ std::vector<PartDirections> directions_in(const cv::Mat1i& parts, int count, con
     return out;
 }
 
-/// Keeps the connected parts that are large and reach far away, widened by a texel.
+/// Keeps connected regions that are large and contain distant directions, dilated by a texel.
 std::vector<std::uint8_t> far_parts(const cv::Mat1b& candidate, const CoarseView& v,
                                     const SweptDepths& depths, const DirectionSphere& sphere,
                                     const std::vector<float>& inverse) {

@@ -17,15 +17,15 @@ namespace {
 
 constexpr int picture_side = 768;
 // Codes are square roots of linear light times 255.
-constexpr float least_light = 130;           ///< of the brightest channel, at least
-constexpr float largest_step = 5;            ///< between neighboring texels, at most
-constexpr float most_off = 20;               ///< from the sky beside the mesh, at most
-constexpr float saturated = 248;             ///< of all channels: it may be anything
-constexpr int sky_reach = 97;                ///< texels, the width of the neighborhood whose sky is compared
+constexpr float least_light = 130;           ///< minimum of the brightest channel
+constexpr float largest_step = 5;            ///< maximum difference between neighboring texels
+constexpr float most_off = 20;               ///< maximum difference from the sky beside the mesh
+constexpr float saturated = 248;             ///< of all channels: the content is unknown
+constexpr int sky_reach = 97;                ///< texels, width of the neighborhood whose sky is compared
 constexpr float least_rise = 0.03f;          ///< sine of the elevation
-constexpr float sure = 0.7f, likely = 0.4f;  ///< shares of photos
+constexpr float sure = 0.7f, likely = 0.4f;  ///< fractions of photos
 constexpr float least_photos = 2;
-constexpr double same_depth = 0.02;  ///< share of the depth
+constexpr double same_depth = 0.02;  ///< fraction of the depth
 
 SkyPicture read_sky_picture(const PackageReader& package, const package::PhotoRecord& r, const CoarseView& v,
                             std::span<const std::uint8_t> mask) {
@@ -86,7 +86,7 @@ cv::Mat1b like_sky(const SkyPicture& p) {
     return out;
 }
 
-/// The votes of the photos on a triangle: its weight, and that of those that show it as sky.
+/// The votes of the photos on a triangle: the total weight, and the weight of those that show sky.
 struct Votes {
     float all = 0, sky = 0;
 };
@@ -123,14 +123,15 @@ std::vector<std::uint32_t> indices_of(std::span<const std::array<std::uint32_t, 
     return out;
 }
 
-/// The nearest triangle at each texel, by its place in `indices`; TriangleMap::none.
+/// The nearest triangle at each texel, as its position in `indices`; else TriangleMap::none.
 std::vector<std::uint32_t> nearest_of(const PhotoProjection& projection,
                                       std::span<const std::uint32_t> indices) {
     const std::vector<float> no_values(projection.positions.size(), 0);
     return rasterize(projection, indices, no_values).triangles;
 }
 
-/// Keeps those behind which no photo has anything else of the mesh: it would then show that photo's sky.
+/// Keeps triangles with no other part of the mesh behind them in any photo: that part would show the photo's
+/// sky.
 std::vector<std::uint32_t> before_nothing(std::span<const Eigen::Vector3f> positions,
                                           std::span<const std::array<std::uint32_t, 3>> triangles,
                                           std::span<const SkyPicture> pictures,
@@ -166,7 +167,7 @@ std::vector<std::uint32_t> before_nothing(std::span<const Eigen::Vector3f> posit
     return hidden;
 }
 
-/// Keeps those connected by vertices to one that is sure.
+/// Keeps triangles connected by vertices to one above the threshold `sure`.
 std::vector<std::uint32_t> connected_to_sure(std::span<const std::array<std::uint32_t, 3>> triangles,
                                              const std::vector<std::uint32_t>& candidates,
                                              const std::vector<Votes>& votes, std::size_t vertices) {

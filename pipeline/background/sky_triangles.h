@@ -11,13 +11,13 @@
 
 namespace vantage {
 
-/// A photo in which to look for sky on the mesh.
+/// A photo to be searched for sky on the mesh.
 struct SkyPicture {
     Intrinsics k;
     Pose pose;        ///< relative to the origin
     cv::Mat3f codes;  ///< square roots of linear light times 255; NaN without a pixel
-    cv::Mat1f z;      ///< of the mesh, +inf where it is open
-    cv::Mat1b sky;    ///< 1 where it is open and shows sky
+    cv::Mat1f z;      ///< depth of the mesh, +inf in open texels
+    cv::Mat1b sky;    ///< 1 if open and sky
 };
 
 /// The views' photos at the finest level with at most 768 texels on the longer side. Throws Error(damaged).
@@ -26,13 +26,13 @@ std::vector<SkyPicture> read_sky_pictures(const PackageReader& package,
                                           std::span<const CoarseView> views, const Sky& sky,
                                           unsigned threads);
 
-/// Where a photo shows on the mesh the same as beside it: 1, sky, which reaches there from open sky without
-/// an edge; 2, it may be sky, but is overexposed, as a white wall would be.
+/// Marks texels of the mesh whose color continues that beside it: 1, sky, connected to open sky without an
+/// edge; 2, possibly sky, but overexposed, as a white wall would be.
 cv::Mat1b sky_on_mesh(const SkyPicture& picture);
 
-/// The triangles that the photos show as sky, ascending: a surface that was reconstructed from it, such as a
-/// membrane between roofs. Those that nearly all photos show so, and those connected to them that most do;
-/// none below the horizon, none that only one photo shows.
+/// The triangles that the photos show as sky, ascending: a surface reconstructed from the sky, such as a
+/// membrane between roofs. Triangles that nearly all photos show as sky, and those connected to them that
+/// many photos do; none below the horizon or in only one photo.
 std::vector<std::uint32_t> sky_triangles(std::span<const Eigen::Vector3f> positions,
                                          std::span<const std::array<std::uint32_t, 3>> triangles,
                                          std::span<const SkyPicture> pictures, const Eigen::Vector3f& down,

@@ -23,15 +23,15 @@
 namespace vantage {
 namespace {
 
-constexpr double worth_having = 0.01;   ///< share of a photo that is open
-constexpr double least_compared = 400;  ///< texels of all photos; fewer count as a part of these
-constexpr double same_enough = 25;      ///< dB, of a background that moves with the camera
+constexpr double worth_having = 0.01;   ///< fraction of a photo that is open
+constexpr double least_compared = 400;  ///< texels of all photos; the verdict is scaled down with fewer
+constexpr double same_enough = 25;      ///< dB, for a background that moves with the camera
 constexpr double plain_enough = 30;     ///< dB
 constexpr double close_codes = 25;      ///< sRGB, in each channel
-/// Measured: .17 on a head that was moved between series of photos, .41 and .80 before facades.
+/// Measured: .17 on a head that was moved between series of photos, .41 and .80 in front of facades.
 constexpr double agreed_around_object = 0.5, agreed_before_front = 0.3;
 
-/// A picture of NaN, the size of the view.
+/// A picture of NaN with the size of the view.
 cv::Mat blank(const CoarseView& view) {
     return {view.k.height, view.k.width, CV_32FC3, cv::Scalar::all(std::numeric_limits<double>::quiet_NaN())};
 }
@@ -42,7 +42,7 @@ void set(cv::Mat& picture, std::size_t at, const Eigen::Array3f& linear) {
         pixel[c] = float(255 * srgb_from_linear(std::clamp(double(linear[c]), 0.0, 1.0)));
 }
 
-/// What the view shows where it is open.
+/// The view's open texels.
 cv::Mat own_background(const CoarseView& view) {
     cv::Mat out = blank(view);
     for (std::size_t at = 0; at < view.ln.size(); ++at)
@@ -50,7 +50,7 @@ cv::Mat own_background(const CoarseView& view) {
     return out;
 }
 
-/// The mean of colors, weighted: of square roots of light, as the player blends.
+/// The weighted mean of colors, in square roots of light, as the player blends.
 class Blend {
   public:
     void add(const Eigen::Array3f& linear, float weight) {
@@ -68,7 +68,7 @@ float angle_weight(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
     return std::exp(-std::atan2(a.cross(b).norm(), a.dot(b)) / shader::default_sharpness);
 }
 
-/// The view from the backdrop, painted with the others.
+/// The view predicted from the backdrop, painted with the other views.
 cv::Mat from_backdrop(const CoarseView& view, const Backdrop& backdrop, std::span<const CoarseView> others) {
     cv::Mat out = blank(view);
     std::vector<std::uint32_t> indices;
@@ -97,8 +97,8 @@ cv::Mat from_backdrop(const CoarseView& view, const Backdrop& backdrop, std::spa
     return out;
 }
 
-/// The view as if its background had moved with the camera: the same pixels of the others, the nearest
-/// most. And as if it had one color.
+/// The view predicted as if the background moved with the camera, from the same pixels of the others,
+/// weighted toward the nearest; and as if it had one color.
 std::array<cv::Mat, 2> without_geometry(const CoarseView& view, std::span<const CoarseView> others) {
     std::array<cv::Mat, 2> out{blank(view), blank(view)};
     const Eigen::Vector3d eye = view.pose.center();
@@ -122,7 +122,7 @@ std::array<cv::Mat, 2> without_geometry(const CoarseView& view, std::span<const 
     return out;
 }
 
-/// Views in the exposure that their photos have without photo `without`.
+/// The views with color corrections found without photo `without`.
 std::vector<CoarseView> exposed_without(std::span<const CoarseView> views, std::uint32_t without,
                                         const PhotoColors& used, const PhotoColors& fitted) {
     std::vector<CoarseView> out;
@@ -139,7 +139,8 @@ std::vector<CoarseView> exposed_without(std::span<const CoarseView> views, std::
     return out;
 }
 
-/// Where a prediction, with the best gain per channel for the pixels of `where`, is close to the photo.
+/// Pixels at which a prediction is close to the photo, after the best gain per channel for the pixels of
+/// `where`.
 std::vector<bool> close_pixels(const cv::Mat& own, const cv::Mat& predicted,
                                const std::vector<cv::Point>& where) {
     cv::Vec3d both{}, squares{};
@@ -160,7 +161,7 @@ std::vector<bool> close_pixels(const cv::Mat& own, const cv::Mat& predicted,
     return out;
 }
 
-/// Pixels that one color does not explain, and how many more than that one the backdrop explains.
+/// Number of pixels that one color does not explain, and the additional pixels that the backdrop explains.
 struct Explained {
     double all = 0, by_backdrop = 0;
 };
@@ -177,7 +178,7 @@ Explained explained_by(const cv::Mat& backdrop, const cv::Mat& plain, const cv::
     return {double(where.size()) - by_plain, close(backdrop) - by_plain};
 }
 
-/// A photo predicted by the backdrop, by the same pixels of others, and by one color.
+/// A photo's predictions: by the backdrop, by the same pixels of other photos, and by one color.
 struct Predicted {
     std::string name;
     ValidationScore backdrop, same, plain;

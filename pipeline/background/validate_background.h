@@ -13,29 +13,30 @@
 
 namespace vantage {
 
-/// What background is worth, from photos that are held out and predicted where the mesh leaves them open.
+/// The benefit of the background, from predictions of the open texels of held-out photos.
 struct BackgroundVerdict {
-    Judgment gain;  ///< over one plain color
-    /// Share of the compared pixels in photos that the same pixels of others predict to 25 dB, better than
-    /// the backdrop: the background moves with the camera, as behind a turntable.
+    Judgment gain;  ///< relative to a single color
+    /// Fraction of the compared pixels that are in photos predicted to 25 dB, and better than by the
+    /// backdrop, by the same pixels of other photos: the background moves with the camera, as behind a
+    /// turntable.
     double with_camera = 0;
-    double plain = 0;  ///< share of the compared pixels in photos that one color predicts to 30 dB
-    /// Of the pixels that one color does not predict within 25 codes, the share that the backdrop does;
-    /// negative if it predicts fewer than the color. Nothing if fewer than three photos can be compared.
+    double plain = 0;  ///< fraction of the compared pixels in photos that one color predicts to 30 dB
+    /// Of the pixels that one color does not predict within 25 codes, the fraction that the backdrop does;
+    /// negative if it predicts fewer than the color. Empty if fewer than three photos can be compared.
     std::optional<double> agreed{};
-    /// Why there is nothing to show; empty if there is. Around an object, which is moved between series of
-    /// photos or turned, more must agree.
+    /// The reason against the effect; empty if it is worthwhile. Around an object, which may be moved between
+    /// series of photos or turned, more pixels must agree.
     std::string objection(KindOfScan kind) const;
 };
 
-/// Photos to find gains from.
+/// Photos from which gains are computed.
 struct SampledPhotos {
     std::span<const package::PhotoRecord> photos;
     Samples samples;
     std::span<const std::uint32_t> lens;  ///< per photo, see lenses_of
 };
 
-/// Leaves out at most `most` of the views in turn; backdrop and gains are found without them.
+/// Holds out up to `most` views, one at a time; backdrop and gains are computed without the held-out view.
 BackgroundVerdict validate_background(const CoarseViews& all, const SampledPhotos& of, const MeshPlanes& mesh,
                                       std::size_t most, unsigned threads);
 

@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// What a photo shows where a point of the background would be.
+/// A photo's sample at a point of the background.
 struct ViewSample {
     enum Kind {
         nothing,   ///< outside the photo, or behind the camera
@@ -20,7 +20,7 @@ struct ViewSample {
     Eigen::Vector2f pixel = Eigen::Vector2f::Zero();  ///< if `open`
 };
 
-/// The texel in which a sample is.
+/// The texel that contains a sample.
 inline std::size_t texel_of(const CoarseView& v, const ViewSample& s) {
     return std::size_t(s.pixel.y()) * std::size_t(v.k.width) + std::size_t(s.pixel.x());
 }
@@ -42,7 +42,8 @@ inline ViewSample sample(const CoarseView& v, const Eigen::Vector3f& p, float in
     return {ViewSample::open, ln, {x + 0.5f, y + 0.5f}};
 }
 
-/// Per channel; of an even number, the mean of the two in the middle. Not empty.
+/// Median per channel; for an even number of colors, the mean of the two middle values. `colors` must not be
+/// empty.
 inline Eigen::Array3f median(const std::vector<Eigen::Array3f>& colors) {
     thread_local std::vector<float> channel;
     Eigen::Array3f out;

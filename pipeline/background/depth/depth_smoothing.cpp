@@ -8,13 +8,13 @@
 namespace vantage {
 namespace {
 
-constexpr float jump = 0.1f;        ///< the cost of any step between neighbors, at most
+constexpr float jump = 0.1f;        ///< the largest cost of a step between neighbors
 constexpr float unit = jump / 255;  ///< of stored messages, which are at most `jump`
 constexpr float slope = 0.6f;       ///< per inverse distance times the reach
-constexpr int sweeps = 4;           ///< through all directions, forth and back
+constexpr int sweeps = 4;           ///< through all directions, forward and backward
 
-/// For each lane, the minimum over all labels plus the cost of the step from there, less the smallest.
-/// `cost`: the lanes of each label.
+/// For each lane and label, the minimum over all labels of their cost plus that of the step, minus the
+/// smallest cost. `cost`: the lanes of each label.
 VANTAGE_SIMD void allow_steps(float* cost, std::size_t labels, float penalty) {
     Floats smallest, last, at;
     load(last, cost);
@@ -32,8 +32,8 @@ VANTAGE_SIMD void allow_steps(float* cost, std::size_t labels, float penalty) {
     }
 }
 
-/// Messages from each direction's neighbors about its labels. Updated in place, direction by direction, which
-/// carries information across the sphere in one sweep.
+/// Messages from each direction's neighbors about its labels. Updating them in place carries information
+/// across the sphere in one sweep.
 class Beliefs {
   public:
     Beliefs(const SweptDepths& d, const DirectionSphere& sphere)
@@ -75,15 +75,15 @@ class Beliefs {
   private:
     struct Links {
         std::uint32_t to[6];
-        int slot[6];  ///< this direction's place among that neighbor's
+        int slot[6];  ///< this direction's index among that neighbor's neighbors
         int count = 0;
     };
     float sum(std::size_t i, std::size_t l) const {
         const std::uint8_t* m = &messages_[(i * n_ + l) * lanes];
         return d_.cost[i * n_ + l] + unit * float(m[0] + m[1] + m[2] + m[3] + m[4] + m[5]);
     }
-    /// From direction i to its neighbors, all at once: what it believes without what the neighbor said, plus
-    /// the cost of the step.
+    /// Sends the messages of direction i to all its neighbors: its belief without the neighbor's own message,
+    /// plus the cost of the step.
     void send(std::size_t i) {
         for (std::size_t l = 0; l < n_; ++l) {
             const float belief = sum(i, l);
@@ -100,7 +100,7 @@ class Beliefs {
 
     const SweptDepths& d_;
     std::size_t n_;
-    std::vector<std::uint8_t> messages_;  ///< direction by direction and label by label, a lane per neighbor
+    std::vector<std::uint8_t> messages_;  ///< by direction and label, one lane per neighbor
     std::vector<float> scratch_;
     std::vector<Links> links_;
     float penalty_ = 0;

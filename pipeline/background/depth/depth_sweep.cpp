@@ -29,7 +29,7 @@ float cost_at(const SweptDepths& d, const PlaceCost& cost, const PlaceCost::Sigh
     return cost(sights, inverse) + (inverse > d.most[direction] ? DepthPriors::inside : 0);
 }
 
-/// The mean over each direction and its neighbors, which share a photo's noise less than its content.
+/// Averages over each direction and its neighbors, which have similar content and independent noise.
 void average(SweptDepths& d, const DirectionSphere& sphere) {
     const std::vector<std::uint32_t> at = positions_of(d);
     const auto n = std::size_t(d.labels);
@@ -48,7 +48,7 @@ void average(SweptDepths& d, const DirectionSphere& sphere) {
     d.cost = std::move(out);
 }
 
-/// The inverse distance of a plane in each shown direction; 0 where it is not among the labels.
+/// The inverse distance of a plane in each shown direction; 0 outside the range of the labels.
 std::vector<float> plane_depths(const SweptDepths& d, const DirectionSphere& sphere, const Plane& plane) {
     std::vector<float> out;
     for (const std::uint32_t v : d.shown) {
@@ -59,8 +59,8 @@ std::vector<float> plane_depths(const SweptDepths& d, const DirectionSphere& sph
     return out;
 }
 
-/// Lowers the cost of the labels next to a plane to that of the plane itself, and a little further, because
-/// walls and floors go on beyond the mesh.
+/// Lowers the cost of the labels next to a plane to slightly below that of the plane itself, because walls
+/// and floors extend beyond the mesh.
 void prefer_plane(SweptDepths& d, const DirectionSphere& sphere, const PlaceCost& cost,
                   const std::vector<float>& plane, unsigned threads) {
     SweptDepths on_plane;

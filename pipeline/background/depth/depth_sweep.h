@@ -11,25 +11,25 @@
 
 namespace vantage {
 
-/// Depths by direction, as inverse distances from a center: the base, which is the ground and else infinity,
-/// plus `step` times a label.
+/// Depths by direction, as inverse distances from a center: a label times `step` is added to the base, which
+/// is the ground or infinity.
 struct SweptDepths {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< mean of the cameras, relative to the origin
     double reach = 1;                                  ///< root mean square distance of the cameras from it
     int labels = 0;
     float step = 0;
     std::vector<float> base;                 ///< per direction
-    std::vector<float> most;                 ///< per direction: larger, a camera would be behind the backdrop
-    std::vector<std::uint32_t> shown;        ///< directions that a photo may show
-    std::vector<float> cost;                 ///< labels per shown direction: how much photos disagree there
+    std::vector<float> most;                 ///< limit per direction, so that no camera is behind it
+    std::vector<std::uint32_t> shown;        ///< directions that are possibly in a photo
+    std::vector<float> cost;                 ///< labels per shown direction: disagreement of the photos
     std::vector<std::vector<float>> planes;  ///< per plane and shown direction: inverse distance, or 0
 };
 
 /// Costs that do not come from photos, in the unit of ln(color).
 struct DepthPriors {
-    static constexpr float nearer = 0.2f;  ///< added toward the nearest label: without evidence, the base
+    static constexpr float nearer = 0.2f;  ///< added toward the nearest label, to prefer the base
     static constexpr float not_base = 0.02f;
-    static constexpr float inside = 2.0f;       ///< where a camera would be behind the backdrop
+    static constexpr float inside = 2.0f;       ///< if a camera is behind the backdrop
     static constexpr float on_a_plane = 0.04f;  ///< subtracted on walls
 
     static float of_label(float label, int labels) {
@@ -37,20 +37,20 @@ struct DepthPriors {
     }
 };
 
-/// Sweeps a place along each direction from infinity inward, as plane sweeping does (Collins 1996), and
+/// Sweeps a point along each direction from infinity inward, as in plane sweeping (Collins 1996), and
 /// compares the photos that show it.
 SweptDepths sweep_depths(std::span<const CoarseView> views, const DirectionSphere& sphere,
                          const ScenePlanes& planes, int labels, unsigned threads);
 
-/// Makes depths on these planes cheaper.
+/// Lowers the cost of depths on these planes.
 void prefer_planes(SweptDepths& depths, std::span<const CoarseView> views, const DirectionSphere& sphere,
                    std::span<const Plane> planes, unsigned threads);
 
-/// The ground below the horizon, else infinity: an inverse distance per direction.
+/// The inverse distance per direction of the ground below the horizon, else of infinity.
 std::vector<float> base_depths(const DirectionSphere& sphere, const Eigen::Vector3d& center, double reach,
                                const std::optional<Plane>& ground);
 
-/// Position of each direction in `shown`; none for others.
+/// Index of each direction in `shown`; none for others.
 std::vector<std::uint32_t> positions_of(const SweptDepths& depths);
 
 }  // namespace vantage

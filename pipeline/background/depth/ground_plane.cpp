@@ -12,14 +12,14 @@
 namespace vantage {
 namespace {
 
-constexpr float largest = 0.5f;  ///< difference of ln(color), mean of the channels, that counts
+constexpr float largest = 0.5f;  ///< difference of ln(color), mean of the channels; clamped
 constexpr int step = 6;          ///< of the texels compared, along both sides
 constexpr std::size_t max_comparisons = 300'000;
 constexpr int heights = 24;
 constexpr int max_rounds = 24;
 
-/// How well photos agree if what they show openly lies on a plane: the sum, over all texels that meet it and
-/// all other photos, of how much they differ less than `largest`.
+/// Agreement of the photos if their open texels lie on a plane: the sum of `largest` minus the difference,
+/// over all texels whose rays meet the plane and all other photos.
 class PlaneAgreement {
   public:
     explicit PlaneAgreement(std::span<const CoarseView> views) : views_(views) {
@@ -57,7 +57,7 @@ class PlaneAgreement {
         Eigen::Vector3d direction;
         Eigen::Array3f ln;
     };
-    /// Bounds the number of comparisons: for a plane, some rays of each view are enough.
+    /// Limits the number of comparisons: a plane needs only some rays of each view.
     void thin() {
         std::size_t count = 0;
         for (const auto& rays : rays_) count += rays.size();
@@ -142,9 +142,10 @@ std::optional<Plane> find_ground(std::span<const CoarseView> views, const MeshPl
     };
     for (std::size_t i = 0; i < heights; ++i) values[i] = agreement(plane(i));
     const auto best = std::size_t(std::ranges::max_element(values) - values.begin());
-    // What stands on a table has a floor that ends nearby: photos then agree far better elsewhere.
+    // The floor of an object on a table ends nearby: photos then agree far better on another plane.
     if (mesh.floor && agreement(*mesh.floor) >= 0.5 * values[best]) return mesh.floor;
-    // A peak inside the range: the ends are heights at which a ground would hardly be seen, or seen by all.
+    // The peak must be inside the range: at its ends, a ground would be visible to hardly any photo, or to
+    // all.
     if (best == 0 || best + 1 == heights || values[best] < 1.2 * std::max(values.front(), values.back()))
         return std::nullopt;
     return refined(agreement, plane(best), values[best], lowest, mean, mesh.down.has_value());

@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::size_t max_planes = 3;
 constexpr int plane_tries = 300;
-constexpr std::size_t max_compared = 5000;                    ///< discs per try
+constexpr std::size_t max_compared = 5000;                    ///< discs per trial
 constexpr double least_plane_share = 0.04, thickness = 0.01;  ///< of the mesh's extent
 constexpr float same_way = 0.9f;                              ///< cosine between normals
 constexpr double level = 0.966;                               ///< cosine between a floor's normal and down
-constexpr double least_floor = 0.004;                         ///< share of the discs
+constexpr double least_floor = 0.004;                         ///< fraction of the discs
 
 using Disc = SurfaceDisc;
 
@@ -49,7 +49,7 @@ bool lies_on(const Disc& d, const Disc& seed, double thick) {
            std::abs(d.normal.dot(seed.normal)) > same_way;
 }
 
-/// The disc on whose plane most of the others lie, of those that are tried.
+/// The disc, among those tried, with the most other discs on its plane.
 const Disc& best_seed(const std::vector<const Disc*>& discs, double thick, std::mt19937_64& random) {
     // A sample is enough to compare the seeds.
     std::vector<Disc> sample;
@@ -84,8 +84,8 @@ std::vector<Plane> largest_planes(std::vector<const Disc*> left, double thick) {
     return planes;
 }
 
-/// The level plane below `top` next to which most discs lie. Its tilt is not fitted: a strip of floor before
-/// a wall says little about it, and background is far away.
+/// The level plane below `top` with the most discs near it. Its tilt is not fitted: a strip of floor in front
+/// of a wall hardly determines it, and the background is far away.
 std::optional<Plane> level_floor(const std::vector<const Disc*>& discs, const Eigen::Vector3d& down,
                                  double top, double thick) {
     std::vector<double> heights;

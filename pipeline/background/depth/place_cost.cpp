@@ -9,9 +9,9 @@ namespace vantage {
 namespace {
 
 constexpr float shown_once = 0.35f, shown_never = 0.4f;
-constexpr float hides = 1.0f;  ///< the place would hide the mesh
+constexpr float hides = 1.0f;  ///< the point would hide the mesh
 
-/// The cost of a place from its colors: mean difference from the median.
+/// The cost of a point from its colors: mean difference from the median.
 float disagreement(const std::vector<Eigen::Array3f>& colors) {
     if (colors.empty()) return shown_never;
     if (colors.size() == 1) return shown_once;
@@ -21,7 +21,7 @@ float disagreement(const std::vector<Eigen::Array3f>& colors) {
     return sum / float(colors.size() - 1);
 }
 
-/// In front of the camera, and inside each side of the photo, as sample() has them.
+/// The half-spaces in front of the camera and inside each side of the photo, as in sample().
 Eigen::Matrix<float, 5, 3> frame_of(const Intrinsics& k) {
     const auto fx = float(k.fx), fy = float(k.fy), left = float(k.cx) - 0.5f, top = float(k.cy) - 0.5f;
     Eigen::Matrix<float, 5, 3> out;
@@ -47,7 +47,7 @@ void PlaceCost::aim(const Eigen::Vector3f& direction, float low, float high, Sig
     out.clear();
     for (const SweptView& v : views_) {
         const Eigen::Vector3f ray = v.R * direction;
-        // Linear in the inverse distance: negative at both ends, negative between them.
+        // Linear in the inverse distance: if negative at both ends, then negative between them.
         const Eigen::Array<float, 5, 1> near_side = v.frame * (v.center * high + ray),
                                         far_side = v.frame * (v.center * low + ray);
         if (!(near_side < 0 && far_side < 0).any()) out.push_back({&v.view, v.center, ray});

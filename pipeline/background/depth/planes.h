@@ -24,27 +24,27 @@ inline float inverse_distance(const Plane& plane, const Eigen::Vector3d& center,
     return std::isfinite(w) ? float(std::max(w, 0.0)) : 0;
 }
 
-/// What a mesh tells about the planes on which its background lie.
+/// The planes of a mesh on which the background may continue.
 struct MeshPlanes {
-    std::vector<Plane> largest;           ///< at most three, each with a twenty-fifth of the surface
-    std::optional<Eigen::Vector3d> down;  ///< unit length; nothing if the mesh has too few walls and floors
+    std::vector<Plane> largest;           ///< at most three, each with at least 4 % of the surface
+    std::optional<Eigen::Vector3d> down;  ///< unit length; empty if the mesh has too few walls and floors
     std::optional<Plane> floor;           ///< the largest below all cameras
 };
 /// By RANSAC (Fischler and Bolles 1981); with `down`, the floor is level. Deterministic.
 MeshPlanes mesh_planes(std::span<const SurfaceDisc> discs, std::span<const CoarseView> views);
 
-/// How far down the lowest camera is; -inf without views.
+/// The height of the lowest camera, measured downward; -inf without views.
 double lowest_camera(std::span<const CoarseView> views, const Eigen::Vector3d& down);
 
-/// What is down according to the photos, and according to the mesh or else to them.
+/// The down direction by the photos alone, and by the mesh with the photos as fallback.
 Eigen::Vector3d down_direction(std::span<const CoarseView> views);
 Eigen::Vector3d down_direction(std::span<const CoarseView> views, const MeshPlanes& mesh);
 
-/// The mesh's floor continued, or else the plane below the cameras on which what the mesh leaves open agrees
-/// best between photos; nothing if no plane stands out.
+/// The plane of the mesh's floor, or else the plane below the cameras on which open texels agree best between
+/// photos; empty if no plane stands out.
 std::optional<Plane> find_ground(std::span<const CoarseView> views, const MeshPlanes& mesh);
 
-/// The planes that background may lie on.
+/// The planes on which background may lie.
 struct ScenePlanes {
     std::optional<Plane> ground;
     std::vector<Plane> walls;  ///< of the mesh, or found beyond it

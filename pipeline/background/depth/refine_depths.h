@@ -6,10 +6,10 @@
 
 namespace vantage {
 
-/// Inverse distances on the sphere that divides the coarse one once more. Where depth is smooth, they are
-/// interpolated; at its edges each direction takes the depth of a neighbor for which photos speak, so that
-/// edges follow the photos (by iterated conditional modes, Besag 1986). `coarse`: as swept; `inverse`: found
-/// for it.
+/// Inverse distances on the next subdivision of the coarse sphere. Smooth depths are interpolated; at depth
+/// edges, each direction takes the depth of the neighbor with the lowest cost, so that edges follow the
+/// photos (iterated conditional modes, Besag 1986). `coarse`: as swept; `inverse`: the solution on the coarse
+/// sphere.
 std::vector<float> refine_depths(std::span<const CoarseView> views, const ScenePlanes& planes,
                                  const SweptDepths& coarse, const std::vector<float>& inverse,
                                  const DirectionSphere& fine, unsigned threads);

@@ -12,10 +12,10 @@ constexpr std::size_t max_walls = 3;
 constexpr int wall_tries = 300;
 constexpr double least_wall_share = 0.06;
 constexpr float tolerance = 0.5f;  ///< labels
-constexpr float near = 0.97f;      ///< cosine between the directions that a wall is tried from
+constexpr float near = 0.97f;      ///< cosine between the two directions that define a trial wall
 
-/// A direction's level part and the inverse distance found there; those of a wall satisfy inverse = slope .
-/// level.
+/// A direction's horizontal component and its inverse distance; the points of a wall satisfy inverse = slope
+/// . level.
 struct WallSighting {
     Eigen::Vector2f level;
     Eigen::Vector3f direction;
@@ -26,7 +26,7 @@ bool lies_on(const WallSighting& s, const Eigen::Vector2f& slope, float within) 
     return std::abs(slope.dot(s.level) - s.inverse) < within;
 }
 
-/// One of the sightings, near another; that itself if none is found.
+/// A sighting near the given one; the given one itself if none is found.
 const WallSighting& neighbor(const std::vector<WallSighting>& all, const WallSighting& of,
                              std::mt19937_64& random) {
     for (int i = 0; i < 64; ++i)
@@ -35,7 +35,7 @@ const WallSighting& neighbor(const std::vector<WallSighting>& all, const WallSig
     return of;
 }
 
-/// The slope of the wall on which most sightings lie.
+/// The slope of the wall with the most sightings.
 Eigen::Vector2f best_slope(const std::vector<WallSighting>& all, float within, std::mt19937_64& random) {
     Eigen::Vector2f best = Eigen::Vector2f::Zero();
     std::ptrdiff_t most = 0;
