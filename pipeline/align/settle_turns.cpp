@@ -21,29 +21,29 @@ std::string first_of(std::vector<std::string> names) {
     return fmt::format("{}{}", fmt::join(names, ", "), more ? fmt::format(" and {} more", more) : "");
 }
 
-/// How a photo lies without an EXIF orientation that it needs.
+/// The orientation of a photo that lacks a needed EXIF orientation.
 const char* lies(int orientation) {
     if (orientation == 3) return "upside down";
     return orientation == 6 || orientation == 8 ? "turned by 90 degrees" : "mirrored";
 }
 
-/// One warning for all photos of one EXIF orientation; `found`: that they lie wrong.
+/// One warning for all photos of one EXIF orientation; `found`: whether they are known to be wrong.
 void warn_of_turns(SceneInput& scene, const std::vector<std::uint32_t>& photos, bool found) {
-    std::map<std::pair<int, int>, std::vector<std::string>> names;  // by orientation and what is open of it
+    std::map<std::pair<int, int>, std::vector<std::string>> names;  // by orientation and its open turn
     for (const std::uint32_t i : photos) {
         const PhotoInput& p = scene.photos[i];
         names[{p.orientation, p.open_turn}].push_back(p.name);
     }
     for (const auto& [how, of] : names) {
         const auto [orientation, open] = how;
-        const char* taken = orientation == open ? "pixels are taken as stored" : "turned as the file says";
+        const char* taken = orientation == open ? "pixels are taken as stored" : "turned as the file states";
         const char* but = !found                ? ""
                           : orientation == open ? ", but the cameras are of the photos as displayed"
                                                 : ", but the pixels had been turned before";
-        scene.warnings.push_back(
-            fmt::format("{}{} for the cameras, {}: {}; {}{} (EXIF orientation {})", found ? "" : "perhaps ",
-                        lies(open), found ? "as neighboring photos show" : "neighboring photos do not tell",
-                        first_of(of), taken, but, orientation));
+        scene.warnings.push_back(fmt::format(
+            "{}{} for the cameras, {}: {}; {}{} (EXIF orientation {})", found ? "" : "perhaps ", lies(open),
+            found ? "as neighboring photos show" : "neighboring photos are inconclusive", first_of(of), taken,
+            but, orientation));
     }
 }
 
@@ -60,8 +60,8 @@ void settle_turns(SceneInput& scene, unsigned threads) {
     });
     if (!displayed.empty())
         scene.warnings.push_back(
-            fmt::format("turned as their EXIF orientation says, because their cameras "
-                        "have no size and neighboring photos agree only so: {}",
+            fmt::format("turned by their EXIF orientation, because their cameras "
+                        "have no size and only then agree with neighboring photos: {}",
                         first_of(displayed)));
     warn_of_turns(scene, turns.found, true);
     warn_of_turns(scene, turns.unknown, false);

@@ -22,10 +22,9 @@ struct AlignOptions {
 };
 
 void print(const Alignment& a) {
-    fmt::print(text_output(),
-               "features {} that photos share, {} of them on the mesh, to {:.1f} px (median)\n", a.features,
-               a.on_mesh, a.median);
-    fmt::print(text_output(), "agree    {:.2f} of 1; the next best alignment {:.2f}\n", a.agreement, a.next);
+    fmt::print(text_output(), "features {} shared by photos, {} of them on the mesh, to {:.1f} px (median)\n",
+               a.features, a.on_mesh, a.median);
+    fmt::print(text_output(), "agree    {:.2f} of 1; next best alignment {:.2f}\n", a.agreement, a.next);
     const Similarity& s = a.mesh_from_cameras;
     const Eigen::Matrix<double, 3, 4> m = matrix_of(s);
     for (int row = 0; row < 3; ++row)
@@ -42,14 +41,14 @@ void print(const Alignment& a) {
     fmt::print(text_output(), "scale    {:.8g} mesh units per camera unit, within {:.2g} %\n", s.scale,
                100 * a.scale);
     fmt::print(text_output(),
-               "certain  to {:.2f} px in the photos: {:.2g} degrees, {:.2g} mesh units (standard errors)\n",
+               "error    {:.2f} px in the photos: {:.2g} degrees, {:.2g} mesh units (standard errors)\n",
                a.pixels, a.degrees, a.move);
 }
 
 int run_align(const AlignOptions& o) {
     if (!is_scene_file(o.out)) throw Error(Exit::usage, o.out + ": expected a name that ends in .toml");
     if (is_scene_file(o.input.input))
-        throw Error(Exit::usage, o.input.input + ": is a scene file, expected the folder of one scan");
+        throw Error(Exit::usage, o.input.input + ": expected the folder of one scan, found a scene file");
     const FoundInput found = find_input(o.input, {});
     if (found.lacks) throw *found.lacks;
     const InputFiles& files = found.files;
@@ -77,11 +76,11 @@ int run_align(const AlignOptions& o) {
 void add_align(const Command& program) {
     auto o = std::make_shared<AlignOptions>();
     const Command c =
-        program.verb("align", "Find where a mesh belongs that is in another frame than its cameras");
+        program.verb("align", "Find the pose of a mesh whose frame differs from that of its cameras");
     c.notes(
         "Features that photos share are triangulated and fitted to the mesh, with rotation, translation and "
         "scale.\n"
-        "The scene file holds the similarity; it is refused where photos do not settle it.\n"
+        "The scene file holds the similarity. The command fails if the photos do not determine it.\n"
         "Examples:\n  vantage align scans/chapel -o chapel.toml\n"
         "  vantage prepare chapel.toml -o chapel\n"
         "  vantage align --mesh laser.ply --cameras sparse --photos images -o laser.toml");

@@ -29,7 +29,7 @@ struct Checked {
     double seconds;
 };
 
-/// The inputs of a package: the folder itself if there is only one package, else its subfolder of the same
+/// The inputs of a package: the folder itself for a single package, else its subfolder with the package's
 /// name.
 fs::path inputs_of(const CheckOptions& o, const fs::path& file) {
     if (o.depth.against.empty() || o.files.size() == 1) return o.depth.against;

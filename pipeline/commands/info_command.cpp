@@ -72,7 +72,7 @@ void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
         text_output(), "{}\n{}, {} photos, {:.1f} MB\nup is {:.3g}{}\n\neffects\n",
         j["tool"].get<std::string>(), shape, j["photos"].size(), double(count("bytes")) / 1e6,
         fmt::join(j["up"].get<std::vector<double>>(), " "),
-        j.contains("first_photo") ? "; opens at the place of " + j["first_photo"].get<std::string>() : "");
+        j.contains("first_photo") ? "; opens at the camera of " + j["first_photo"].get<std::string>() : "");
     for (const auto& e : j["effects"])
         fmt::print(text_output(), "  {:<18} {:<4}{} {}\n", e["name"].get<std::string>(),
                    e["on"].get<bool>() ? "on" : "off", e["forced"].get<bool>() ? "(forced)" : "",
@@ -98,7 +98,8 @@ void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
 
 void add_info(const Command& program) {
     auto file = std::make_shared<std::string>();
-    const Command c = program.verb("info", "Show what a package contains, and which effects are on and why");
+    const Command c =
+        program.verb("info", "Show the contents of a package, and its effects with their evidence");
     c.notes(
         "Examples:\n  vantage info --json chapel.vantage\n  vantage info "
         "https://example.org/scans/chapel.vantage");

@@ -18,7 +18,7 @@ struct InspectOptions {
     PrepareSettings settings;
 };
 
-/// As find_input(); an input that cannot be searched has no parts.
+/// As find_input(), but an unsearchable input gives empty parts.
 FoundInput find_anything(const InspectOptions& o) {
     try {
         return find_input(o.input, o.settings);
@@ -27,14 +27,14 @@ FoundInput find_anything(const InspectOptions& o) {
     }
 }
 
-/// Throws as find_input(), unless `anything` is asked for.
+/// Throws as find_input(), unless `anything` is set.
 InputFacts facts_of(const InspectOptions& o, bool anything) {
     const auto start = std::chrono::steady_clock::now();
     return input_facts(anything ? find_anything(o) : find_input(o.input, o.settings), o.settings,
                        "scene.vantage", start);
 }
 
-/// The exit code; an error is printed after what is known.
+/// Prints the error, if any, after the other facts, and returns the exit code.
 int finish(const InputFacts& facts) {
     if (!facts.error) return int(facts.exit());
     std::fflush(text_output());
@@ -52,7 +52,7 @@ int inspect_one(const InspectOptions& o) {
     return finish(facts);
 }
 
-/// Each of a scene file's objects. The exit code is that of the first error; otherwise incomplete if photos
+/// Inspects each object of a scene file. Returns the exit code of the first error, else incomplete if photos
 /// of any object would be skipped.
 int inspect_objects(const InspectOptions& o) {
     nlohmann::json all = nlohmann::json::array();
@@ -75,15 +75,16 @@ int inspect_objects(const InspectOptions& o) {
 
 void add_inspect(const Command& program) {
     auto o = std::make_shared<InspectOptions>();
-    const Command c = program.verb(
-        "inspect", "Show what an input holds, what would be skipped, and what preparing it would need");
+    const Command c = program.verb("inspect",
+                                   "Show the contents of an input, the photos that would be skipped, and the "
+                                   "resources needed to prepare it");
     c.notes(
         "Reads the mesh, the cameras and the headers of the photos, decodes no photo and writes nothing.\n"
         "Examples:\n  vantage inspect scans/chapel\n"
         "  vantage inspect --mesh m.ply --cameras bundle.out --photos images --json\n"
         "Exit code: as 'vantage prepare' would end: 0 with all photos, 9 if photos would be skipped, or "
         "that "
-        "of\nthe error, which is printed after what was found.");
+        "of\nthe error, which is printed after the other facts.");
     add_input_options(c, o->input, o->settings);
     c.action(
         [o] { return is_scene_of_objects(o->input, o->settings) ? inspect_objects(*o) : inspect_one(*o); });

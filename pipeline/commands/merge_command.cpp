@@ -21,12 +21,12 @@ struct MergeOptions {
     bool remove = false, force = false;
 };
 
-/// The shares, and what they were prepared from.
+/// The shards and their inputs.
 Inputs inputs_of_shares(const std::vector<std::string>& shares) {
     Inputs out{{shares.begin(), shares.end()}, {}};
     try {
         out.contents = inputs_of(PackageReader(shares.front(), PackageReader::Expect::part)).contents;
-    } catch (const Error&) {  // no share: merge() says so
+    } catch (const Error&) {  // not a shard: merge() reports it
     }
     return out;
 }
@@ -50,17 +50,17 @@ int run_merge(MergeOptions o) {
 
 void add_merge(const Command& program) {
     auto o = std::make_shared<MergeOptions>();
-    const Command c = program.verb("merge", "Join the shares of a preparation into one package");
+    const Command c = program.verb("merge", "Join the shards of a preparation into one package");
     c.notes(
-        "Each share is written by 'vantage prepare INPUT -o SHARE --shard i/n', on any machine. The result "
+        "Each shard is written by 'vantage prepare INPUT -o SHARD --shard i/n', on any machine. The result "
         "is\n"
-        "byte-for-byte the package of a single run. An interrupted merge continues when it is run again.\n"
+        "byte-for-byte the package of a single run. An interrupted merge resumes when it is run again.\n"
         "Example:\n  vantage merge chapel-*.shard -o chapel.vantage --remove");
-    c.list("SHARES", o->shares, "all shares of one preparation, in any order").type("FILE").required();
+    c.list("SHARDS", o->shares, "all shards of one preparation, in any order").type("FILE").required();
     c.file("-o,--output", o->out, "the package to write").required();
     add_progress(c, o->progress);
     c.force(o->force);
-    c.flag("--remove", o->remove, "remove the shares when the package is complete");
+    c.flag("--remove", o->remove, "remove the shards when the package is complete");
     c.action([o] { return run_merge(*o); });
 }
 

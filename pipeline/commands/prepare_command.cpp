@@ -40,7 +40,7 @@
 namespace vantage {
 namespace {
 
-/// What is corrected where photos disagree.
+/// The corrections made where photos disagree.
 enum class Refine { off, color, full };
 
 struct PrepareOptions {
@@ -55,7 +55,7 @@ struct PrepareOptions {
     bool writes_report() const { return !no_report && share.empty(); }
 };
 
-/// "3/8": the third of eight shares.
+/// "3/8": the third of eight shards.
 Share share(const std::string& text) {
     constexpr unsigned most = 65536;
     Share s;
@@ -84,8 +84,7 @@ void resolve_outputs(PrepareOptions& o, const InputFiles& files) {
     if (!o.trace.empty()) o.trace = output_file(o.trace, Product::trace, inputs, o.force).string();
 }
 
-/// The photos that the existing package lacks, if it is valid and what this run would make; otherwise
-/// nullopt.
+/// The photos missing from the existing package if it is valid and current; otherwise nullopt.
 std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const InputFiles& files,
                                                   IdentityCache& identities) {
     if (!std::filesystem::exists(o.out)) return {};
@@ -155,7 +154,7 @@ std::string some(const std::vector<std::string>& photos) {
     return photos.size() == 1 ? first : fmt::format("{} photos, the first {}", photos.size(), first);
 }
 
-/// Prints how many chunks each stage made and kept; with `why`, the reasons.
+/// Prints the number of photos that each stage made and kept; with `why`, the reasons.
 void print_done(const PrepareResult& done, bool why) {
     std::size_t kept = 0;
     for (const PrepareResult::Stage& s : done.stages) kept += s.kept;
@@ -172,7 +171,7 @@ void print_done(const PrepareResult& done, bool why) {
                                        {"why", done.stages[s].why}});
 }
 
-/// The package that is on the disk now.
+/// Prints the package on disk.
 void print_package(const PrepareOptions& o, double seconds) {
     const std::uintmax_t bytes = std::filesystem::file_size(o.out);
     fmt::print(text_output(), "package  {} ({:.1f} MB, {:.1f} s)\nmemory   {:.0f} MB peak\n", o.out,
@@ -187,7 +186,7 @@ void print_package(const PrepareOptions& o, double seconds) {
     results()["report"] = o.report;
 }
 
-/// Nothing was to do; with --explain, why.
+/// Reports that the package is current; with --explain, also why.
 void print_current(const PrepareOptions& o) {
     fmt::print(text_output(), "package  {} is current, nothing to do\n", o.out);
     results().update({{"package", o.out}, {"current", true}});
@@ -227,13 +226,13 @@ SceneInput read_traced(const InputFiles& files, Trace& trace) {
 
 ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& settings, Trace& trace) {
     const Traced traced(&trace, "conventions");
-    // Each thread takes about 70 MB, which the estimate does not know.
+    // Each thread takes about 70 MB, which the estimate does not include.
     const unsigned threads = settings.memory > 0 ? 1 : std::min(2u, threads_of(settings));
     settle_turns(scene, threads);
     return settle_convention(scene, settings.convention, threads);
 }
 
-/// If the mesh does not fit, what was found in it may be the reason.
+/// If the mesh does not fit, its warnings may give the reason.
 ConventionTrials settled_or_warned(SceneInput& scene, const PrepareSettings& settings, Trace& trace) {
     try {
         return settle_traced(scene, settings, trace);
@@ -277,7 +276,7 @@ int run_prepare(PrepareOptions o) {
     return int(report_skipped(done.skipped));
 }
 
-/// The scene file's objects, with the same settings, into packages in the output folder.
+/// Prepares the scene file's objects, with the same settings, into packages in the output folder.
 int run_prepare_scene(const PrepareOptions& o) {
     if (!o.share.empty() || !o.trace.empty())
         throw Error(Exit::usage,
@@ -290,7 +289,7 @@ int run_prepare_scene(const PrepareOptions& o) {
     });
 }
 
-/// By the names that META has, too.
+/// Named as in META.
 template <class Enum>
 std::vector<std::pair<std::string, Enum>> named(std::initializer_list<Enum> values) {
     std::vector<std::pair<std::string, Enum>> out;
@@ -313,8 +312,8 @@ void add_prepare(const Command& program) {
         "  vantage prepare chapel -o c.vantage --points scanner.ply\n"
         "  vantage prepare panel -o panel.vantage --image-sets folders\n"
         "  vantage prepare chapel -o chapel-3.shard --shard 3/8\n"
-        "  vantage prepare church.toml -o church    # several objects, see the README\n"
-        "Run again, it continues where it was interrupted and repeats only what a change affects.");
+        "  vantage prepare church.toml -o church    # several objects, see docs/scenes.md\n"
+        "Run again, it resumes an interrupted run and repeats only the stages that a change affects.");
     PrepareSettings& settings = o->settings;
     add_input_options(c, o->input, settings);
     c.list("--deviation-from", settings.deviation_from,
@@ -322,21 +321,21 @@ void add_prepare(const Command& program) {
            "repeated")
         .type("FILE");
     c.list("--convention", o->conventions,
-           "where cameras or mesh differ from what their format says: auto (the photos decide), as-read, or "
+           "corrections to the convention of cameras or mesh: auto (tested against the photos), as-read, or "
            "one or more of the others")
         .type("NAME")
         .suggests(convention_names())
         .commas()
         .one_word();
-    c.file("-o,--output", o->out, "the package to write; of a scene file: the folder for packages")
+    c.file("-o,--output", o->out, "the package to write; for a scene file: the folder for packages")
         .required();
     c.file("--preset", o->config,
            "preset to use, or a TOML file with settings; the command line overrides them")
         .suggests({presets.begin(), presets.end()});
     c.choice("--border-distance", settings.distance,
              named({DistanceMethod::automatic, DistanceMethod::exact, DistanceMethod::jump_flooding}),
-             "how the distance from depth borders is computed: exactly, or by jump flooding with OpenGL; "
-             "auto: by jump flooding on a GPU");
+             "method for the distance from depth borders: exact, or jump flooding with OpenGL; "
+             "auto: jump flooding on a GPU");
     c.real("--border-width", settings.border_width, 1, 4096,
            "distance at which the border weight reaches 1, in px of a photo 3072 px wide");
     c.real("--border-threshold", settings.border_threshold, 1e-6, 10,
@@ -346,22 +345,22 @@ void add_prepare(const Command& program) {
               "reduce photos to this long side in px; 0 = full size");
     c.flag("--vertex-coordinates", settings.vertex_coordinates,
            "store texture coordinates per vertex, for the player's --coordinates vertex, even if the scene "
-           "does not ask for them");
+           "does not need them");
     c.choice("--refine", o->refine, {{"off", Refine::off}, {"color", Refine::color}, {"full", Refine::full}},
              "full: correct cameras and colors and mask moving objects where photos disagree; color: correct "
              "colors only; off: change nothing");
     c.choice("--validate", settings.validate, {{"on", true}, {"off", false}},
-             "on: held-out photos must confirm what --refine corrects; off: faster, thresholds alone decide");
+             "on: effects must improve held-out photos; off: faster, thresholds alone decide");
     c.choice("--renderer", settings.render_by,
              named({RenderBy::automatic, RenderBy::opengl, RenderBy::processor}),
-             "renderer of the model as seen from the photos; auto: a GPU if there is one");
+             "renderer of the model from the photos' cameras; auto: a GPU if available");
     c.integer("--threads", settings.threads, 0, 1024, "photos in flight; 0 = all cores");
     c.bytes("--memory", settings.memory, "memory limit in bytes, such as 800M: fewer photos in flight");
     c.list("--hold-out", settings.hold_out, "photos to store as cameras only, without their pixels")
         .type("PHOTO")
         .commas();
-    c.flag("--explain", o->explain, "print how often each stage ran, and why");
-    c.flag("--strict", o->strict, "stop at the first unusable photo instead of leaving it out");
+    c.flag("--explain", o->explain, "print the number of runs of each stage, with the reasons");
+    c.flag("--strict", o->strict, "stop at the first unusable photo instead of skipping it");
     c.flag("--rehash", o->rehash, "detect changed files by content, not by size and timestamps");
     c.text("--shard", o->share, "i/n: only every n-th photo, for 'vantage merge'").type("I/N");
     c.flag("--no-report", o->no_report, "do not write a report (NAME.html) next to the package");

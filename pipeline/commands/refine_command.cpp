@@ -33,7 +33,7 @@ std::map<Effect, EffectChoice> refined_effects(const std::vector<std::string>& t
     for (const auto& [effect, choice] : choices)
         if (!from_all_photos(effect_row(effect)))
             throw Error(Exit::usage, std::string("--effect ") + effect_row(effect).option +
-                                         ": is decided from the inputs; change it with 'vantage prepare'");
+                                         ": depends on the inputs; change it with 'vantage prepare'");
     for (const EffectRow& row : effect_table())
         if (from_all_photos(row)) choices.emplace(row.effect, EffectChoice::automatic);
     return choices;

@@ -47,16 +47,16 @@ int run_repack(const RepackOptions& o) {
 
 void add_repack(const Command& program) {
     auto o = std::make_shared<RepackOptions>();
-    const Command c = program.verb("repack", "Write a package again with its tiles in another form");
+    const Command c = program.verb("repack", "Write a package with its tiles compressed or raw");
     c.notes(
-        "Needs only the package. A photo's own JPEG is in a package only if 'vantage prepare' put it there; "
-        "raw tiles become JPEG of high quality.\n"
+        "Needs only the package. It contains the photos' own JPEG only if 'vantage prepare' stored them;\n"
+        "raw tiles are compressed to JPEG of high quality.\n"
         "Examples:\n  vantage repack chapel.vantage -o small.vantage\n"
         "  vantage repack chapel.vantage -o chapel-raw.vantage --tiles raw");
     c.file("FILE", o->file, "the package").type("PACKAGE").required();
     c.file("-o,--output", o->out, "the package to write").required();
     c.choice("--tiles", o->compact, {{"jpeg", true}, {"raw", false}},
-             "jpeg: some 10 times shorter, decoded while shown; raw: as they are shown");
+             "jpeg: about 10 times smaller, decoded on display; raw: uncompressed");
     c.force(o->force);
     add_progress(c, o->progress);
     c.action([o] { return run_repack(*o); });

@@ -8,11 +8,10 @@
 
 namespace vantage {
 
-/// Adds --effect. Its texts, such as "exposure=off", are for choose_effects().
+/// Adds --effect. The texts, such as "exposure=off", are arguments of choose_effects().
 void add_effects(const Command& command, std::vector<std::string>& texts);
 
-/// Applies "NAME=on|off|auto" to `choices`. Throws Error(usage) for a text of another form and an unknown
-/// effect.
+/// Applies "NAME=on|off|auto" to `choices`. Throws Error(usage) for malformed texts and unknown effects.
 void choose_effects(const std::vector<std::string>& texts, std::map<Effect, EffectChoice>& choices);
 
 }  // namespace vantage

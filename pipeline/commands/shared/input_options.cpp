@@ -42,13 +42,13 @@ FoundInput find_input(const InputOptions& o, const PrepareSettings& settings) {
     const Error incomplete(
         Exit::usage,
         "expected an INPUT folder, or --mesh, --cameras and --photos together, or --points in "
-        "place of --mesh, alone or with both of the others");
+        "place of --mesh, alone or with --cameras and --photos");
     if (files.mesh.empty() && files.points.empty() && neither) throw incomplete;
     if (files.mesh.empty() ? files.points.empty() || !(photos || neither) : !photos)
         found.lacks = incomplete;
     else if (files.mesh.empty() && !files.compared.empty())
         found.lacks =
-            Error(Exit::usage, "--deviation-from: there is no mesh of which to measure the deviation");
+            Error(Exit::usage, "--deviation-from: there is no mesh whose deviation could be measured");
     return found;
 }
 

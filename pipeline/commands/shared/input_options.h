@@ -8,25 +8,25 @@
 
 namespace vantage {
 
-/// Where the command line says that an input is; point clouds and image sets are in PrepareSettings.
+/// The location of an input on the command line; point clouds and image sets are in PrepareSettings.
 struct InputOptions {
     std::string input, mesh, cameras, photos;
 };
 
-/// Adds INPUT, --mesh, --cameras and --photos to a command for one scan. `more`: of the help of INPUT.
+/// Adds INPUT, --mesh, --cameras and --photos to a command for one scan. `more` is appended to the help of
+/// INPUT.
 void add_scan_options(const Command& command, InputOptions& options, const std::string& more = {});
-/// Adds these for scans and scene files, --points and --image-sets.
+/// Adds the same options for scans and scene files, and --points and --image-sets.
 void add_input_options(const Command& command, InputOptions& options, PrepareSettings& settings);
 
-/// The parts of the input, as given or found in the folder. If they are not enough, `lacks` is Error(usage),
-/// or the error of search(). Throws Error(input) if the folder cannot be read, Error(usage) if nothing is
-/// given.
+/// The parts of the input, as given or found in the folder. If a part is missing, `lacks` is Error(usage), or
+/// the error of search(). Throws Error(input) if the folder cannot be read, Error(usage) if nothing is given.
 FoundInput find_input(const InputOptions& options, const PrepareSettings& settings);
 
-/// Whether INPUT is a scene file. Throws Error(usage) if its parts are given as well.
+/// Whether INPUT is a scene file. Throws Error(usage) if parts of the input are given as well.
 bool is_scene_of_objects(const InputOptions& options, const PrepareSettings& settings);
 
-/// Replaces the options by what a scene file has for one of its objects.
+/// Replaces the options by those of an object in a scene file.
 void take_input(const SceneObject::Input& input, InputOptions& options, PrepareSettings& settings);
 
 }  // namespace vantage

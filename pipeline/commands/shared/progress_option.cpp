@@ -17,7 +17,7 @@ void add_progress(const Command& command, ProgressStyle& style) {
 
 OnProgress shown_until_signal(ProgressLine& line) {
     return until_stopped(&stop_on_signals(InFlight::finished),
-                         "stopped: what was copied is kept; run the same command again to continue",
+                         "stopped: the copied part is kept; run the same command again to continue",
                          [&line](const Progress& p) { line.show(p); });
 }
 

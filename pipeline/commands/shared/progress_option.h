@@ -8,8 +8,8 @@ namespace vantage {
 /// Adds --progress.
 void add_progress(const Command& command, ProgressStyle& style);
 
-/// A callback for resumable copying: shows progress on `line`, which must outlive it, and throws
-/// Error(interrupted) after a signal to stop.
+/// A callback for resumable copying: shows progress on `line`, which must outlive the callback, and throws
+/// Error(interrupted) after a stop signal.
 OnProgress shown_until_signal(ProgressLine& line);
 
 }  // namespace vantage

@@ -2,7 +2,7 @@
 
 namespace vantage {
 
-/// The program `vantage`: does what the command line says, tells errors on stderr, and returns the exit code.
+/// The program `vantage`: runs the command line, prints errors to stderr, and returns the exit code.
 int run_program(int argc, char** argv);
 
 }  // namespace vantage
