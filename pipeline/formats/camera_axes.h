@@ -22,12 +22,12 @@ inline Pose from_meshlab(const Eigen::Matrix3d& R, const Eigen::Vector3d& minus_
     return from_bundler(R, R * minus_center);
 }
 
-/// From a rotation of camera to world, and the camera's center.
+/// From a camera-to-world rotation and the camera's center.
 inline Pose from_camera_to_world(const Eigen::Matrix3d& R, const Eigen::Vector3d& center) {
     return {R.transpose(), -R.transpose() * center};
 }
 
-/// Of camera to world: from axes with y up and z backward, as in OpenGL, to ours.
+/// Converts a camera-to-world rotation from axes with y up and z backward, as in OpenGL, to ours.
 inline Eigen::Matrix3d backward(const Eigen::Matrix3d& R) {
     return R * Eigen::Vector3d(1, -1, -1).asDiagonal();
 }
@@ -47,12 +47,12 @@ struct ColmapModel {
     std::size_t parameters;
     std::array<int, 4> focal_center;  ///< fx fy cx cy
     LensModel lens;
-    std::vector<int> distortion{};  ///< as Lens::p; what is beyond the end is 0
+    std::vector<int> distortion{};  ///< as Lens::p; further coefficients are 0
 };
 /// In the order of COLMAP's model IDs.
 std::span<const ColmapModel> colmap_models();
 
-/// COLMAP's convention is ours. The quaternion (w, x, y, z) need not be normalized.
+/// COLMAP's convention is the same. The quaternion (w, x, y, z) need not be normalized.
 inline Pose from_colmap(double w, double x, double y, double z, const Eigen::Vector3d& t) {
     const double n = std::sqrt(w * w + x * x + y * y + z * z);
     w /= n, x /= n, y /= n, z /= n;

@@ -33,7 +33,7 @@ Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& war
             file.string() + ": E57 is not supported; expected LAS or PLY, as CloudCompare writes them");
     if (has_nodes(file))
         throw Error(Exit::input,
-                    file.string() + ": is not read for its points; expected PLY, LAS, OBJ, STL or OFF");
+                    file.string() + ": is not a supported point cloud; expected PLY, LAS, OBJ, STL or OFF");
     Mesh cloud = is_las(file) ? read_las(file, warnings) : read_mesh_file(file);
     cloud.triangles = {}, cloud.normals = {}, cloud.scalars = {};
     const std::string name = file.filename().string();

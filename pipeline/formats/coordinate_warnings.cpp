@@ -65,7 +65,7 @@ bool is_grid(const Mesh& mesh, int axis, double step) {
            share_of_grid * double(mesh.triangles.size());
 }
 
-/// The step in which a coordinate was rounded visibly, if it was.
+/// The step of a coordinate's rounding, if visible.
 std::optional<double> rounding_step(const Mesh& mesh, const MainBox& box, int axis) {
     const double largest = std::max(std::abs(box.low[axis]), std::abs(box.high[axis])),
                  least = least_step * box.diagonal();
@@ -80,7 +80,7 @@ std::optional<double> rounding_step(const Mesh& mesh, const MainBox& box, int ax
     return {};
 }
 
-/// "x in steps of 0.03125, y in steps of 0.5" of the axes that were rounded visibly.
+/// "x in steps of 0.03125, y in steps of 0.5" for the axes with visible rounding.
 std::string rounded_axes(const Mesh& mesh, const MainBox& box) {
     std::string steps;
     for (int axis = 0; axis < 3; ++axis)

@@ -26,7 +26,7 @@ struct PlyMesh {
 
 /// Writes a binary little-endian PLY file: `origin` + position in double precision, a float normal, red,
 /// green, blue and alpha if there are `colors`, and a float per field for each vertex, and the triangles.
-/// In names, what is not printable ASCII becomes '_'. Throws Error(storage).
+/// In names, characters other than printable ASCII become '_'. Throws Error(storage).
 void write_ply(const std::filesystem::path& file, const PlyMesh& mesh);
 
 /// A colored point, in the coordinates of the input.
@@ -35,8 +35,8 @@ struct PlyPoint {
     std::array<std::uint8_t, 3> color;
 };
 
-/// Writes a cloud of `count` points as binary little-endian PLY; `each` hands them on, one by one, to the
-/// function it is given. Throws Error(storage).
+/// Writes a cloud of `count` points as binary little-endian PLY; `each` passes them, one by one, to the
+/// function that it gets. Throws Error(storage).
 void write_points_ply(const std::filesystem::path& file, std::uint64_t count,
                       const std::function<void(const std::function<void(const PlyPoint&)>&)>& each);
 

@@ -8,10 +8,10 @@
 
 namespace vantage {
 
-/// A JSON file of cameras. Keys that are not known are ignored.
+/// A JSON file of cameras. Unknown keys are ignored.
 class JsonFile {
   public:
-    /// Throws Error(input) if it cannot be read or is no JSON.
+    /// Throws Error(input) if it cannot be read or is not JSON.
     explicit JsonFile(const std::filesystem::path& file);
     LocatedJson root() { return {name_, *value_, unknown_}; }
 
@@ -21,14 +21,14 @@ class JsonFile {
     std::vector<std::string> unknown_;
 };
 
-/// The most items of a list of cameras.
+/// The maximum length of a list of cameras.
 inline constexpr std::size_t max_cameras = 1 << 20;
-/// Positions, focal lengths, pixels.
+/// The largest magnitude of positions, focal lengths and pixels.
 inline constexpr double max_value = 1e12;
 
-/// A finite number, also written as text.
+/// A finite number, possibly written as text.
 double numeral(const LocatedJson& value);
-/// That of a key; `otherwise` if there is none.
+/// The number of a key; `otherwise` if there is none.
 double numeral(const LocatedJson& object, const char* key, double otherwise);
 /// The width or height of a photo.
 int photo_size(const LocatedJson& value);

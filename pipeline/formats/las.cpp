@@ -17,9 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 using Rgb = std::array<std::uint16_t, 3>;
 
-/// Where a point format has what, in bytes.
+/// The layout of a point format, in bytes.
 struct PointFormat {
-    unsigned length;  ///< of a record, at least
+    unsigned length;  ///< minimum length of a record
     int color;        ///< -1: none
 };
 constexpr std::array<PointFormat, 11> point_formats{{{20, -1},
@@ -96,7 +96,7 @@ Header read_header(const fs::path& file) {
     return out;
 }
 
-/// Throws if the file does not hold the points that its header counts.
+/// Throws if the file holds fewer points than its header states.
 void expect_points(const fs::path& file, const Header& h) {
     constexpr std::uint64_t most = std::numeric_limits<std::int32_t>::max();
     if (h.points == 0) throw wrong(file, "has no points");
@@ -138,7 +138,7 @@ void take_intensities(const std::vector<std::uint16_t>& intensities, Mesh& out) 
     }
 }
 
-/// What the records hold, point by point.
+/// The contents of the records, per point.
 struct Points {
     Mesh mesh;
     std::vector<Rgb> colors;

@@ -10,7 +10,7 @@
 
 namespace vantage {
 
-/// The cameras of a file that are skipped, by the reason: one line for each reason.
+/// The skipped cameras of a file, grouped by reason: one line per reason.
 class SkippedCameras {
   public:
     void add(const std::string& photo, const std::string& why) {
@@ -26,7 +26,8 @@ class SkippedCameras {
             warnings.push_back(first + others + ": skipped, " + why);
         }
     }
-    /// Throws NoCamera, of a file without any other camera. A missing pose is the last reason to be named.
+    /// Throws NoCamera for a file in which all cameras are skipped. Other reasons are named before a missing
+    /// pose.
     [[noreturn]] void fail(const std::filesystem::path& file) const {
         std::vector<std::string> lines;
         tell(lines);

@@ -43,7 +43,7 @@ class Tokens {
     }
     /// Skips the rest of the line, but not its end.
     void skip_to_line_end() { rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size())); }
-    /// Consumes the end of a line, if that is next.
+    /// Consumes the end of a line if it is next.
     void next_line() {
         if (!rest_.starts_with('\n')) return;
         rest_.remove_prefix(1);

@@ -19,13 +19,13 @@ class XmlFile {
     std::vector<double> numbers(pugi::xml_node element, std::size_t count) const;
     /// The number in an element's child; `otherwise` if there is no such child.
     double number(pugi::xml_node element, const char* child, double otherwise) const;
-    /// The same; throws if there is no such child.
+    /// As above, but throws if there is no such child.
     double number(pugi::xml_node element, const char* child) const;
     /// The number in an attribute; `otherwise` if there is none.
     double attribute(pugi::xml_node element, const char* name, double otherwise) const;
-    /// The same; throws if there is none.
+    /// As above, but throws if there is none.
     double attribute(pugi::xml_node element, const char* name) const;
-    /// The numbers of a text that belongs to an element. Throws unless there are `count`.
+    /// The numbers in a text of an element. Throws unless there are `count`.
     std::vector<double> numbers(pugi::xml_node element, const std::string& text, std::size_t count) const;
     /// The width or height of a photo. Throws unless it is a whole number from 1 to 2^20.
     int size(pugi::xml_node element, double value) const;

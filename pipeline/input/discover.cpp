@@ -39,8 +39,8 @@ bool is_given(const fs::path& file, const InputFiles& given) {
     return std::ranges::any_of(given.compared, is_file) || std::ranges::any_of(given.points, is_file);
 }
 
-/// Meshes, never files of --deviation-from or --points; those with nodes last, mesh.* before other names,
-/// then the larger file.
+/// The preferred mesh, never a file of --deviation-from or --points: formats with nodes last, mesh.* before
+/// other names, then the larger file.
 fs::path find_mesh(const Files& files, const InputFiles& given) {
     using Rank = std::tuple<bool, bool, std::uintmax_t>;
     fs::path best;
@@ -53,7 +53,7 @@ fs::path find_mesh(const Files& files, const InputFiles& given) {
     return best;
 }
 
-/// Point clouds that are not given, the largest first.
+/// Point clouds other than those given, the largest first.
 Files find_clouds(const Files& files, const InputFiles& given) {
     Files found;
     for (const fs::path& f : files)
@@ -63,7 +63,7 @@ Files find_clouds(const Files& files, const InputFiles& given) {
     return found;
 }
 
-/// Without a mesh, takes the largest cloud, unless one is given; notes the clouds that are not used.
+/// Without a mesh, takes the largest cloud, unless one is given; notes unused clouds.
 void take_clouds(const fs::path& folder, const Files& files, InputFiles& found) {
     const bool takes = found.mesh.empty() && found.points.empty();
     const Files clouds = find_clouds(files, found);
@@ -76,7 +76,7 @@ void take_clouds(const fs::path& folder, const Files& files, InputFiles& found) 
     }
 }
 
-/// Without a mesh, cameras without photos and photos without cameras are not used.
+/// Without a mesh, drops cameras without photos and photos without cameras.
 void drop_unmatched(const fs::path& folder, InputFiles& found) {
     const auto note = [&](fs::path& file, const char* why) {
         const fs::path name = file.lexically_relative(folder);
@@ -87,13 +87,13 @@ void drop_unmatched(const fs::path& folder, InputFiles& found) {
     if (found.photos.empty() && !found.cameras.empty()) note(found.cameras, "no photos found");
 }
 
-/// How well a folder's photos fit the cameras.
+/// The fit of a folder's photos to the cameras.
 struct PhotoFolder {
     fs::path path;
     std::size_t matched = 0, folders = 0, by_name = 0, photos = 0;
     bool derived = false, named = false;
     std::ptrdiff_t from_cameras = 0;
-    /// How well its files fit, and whether it is called as such a folder is.
+    /// A rank: the fit of the files, and whether the folder has a typical name.
     auto fit() const { return std::tuple(matched > 0 && !derived, matched, folders, by_name, named); }
     auto rank() const { return std::tuple_cat(fit(), std::tuple(-from_cameras, photos)); }
 };
@@ -121,7 +121,7 @@ PhotoFolder rated(const fs::path& path, const fs::path& root, const fs::path& ca
     return f;
 }
 
-/// Notes the folders that fit the cameras as well.
+/// Also notes other folders with an equal fit.
 fs::path find_photos(const fs::path& root, const Files& files, const fs::path& cameras,
                      std::vector<std::string>& notes) {
     std::set<fs::path> folders;
@@ -136,7 +136,7 @@ fs::path find_photos(const fs::path& root, const Files& files, const fs::path& c
     const fs::path beside = fs::is_directory(cameras) ? cameras : cameras.parent_path();
     std::vector<PhotoFolder> all;
     for (const fs::path& f : folders) all.push_back(rated(f, root, beside, entries));
-    // A folder whose subfolder serves as many cameras is not the photos' own.
+    // If a subfolder matches as many cameras, it is the photos' folder, not its parent.
     std::vector<PhotoFolder> candidates;
     for (const PhotoFolder& f : all)
         if (std::ranges::none_of(all, [&](const PhotoFolder& below) {
@@ -154,7 +154,7 @@ fs::path find_photos(const fs::path& root, const Files& files, const fs::path& c
     return best.path;
 }
 
-/// The same folder without a slash at its end, as in the paths of its files.
+/// The folder without a trailing slash, as in the paths of its files.
 fs::path without_slash(const fs::path& folder) {
     return folder.has_filename() || folder.empty() ? folder : folder.parent_path();
 }
@@ -166,7 +166,7 @@ void expect_complete(const fs::path& folder, const InputFiles& found) {
                         (found.compared.empty() ? "" : " other than the files of --deviation-from"));
     if (found.mesh.empty() && !found.compared.empty())
         throw Error(Exit::usage,
-                    folder.string() + ": has no mesh, of which --deviation-from could measure the deviation");
+                    folder.string() + ": has no mesh whose deviation --deviation-from could measure");
     if (!found.mesh.empty() && found.cameras.empty())
         throw Error(Exit::input, folder.string() + ": no cameras found; expected " + camera_format_names());
     if (!found.mesh.empty() && found.photos.empty())
@@ -179,7 +179,7 @@ FoundInput search(const fs::path& given_folder, const InputFiles& given) {
     const fs::path folder = without_slash(given_folder);
     if (!fs::exists(folder)) throw Error(Exit::input, folder.string() + ": does not exist");
     if (!fs::is_directory(folder)) throw Error(Exit::input, folder.string() + ": not a folder");
-    const Files deep = files_below(folder, given.photos.empty() ? 3 : 2);  // photos may be deeper
+    const Files deep = files_below(folder, given.photos.empty() ? 3 : 2);  // photos may be one level deeper
     Files files;
     std::ranges::copy_if(deep, std::back_inserter(files),
                          [&](const fs::path& file) { return distance(folder, file) <= 3; });
@@ -201,7 +201,7 @@ FoundInput search(const fs::path& given_folder, const InputFiles& given) {
     if (found.mesh.empty() && !found.points.empty()) drop_unmatched(folder, found);
     if (const auto usd = std::ranges::find_if(files, is_usd_file);
         usd != files.end() && found.mesh.empty() && found.points.empty())
-        attempt([&] { read_mesh_file(*usd); });  // says what to export instead
+        attempt([&] { read_mesh_file(*usd); });  // its error suggests another format
     attempt([&] { expect_complete(folder, found); });
     return out;
 }

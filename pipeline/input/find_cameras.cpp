@@ -46,27 +46,27 @@ std::vector<FormatFiles> files_by_format(const Files& files) {
     return out;
 }
 
-/// The deepest folder that holds both.
+/// The deepest folder that contains both.
 fs::path common_folder(const fs::path& a, const fs::path& b) {
     fs::path out;
     for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end() && *i == *j; ++i, ++j) out /= *i;
     return out;
 }
 
-/// A file of cameras, and how well it fits the photos.
+/// A file of cameras and its fit to the photos.
 struct CameraChoice {
     fs::path path;
     const CameraFormat* format = nullptr;
     std::ptrdiff_t steps = 0, cameras = 0, matched = 0;
-    std::string flaw = {};  ///< why it has no cameras
-    /// Of files with the same photos, the one with fewer other cameras; copies are farther or have longer
-    /// names.
+    std::string flaw = {};  ///< the reason that it has no cameras
+    /// Among files with the same photos, the one with fewer other cameras is preferred; copies are farther
+    /// away or have longer names.
     auto rank() const {
         return std::tuple(matched, matched ? -cameras : cameras, -steps, -std::ssize(path.native()));
     }
 };
 
-/// All files of cameras, by format. `near`: a folder that copies are farther from.
+/// All files of cameras, by format. `near`: a folder; copies are farther from it.
 std::vector<CameraChoice> choices(std::span<const FormatFiles> all, const fs::path& near) {
     std::vector<CameraChoice> out;
     for (auto [format, files] : all) {
@@ -86,12 +86,13 @@ void rate(CameraChoice& file, const fs::path& folder, const Files& photos) {
         file.cameras = std::ssize(cameras);
         for (const PhotoMatch& m : match_photos(folder, photos, cameras))
             file.matched += !m.file.empty() || !m.candidates.empty();
-    } catch (const NoCamera& e) {  // a file of the format may hold other things, such as markers
+    } catch (const NoCamera& e) {  // a file of the format may hold other data, such as markers
         file.flaw = reason_of(e, file.path);
     }
 }
 
-/// Reads files until one has a camera for every photo. Returns the best: of equal ones, of the first format.
+/// Reads files until one has a camera for every photo. Returns the best; among equals, that of the first
+/// format.
 const CameraChoice& best_of(std::vector<CameraChoice>& all, const fs::path& folder, const Files& photos) {
     const CameraChoice* best = nullptr;
     for (auto of_format = all.begin(); of_format != all.end();) {
@@ -106,7 +107,7 @@ const CameraChoice& best_of(std::vector<CameraChoice>& all, const fs::path& fold
     return *best;
 }
 
-/// Notes the files that are not used. A single file is not read.
+/// Also notes the unused files. A single file is not read.
 fs::path best_fitting(const fs::path& root, std::span<const FormatFiles> files, InputFiles& found) {
     const bool by_mesh = !found.mesh.empty() && common_folder(found.mesh, root) == root;
     std::vector<CameraChoice> all = choices(files, by_mesh ? found.mesh.parent_path() : root);
@@ -131,8 +132,8 @@ fs::path best_fitting(const fs::path& root, std::span<const FormatFiles> files, 
     return best.path;
 }
 
-/// One camera file per image set, each in the folder of its image set, and the folder that holds them all;
-/// nothing if the files are others.
+/// One camera file per image set, each in its image set's folder, and the folder that contains them all;
+/// empty if the files are arranged differently.
 struct CamerasOfImageSets {
     Files cameras;
     fs::path photos;

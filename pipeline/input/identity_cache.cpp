@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t max_cache_bytes = 16u << 20;  ///< about 150,000 files; a larger cache is emptied
 constexpr std::time_t timestamp_resolution = 2;        ///< s, of the coarsest file system in use (FAT)
 
-/// Marks the stamp of a package that was found valid.
+/// Prefix for the stamp of a package that was found valid.
 const std::string valid_prefix = "valid:";
 
 bool read_status(const fs::path& file, struct stat& st) { return ::stat(file.c_str(), &st) == 0; }
@@ -39,7 +39,8 @@ std::optional<std::pair<std::string, FileIdentity>> parsed(const std::string& li
     return std::pair(line.substr(0, stamp), id);
 }
 
-/// Whether the next modification will change the timestamps; one right after the previous one may not.
+/// Whether the next modification is certain to change the timestamps; one immediately after the previous one
+/// may not.
 bool timestamps_are_reliable(const fs::path& file) {
     struct stat st {};
     return read_status(file, st) &&
@@ -71,7 +72,7 @@ IdentityCache::~IdentityCache() {
     const int fd = ::open(cache_.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC | mode, 0644);
     if (fd < 0) return;
     if (::write(fd, lines.data(), lines.size()) < 0) {
-        // A lost cache costs time only.
+        // A lost cache only costs time.
     }
     ::close(fd);
 }

@@ -17,7 +17,7 @@ namespace vantage {
 std::filesystem::path default_identity_cache();
 
 /// File identities, cached between runs. Files are recognized by device, inode, length, mtime and ctime, so
-/// an unmodified file is not read again. Losing the cache or failing to write it costs time only.
+/// an unmodified file is not read again. Losing the cache or failing to write it only costs time.
 /// Thread-safe.
 class IdentityCache {
   public:
@@ -28,19 +28,19 @@ class IdentityCache {
     IdentityCache(const IdentityCache&) = delete;
     IdentityCache& operator=(const IdentityCache&) = delete;
 
-    /// The cached identity; nothing if the file is not in the cache or has been modified since.
+    /// The cached identity; empty if the file is not in the cache or has been modified since.
     std::optional<FileIdentity> known(const std::filesystem::path& file) const;
     /// The cached identity, or that of the file's content, read in full. Throws Error(input).
     FileIdentity of(const std::filesystem::path& file);
-    /// The same; none if the file cannot be read.
+    /// As above, but empty if the file cannot be read.
     std::optional<FileIdentity> try_of(const std::filesystem::path& file);
     /// Reads a file and caches its identity. Throws Error(input).
     std::pair<std::vector<std::byte>, FileIdentity> read(const std::filesystem::path& file);
 
     /// Whether a package with this stamp was read in full and matched all its checksums.
     bool known_valid(const std::string& stamp) const;
-    /// Caches that it did, like the identities: only if the file still has this stamp and any further change
-    /// would change it.
+    /// Caches that the package is valid, under the same condition as identities: the file still has this
+    /// stamp, and any further modification would change it.
     void remember_valid(const std::filesystem::path& file, const std::string& stamp);
 
   private:

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders of image sets, the first group in visible light.
+/// Names of image set folders, the first group for visible light.
 constexpr const char* visible_image_sets[] = {"visible", "vis",    "rgb",         "color",
                                               "colour",  "normal", "normal light"};
 constexpr const char* other_image_sets[] = {
@@ -34,7 +34,7 @@ bool is_one_of(std::span<const char* const> names, const std::string& name) {
     return std::ranges::any_of(names, [&](const char* n) { return spaced == n; });
 }
 
-/// A photo's image set in words, by the folders in its path; nothing if none of them names an image set.
+/// The name of a photo's image set, from the folders in its path; empty if none of them names an image set.
 std::optional<std::string> image_set_by_folder(const fs::path& photo, const std::string& how) {
     const fs::path folders = photo.parent_path();
     if (folders.empty()) return without_folder;
@@ -53,7 +53,7 @@ void expect_image_set(const std::string& name, const std::string& where) {
                         where, name));
 }
 
-/// By the names that photos have for their image sets; names that differ only in case are one.
+/// Groups photos by the names of their image sets, ignoring case.
 ImageSetGroups grouped(std::span<const std::string> of_photos, const std::string& where) {
     ImageSetGroups out;
     std::map<std::string, std::uint32_t> known;

@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// How photos are grouped into image sets: `auto`, `folders`, `off`, or the path of a file.
+/// The method that groups photos into image sets: `auto`, `folders`, `off`, or the path of a file.
 inline constexpr const char *image_sets_auto = "auto", *image_sets_by_folder = "folders",
                             *image_sets_off = "off";
 
@@ -22,7 +22,7 @@ bool is_known_image_set(const std::string& folder);
 struct ImageSetGroups {
     std::vector<std::string> names;  ///< the default one first; a single one may have no name
     std::vector<std::uint32_t> of_photo;
-    std::string note{};  ///< why folders that look like image sets are none; may be empty
+    std::string note{};  ///< the reason that folders similar to image sets are not used as such; may be empty
 };
 
 /// Groups photos, given by their paths in the photos' folder. `auto`: by the first folder in a photo's path

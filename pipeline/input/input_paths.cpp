@@ -25,7 +25,7 @@ std::vector<fs::path> input_paths(const InputFiles& files) {
         for (const fs::path& file : files_below(files.mesh.parent_path(), 1))
             if (const std::string kind = lower_extension(file); kind == ".mtl" || kind == ".bin")
                 out.push_back(file);
-    if (!fs::is_directory(files.photos)) return out;  // read_scene will say so
+    if (!fs::is_directory(files.photos)) return out;  // read_scene will report it
     // Cameras may name photos in subfolders.
     Masks masks;
     for (const fs::path& file : files_below(files.photos, 2)) {

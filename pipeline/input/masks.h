@@ -5,10 +5,10 @@
 
 namespace vantage {
 
-/// Finds photos' masks, pictures that are dark where a photo is not to be shown: NAME.mask.png beside the
-/// photo, or NAME.png in `masks` beside the photos' folder or, in a folder of the same name as the photo's,
-/// above it. NAME is the photo's, with or without its extension; names are compared as by comparable_name().
-/// Lists each folder once.
+/// Finds photos' masks, pictures that are dark where a photo must not be shown: NAME.mask.png beside the
+/// photo, or NAME.png in `masks` beside the photo's folder, or in a subfolder with the name of the photo's
+/// folder in `masks` one level higher. NAME is the photo's, with or without its extension; names are compared
+/// as by comparable_name(). Lists each folder once.
 class Masks {
   public:
     /// Empty: the photo has none.

@@ -8,13 +8,14 @@
 
 namespace vantage {
 
-/// A photo's file: identified at once, read on demand. `identities` and the path must outlive it.
+/// A photo's file: identified immediately, read on demand. `identities` and the path must outlive this
+/// object.
 class PhotoFile {
   public:
     /// Reads the file only if its identity is not cached. Throws Error(input).
     PhotoFile(IdentityCache& identities, const std::filesystem::path& file);
     const FileIdentity& identity() const { return identity_; }
-    /// The whole file. Throws Error(input) if the file is gone or no longer has this identity.
+    /// The whole file. Throws Error(input) if the file no longer exists or has changed.
     std::span<const std::byte> bytes();
     /// Frees the bytes; the identity stays.
     void release() { bytes_ = {}; }

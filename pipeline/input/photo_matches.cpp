@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In the order in which they are taken if a camera's file has another extension.
+/// In order of preference, for cameras whose file name has another extension.
 constexpr const char* extensions[] = {".jpg", ".jpeg", ".png",  ".tif",  ".tiff", ".webp", ".bmp", ".jp2",
                                       ".ppm", ".heic", ".heif", ".avif", ".exr",  ".hdr",  ".dng", ".cr2",
                                       ".cr3", ".nef",  ".arw",  ".raf",  ".orf",  ".rw2",  ".pef", ".srw",
@@ -27,7 +27,7 @@ std::size_t rank_of(const fs::path& file) {
 
 bool has_photo_extension(const fs::path& file) { return rank_of(file) < std::size(extensions); }
 
-/// The folders and the file name of a path, comparable; the first element is the file's name.
+/// The folders and the file name of a path as comparable names, the file name first.
 std::vector<std::string> parts_from_the_end(const std::string& path) {
     const std::string comparable = comparable_name(path);
     std::vector<std::string> parts;
@@ -37,17 +37,17 @@ std::vector<std::string> parts_from_the_end(const std::string& path) {
     return parts;
 }
 
-/// Without the extension if it is that of a photo: "IMG_1.2" has none.
+/// The name without a photo's extension; "IMG_1.2" has none.
 std::string stem_of(const std::string& name) {
     return has_photo_extension(name) ? fs::path(name).stem().string() : name;
 }
 
 struct Photo {
     std::vector<std::string> parts;  ///< of the whole path
-    std::size_t below = 0;           ///< how many of them are below the photos' folder
+    std::size_t below = 0;           ///< number of them below the photos' folder
 };
 
-/// The number of equal parts at the end of two paths, the first of which are known to fit.
+/// The number of equal parts at the end of two paths whose file names are known to match.
 std::size_t common_parts(const std::vector<std::string>& a, const std::vector<std::string>& b) {
     std::size_t n = 1;
     while (n < a.size() && n < b.size() && a[n] == b[n]) ++n;
@@ -83,20 +83,21 @@ class Matches {
 
   private:
     using Index = std::multimap<std::string, std::size_t>;
-    /// Whether this photo may be what the name means.
+    /// Whether the name possibly refers to this photo.
     bool fits(std::size_t name, const Photo& photo) const {
         const std::vector<std::string>& parts = parts_[name];
         const std::size_t common = common_parts(parts, photo.parts);
         if (common == parts.size()) return true;
         if (common < photo.below) return false;
-        // The name has other folders, such as those of another machine: no other name may fit as well.
+        // The name has different folders, such as those of another machine: it must be the only name that
+        // fits.
         return std::ranges::count_if(same_stem_.at(stem_of(parts.front())), [&](const auto& other) {
                    return common_parts(other, photo.parts) >= photo.below;
                }) == 1;
     }
     PhotoMatch best(std::size_t name, std::pair<Index::const_iterator, Index::const_iterator> range) const {
         const std::string& photo = cameras_[name].photo;
-        // More equal folders, the path as it is, the name as it is, the extension, then depth.
+        // More equal folders, the exact path, the exact name, the extension, then depth.
         using Rank = std::tuple<std::size_t, bool, bool, std::size_t, std::size_t>;
         std::vector<std::pair<Rank, std::size_t>> found;
         for (const auto& [key, i] : std::ranges::subrange(range.first, range.second)) {
@@ -126,7 +127,7 @@ class Matches {
     const std::vector<fs::path>& files_;
     std::span<const CameraSet::Entry> cameras_;
     std::vector<Photo> photos_;
-    std::vector<std::vector<std::string>> parts_, in_group_;  ///< of the cameras' names; with their groups
+    std::vector<std::vector<std::string>> parts_, in_group_;  ///< camera names, without and with groups
     Index by_name_, by_stem_;
     std::map<std::string, std::set<std::vector<std::string>>> same_stem_;
 };
@@ -209,7 +210,7 @@ std::vector<fs::path> unused_photos(const fs::path& folder, const std::vector<fs
         return file.parent_path() / comparable_name(file.stem().string());
     };
     std::set<fs::path> folders{folder};
-    std::map<fs::path, std::size_t> formats;  // of the used photos
+    std::map<fs::path, std::size_t> formats;  // ranks of the used photos' formats
     for (const fs::path& file : used) {
         folders.insert(file.parent_path());
         formats[bare(file)] = rank_of(file);

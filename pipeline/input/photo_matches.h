@@ -11,14 +11,14 @@ namespace vantage {
 /// Whether the file's extension is that of a photo. False for masks (NAME.mask.png) and hidden files.
 bool is_photo(const std::filesystem::path& file);
 
-/// Whether a folder of this name holds what is computed from photos: masks, depth, normals, thumbnails.
+/// Whether a folder of this name holds pictures computed from photos: masks, depth, normals, thumbnails.
 bool is_derived(const std::filesystem::path& folder);
 
 /// The photos in a folder and two levels below it, sorted; subfolders of derived pictures are skipped.
 std::vector<std::filesystem::path> photos_below(const std::filesystem::path& folder);
 
-/// The path of a file whose path in `folder` has this utf8_name(). A file that does not exist is taken to
-/// have the name itself.
+/// The path of a file whose path in `folder` has this utf8_name(). If there is no such file, the path with
+/// the name as given.
 std::filesystem::path file_named(const std::filesystem::path& folder, const std::string& utf8);
 
 /// The utf8_name() of a file's path in `folder`, or of the file if it is elsewhere.
@@ -31,16 +31,16 @@ std::filesystem::path file_meant(const std::filesystem::path& folder, const std:
 /// The photo of a camera.
 struct PhotoMatch {
     std::filesystem::path file;  ///< empty: none
-    bool by_name = false;        ///< the extension is that of the camera too
-    std::size_t folders = 0;     ///< of the camera's name, or its groups, that are the file's too
-    std::vector<std::filesystem::path> candidates = {};  ///< without a file: those that fit equally
+    bool by_name = false;        ///< the extension also matches the camera's
+    std::size_t folders = 0;     ///< number of folders in common with the camera's name or group
+    std::vector<std::filesystem::path> candidates = {};  ///< if there is no file: those that fit equally well
 };
 
 /// Finds the photo of each camera, whose name may have folders, among `photos` in `folder`. Names are
-/// compared as by comparable_name(). The file must have all of the name's folders, or the name all of the
-/// file's folders below `folder`; a file that fits several names is given to none. Of several files that fit
-/// a name, the one in folders of the name of the camera's group is taken, or the only one that no other
-/// camera names by its folder. If no file has the name's extension, one with another extension is taken.
+/// compared as by comparable_name(). The file's path must contain all of the name's folders, or the name all
+/// of the file's folders below `folder`; a file that fits several names is assigned to none. Of several files
+/// that fit a name, the one in folders named like the camera's group is taken, or the only one that no other
+/// camera refers to by its folder. If no file has the name's extension, one with another extension is taken.
 std::vector<PhotoMatch> match_photos(const std::filesystem::path& folder,
                                      const std::vector<std::filesystem::path>& photos,
                                      std::span<const CameraSet::Entry> cameras);

@@ -21,14 +21,14 @@ PhotoPrefetch::PhotoPrefetch(const SceneInput& scene, const std::vector<std::siz
 }
 
 void PhotoPrefetch::decode(Entry& entry, const PhotoInput& photo, Trace* trace) {
-    if (entry.claimed.exchange(true)) return;  // take() came first
+    if (entry.claimed.exchange(true)) return;  // take() was first
     try {
         const Traced traced(trace, "decode", photo.name);
         const std::vector<std::byte> bytes = read_file(photo.file);
         entry.identity = identify(bytes);
         entry.image = decode_photo(photo.file, bytes, photo.decoded);
     } catch (const std::exception&) {
-        // The error is reported when the photo is decoded again in its turn.
+        // The error is reported when the photo is decoded again later.
     }
     entry.decoded.set_value();
 }

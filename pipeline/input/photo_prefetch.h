@@ -13,18 +13,18 @@
 
 namespace vantage {
 
-/// Reads and decodes photos ahead of time, on cores that are idle while one prepares the model.
+/// Reads and decodes photos ahead of time, on cores that are idle while one thread prepares the model.
 class PhotoPrefetch {
   public:
     /// Starts decoding `photos`, indices into scene.photos, in order, on `threads` threads; 0 decodes none.
     /// The scene and `trace` (may be null) must outlive this object, and the photos must not change.
     PhotoPrefetch(const SceneInput& scene, const std::vector<std::size_t>& photos, unsigned threads,
                   Trace* trace);
-    /// Starts no further photos; waits for those being decoded.
+    /// Cancels photos that have not started; waits for those being decoded.
     ~PhotoPrefetch() { next_ = photos_.size(); }
 
-    /// Hands over a photo, waiting for it if it is being decoded; nullopt if decoding has not started (it
-    /// then never will), failed, or read a file with another identity. At most once per photo.
+    /// Returns a photo, waiting for it if it is being decoded; nullopt if decoding has not started (it is
+    /// then canceled), failed, or read a file with another identity. At most once per photo.
     std::optional<RgbaImage> take(std::size_t photo, const FileIdentity& identity);
 
   private:

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Intrinsics that lack the photo's size.
+/// Completes intrinsics that lack the photo's size.
 Intrinsics in_pixels(const Intrinsics& k, CameraSet::Unit unit, const PhotoSize& size) {
     using Unit = CameraSet::Unit;
     const double scale = unit == Unit::photo_width   ? size.width
@@ -41,7 +41,7 @@ Intrinsics in_pixels(const Intrinsics& k, CameraSet::Unit unit, const PhotoSize&
             scale * k.cy + middle * size.height};
 }
 
-/// Whether only the photo as displayed, turned by 90 degrees, has the aspect of its camera.
+/// Whether the photo has the aspect ratio of its camera only as displayed, turned by 90 degrees.
 bool turns_to_fit(const PhotoHeader& header, const Intrinsics& k) {
     const auto [width, height] = header.size;
     const auto difference = [&](double x, double y) {
@@ -50,8 +50,9 @@ bool turns_to_fit(const PhotoHeader& header, const Intrinsics& k) {
     return header.orientation >= 5 && difference(height, width) < difference(width, height);
 }
 
-/// Pixels are taken as stored, but the camera may be of the photo as displayed. Turned by 90 degrees, they
-/// fit their camera or do not, if its size tells; but they may have been turned before.
+/// The EXIF orientation if it is ambiguous. Pixels are taken as stored, but the camera may refer to the photo
+/// as displayed. A turn by 90 degrees usually shows in the camera's size; but the pixels may have been turned
+/// before.
 int open_turn(const PhotoHeader& header, CameraSet::Unit unit, bool turns) {
     using Unit = CameraSet::Unit;
     if (header.orientation < 5) return header.orientation == 1 ? 0 : header.orientation;
@@ -86,8 +87,8 @@ void fit_to_photo(PhotoInput& photo, CameraSet::Unit unit, SceneInput& scene) {
     k = k.scaled(size.width, size.height);
 }
 
-/// The names of files in a package: the file name, or for those that share one their path in the photos'
-/// folder, joined by _, with more of these in front if that does not tell them apart.
+/// The names of files in a package: the file name; for files with equal names, their path in the photos'
+/// folder, joined by _, with leading underscores if that is still ambiguous.
 std::map<fs::path, std::string> package_names(const fs::path& folder, const std::set<fs::path>& files) {
     std::map<std::string, int> count;
     for (const fs::path& file : files) ++count[utf8_name(file.filename().string())];
@@ -105,7 +106,7 @@ std::map<fs::path, std::string> package_names(const fs::path& folder, const std:
     return names;
 }
 
-/// A photo with its camera, both checked. Throws Error(input) if they cannot be used.
+/// A photo and its camera, both validated. Throws Error(input) if they are unusable.
 PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file, const std::string& name,
                             Masks& masks, SceneInput& scene) {
     PhotoInput photo{name, file, entry.camera};
@@ -118,11 +119,11 @@ PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file,
     return photo;
 }
 
-/// All cameras, and the photo of each.
+/// All cameras and their photos.
 struct FoundPhotos {
     CameraSet set;
-    std::vector<fs::path> files;       ///< empty for cameras without one
-    std::vector<std::string> why_not;  ///< of each, if it has none
+    std::vector<fs::path> files;       ///< empty for cameras without photo
+    std::vector<std::string> why_not;  ///< the reason for a missing photo, per camera
 };
 
 constexpr const char* without_photo = "has a camera but no photo";
@@ -139,7 +140,7 @@ std::string alternatives(const std::vector<fs::path>& files, const fs::path& fol
     return out;
 }
 
-/// A camera file and what it holds.
+/// A camera file and its cameras.
 struct CameraFile {
     fs::path file;
     CameraSet set;
@@ -149,7 +150,7 @@ struct CameraFile {
 void add_found(CameraFile&& cameras, const fs::path& folder, const std::vector<fs::path>& photos,
                FoundPhotos& found) {
     std::vector<CameraSet::Entry>& entries = cameras.set.entries;
-    std::map<fs::path, std::string> used;  // and by which camera
+    std::map<fs::path, std::string> used;  // and the camera that uses each
     for (std::size_t i = 0; i < found.files.size(); ++i) used[found.files[i]] = name_of(found.set.entries[i]);
     const std::vector<PhotoMatch> matches = match_photos(folder, photos, entries);
     for (std::size_t i = 0; i < matches.size(); ++i) {
@@ -168,7 +169,7 @@ void add_found(CameraFile&& cameras, const fs::path& folder, const std::vector<f
                              std::make_move_iterator(entries.end()));
 }
 
-/// The folder below the photos' own whose photos a camera file describes, if there is one file per folder.
+/// The folder below the photos' folder to which a camera file belongs, if there is one file per folder.
 fs::path folder_of(const fs::path& cameras, const fs::path& photos) {
     return photos / *cameras.lexically_relative(photos).begin();
 }
@@ -206,13 +207,13 @@ void set_image_sets(SceneInput& scene) {
     if (!groups.names.empty()) scene.image_sets = std::move(groups.names);
 }
 
-/// What becomes of a photo's colors, after "holds"; empty if they are kept.
+/// The conversion of a photo's colors, as a text that follows "holds"; empty if they are kept.
 std::string said_of_colors(const PhotoInput& photo) {
     const ProfileUse& profile = photo.profile;
     const std::string name =
         profile.name.empty() ? "a color profile" : "the color profile '" + profile.name + "'";
-    if (photo.linear) return "linear light: converted to sRGB, what is brighter than 1 is clipped";
-    if (profile.converts) return name + ": converted to sRGB, what is outside it is clipped";
+    if (photo.linear) return "linear light: converted to sRGB; values above 1 are clipped";
+    if (profile.converts) return name + ": converted to sRGB; colors outside sRGB are clipped";
     if (!profile.flaw.empty())
         return name + ", which cannot be used because " + profile.flaw + ": taken as sRGB";
     return {};
@@ -226,9 +227,9 @@ std::string holders(const std::vector<std::string>& photos) {
     return first + " and " + std::to_string(photos.size() - 1) + " other photos hold";
 }
 
-/// One warning for all photos with the same kind of colors.
+/// Adds one warning for all photos with the same color conversion.
 void warn_of_colors(SceneInput& scene) {
-    std::map<std::string, std::vector<std::string>> photos;  // by what is said of their colors
+    std::map<std::string, std::vector<std::string>> photos;  // by the text about their colors
     for (const PhotoInput& photo : scene.photos) photos[said_of_colors(photo)].push_back(photo.name);
     photos.erase("");
     for (const auto& [said, names] : photos) scene.warnings.push_back(holders(names) + " " + said);
@@ -255,7 +256,7 @@ void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
             scene.photos.push_back(
                 read_photo_input(set.entries[i], files[i], names.at(files[i]), masks, scene));
         } catch (const UnreadableFile& e) {
-            // Not identified by its content: the next run tries again.
+            // Its content is not identified, so the next run tries again.
             skip(files[i], reason_of(e, files[i]));
         } catch (const Error& e) {
             skip(files[i], reason_of(e, files[i]));
@@ -271,7 +272,7 @@ void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
     std::ranges::sort(scene.warnings);
 }
 
-/// A mesh, whose companions are noted.
+/// Reads a mesh and records its companions.
 Mesh read_mesh_of(SceneInput& scene, const fs::path& file) {
     scene.read.push_back(stamped(file));
     std::vector<fs::path>& companions = scene.files.companions[file];
@@ -280,7 +281,7 @@ Mesh read_mesh_of(SceneInput& scene, const fs::path& file) {
     return mesh;
 }
 
-/// The meshes to compare with. Throws Error(usage) if two have the same name.
+/// Reads the reference meshes. Throws Error(usage) if two have the same name.
 void read_compared(SceneInput& scene) {
     std::set<fs::path> names;
     for (const fs::path& file : scene.files.compared) {
@@ -290,7 +291,7 @@ void read_compared(SceneInput& scene) {
     }
 }
 
-/// All points in one cloud. If one file has colors, points of the others are light gray.
+/// Reads all points into one cloud. If only some files have colors, the points of the others are light gray.
 void read_clouds(SceneInput& scene) {
     constexpr std::array<std::uint8_t, 4> gray{200, 200, 200, 255};
     Mesh& all = scene.points;
@@ -313,7 +314,7 @@ void read_clouds(SceneInput& scene) {
                                      std::to_string(most));
 }
 
-/// No photo is left: says why, if they are there but cannot be used.
+/// Fails because no photo remains, with the reason if photos exist but are unusable.
 [[noreturn]] void fail_without_photos(const SceneInput& scene) {
     const std::string folder = scene.files.photos.string(), cameras = scene.files.cameras.string();
     const auto unusable = std::ranges::find_if(scene.skipped, [](const UnusablePhoto& l) {

@@ -15,20 +15,20 @@ namespace vantage {
 
 /// A photo and its camera.
 struct PhotoInput {
-    std::string name;  ///< file name without folders, or with them joined by _ if photos share a name; UTF-8
+    std::string name;  ///< file name; includes folders, joined by _, if names collide; UTF-8
     std::filesystem::path file;
     Camera camera;
     PhotoSize decoded{};  ///< in the camera's orientation; larger than the camera's if photos are reduced
     std::filesystem::path mask{};     ///< image, black where the photo must not be shown; empty: none
-    bool linear = false;              ///< its file holds linear light
+    bool linear = false;              ///< the file stores linear light
     ProfileUse profile{};             ///< of its file's ICC profile
     std::vector<StampedFile> read{};  ///< photo and mask, stamped before the photo's header was read
     std::uint32_t image_set = 0;      ///< index in SceneInput::image sets
     int orientation = 1;              ///< EXIF
-    int open_turn = 0;  ///< EXIF orientation that the pixels may still lack to fit their camera; 0: none
+    int open_turn = 0;  ///< EXIF orientation that the pixels may still need to fit their camera; 0: none
 };
 
-/// Where the parts of an input are.
+/// The paths of an input's parts.
 struct InputFiles {
     std::filesystem::path mesh;     ///< empty in a scene of points only
     std::filesystem::path cameras;  ///< a file, or a COLMAP folder; empty without photos
@@ -36,37 +36,37 @@ struct InputFiles {
     std::vector<std::filesystem::path>
         compared{};  ///< meshes or clouds from which the mesh's deviation is measured
     std::vector<std::filesystem::path> points{};  ///< point clouds to show, with the mesh or alone
-    std::vector<std::string> notes{};             ///< what else was found and not taken
+    std::vector<std::string> notes{};             ///< other files found but not used
     std::vector<std::filesystem::path>
         more_cameras{};                 ///< as `cameras`, each of the photos in its own folder below `photos`
     std::string image_sets = "auto";    ///< see group_image_sets
     std::optional<Similarity> align{};  ///< from the cameras' frame to the mesh's, if they differ
-    /// Of `mesh` and `compared`: further files that read_mesh() read.
+    /// Further files that read_mesh() read for `mesh` and `compared`.
     std::map<std::filesystem::path, std::vector<std::filesystem::path>> companions{};
 };
 
-/// The companions of one of its meshes.
+/// The companions of one of the meshes.
 inline std::vector<std::filesystem::path> companions_of(const std::filesystem::path& mesh,
                                                         const InputFiles& files) {
     const auto found = files.companions.find(mesh);
     return found == files.companions.end() ? std::vector<std::filesystem::path>() : found->second;
 }
 
-/// The reason to skip a photo that no camera belongs to.
+/// The reason to skip a photo without a camera.
 inline constexpr const char* without_camera = "has no camera";
 
-/// A photo that cannot be used, and the reason.
+/// An unusable photo, and the reason.
 struct UnusablePhoto {
     std::string photo, why;
-    std::filesystem::path file{};  ///< empty if there is none, or if its content does not matter
+    std::filesystem::path file{};  ///< empty if there is no file, or if its content does not matter
 };
 
-/// Everything `prepare` starts from.
+/// The complete input of `prepare`.
 struct SceneInput {
     InputFiles files;
     std::string camera_format;           ///< display name: "COLMAP text", "Bundler", ...
-    std::string convention = "as-read";  ///< see apply_conventions(): what was changed in all cameras
-    Similarity transform{};  ///< from the camera file's frame to the mesh's, by that file; identity: none
+    std::string convention = "as-read";  ///< the conventions applied to all cameras, see apply_conventions()
+    Similarity transform{};  ///< from the camera file's frame to the mesh's, by that file; default: none
     Mesh mesh;
     std::vector<Mesh> compared;          ///< of files.compared
     Mesh points;                         ///< of all files.points; without triangles

@@ -14,9 +14,10 @@
 namespace vantage {
 namespace {
 
-/// Of 255: a profile that changes no value by more is that of sRGB. Copies of it differ by 1, by rounding.
+/// A profile that changes no value (of 255) by more is that of sRGB. Copies of it differ by 1, from rounding.
 constexpr int srgb_tolerance = 2;
-/// The same of profiles called sRGB, some of which simplify its curve to a gamma of 2.2, 8 off in the dark.
+/// The same tolerance for profiles named sRGB, some of which simplify its curve to a gamma of 2.2, with
+/// errors of 8 in dark values.
 constexpr int named_srgb_tolerance = 16;
 
 using Profile = std::unique_ptr<void, decltype(&cmsCloseProfile)>;
@@ -42,8 +43,8 @@ Profile light_profile() {
     return {cmsCreateRGBProfile(&d65, &primaries, curves.data()), cmsCloseProfile};
 }
 
-/// Null if the profile lacks what it takes. Optimized, Little CMS would interpolate in a grid of colors,
-/// which is off by up to 28 of 255 where colors leave sRGB.
+/// Null if the profile is incomplete. With optimization, Little CMS interpolates in a grid of colors, with
+/// errors of up to 28 of 255 near the limits of sRGB.
 Transform transform(const Profile& from, cmsUInt32Number from_type, const Profile& to,
                     cmsUInt32Number to_type, cmsUInt32Number flags = 0) {
     cmsHTRANSFORM made =
@@ -52,13 +53,13 @@ Transform transform(const Profile& from, cmsUInt32Number from_type, const Profil
     return made ? Transform(made, cmsDeleteTransform) : nullptr;
 }
 
-/// Of pixels of four values. `to` may be the same memory as `from`.
+/// Transforms pixels of four values. `to` may be the same memory as `from`.
 template <class T>
 void apply(const Transform& transform, std::span<const T> from, std::span<std::uint8_t> to) {
     cmsDoTransform(transform.get(), from.data(), to.data(), cmsUInt32Number(from.size() / 4));
 }
 
-/// The largest change of a value of 255 by a transform of RGB to RGB, of colors all over the cube.
+/// The largest change of a value (of 255) by an RGB-to-RGB transform, over a grid of colors.
 int change_of_colors(const Transform& bytes) {
     int most = 0;
     for (int r = 0; r < 256; r += 15)
@@ -72,7 +73,7 @@ int change_of_colors(const Transform& bytes) {
     return most;
 }
 
-/// The same of a transform of gray to RGB.
+/// The same for a gray-to-RGB transform.
 int change_of_grays(const Transform& bytes) {
     int most = 0;
     for (int v = 0; v < 256; ++v) {
@@ -84,13 +85,13 @@ int change_of_grays(const Transform& bytes) {
     return most;
 }
 
-/// Whether colors are found in a table instead of by curves and a matrix.
+/// Whether the profile converts colors with a table instead of curves and a matrix.
 bool has_table(const Profile& profile) {
     const auto tables = {cmsSigAToB0Tag, cmsSigAToB1Tag, cmsSigDToB1Tag};
     return std::ranges::any_of(tables, [&](cmsTagSignature tag) { return cmsIsTag(profile.get(), tag); });
 }
 
-/// The light of each value of one of `channels`, the others being 0.
+/// The light of each value of one channel (of `channels`), the others being 0.
 std::vector<Light> light_along(std::size_t channel, std::size_t channels, const Transform& to_light) {
     std::vector<float> from(channels * channel_values), to(3 * channel_values);
     for (std::size_t v = 0; v < channel_values; ++v)
@@ -104,7 +105,7 @@ std::vector<Light> light_along(std::size_t channel, std::size_t channels, const 
 LightTable light_of_colors(const Transform& to_light) {
     LightTable light;
     for (std::size_t c = 0; c < 3; ++c) light[c] = light_along(c, 3, to_light);
-    // Each of them holds the light of black.
+    // Each of them includes the light of black.
     const Light black = light[0][0];
     for (std::size_t c = 1; c < 3; ++c)
         for (Light& l : light[c])
@@ -112,11 +113,11 @@ LightTable light_of_colors(const Transform& to_light) {
     return light;
 }
 
-/// Of red alone, which a gray pixel's green and blue repeat.
+/// The table of gray pixels: red carries all light, because green and blue repeat it.
 LightTable light_of_grays(const Transform& to_light) {
     LightTable light{light_along(0, 1, to_light), std::vector<Light>(channel_values),
                      std::vector<Light>(channel_values)};
-    for (Light& l : light[0]) l.fill(l[1]);  // the others differ from it by rounding
+    for (Light& l : light[0]) l.fill(l[1]);  // the others differ only by rounding
     return light;
 }
 
@@ -126,8 +127,8 @@ void convert_by_light(LightTable table, ColorProfile& out) {
     out.converted = [light](std::span<const std::uint16_t> pixels) { return to_srgb(*light, pixels); };
 }
 
-// The following three set the functions unless the profile is that of sRGB, of which colors change by at most
-// `tolerance`. They return false if the profile lacks what it takes.
+// The following three set the functions unless the profile is that of sRGB, which changes colors by at most
+// `tolerance`. They return false if the profile is incomplete.
 
 bool set_colors(const Profile& profile, int tolerance, ColorProfile& out) {
     const Transform rgb = transform(profile, TYPE_RGB_8, srgb_profile(), TYPE_RGB_8),
@@ -196,7 +197,7 @@ ColorProfile read_profile(std::span<const std::byte> icc, PixelColors colors) {
 }  // namespace
 
 std::shared_ptr<const ColorProfile> color_profile(std::span<const std::byte> icc, PixelColors colors) {
-    // The photos of a scan share few profiles; some programs write another one into each.
+    // The photos of a scan usually share few profiles; some programs write a different one into each photo.
     constexpr std::size_t most = 8;
     static std::mutex mutex;
     static std::map<std::pair<PixelColors, std::vector<std::byte>>, std::shared_ptr<const ColorProfile>>

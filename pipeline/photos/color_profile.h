@@ -9,29 +9,29 @@
 
 namespace vantage {
 
-/// What the values of a photo's pixels are, apart from alpha.
+/// The color model of a photo's pixels, apart from alpha.
 enum class PixelColors { gray, rgb, cmyk };
 
-/// What becomes of colors that have an ICC profile.
+/// The treatment of colors with an ICC profile.
 struct ProfileUse {
     std::string name{};     ///< the profile's own description, in ASCII; may be empty
-    std::string flaw{};     ///< why the profile cannot be used, so that colors are taken as sRGB; else empty
+    std::string flaw{};     ///< the reason to ignore the profile and take colors as sRGB; else empty
     bool converts = false;  ///< colors are converted to sRGB; false if they are sRGB or taken as such
 };
 
 /// The conversion from an ICC profile (ISO 15076-1) to sRGB: relative colorimetric with black point
-/// compensation; what is outside sRGB is clipped. Thread-safe; without functions unless use.converts.
+/// compensation; colors outside sRGB are clipped. Thread-safe; without functions unless use.converts.
 struct ColorProfile {
     ProfileUse use{};
-    /// Converts pixels of four values to RGBA: red, green and blue, alike if the photo is gray, and alpha,
-    /// which stays as it is; or inks as Adobe stores them in JPEG files, 255 for none.
+    /// Converts pixels of four values to RGBA: red, green and blue, all equal if the photo is gray, and
+    /// alpha, which is unchanged; or inks as Adobe stores them in JPEG files, 255 for none.
     std::function<void(std::span<std::uint8_t> pixels)> convert{};
-    /// The same of 16 bits per value, rounded to 8 afterwards; not of inks.
+    /// The same for 16 bits per value, rounded to 8 afterwards; not for inks.
     std::function<std::vector<std::uint8_t>(std::span<const std::uint16_t> pixels)> converted{};
 };
 
-/// The profile of a photo with these colors; what is wrong with its bytes is in use.flaw. Made once for all
-/// photos that have it. Thread-safe.
+/// The profile of a photo with these colors; use.flaw reports invalid bytes. Created once for all photos that
+/// share it. Thread-safe.
 std::shared_ptr<const ColorProfile> color_profile(std::span<const std::byte> icc, PixelColors colors);
 
 }  // namespace vantage

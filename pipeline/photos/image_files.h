@@ -26,13 +26,13 @@ struct PhotoHeader {
 enum class Sample { u8, f32 };
 
 /// Reads and writes image files with OpenImageIO. Loading OpenImageIO and its dependencies takes longer than
-/// checking many packages, so this code is in a library of its own, loaded on first use; plain JPEG files do
+/// checking many packages, so this code is in a separate library, loaded on first use; plain JPEG files do
 /// not need it. The functions throw Error(input) or Error(storage) naming the file.
 struct ImageFiles {
     PhotoHeader (*header)(const std::filesystem::path& file);
-    /// Colors of an ICC profile and linear light are converted to sRGB; what is brighter than 1 becomes 1.
+    /// Colors with an ICC profile and linear light are converted to sRGB; values above 1 become 1.
     RgbaImage (*read)(const std::filesystem::path& file);
-    /// The same without regard to a profile: for images whose values are not colors.
+    /// The same, ignoring profiles: for images whose values are not colors.
     RgbaImage (*read_unprofiled)(const std::filesystem::path& file);
     /// Writes interleaved pixels, top row first, in the format of the file's extension: PNG, EXR, or JPEG at
     /// quality 97 without chroma subsampling. Four channels are RGBA with straight alpha.

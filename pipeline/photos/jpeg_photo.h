@@ -9,13 +9,13 @@
 
 namespace vantage {
 
-/// What a JPEG says before its first scan.
+/// The contents of a JPEG before its first scan.
 struct JpegPhoto {
-    std::string flaw;  ///< why it cannot be read, or empty; then the rest is valid
+    std::string flaw;  ///< the reason that it cannot be read; if empty, the rest is valid
     int width = 0, height = 0;
     int orientation = 1;  ///< EXIF, 1 to 8
     PixelColors colors = PixelColors::rgb;
-    /// The ICC profile, put together from its segments (ICC.1, Annex B.4); no bytes if segments are missing.
+    /// The ICC profile, assembled from its segments (ICC.1, Annex B.4); no bytes if segments are missing.
     std::optional<std::vector<std::byte>> profile;
 };
 

@@ -22,7 +22,7 @@ namespace {
     throw Error(Exit::input, file.string() + ": " + reason.substr(0, reason.find('\n')));
 }
 
-/// Files of these formats hold linear light; others say so where they do (PNG by its gamma).
+/// Files of these formats hold linear light; files of others state it if they do (PNG by its gamma).
 bool is_linear(const OIIO::ImageSpec& spec, const std::string& format) {
     return format == "openexr" || format == "hdr" ||
            OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
@@ -46,19 +46,19 @@ bool is_tiff_of(const OIIO::ImageSpec& spec, const std::string& format, int phot
     return format == "tiff" && spec.get_int_attribute("tiff:PhotometricInterpretation", -1) == photometric;
 }
 
-/// Throws Error(input) for files that OpenImageIO would read wrongly.
+/// Throws Error(input) for files that OpenImageIO reads incorrectly.
 void expect_readable(const OIIO::ImageSpec& spec, const std::string& format,
                      const std::filesystem::path& file) {
     if (format != "tiff") return;
     if (const std::string flaw = tiff_flaw(file); !flaw.empty()) fail(file, flaw);
-    constexpr int separated = 5;  // into inks
+    constexpr int separated = 5;  // TIFF's code for CMYK
     if (!is_tiff_of(spec, format, separated)) return;
     if (spec.tile_width > 0) fail(file, "its CMYK colors are in tiles, expected strips, or RGB");
     if (spec.nchannels < 3 || spec.channelnames[0] != "R")
         fail(file, "its inks are not cyan, magenta, yellow and black alone, expected RGB");
 }
 
-/// Says what to do about a format that needs a library of its own.
+/// Fails with advice for formats that need an additional library.
 [[noreturn]] void fail_to_open(const std::filesystem::path& file, const std::string& reason) {
     const std::string extension = lower_extension(file);
     const bool heic = extension == ".heic" || extension == ".heif" || extension == ".avif";
@@ -121,16 +121,16 @@ std::vector<T> values_of(const OIIO::ImageBuf& rgba, const std::filesystem::path
     return out;
 }
 
-/// Whether no pixel can be seen.
+/// Whether all pixels are transparent.
 bool is_clear(const RgbaImage& image) {
     for (std::size_t i = 3; i < image.rgba.size(); i += 4)
         if (image.rgba[i]) return false;
     return true;
 }
 
-/// By a reader of its own: ImageBuf would read by a cache that the whole process shares, which returns wrong
-/// pixels or aborts where threads read one file at the same time. On one thread, as photos are read side by
-/// side.
+/// Reads with a separate ImageInput: ImageBuf uses a cache shared by the whole process, which returns wrong
+/// pixels or aborts if threads read one file at the same time. Uses one thread, because photos are read in
+/// parallel.
 RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
     using OIIO::TypeDesc;
     OIIO::ImageSpec config;
@@ -144,7 +144,7 @@ RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
     const bool linear = !converts && is_linear(spec, format);
     const bool words = converts && spec.format.size() > 1;
     expect_readable(spec, format, file);
-    // Of 8 bits and fewer, OpenImageIO inverts them.
+    // OpenImageIO itself inverts values of 8 bits and fewer.
     const bool negative = is_tiff_of(spec, format, 0) && spec.format != TypeDesc::UINT8;
     spec.set_format(linear ? TypeDesc::FLOAT : words ? TypeDesc::UINT16 : TypeDesc::UINT8);
     OIIO::ImageBuf image(spec, OIIO::InitializePixels::No);
@@ -158,14 +158,14 @@ RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
         return bytes;
     };
     RgbaImage photo = blank_image(spec.width, spec.height);
-    // Some rows at a time: only the photo itself is in memory twice.
+    // Converts in batches of rows, so that at most the photo itself is in memory twice.
     constexpr int rows = 64;
     auto to = photo.rgba.begin();
     for (OIIO::ROI part = image.roi(); part.ybegin < image.roi().yend; part.ybegin += rows) {
         part.yend = std::min(part.ybegin + rows, image.roi().yend);
         to = std::ranges::copy(bytes_of(as_rgba(OIIO::ImageBufAlgo::cut(image, part), negative)), to).out;
     }
-    // The fourth byte may mean nothing, but OpenImageIO has multiplied the colors by it.
+    // The fourth byte may be meaningless, but OpenImageIO has multiplied the colors by it.
     if (format == "bmp" && is_clear(photo))
         fail(file, "its pixels have 32 bits and no opacity, expected a BMP of 24 bits");
     return photo;

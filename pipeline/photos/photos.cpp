@@ -53,7 +53,7 @@ bool fits(PhotoSize actual, PhotoSize expected) {
 /// Whether colors of an ICC profile are converted.
 enum class Profiles { used, ignored };
 
-/// `reduction`: 1, 2, 4 or 8, by which the photo is smaller, rounded up.
+/// `reduction`: 1, 2, 4 or 8, the divisor of the photo's size (rounded up).
 RgbaImage decode_jpeg(const std::filesystem::path& file, std::span<const std::byte> bytes, PhotoSize expected,
                       Profiles profiles, int reduction = 1) {
     const JpegPhoto h = read_jpeg_photo(bytes);
@@ -159,7 +159,7 @@ std::string reason_of(const Error& error, const std::filesystem::path& file) {
             message.erase(0, prefix.size());
             break;
         }
-    // Libraries repeat the path.
+    // Libraries may repeat the path.
     const std::string path = file.string(), name = file.filename().string();
     for (std::size_t at = 0; path != name && (at = message.find(path, at)) != message.npos; at += name.size())
         message.replace(at, path.size(), name);

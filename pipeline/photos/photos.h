@@ -13,25 +13,24 @@ namespace vantage {
 PhotoHeader read_photo_header(const std::filesystem::path& file);
 
 /// Decodes a photo: JPEG by libjpeg-turbo, everything else by OpenImageIO (gray, 16-bit, float, alpha, CMYK).
-/// Colors of an ICC profile are converted to sRGB (color_profile.h), those of 16 bits before they are rounded
-/// to 8. Pixels stay as stored, because cameras are calibrated on stored pixels; the EXIF orientation is
-/// applied only if the stored width and height are those of `expected`, swapped. Throws Error(input) if the
-/// photo is truncated, corrupt or of another size.
+/// Colors with an ICC profile are converted to sRGB (color_profile.h), at 16 bits before rounding to 8.
+/// Pixels stay as stored, because cameras are calibrated on stored pixels; the EXIF orientation is applied
+/// only if the stored width and height are those of `expected`, swapped. Throws Error(input) if the photo is
+/// truncated, corrupt or of a different size.
 RgbaImage read_photo(const std::filesystem::path& file, PhotoSize expected);
-/// The same from the file's bytes; `file` names them in messages and, unless they are a JPEG, is read again.
+/// The same from the file's bytes; `file` is used in messages and, unless it is a JPEG, read again.
 RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
                        PhotoSize expected);
 
-/// A photo reduced to at most `longest` px on its longer side, and how many pixels of it a pixel here is
-/// wide and high. A JPEG is reduced while it is decoded, which is some times faster. Throws like
-/// read_photo().
+/// A photo reduced to at most `longest` px on its longer side, and the size of a reduced pixel in original
+/// pixels. A JPEG is reduced during decoding, which is several times faster. Throws like read_photo().
 struct ReducedPhoto {
     RgbaImage image;
     std::array<double, 2> scale;
 };
 ReducedPhoto read_reduced_photo(const std::filesystem::path& file, PhotoSize expected, int longest);
 
-/// The same of an image whose values are not colors, such as a mask: its color profile is ignored.
+/// Reads an image whose values are not colors, such as a mask: its color profile is ignored.
 RgbaImage read_unprofiled(const std::filesystem::path& file, PhotoSize expected);
 
 /// Whether these are the bytes of a JPEG of this size, which decode_photo does not transpose.

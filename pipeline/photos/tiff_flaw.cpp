@@ -39,7 +39,7 @@ class Directory {
         const std::uint64_t entries = number(wide_ ? 8 : 2);
         for (std::uint64_t i = 0; in_ && i < entries; ++i) read_entry();
     }
-    /// Whether all of it is in the file.
+    /// Whether the whole directory is in the file.
     bool whole() const { return bool(in_); }
     const Values* find(Tag tag) const {
         const auto found = values_.find(tag);
@@ -77,14 +77,14 @@ class Directory {
     std::map<unsigned, Values> values_;
 };
 
-/// Of parts of the picture.
+/// Whether the parts of the picture are within the file.
 bool within(const Values& offsets, const Values& bytes, std::uint64_t size) {
     for (std::size_t i = 0; i < std::min(offsets.size(), bytes.size()); ++i)
         if (offsets[i] > size || bytes[i] > size - offsets[i]) return false;
     return true;
 }
 
-/// Whether the counts of bytes are those of uncompressed strips; some programs write larger ones.
+/// Whether the byte counts are those of uncompressed strips; some programs write larger ones.
 bool exact_counts(const Directory& tiff, const Values& bytes) {
     const Values* bits = tiff.find(bits_per_sample);
     const std::uint64_t per_pixel =

@@ -95,8 +95,8 @@ TEST_F(ProfiledPhotos, MakeThePackageOfTheSamePhotosInSrgb) {
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_EQ(
         scene.warnings[0],
-        "0000.tif and 2 other photos hold the color profile 'Adobe RGB (1998)': converted to sRGB, what is "
-        "outside it is clipped");
+        "0000.tif and 2 other photos hold the color profile 'Adobe RGB (1998)': converted to sRGB; colors "
+        "outside sRGB are clipped");
     prepare(scene, settings, dir / "adobe.vantage", unreported);
     const PackageReader a(dir / "srgb.vantage"), b(dir / "adobe.vantage");
     ASSERT_EQ(b.photos().size(), 3u);

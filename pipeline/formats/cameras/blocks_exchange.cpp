@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-/// The camera's axes of a CameraOrientation, as rows: what is right and what is down in the photo.
+/// The axes of a CameraOrientation, as rows: the photo's right and down directions.
 struct Orientation {
     const char* name;
     Eigen::Vector3d right, down;
@@ -44,7 +44,7 @@ double focal_of(const XmlFile& file, pugi::xml_node group, double side) {
     return mm / file.number(group, "PixelSize");
 }
 
-/// From the center of the first pixel, or in mm from the middle of the sensor.
+/// The principal point, given from the center of the first pixel, or in mm from the center of the sensor.
 Eigen::Vector2d center_of(const XmlFile& file, pugi::xml_node group, const Intrinsics& k, double side) {
     const Eigen::Vector2d middle(k.width / 2.0, k.height / 2.0);
     if (const pugi::xml_node p = group.child("PrincipalPoint"))
@@ -80,7 +80,7 @@ Camera read_group(const XmlFile& file, pugi::xml_node group) {
     return c;
 }
 
-/// World to the camera's axes. Metadata beside it has the pose of the navigation device.
+/// Rotation from world to the camera's axes. The metadata beside it holds the pose of the navigation device.
 Eigen::Matrix3d blocks_rotation(const XmlFile& file, pugi::xml_node rotation) {
     Eigen::Matrix3d R;
     if (!rotation.child("M_00"))
@@ -92,7 +92,7 @@ Eigen::Matrix3d blocks_rotation(const XmlFile& file, pugi::xml_node rotation) {
     return R;
 }
 
-/// The system of the block's coordinates; empty if it is local or not given.
+/// The coordinate system of the block if geographic; empty if local or not given.
 std::string geographic_system(pugi::xml_node root) {
     const std::string id = root.child("Block").child_value("SRSId");
     for (const pugi::xml_node s : root.child("SpatialReferenceSystems").children("SRS"))

@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// Takes the last word off a line; empty if there is none.
+/// Removes the last word of a line and returns it; empty if there is none.
 std::string_view take_last_word(std::string_view& line) {
     const std::size_t end = line.find_last_not_of(" \t");
     line = line.substr(0, end == line.npos ? 0 : end + 1);

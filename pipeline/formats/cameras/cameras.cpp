@@ -40,7 +40,7 @@ std::string beginning(const fs::path& file) {
 
 using Texts = std::initializer_list<std::string_view>;
 
-/// Whether the beginning of a file has one text of each list.
+/// Whether the beginning of a file contains a text of each list.
 bool begins_with(const fs::path& file, std::initializer_list<Texts> lists) {
     const std::string begin = beginning(file);
     return std::ranges::all_of(lists, [&](const Texts& texts) {
@@ -49,8 +49,8 @@ bool begins_with(const fs::path& file, std::initializer_list<Texts> lists) {
     });
 }
 
-/// Whether a file begins with Bundler's name, or with two whole numbers, as before version 0.3. The output of
-/// other programs goes to .out, too.
+/// Whether a file begins with Bundler's name, or with two whole numbers, as before version 0.3. Other
+/// programs also write .out files.
 bool is_bundler(const fs::path& file) {
     if (lower_extension(file) != ".out") return false;
     const std::string begin = beginning(file);
@@ -189,7 +189,7 @@ std::vector<fs::path> camera_files(const fs::path& path) {
 
 CameraSet read_cameras(const fs::path& path) {
     if (const CameraFormat* format = format_of(path)) return format->read(path);
-    if (lower_extension(path) == ".out") return read_bundler(path);  // says what is not of Bundler
+    if (lower_extension(path) == ".out") return read_bundler(path);  // reports a file that is not Bundler's
     const std::string expected = "expected " + camera_format_names();
     if (lower_extension(path) == ".rz3" || lower_extension(path) == ".rzi")
         throw Error(Exit::input,

@@ -10,7 +10,7 @@
 
 namespace vantage {
 
-/// Error(input) of a file that is valid, but in which no camera has a pose.
+/// Error(input) for a valid file in which no camera has a pose.
 class NoCamera : public Error {
   public:
     explicit NoCamera(const std::string& message) : Error(Exit::input, message) {}
@@ -18,12 +18,12 @@ class NoCamera : public Error {
 
 /// The cameras of a file.
 struct CameraSet {
-    /// What the intrinsics are measured in. Without the size of the photo in the file, that of the photo
-    /// itself is taken.
+    /// The unit of the intrinsics. If the file does not state the size of the photo, it is read from the
+    /// photo.
     enum class Unit {
         pixels,              ///< the size is known
-        pixels_from_corner,  ///< the size is not
-        pixels_from_center,  ///< of the photo, as are the principal points of those that follow
+        pixels_from_corner,  ///< the size is unknown
+        pixels_from_center,  ///< from the photo's center, as in the following units
         photo_width,
         longer_side
     };
@@ -31,27 +31,26 @@ struct CameraSet {
         std::string photo;  ///< name in the file, folders included
         Camera camera;
         Unit unit = Unit::pixels;
-        std::string group = {};  ///< of photos in the file, perhaps their folder; empty: none
+        std::string group = {};  ///< of photos in the file, possibly their folder; empty: none
     };
     std::string format;  ///< display name: "COLMAP text", "Bundler", ...
     std::vector<Entry> entries;
     std::vector<std::string> warnings;
-    /// What the file says that leads from its frame to the mesh's; done to `entries` (of the first, if they
-    /// differ).
+    /// The file's own transform from its frame to the mesh's, already applied to `entries` (that of the
+    /// first, if they differ).
     Similarity transform{};
 };
 
 /// A camera format: a file, or a folder of files with fixed names.
 struct CameraFormat {
     const char* name;                ///< in messages: "Bundler"
-    const char* form;                ///< what the user passes, in messages: ".out"
+    const char* form;                ///< the argument that the user passes, in messages: ".out"
     std::vector<const char*> files;  ///< names of the files in the folder; empty if the format is one file
-    bool (*matches)(
-        const std::filesystem::path& path);  ///< whether the path is of this format, by its content
-    CameraSet (*read)(const std::filesystem::path& path);  ///< of a path that matches
+    bool (*matches)(const std::filesystem::path& path);  ///< whether the path has this format, by its content
+    CameraSet (*read)(const std::filesystem::path& path);  ///< for a path that matches
     /// Other files that read() reads; null if there are none.
     std::vector<std::filesystem::path> (*companions)(const std::filesystem::path& path) = nullptr;
-    bool one_per_photo = false;  ///< a file for each photo: the folder is read
+    bool one_per_photo = false;  ///< one file per photo: the folder is read
 };
 
 /// All formats; if several match, the first is read.
@@ -77,16 +76,15 @@ std::filesystem::path bundler_list(const std::filesystem::path& file);
 /// programs that write projects with an off-center principal point (MeshLab itself uses it for the size
 /// only). A mesh with a transformation is an error, because the mesh is not read through the project.
 CameraSet read_meshlab(const std::filesystem::path& file);
-/// Agisoft Metashape's cameras.xml, and that of PhotoScan before 1.0. Of several chunks, the one with the
-/// most poses. Cameras that are disabled, without pose, of a rig or of another lens than `frame` are left
-/// out.
+/// Agisoft Metashape's cameras.xml, and that of PhotoScan before 1.0. Reads the chunk with the most poses.
+/// Skips cameras that are disabled, belong to a rig, lack a pose, or have a lens other than `frame`.
 CameraSet read_metashape(const std::filesystem::path& file);
 /// The XMP sidecars of RealityCapture and RealityScan in a folder.
 CameraSet read_realitycapture_xmp(const std::filesystem::path& folder);
-/// A list of cameras with columns that the user chose; angles omega, phi and kappa are refused, because their
+/// A list of cameras with user-selected columns; the angles omega, phi and kappa are refused, because their
 /// meaning differs between versions.
 CameraSet read_realitycapture_csv(const std::filesystem::path& file);
-/// Meshroom's and AliceVision's .sfm, as JSON.
+/// The JSON .sfm files of Meshroom and AliceVision.
 CameraSet read_meshroom(const std::filesystem::path& file);
 /// sfm_data.json.
 CameraSet read_openmvg(const std::filesystem::path& file);

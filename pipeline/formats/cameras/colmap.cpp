@@ -79,7 +79,7 @@ class Bytes {
         if (count > (data_.size() - at_) / each) need(data_.size());
         at_ += count * each;
     }
-    /// The number of records that follow, each of at least `each` bytes; checked against the file's size.
+    /// The number of following records, each of at least `each` bytes; checked against the file's size.
     std::uint64_t count(std::uint64_t each) {
         const auto n = read<std::uint64_t>();
         if (n > (data_.size() - at_) / each) need(data_.size());
@@ -97,7 +97,7 @@ class Bytes {
     std::size_t at_ = 0;
 };
 
-/// A camera of the list, or why no image can have it.
+/// A camera of the list, or the reason that it is unusable.
 struct ListedCamera {
     Camera camera;
     std::string flaw{};
@@ -127,7 +127,7 @@ ListedCameras text_cameras(const std::filesystem::path& file) {
         const ColmapModel* model = nullptr;
         for (const ColmapModel& m : models)
             if (wanted == m.name) model = &m;
-        if (!model) {  // of an image, or of none
+        if (!model) {  // an error only if an image has it
             cameras[id].flaw = in.flaw("a COLMAP camera model", "'" + wanted + "'");
             in.line();
             continue;

@@ -24,7 +24,7 @@ Eigen::Matrix3d matchmover_rotation(const XmlFile& file, pugi::xml_node frame) {
         .toRotationMatrix();
 }
 
-/// The camera of a frame, whose own values replace those of the camera's description altogether.
+/// The camera of a frame. Its values, if any, replace all those of the camera's description.
 Camera read_frame(const XmlFile& file, pugi::xml_node shot, pugi::xml_node frame) {
     Camera c;
     Intrinsics& k = c.intrinsics;
@@ -45,7 +45,7 @@ Camera read_frame(const XmlFile& file, pugi::xml_node shot, pugi::xml_node frame
     return c;
 }
 
-/// The file of a frame: @ stands for its number, each of several # for a digit.
+/// The file of a frame: @ is replaced by its number, each # of a run by one digit.
 std::string photo_name(std::string pattern, long number) {
     std::string digits = std::to_string(number);
     std::size_t at = pattern.rfind('@'), length = 1;

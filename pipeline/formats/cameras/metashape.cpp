@@ -21,7 +21,7 @@ Eigen::Matrix3d by_rows(const std::vector<double>& n, std::size_t columns) {
     return out;
 }
 
-/// Of 16 numbers by rows; the scale is that of the matrix.
+/// From 16 numbers in row-major order; the scale is that of the matrix.
 Similarity from_matrix(const XmlFile& file, pugi::xml_node transform) {
     const std::vector<double> n = file.numbers(transform, 16);
     Similarity out{by_rows(n, 4), {n[3], n[7], n[11]}, 1};
@@ -31,7 +31,7 @@ Similarity from_matrix(const XmlFile& file, pugi::xml_node transform) {
     return out;
 }
 
-/// To the frame of the mesh; what is missing is the identity.
+/// The transform to the frame of the mesh; missing parts are the identity.
 Similarity chunk_transform(const XmlFile& file, pugi::xml_node transform) {
     Similarity out;
     if (!transform) return out;
@@ -48,7 +48,7 @@ Similarity chunk_transform(const XmlFile& file, pugi::xml_node transform) {
     return out;
 }
 
-/// P1 and P2 of Metashape are p2 and p1 of OpenCV; of PhotoScan before 1.0, in OpenCV's order.
+/// P1 and P2 of Metashape are p2 and p1 of OpenCV; PhotoScan before 1.0 used OpenCV's order.
 Camera calibrated(const XmlFile& file, pugi::xml_node c, pugi::xml_node size) {
     const auto value = [&](const char* name) { return file.number(c, name, 0); };
     Camera out;
@@ -68,13 +68,13 @@ Camera calibrated(const XmlFile& file, pugi::xml_node c, pugi::xml_node size) {
     return out;
 }
 
-/// A sensor: a camera without its pose, or why it has none.
+/// A sensor: a camera without pose, or the reason that it is unusable.
 struct Sensor {
     Camera camera;
     std::string why_not{};
 };
 
-/// A sensor that was never calibrated: only what its camera says of itself, in millimeters.
+/// A sensor that was never calibrated: only the camera's nominal values, in millimeters.
 Sensor uncalibrated(const XmlFile& file, pugi::xml_node sensor) {
     const auto value = [&](const char* name, double otherwise) {
         const pugi::xml_node p = sensor.find_child_by_attribute("property", "name", name);
@@ -100,7 +100,7 @@ Sensor uncalibrated(const XmlFile& file, pugi::xml_node sensor) {
     return {out};
 }
 
-/// Why the lens of a sensor or a calibration cannot be used; empty if it can.
+/// The reason that the lens of a sensor or a calibration is unusable; empty if it is usable.
 std::string flaw_of(pugi::xml_node lens) {
     const std::string type = lens.attribute("type").value();
     if (!type.empty() && type != "frame") return "has a lens of type '" + type + "', expected 'frame'";
@@ -147,7 +147,7 @@ class Chunk {
         set.entries = std::move(entries_);
         set.transform = first_;
         skipped_.tell(set.warnings);
-        // Positions lead to geocentric coordinates then, and the mesh is exported in the projection.
+        // Camera positions are then geocentric, but the mesh is exported in the projection.
         const std::string system = chunk_.child_value("reference");
         if (!system.empty() && !system.starts_with("LOCAL_CS"))
             set.warnings.push_back(
@@ -160,7 +160,7 @@ class Chunk {
     std::string label() const { return chunk_.attribute("label").value(); }
 
   private:
-    /// Cameras may be in groups, which may be the folders of their photos.
+    /// Cameras may be in groups, possibly the folders of their photos.
     void read(pugi::xml_node node, const std::string& group) {
         if (std::string_view(node.name()) == "group") {
             const std::string own = node.attribute("label").value();
@@ -198,7 +198,7 @@ class Chunk {
         }
         return sensor->second;
     }
-    /// From the chunk to the mesh.
+    /// The transform from the chunk to the mesh.
     const Similarity& transform_of(pugi::xml_node camera) const {
         const auto component = components_.find(camera.attribute("component_id").value());
         return component == components_.end() ? own_ : component->second;
@@ -212,7 +212,7 @@ class Chunk {
     const XmlFile& file_;
     pugi::xml_node chunk_;
     std::map<std::string, pugi::xml_node> sensors_;
-    std::map<std::string, Sensor> read_;  ///< those that a posed camera has
+    std::map<std::string, Sensor> read_;  ///< those of posed cameras
     std::map<std::string, Similarity> components_;
     Similarity own_, first_;
     std::vector<CameraSet::Entry> entries_;

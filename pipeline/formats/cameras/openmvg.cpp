@@ -10,7 +10,7 @@
 namespace vantage {
 namespace {
 
-/// A type of camera: its coefficients' key, and how many there are.
+/// A type of camera: the key and number of its coefficients.
 struct OpenmvgModel {
     const char *name, *key;
     std::size_t count;
@@ -30,7 +30,7 @@ Lens lens_of(const OpenmvgModel& m, const LocatedJson& data) {
     return brown_lens(radial, m.count == 5 ? c[3] : 0, m.count == 5 ? c[4] : 0, 0);
 }
 
-/// The archive names a type where it is used first, with the highest bit of its number set.
+/// The archive names a type at its first use, with the highest bit of its number set.
 class TypeNames {
   public:
     std::string of(const LocatedJson& value) {

@@ -15,7 +15,7 @@
 namespace vantage {
 namespace {
 
-/// A value of a frame, or else of all frames.
+/// A value of a frame, or else the common value of all frames.
 std::optional<LocatedJson> value_of(const LocatedJson& frame, const LocatedJson& all, const char* key) {
     if (frame.has(key)) return frame.at(key);
     return all.has(key) ? std::optional(all.at(key)) : std::nullopt;
@@ -57,7 +57,7 @@ class Frames {
             from_camera_to_world(backward(m.topLeftCorner<3, 3>()), m.topRightCorner<3, 1>());
         return entry;
     }
-    /// From the file's frame to the original one; of an affine map, its rotation and scale.
+    /// The transform from the file's frame to the original one; the rotation and scale of the affine map.
     Similarity transform() const {
         const Eigen::Matrix3d m = original_.topLeftCorner<3, 3>();
         return {nearest_orthogonal(m), original_.topRightCorner<3, 1>(),
@@ -69,7 +69,7 @@ class Frames {
         const auto v = value_of(frame, all_, key);
         return v ? numeral(*v) : otherwise;
     }
-    /// The focal length of a field of view, in sides of the photo; 0 if it is not given.
+    /// The focal length from a field of view, as a fraction of the photo's side; 0 if not given.
     double focal_of_angle(const LocatedJson& frame, const char* key) const {
         const double angle = number(frame, key, 0);
         return angle > 0 && angle < std::numbers::pi ? 0.5 / std::tan(angle / 2) : 0;
@@ -106,7 +106,7 @@ class Frames {
                 focal->fail("a focal length above 0");
         frame.fail("a focal length, fl_x or camera_angle_x");
     }
-    /// Of a photo without a size.
+    /// For a photo of unknown size.
     void set_center_of_photo(const LocatedJson& frame, CameraSet::Entry& entry) const {
         const auto cx = value_of(frame, all_, "cx"), cy = value_of(frame, all_, "cy");
         entry.unit = cx && cy ? CameraSet::Unit::pixels_from_corner : CameraSet::Unit::pixels_from_center;

@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Finds files whose names a glTF encodes.
+/// Finds files whose names are percent-encoded in a glTF.
 class FilesBeside : public Assimp::DefaultIOSystem {
   public:
     explicit FilesBeside(const fs::path& file) : folder_(file.parent_path()) {}
@@ -55,16 +55,16 @@ Eigen::Affine3d affine(const aiMatrix4x4& m) {
     return out;
 }
 
-/// Where a node puts what it holds.
+/// The accumulated transform of a node.
 struct Placement {
     Eigen::Affine3d to_scene = Eigen::Affine3d::Identity();
-    double rounding = 0;  ///< of its transform and those above it, in units of the scene
+    double rounding = 0;  ///< error of its transform and those of its ancestors, in units of the scene
 };
 
 /// Joins the meshes of a scene.
 class Joiner {
   public:
-    /// `nodes`: the transforms of all nodes, parents first, if they are known in double precision.
+    /// `nodes`: the transforms of all nodes, parents first, if known in double precision.
     Joiner(const aiScene& scene, std::span<const Eigen::Affine3d> nodes, bool linear_colors)
         : scene_(scene), nodes_(nodes), linear_colors_(linear_colors) {}
 
@@ -91,14 +91,14 @@ class Joiner {
             if (next_ == nodes_.size()) throw std::runtime_error("more nodes than the file has");
             return {parent.to_scene * nodes_[next_++], 0};
         }
-        // The root is assimp's own. Its later versions turn and scale it, to Y up and to meters.
+        // The root is added by assimp, whose later versions rotate and scale it, to Y up and meters.
         if (!node.mParent) return parent;
         const Eigen::Affine3d local = affine(node.mTransformation);
         return {
             parent.to_scene * local,
             parent.rounding + half_step * reach(parent.to_scene, local.translation().cwiseAbs().maxCoeff())};
     }
-    /// The largest coordinate that one of `size` may become, but for the translation.
+    /// The largest coordinate to which one of magnitude `size` may be transformed, without the translation.
     static double reach(const Eigen::Affine3d& transform, double size) {
         return size * transform.linear().cwiseAbs().rowwise().sum().maxCoeff();
     }
@@ -128,7 +128,8 @@ class Joiner {
         }
         out_.rounding = std::max(out_.rounding, at.rounding + half_step * reach(at.to_scene, largest));
     }
-    /// By the inverse transpose up to a factor, which also exists if the mesh is flattened.
+    /// Transforms by the inverse transpose up to a factor (the cofactors), which exists even if the mesh is
+    /// flattened.
     void add_normals(const aiMesh& from, const Eigen::Matrix3d& m) {
         Eigen::Matrix3d cofactors;
         cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));
@@ -153,7 +154,7 @@ class Joiner {
     const aiScene& scene_;
     std::span<const Eigen::Affine3d> nodes_;
     bool linear_colors_;
-    std::size_t next_ = 0;  ///< of nodes_
+    std::size_t next_ = 0;  ///< index into nodes_
     AssimpMesh out_;
 };
 
@@ -178,10 +179,10 @@ double unit_of(const aiScene& scene) {
     return scene.mMetaData && scene.mMetaData->Get("UnitScaleFactor", cm) ? double(cm) : 0;
 }
 
-/// What the process that reads tells: an error, or else what it found.
+/// The result of the reading process: an error, or the mesh.
 std::vector<std::byte> read_here(const fs::path& file, const Gltf& gltf) {
     Assimp::Importer importer;
-    importer.SetIOHandler(new FilesBeside(file));  // which it deletes
+    importer.SetIOHandler(new FilesBeside(file));  // the importer deletes it
     const std::string extension = lower_extension(file).substr(1);
     keep_importers_of(extension, importer);
     for (const char* of_no_use : {AI_CONFIG_IMPORT_FBX_READ_MATERIALS, AI_CONFIG_IMPORT_FBX_READ_TEXTURES,
@@ -207,7 +208,7 @@ AssimpMesh read_with_assimp(const fs::path& file) {
     const Gltf gltf = lower_extension(file) == ".fbx" ? Gltf{} : read_gltf(file);
     std::uint64_t size = fs::file_size(file);
     for (const fs::path& buffer : gltf.buffers) size += fs::file_size(buffer);
-    // Draco and the compression of FBX may need hundreds of bytes of memory for one of the file.
+    // Draco and compressed FBX may need hundreds of bytes of memory per byte of the file.
     const ProcessLimits limits{.bytes = (std::uint64_t(256) << 20) + 1024 * size,
                                .seconds = 60 + unsigned(size / 100'000)};
     const std::vector<std::byte> answer = run_isolated(limits, [&] { return read_here(file, gltf); });

@@ -7,20 +7,20 @@
 
 namespace vantage {
 
-/// What read_with_assimp() found.
+/// The result of read_with_assimp().
 struct AssimpMesh {
     Mesh mesh;
-    double rounding = 0;  ///< most by which a coordinate may be off because of single precision, input units
+    double rounding = 0;  ///< largest error of a coordinate due to single precision, input units
     double unit = 0;      ///< of an FBX, in cm; 0: not stated
     std::vector<std::filesystem::path> buffers{};  ///< of a glTF, in files beside it
 };
 
 /// Reads a .gltf, .glb or .fbx with assimp, in a separate process: damaged files make it crash. All meshes of
-/// the scene are joined, each where its nodes place it, as often as they do. Positions have single precision
-/// within their mesh; so do the nodes' transforms in FBX. Coordinates are those of the file: neither its axes
-/// nor its unit are converted. Polygons are triangulated; lines and points are skipped, but not their
-/// vertices. Colors are opaque; those of glTF, which are linear light, become sRGB. Corners that refer to no
-/// vertex become `no_vertex`; of a glTF, assimp leaves out their triangles. Throws Error(input).
+/// the scene are joined, one instance per node that refers to them. Positions have single precision within
+/// their mesh; so do the nodes' transforms in FBX. Coordinates are those of the file: neither its axes nor
+/// its unit are converted. Polygons are triangulated; lines and points are skipped, but not their vertices.
+/// Colors are opaque; those of glTF, which are linear light, become sRGB. Corners that refer to no vertex
+/// become `no_vertex`; for a glTF, assimp drops their triangles. Throws Error(input).
 AssimpMesh read_with_assimp(const std::filesystem::path& file);
 
 }  // namespace vantage

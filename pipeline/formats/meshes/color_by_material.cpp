@@ -10,7 +10,7 @@ namespace {
 
 constexpr MaterialColor white{255, 255, 255, 255};
 
-/// Of vertices without a usable one: the area-weighted mean of their triangles'.
+/// Gives vertices without a usable normal the area-weighted mean of their triangles' normals.
 void complete_normals(Mesh& mesh, const std::vector<bool>& wanted) {
     mesh.normals.resize(mesh.positions.size(), Eigen::Vector3f::Zero());
     const auto exists = [&](std::uint32_t v) { return v < mesh.positions.size(); };
@@ -30,7 +30,7 @@ void complete_normals(Mesh& mesh, const std::vector<bool>& wanted) {
     }
 }
 
-/// Assigns colors to vertices; a vertex that has another color already is copied.
+/// Assigns colors to vertices; a vertex that already has a different color is copied.
 class Splitter {
   public:
     Splitter(Mesh& mesh, bool keeps_colors)

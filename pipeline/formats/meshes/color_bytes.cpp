@@ -13,7 +13,7 @@ double largest(const std::vector<double>& values) {
     return most;
 }
 
-/// The factor that maps values up to `most` to 0..255. Fractions may exceed 1 a little: bright highlights.
+/// The factor that maps values up to `most` to 0..255. Fractions may slightly exceed 1, in bright highlights.
 double factor(double most, bool is_real) {
     constexpr double brightest_fraction = 1.5;
     if (is_real && most <= brightest_fraction) return 255;

@@ -44,8 +44,8 @@ std::string json_of_glb(const fs::path& file) {
     return {text + sizeof header, text + bytes.size()};
 }
 
-/// Throws if the file needs more than assimp knows. Extensions of materials, textures and lights do not
-/// matter here.
+/// Throws if the file requires extensions that assimp does not support. Extensions of materials, textures and
+/// lights are ignored here.
 void check_extensions(const fs::path& file, const LocatedJson& root) {
     if (!root.has("extensionsRequired")) return;
     for (const LocatedJson& item : root.at("extensionsRequired").items(most)) {
@@ -62,7 +62,7 @@ std::vector<fs::path> buffers_of(const fs::path& file, const LocatedJson& root) 
     std::vector<fs::path> out;
     if (!root.has("buffers")) return out;
     for (const LocatedJson& buffer : root.at("buffers").items(most)) {
-        if (!buffer.is_object() || !buffer.has("uri")) continue;  // in the .glb itself
+        if (!buffer.is_object() || !buffer.has("uri")) continue;  // stored in the .glb itself
         const std::string uri = buffer.at("uri").text(std::string::npos);
         if (uri.starts_with("data:")) continue;
         const fs::path found = gltf_file(file.parent_path(), uri);
@@ -103,7 +103,7 @@ Eigen::Affine3d transform_of(const LocatedJson& node) {
     return out;
 }
 
-/// Which of `count` elements a list names.
+/// The indices in a list, each below `count`.
 std::vector<std::size_t> indices(const LocatedJson& object, const char* key, std::size_t count) {
     std::vector<std::size_t> out;
     if (object.has(key))
@@ -112,7 +112,7 @@ std::vector<std::size_t> indices(const LocatedJson& object, const char* key, std
     return out;
 }
 
-/// Those of the scene that is shown first.
+/// The transforms of the default scene.
 std::vector<Eigen::Affine3d> transforms_of(const LocatedJson& root) {
     const std::vector<LocatedJson> scenes = root.at("scenes").items(most);
     if (scenes.empty()) root.at("scenes").fail("a scene");
@@ -122,7 +122,7 @@ std::vector<Eigen::Affine3d> transforms_of(const LocatedJson& root) {
     std::vector<Eigen::Affine3d> out;
     std::vector<bool> seen(nodes.size(), false);
     std::vector<std::size_t> open = indices(scene, "nodes", nodes.size());
-    if (open.size() != 1) out.push_back(Eigen::Affine3d::Identity());  // assimp puts them below one more
+    if (open.size() != 1) out.push_back(Eigen::Affine3d::Identity());  // assimp adds a common parent
     for (std::ranges::reverse(open); !open.empty();) {
         const std::size_t n = open.back();
         open.pop_back();

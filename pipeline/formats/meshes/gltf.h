@@ -6,9 +6,9 @@
 
 namespace vantage {
 
-/// What the JSON of a glTF 2.0 file says besides its meshes.
+/// The contents of a glTF 2.0 file's JSON except its meshes.
 struct Gltf {
-    std::vector<std::filesystem::path> buffers;  ///< files beside it that hold its numbers
+    std::vector<std::filesystem::path> buffers;  ///< its external buffers
     /// Transforms of the nodes of its scene, each relative to its parent, in double precision: parents before
     /// their children, children in the order of the file.
     std::vector<Eigen::Affine3d> nodes;
@@ -19,7 +19,8 @@ struct Gltf {
 /// node with two parents.
 Gltf read_gltf(const std::filesystem::path& file);
 
-/// The file that a glTF in `folder` names: as it is written, or else with %20 and the like decoded.
+/// The file that a glTF in `folder` refers to: by the name as written, or else with percent-encoding (%20)
+/// decoded.
 std::filesystem::path gltf_file(const std::filesystem::path& folder, std::string_view uri);
 
 }  // namespace vantage

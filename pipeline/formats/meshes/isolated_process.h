@@ -11,7 +11,7 @@ struct ProcessLimits {
     unsigned seconds;     ///< CPU time
 };
 
-/// Runs `work`, which an untrusted file may crash, in a forked process and returns its result; nothing if it
+/// Runs `work`, which an untrusted file may crash, in a forked process and returns its result; empty if it
 /// throws, crashes or exceeds the limits. Its output is discarded. Throws std::system_error if no process can
 /// be started.
 std::vector<std::byte> run_isolated(const ProcessLimits& limits,

@@ -10,7 +10,7 @@
 
 namespace vantage {
 
-/// Appends values and their number, to hand them to another process of this program.
+/// Appends values and their number, to pass them to another process of this program.
 template <class T>
 void append(std::vector<std::byte>& out, const std::vector<T>& values) {
     const std::uint64_t bytes = values.size() * sizeof(T);
@@ -18,7 +18,7 @@ void append(std::vector<std::byte>& out, const std::vector<T>& values) {
         out.insert(out.end(), part.begin(), part.end());
 }
 
-/// Removes what append() appended, from the front.
+/// Removes values appended by append() from the front.
 template <class T>
 void take(std::span<const std::byte>& from, std::vector<T>& values) {
     std::uint64_t bytes = 0;

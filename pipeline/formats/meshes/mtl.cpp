@@ -59,7 +59,7 @@ class MtlReader {
         if (!at_) return;
         const auto [same, is_new] = materials_.try_emplace(name_, *at_);
         if (!is_new && same->second != *at_)
-            warn("the material is there twice, with other values; the last counts", first_line_);
+            warn("the material is defined twice, with different values; the last is used", first_line_);
         same->second = *at_;
     }
     void statement(std::string_view line) {
@@ -68,7 +68,7 @@ class MtlReader {
         if (key != "newmtl") rest = trimmed(rest.substr(0, rest.find('#')));
         if (key == "newmtl") {
             finish();
-            name_.clear();  // words apart by one blank, as read_obj() has them
+            name_.clear();  // words separated by one blank, as in read_obj()
             while (!rest.empty()) name_.append(name_.empty() ? "" : " ").append(take_word(rest));
             at_ = {255, 255, 255, 255};
             first_line_ = line_;
@@ -109,13 +109,13 @@ class MtlReader {
     std::filesystem::path file_;
     std::vector<std::string>& warnings_;
     std::map<std::string, MaterialColor> materials_;
-    std::optional<MaterialColor> at_;  ///< of the material that is being read
+    std::optional<MaterialColor> at_;  ///< the material being read
     std::string name_;
     bool has_d_ = false, warned_ = false;
     std::size_t line_ = 0, first_line_ = 0, listed_ = 0;
 };
 
-/// Without a comment behind it: `#` between blanks; "Material #25" is a name.
+/// The name without a trailing comment: `#` between blanks; "Material #25" is a name.
 std::string_view bare(std::string_view name) { return trimmed(name.substr(0, name.find(" # "))); }
 
 }  // namespace

@@ -30,19 +30,19 @@ std::string joined(const Words& words) {
     return out;
 }
 
-/// Whether what follows this word is a name, which may have `#` and end in a backslash.
+/// Whether a name follows this word; names may contain `#` and end in a backslash.
 bool names_something(std::string_view word) {
     return word == "usemtl" || word == "mtllib" || word == "g" || word == "o";
 }
 
-/// Where a comment begins; not in "1.#QNAN".
+/// The start of a comment; not the `#` in "1.#QNAN".
 std::size_t comment_in(std::string_view word) {
     std::size_t at = word.find('#');
     while (at != word.npos && at > 0 && word[at - 1] == '.') at = word.find('#', at + 1);
     return at;
 }
 
-/// What follows `mtllib`.
+/// The argument of `mtllib`.
 struct Library {
     std::string text;
     std::vector<std::string> words;
@@ -52,7 +52,7 @@ struct Library {
 /// A mesh and its materials by name.
 struct ObjMesh {
     Mesh mesh;
-    std::vector<std::uint32_t> of_triangle;  ///< number of its name; beyond all: no material
+    std::vector<std::uint32_t> of_triangle;  ///< index of its name; beyond the last: no material
     std::vector<std::string> names;          ///< in the order of their first use
     std::vector<Library> libraries;
 };
@@ -83,7 +83,7 @@ class ObjReader {
         if (colored_) mesh_.colors = color_bytes(colors_, true, true);
         for (std::size_t v = 0; v < mesh_.colors.size(); ++v)
             if (std::isnan(colors_[0][v])) mesh_.colors[v] = {255, 255, 255, 255};
-        // Vertices may follow the faces, and so may normals.
+        // Vertices and normals may follow the faces.
         for (std::array<std::uint32_t, 3>& t : mesh_.triangles)
             for (std::uint32_t& v : t)
                 if (v >= mesh_.positions.size()) v = no_vertex;
@@ -92,7 +92,7 @@ class ObjReader {
         if (!mesh_.normals.empty()) mesh_.normals.resize(mesh_.positions.size(), Eigen::Vector3f::Zero());
         return {std::move(mesh_), std::move(of_triangle_), std::move(names_), std::move(libraries_)};
     }
-    /// The words of a line and of those it continues on; views of the file's text.
+    /// The words of a line and of its continuation lines; views of the file's text.
     bool next_line(Words& words) {
         words.clear();
         if (in_.at_end()) return false;
@@ -122,12 +122,12 @@ class ObjReader {
     }
     void add_vertex(const Words& words) {
         mesh_.positions.push_back(point(words));
-        const bool colored = words.size() >= 7;  // a fourth number alone is a weight
+        const bool colored = words.size() >= 7;  // a single fourth number is a weight
         colored_ |= colored;
         for (std::size_t c = 0; c < 3; ++c) colors_[c].push_back(colored ? real(words[4 + c]) : no_color);
     }
-    /// The element that an index of a corner means, counted from 1, which may follow, or back from the last
-    /// of `count`; `no_vertex`: none.
+    /// The element of a corner's index, counted from 1 (possibly defined later), or back from the last of
+    /// `count`; `no_vertex`: none.
     std::uint32_t element(std::string_view index, std::size_t count) const {
         std::int64_t i = 0;
         if (!parse_number(index, i)) fail("the index of a corner", index);
@@ -183,7 +183,7 @@ class ObjReader {
     std::vector<Library> libraries_;
 };
 
-/// The only file in a folder whose name people would call the same; empty if there is none, or several.
+/// The only file in a folder whose name differs at most in capitals; empty if there is none, or several.
 fs::path file_called(const fs::path& folder, const fs::path& name) {
     std::vector<fs::path> found = files_called(folder, name.string());
     std::erase_if(found, [](const fs::path& file) {
@@ -193,8 +193,8 @@ fs::path file_called(const fs::path& folder, const fs::path& name) {
     return found.size() == 1 ? found[0] : fs::path();
 }
 
-/// Where the file that a library's name means should be, with backslashes for slashes: beside the OBJ, but
-/// first where it is named if that is below.
+/// The expected paths of a library, whose name may use backslashes for slashes: first the named path if it is
+/// below the OBJ's folder, then beside the OBJ.
 std::vector<fs::path> places_of(const fs::path& folder, std::string name) {
     std::ranges::replace(name, '\\', '/');
     const fs::path given = fs::path(name).lexically_normal();
@@ -206,7 +206,7 @@ std::vector<fs::path> places_of(const fs::path& folder, std::string name) {
     return out;
 }
 
-/// The existing file that a library's name means, perhaps with other capitals. Empty if there is none.
+/// The existing file of a library's name, possibly with different capitals. Empty if there is none.
 fs::path library_file(const fs::path& folder, const std::string& name) {
     std::error_code error;
     const std::vector<fs::path> places = places_of(folder, name);
@@ -215,8 +215,8 @@ fs::path library_file(const fs::path& folder, const std::string& name) {
     return places.empty() ? fs::path() : file_called(folder, places.back().filename());
 }
 
-/// The names that the text of an `mtllib` may be, the likeliest first: the whole, or what precedes a comment,
-/// each also without quotes.
+/// The possible names in the text of an `mtllib`, the likeliest first: the whole text, or the part before a
+/// comment, each also without quotes.
 std::vector<std::string> readings(std::string text) {
     std::vector<std::string> out;
     for (std::size_t end = text.size(); end != text.npos; end = text.rfind(" #")) {
@@ -229,7 +229,7 @@ std::vector<std::string> readings(std::string text) {
     return out;
 }
 
-/// The files of one `mtllib`: one whose name has spaces, or several. Those that are missing add to `missing`.
+/// The files of one `mtllib`: one whose name has spaces, or several. Missing files are added to `missing`.
 std::vector<fs::path> library_files(const fs::path& folder, const Library& library,
                                     std::vector<std::string>& missing) {
     for (const std::string& name : readings(library.text))
@@ -245,7 +245,7 @@ std::vector<fs::path> library_files(const fs::path& folder, const Library& libra
     return out;
 }
 
-/// Where the missing files of an `mtllib` may appear.
+/// Adds the paths at which the missing files of an `mtllib` may appear.
 void add_missing(const fs::path& folder, const Library& library, std::set<fs::path>& to) {
     std::vector<std::string> names = readings(library.text);
     for (auto word = library.words.begin(); word != library.words.end() && !word->starts_with('#'); ++word)
@@ -255,7 +255,8 @@ void add_missing(const fs::path& folder, const Library& library, std::set<fs::pa
             if (!fs::exists(place)) to.insert(place);
 }
 
-/// The names of materials that triangles use and that `known` lacks; not the empty one, which is none.
+/// The names of materials that triangles use and `known` lacks, except the empty name, which means no
+/// material.
 std::vector<std::string> unknown_materials(const ObjMesh& obj,
                                            const std::map<std::string, MaterialColor>& known) {
     std::vector<bool> used(obj.names.size(), false);
@@ -272,8 +273,8 @@ std::string and_others(std::size_t count) {
     return count == 0 ? "" : " and " + std::to_string(count) + " others";
 }
 
-/// The colors of the mesh's materials, by number; of the same name, the first library's. Adds the files read
-/// to `files`, and those that are missing.
+/// The colors of the mesh's materials, by index; for duplicate names, that of the first library. Adds the
+/// files read to `files`, and those that are missing.
 std::vector<MaterialColor> material_colors(const ObjMesh& obj, const fs::path& file,
                                            std::set<fs::path>& files, std::vector<std::string>& warnings) {
     std::map<std::string, MaterialColor> known;

@@ -12,7 +12,7 @@ void skip_comments(Tokens& in) {
     }
 }
 
-/// What the first word says about the vertices.
+/// The attributes of the vertices, from the first word.
 struct Kind {
     bool normals = false, texture = false;
 };

@@ -5,10 +5,10 @@
 
 namespace vantage {
 
-/// Whether an OFF file is of its binary kind.
+/// Whether an OFF file is binary.
 bool is_binary_off(const std::filesystem::path& file);
 
-/// Reads a text OFF file (Geomview: OFF, COFF, NOFF, CNOFF, STOFF; also without the word) at double
+/// Reads a text OFF file (Geomview: OFF, COFF, NOFF, CNOFF, STOFF; the keyword is optional) at double
 /// precision: vertices, their normals and colors (by color_bytes(), with alpha if all have it), and polygons,
 /// which become triangle fans. Colors of faces are skipped. Corners that refer to no vertex become
 /// `no_vertex`. Throws Error(input) with the line.

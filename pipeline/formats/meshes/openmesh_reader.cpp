@@ -66,7 +66,7 @@ class Collector : public IO::BaseImporter {
     std::size_t n_faces() const override { return faces_; }
     std::size_t n_edges() const override { return 0; }
 
-    // Parts of a mesh that are not used.
+    // Unused parts of a mesh.
     HalfedgeHandle add_edge(VertexHandle, VertexHandle) override { return HalfedgeHandle(); }
     FaceHandle add_face(HalfedgeHandle) override { return FaceHandle(); }
     void add_face_texcoords(FaceHandle, VertexHandle, const std::vector<Vec2f>&) override {}

@@ -83,8 +83,8 @@ class Values {
         for (std::size_t i = 0; i < types.size(); from += size_of(types[i++]))
             convert(types[i], from, stride, swapped(), columns[i]);
     }
-    /// Reads a list of three 32-bit integers after a byte, the most common face. False, with nothing read, if
-    /// something else follows.
+    /// Reads the most common face: a byte and three 32-bit integers. False, with nothing read, if anything
+    /// else follows.
     bool next_triangle(std::array<std::uint32_t, 3>& corners) {
         constexpr std::size_t bytes = 1 + sizeof corners;
         if (rest_.size() < bytes || rest_[0] != 3) return false;
@@ -211,7 +211,8 @@ bool has_plain_triangles(const Values& values, const Element& e) {
     return lists_corners(p) && p.count_type == Type::u8 && (p.type == Type::i32 || p.type == Type::u32);
 }
 
-/// `vertices`: their number, also of those that follow. Returns whether a face has alpha and is not opaque.
+/// `vertices`: their total number, including those after the faces. Returns whether a face has alpha and is
+/// not opaque.
 bool read_faces(Values& values, const Element& e, std::size_t vertices, Mesh& mesh) {
     values.check_count(e.count, min_bytes(e), e.properties.size());
     mesh.triangles.reserve(mesh.triangles.size() + e.count);

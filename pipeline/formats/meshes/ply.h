@@ -14,8 +14,8 @@ inline constexpr std::uint32_t no_vertex = 0xffffffffu;
 /// reader rounds doubles to single precision and drops other properties. Faces become triangle fans and
 /// strips become triangles. red, green, blue and alpha, or diffuse_red, r and so on (also with alpha), become
 /// colors as by color_bytes(), nx, ny and nz become normals, unchanged, and every other scalar vertex
-/// property becomes a scalar field. Alpha of faces is not read, and adds to `warnings` if they are not
-/// opaque. Throws Error(input) stating what was expected.
+/// property becomes a scalar field. Alpha of faces is not read; faces that are not opaque add to `warnings`.
+/// Throws Error(input) stating what was expected.
 Mesh read_ply(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
 /// Whether the header lists faces; also true if it is not a header, which read_ply() reports.

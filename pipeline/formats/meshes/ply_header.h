@@ -43,8 +43,7 @@ struct Ply {
     }
 };
 
-/// Reads the header at the begin of a PLY's bytes; what follows is `body`, a view of them. Throws
-/// Error(input).
+/// Reads the header at the beginning of a PLY's bytes; `body` is a view of the rest. Throws Error(input).
 Ply read_header(const std::filesystem::path& file, std::span<const char> bytes);
 
 }  // namespace vantage::ply

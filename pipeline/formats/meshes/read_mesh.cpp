@@ -24,8 +24,8 @@ bool is_one_of(const std::string& extension, std::initializer_list<const char*> 
     return std::ranges::find(list, extension) != list.end();
 }
 
-/// Drops triangles with a missing, repeated or unusable vertex and returns their number. Vertices that belong
-/// to no triangle are moved onto one that does, so that they do not enlarge the model's extent. In a mesh
+/// Drops triangles with a missing, repeated or unusable vertex and returns their number. Unreferenced
+/// vertices are moved onto a referenced one, so that they do not enlarge the model's extent. In a mesh
 /// without triangles, unusable vertices are moved onto the first usable one.
 std::size_t drop_invalid_triangles(Mesh& mesh) {
     const auto bad = [&](std::uint32_t v) { return v == no_vertex || !usable(mesh.positions[v]); };
@@ -60,7 +60,7 @@ void complete_normals(Mesh& mesh) {
         }
         for (std::size_t v = 0; v < sum.size(); ++v) {
             if (has_direction(mesh.normals[v])) continue;
-            const double length = sum[v].norm();  // 0 for a vertex of no triangle: any normal will do
+            const double length = sum[v].norm();  // 0 for an unreferenced vertex: any normal will do
             mesh.normals[v] =
                 length > 0 ? (sum[v] / length).cast<float>().eval() : Eigen::Vector3f::UnitZ().eval();
         }
@@ -68,11 +68,11 @@ void complete_normals(Mesh& mesh) {
     for (Eigen::Vector3f& n : mesh.normals) n.stableNormalize();
 }
 
-/// What reading a mesh also gives.
+/// Further results of reading a mesh.
 struct Found {
     std::vector<std::string>& warnings;
     std::vector<std::filesystem::path> companions{};  ///< further files
-    double rounding = 0;  ///< most by which a coordinate may be off, known from how the file was read
+    double rounding = 0;  ///< largest error of a coordinate, known from the reader
 };
 
 Mesh read_nodes(const std::filesystem::path& file, Found& found) {

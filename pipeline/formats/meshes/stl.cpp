@@ -54,7 +54,7 @@ class TextReader {
         for (std::size_t i = 2; i < corners.size(); ++i) add(corners[0], corners[i - 1], corners[i], mesh_);
         return true;
     }
-    /// Whether the next word is this, and not the other one. In small or capital letters.
+    /// Whether the next word is `wanted` rather than `other`, ignoring case.
     bool at(const std::string& wanted, const std::string& other) {
         const std::string expected = wanted + " or " + other;
         const std::string word(in_.word(expected.c_str()));
@@ -77,13 +77,13 @@ std::uint32_t count_in(const std::byte* header) {
     return count;
 }
 
-/// Text has no byte 0, which the header of a binary file does not lack in practice.
+/// Text has no zero bytes; the header of a binary file has some in practice.
 bool is_binary(const fs::path& file) {
     constexpr std::size_t looked_at = 1024;
     const std::vector<std::byte> bytes = read_file(file, looked_at);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-        return false;  // UTF-16: refused as text
+        return false;  // UTF-16: rejected by the text reader
     if (text.find('\0') != text.npos) return true;
     return bytes.size() >= header_bytes &&
            fs::file_size(file) == header_bytes + triangle_bytes * std::uint64_t(count_in(bytes.data()));

@@ -6,8 +6,8 @@
 namespace vantage {
 
 /// Reads an STL file, text at double precision or binary at single. Every corner is a
-/// vertex of its own; normals and colors are skipped. Bytes behind a binary file's triangles are padding if
-/// they are too few for one, or zero. Throws Error(input), also if the file is cut off.
+/// vertex of its own; normals and colors are skipped. Bytes after a binary file's triangles count as padding
+/// if they are zero, or too few for another triangle. Throws Error(input), also if the file is cut off.
 Mesh read_stl(const std::filesystem::path& file);
 
 }  // namespace vantage

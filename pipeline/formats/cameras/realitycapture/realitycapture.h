@@ -19,7 +19,7 @@ std::string realitycapture_models();
 
 /// Whether the file is an XMP sidecar of RealityCapture or RealityScan.
 bool is_realitycapture_sidecar(const std::filesystem::path& file);
-/// Those of a folder and two levels below it, sorted.
+/// The sidecars in a folder and two levels below it, sorted.
 std::vector<std::filesystem::path> realitycapture_sidecars(const std::filesystem::path& folder);
 
 /// Whether the file is a list of cameras with named columns.

@@ -31,7 +31,7 @@ std::vector<std::string_view> cells(std::string_view line) {
     }
 }
 
-/// A table whose columns the user has chosen.
+/// A table with user-selected columns.
 class Table {
   public:
     explicit Table(std::filesystem::path file) : file_(std::move(file)), text_(read_plain_text(file_)) {
@@ -53,7 +53,7 @@ class Table {
         return true;
     }
     std::string name() const { return std::string(row_[columns_.at("name")]); }
-    /// The first column of these that the table has. Throws if it has none.
+    /// The value of the first of these columns that exists. Throws if none does.
     double number(std::initializer_list<const char*> columns) const {
         for (const char* c : columns)
             if (has(c)) return read(c);
@@ -163,7 +163,7 @@ bool is_realitycapture_csv(const std::filesystem::path& file) {
         const std::vector<std::byte> begin = read_file(file, 1000);
         const std::string_view text(reinterpret_cast<const char*>(begin.data()), begin.size());
         if (text.starts_with("#cameras")) return true;
-        // Other tables have names and positions, too.
+        // Other tables also have names and positions.
         const std::vector<std::string_view> columns = cells(text.substr(0, text.find('\n')));
         const auto has_one = [&](std::initializer_list<const char*> names) {
             return std::ranges::find_first_of(columns, names) != columns.end();

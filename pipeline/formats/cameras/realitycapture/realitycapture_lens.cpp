@@ -6,7 +6,7 @@ namespace {
 
 struct RealityCaptureModel {
     const char* name;
-    int radial;  ///< how many of k1 to k4 it has
+    int radial;  ///< number of radial coefficients, k1 to k4
     bool tangential;
 };
 constexpr RealityCaptureModel lens_rows[] = {
@@ -24,7 +24,7 @@ std::string realitycapture_models() {
 std::optional<Lens> realitycapture_lens(std::string_view name, const std::array<double, 6>& c, double skew) {
     for (const RealityCaptureModel& m : lens_rows) {
         if (name != m.name) continue;
-        // x / (1 + k1 r^2), of the undistorted radius
+        // x / (1 + k1 r^2), r being the undistorted radius
         if (name == "division")
             return skew == 0 ? std::optional(Lens{LensModel::opencv, {0, 0, 0, 0, 0, c[0]}}) : std::nullopt;
         std::array<double, 4> k{};

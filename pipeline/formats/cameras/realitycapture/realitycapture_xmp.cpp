@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A value of a sidecar: an attribute or an element, which versions of the program mix.
+/// A value of a sidecar: an attribute or an element, depending on the program's version.
 struct Value {
     pugi::xml_node at;
     std::string text;
@@ -35,7 +35,7 @@ double number_of(const XmlFile& file, pugi::xml_node description, const char* na
     return v.text.empty() ? otherwise : file.numbers(v.at, v.text, 1).front();
 }
 
-/// The part of a sidecar that is RealityCapture's; other programs have theirs beside it.
+/// RealityCapture's part of a sidecar; other programs add their own.
 pugi::xml_node description_of(const XmlFile& file) {
     const auto is_ours = [](const char* name) { return std::string_view(name).starts_with("xcr:"); };
     const pugi::xml_node parts = file.child("x:xmpmeta").child("rdf:RDF");
@@ -46,7 +46,7 @@ pugi::xml_node description_of(const XmlFile& file) {
     file.fail(parts, "a rdf:Description with xcr:Rotation", "none");
 }
 
-/// Of k1 k2 k3 k4 t1 t2; those that the model lacks are 0, or missing.
+/// k1 k2 k3 k4 t1 t2; those that the model lacks are 0 or missing.
 std::array<double, 6> coefficients_of(const XmlFile& file, pugi::xml_node description) {
     std::array<double, 6> out{};
     const Value v = value_of(description, "DistortionCoeficients");  // spelled so
@@ -78,7 +78,7 @@ std::optional<CameraSet::Entry> read_sidecar(const XmlFile& file, pugi::xml_node
     entry.camera.lens = *lens;
     Eigen::Matrix3d R;
     for (int i = 0; i < 9; ++i) R(i / 3, i % 3) = r[std::size_t(i)];
-    R = nearest_orthogonal(R);  // that of a prior need not be one
+    R = nearest_orthogonal(R);  // that of a prior may not be orthogonal
     entry.camera.cam_from_world = {R, -R * Eigen::Vector3d(c[0], c[1], c[2])};
     return entry;
 }
@@ -99,7 +99,7 @@ std::vector<fs::path> realitycapture_sidecars(const fs::path& folder) {
     std::erase_if(out, [&](const fs::path& file) {
         const fs::path above = file.parent_path().parent_path();
         const bool is_below = file.lexically_relative(folder).has_parent_path();
-        // In a folder below its namesake, it is a copy.
+        // A sidecar in a subfolder, below another of the same name, is a copy.
         return !is_realitycapture_sidecar(file) || (is_below && fs::exists(above / file.filename()));
     });
     return out;

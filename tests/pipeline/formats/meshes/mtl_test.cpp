@@ -162,7 +162,7 @@ TEST_F(Mtl, OfTheSameName) {
     EXPECT_EQ(m.at("b")[3], 0);
     EXPECT_EQ(warnings,
               std::vector<std::string>{
-                  "a.mtl, line 6: the material is there twice, with other values; the last counts"});
+                  "a.mtl, line 6: the material is defined twice, with different values; the last is used"});
 }
 
 TEST_F(Mtl, AreMissedIfFacesUseThem) {
