@@ -36,7 +36,7 @@ package::ClusterRecord bounds(const std::vector<Eigen::Vector3f>& positions, con
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Splits clusters of large triangles until a camera sees each at roughly a single angle and distance;
-/// otherwise the player could not estimate how finely a photo samples it.
+/// otherwise the player could not estimate a photo's sampling density on it.
 class Splitter {
   public:
     Splitter(const std::vector<Eigen::Vector3f>& positions, std::vector<std::uint32_t>& indices,
@@ -68,7 +68,7 @@ class Splitter {
             return Eigen::Vector3f((positions_[t[0]] + positions_[t[1]] + positions_[t[2]]) / 3);
         });
     }
-    /// Separates the triangles at the mean of the values, along the axis of the largest variance.
+    /// Splits the triangles at the mean of the values, along the axis of largest variance.
     template <class Value>
     static std::uint32_t partition_at_mean(Triangle* begin, Triangle* end, const Value& value) {
         Eigen::Vector3f mean = Eigen::Vector3f::Zero(), variance = mean;
@@ -96,13 +96,14 @@ Eigen::AlignedBox3f box_of(const std::vector<Eigen::Vector3f>& positions) {
     return box;
 }
 
-/// The space-filling curve has a fixed resolution: far points would leave all others in one cell.
+/// The space-filling curve has a fixed resolution: with far points in its range, all others would fall into
+/// one cell.
 std::vector<Eigen::Vector3f> clamped(std::vector<Eigen::Vector3f> positions, const Eigen::AlignedBox3f& box) {
     for (Eigen::Vector3f& p : positions) p = p.cwiseMax(box.min()).cwiseMin(box.max()).eval();
     return positions;
 }
 
-/// Along a space-filling curve.
+/// Sorts triangles along a space-filling curve.
 void sort_triangles(const std::vector<Eigen::Vector3f>& positions, std::vector<std::uint32_t>& indices) {
     std::vector<std::uint32_t> ordered(indices.size());
     meshopt_spatialSortTriangles(ordered.data(), indices.data(), indices.size(), positions[0].data(),

@@ -6,10 +6,10 @@
 namespace vantage {
 
 /// The signed distance from each of the mesh's vertices to the nearest point of `reference`, in input units:
-/// positive on the side to which the reference's normals point (of a mesh, those of its triangles;
-/// angle-weighted on edges and at corners, Baerentzen and Aanaes 2005), without sign if the reference is a
-/// cloud without normals. Exact to single precision of the result. The mesh's strays count like all vertices.
-/// Runs on all cores. Throws Error(memory).
+/// positive on the side to which the reference's normals point (for a mesh, the triangles' normals;
+/// angle-weighted on edges and at corners, Baerentzen and Aanaes 2005), unsigned if the reference is a cloud
+/// without normals. Accurate to single precision. Includes the mesh's strays. Runs on all cores. Throws
+/// Error(memory).
 std::vector<float> deviation(const Mesh& mesh, const Mesh& reference);
 
 }  // namespace vantage

@@ -22,8 +22,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The point of a triangle or cloud point nearest to another point, and the normal there, weighted by the
-/// angle that the triangle fills around it.
+/// The point on a triangle, or the cloud point, nearest to another point, and its normal, weighted by the
+/// triangle's angle at that point.
 struct Nearest {
     Vector3d point, normal;
 };
@@ -35,7 +35,7 @@ Nearest on_segment(const Vector3d& p, const Vector3d& a, const Vector3d& b, cons
     return {a + share * along, normal * std::numbers::pi};
 }
 
-/// Of a triangle: inside it if the point projects there, else on the nearest of its edges.
+/// The nearest point on a triangle: inside it if the point projects there, else on the nearest edge.
 Nearest on_triangle(const Vector3d& p, const std::array<Vector3d, 3>& c) {
     const Vector3d area = (c[1] - c[0]).cross(c[2] - c[0]);
     const double area2 = area.squaredNorm();
@@ -95,12 +95,12 @@ struct NearestSurface::State {
         return {query.point, query.normal, query.distance};
     }
 
-    /// What is nearest so far. Triangles that meet there count together.
+    /// The nearest point so far. The normals of triangles that meet there are summed.
     struct Query {
         const State& surface;
         Vector3d at, point = Vector3d::Zero(), normal = Vector3d::Zero();
         double distance = std::numeric_limits<double>::infinity();
-        double rounding = 0;  ///< of the center of Embree's query
+        double rounding = 0;  ///< rounding error of the center of Embree's query
 
         double tolerance() const { return 1e-9 * (distance + (at - surface.origin_).norm()); }
         void consider(const Nearest& n) {
@@ -127,7 +127,7 @@ struct NearestSurface::State {
     static bool visit(RTCPointQueryFunctionArguments* args) {
         Query& query = *static_cast<Query*>(args->userPtr);
         query.consider(query.surface.on_primitive(query.at, args->primID));
-        // Single precision must not cut off what is as near.
+        // Single precision must not exclude equally near triangles.
         const double reach = (query.distance + query.tolerance() + query.rounding) * (1 + 1e-6);
         const auto radius = float(std::min(reach, 3e38));
         if (!(radius < args->query->radius)) return false;

@@ -45,7 +45,7 @@ void order_vertices(PackedModel& m, Mesh& mesh) {
         std::copy_n(m.indices.begin() + std::ptrdiff_t(3 * t), 3, mesh.triangles[t].begin());
 }
 
-/// Orders the triangles by cluster; those that are not opaque come last.
+/// Orders the triangles by cluster; translucent ones come last.
 void cluster_in_two_parts(PackedModel& m, const Mesh& mesh, const Eigen::AlignedBox3f& scene) {
     std::vector<std::uint32_t> opaque, transparent;
     for (std::size_t t = 0; t < m.indices.size() / 3; ++t) {

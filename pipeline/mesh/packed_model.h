@@ -13,14 +13,14 @@
 
 namespace vantage {
 
-/// The model as the package holds it, with triangles ordered by cluster.
+/// The model as stored in the package, with triangles ordered by cluster.
 struct PackedModel {
     package::SceneRecord record{};
     Eigen::Vector3d origin;                  ///< center of the mesh's main_box, in its coordinates
     std::vector<Eigen::Vector3f> positions;  ///< relative to `origin`
     std::vector<std::uint32_t> indices;      ///< three per triangle
     std::vector<package::ClusterRecord> clusters;
-    OpaquePart opaque{};  ///< what photos show
+    OpaquePart opaque{};  ///< the part onto which photos are blended
 
     std::span<const package::ClusterRecord> opaque_clusters() const {
         return std::span(clusters).first(opaque.clusters);
@@ -34,8 +34,8 @@ struct PackedModel {
 };
 
 /// Also reorders `mesh` the same way: triangles by cluster, vertices by first use (for memory locality),
-/// unused vertices last. `transparency`: triangles that are not opaque come last, in clusters of their own;
-/// otherwise all count as opaque. `box`: the main_box of the mesh, or of what it stands for.
+/// unused vertices last. `transparency`: triangles that are not opaque come last, in separate clusters;
+/// otherwise all count as opaque. `box`: the main_box of the mesh, or of the cloud that it represents.
 PackedModel pack_model(Mesh& mesh, const MainBox& box, bool transparency = false);
 
 /// Writes geometry, clusters and vertex attributes. Throws Error(storage).

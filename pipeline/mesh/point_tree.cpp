@@ -17,12 +17,12 @@ namespace {
 
 using package::PointNode;
 
-constexpr int levels = 21;      ///< of halving the root's cube, at most
-constexpr int finest_grid = 6;  ///< halvings of a node's cube that make the cells of its grid
+constexpr int levels = 21;      ///< maximum number of halvings of the root's cube
+constexpr int finest_grid = 6;  ///< halvings of a node's cube into the cells of its grid
 constexpr int finest_leaf = 8;  ///< the same, for the spacing of a leaf's points
 constexpr std::array<std::uint8_t, 4> gray{200, 200, 200, 255};
 
-/// A point and the cells that it is in: three bits for each halving of the root's cube, x lowest, the first
+/// A point and the cells that contain it: three bits per halving of the root's cube, x lowest, the first
 /// halving highest (Morton order).
 struct Placed {
     std::uint64_t code;
@@ -30,7 +30,7 @@ struct Placed {
 };
 using Run = std::span<Placed>;
 
-/// Bits 0 to 20 moved to every third place.
+/// Moves bits 0 to 20 to every third position.
 std::uint64_t spread(std::uint64_t v) {
     std::uint64_t out = 0;
     for (int bit = 0; bit < levels; ++bit) out |= (v >> bit & 1) << (3 * bit);
@@ -46,11 +46,11 @@ std::uint64_t gathered(std::uint64_t code) {
     return (code | code >> 32) & 0x1fffff;
 }
 
-/// The cell at a level below the root's cube, 0, in which the point is.
+/// The cell that contains the point, at a level below the root's cube (0).
 std::uint64_t cell(const Placed& p, int level) { return p.code >> (3 * (levels - level)); }
 std::uint32_t octant(const Placed& p, int level) { return std::uint32_t(cell(p, level + 1) & 7); }
 
-/// Squared distance from the middle of the cell at `level`, in its own halvings.
+/// Squared distance from the center of the cell at `level`, in its own halvings.
 double from_middle(const Placed& p, int level) {
     const int below = levels - level;
     double sum = 0;
@@ -87,13 +87,14 @@ class Builder {
     }
 
   private:
-    /// Points that a node and its descendants hold, in Morton order.
+    /// Points of a node and its descendants, in Morton order.
     struct Todo {
         Run points;
         int level;
     };
 
-    /// In a cube around all points, a little larger, so that single precision leaves none outside.
+    /// Places all points in a slightly enlarged cube, so that rounding to single precision leaves none
+    /// outside.
     void place(const Mesh& cloud, const Eigen::Vector3d& origin) {
         Eigen::AlignedBox3d box;
         for (const Eigen::Vector3d& p : cloud.positions) box.extend(p - origin);
@@ -130,7 +131,7 @@ class Builder {
         const bool deepest = todo.level == levels;
         if (taken <= package::point_node) {
             node.spacing = spacing_of(todo, node.size);
-        } else if (deepest) {  // in one place: a chain of nodes
+        } else if (deepest) {  // all at one position: a chain of nodes
             taken = package::point_node;
             node.spacing = node.size;
         } else {
@@ -144,14 +145,14 @@ class Builder {
         tree_.nodes.push_back(node);
     }
 
-    /// The finest grid of which a node can take a point per cell.
+    /// The finest grid whose occupied cells do not exceed a node's capacity.
     static int grid_of(const Todo& todo) {
         int grid = std::min(finest_grid, levels - todo.level);
         while (grid > 1 && cells_in(todo.points, todo.level + grid) > package::point_node) --grid;
         return grid;
     }
 
-    /// The finest grid on which a leaf's points share cells.
+    /// The spacing of the finest grid on which a leaf's points share cells.
     static float spacing_of(const Todo& todo, float size) {
         int grid = std::min(finest_leaf, levels - todo.level);
         while (grid > 0 && double(todo.points.size()) < 2 * double(cells_in(todo.points, todo.level + grid)))
@@ -159,7 +160,7 @@ class Builder {
         return std::ldexp(size, -grid);
     }
 
-    /// Moves the point nearest to the middle of each cell to the front, in order, and returns their number.
+    /// Moves the point nearest to the center of each cell to the front, in order, and returns their number.
     std::size_t take_sample(Run points, int level) {
         taken_.clear(), left_.clear();
         for (std::size_t begin = 0; begin < points.size();) {
@@ -187,7 +188,7 @@ class Builder {
         }
     }
 
-    /// One node after the other, none across two blocks.
+    /// Fills blocks node by node; no node crosses a block boundary.
     void fill_blocks() {
         std::uint32_t block = 0, used = 0;
         for (PointNode& node : tree_.nodes) {

@@ -8,13 +8,12 @@
 
 namespace vantage {
 
-/// An octree over a cloud with nested levels of detail, and where each point is in it. Each inner node takes,
-/// of each cell of a grid over its cube, the point nearest to the cell's middle; the others are left to its
-/// children.
+/// An octree over a cloud with nested levels of detail, and the node of each point. For each cell of a grid
+/// over its cube, an inner node takes the point nearest to the cell's center; its children take the others.
 struct PointTree {
     std::vector<package::PointNode> nodes;  ///< level by level, the root first
-    std::vector<std::uint32_t> order;       ///< points of the cloud, those of a node together
-    std::vector<std::uint64_t> starts;      ///< per node: its first point in `order`
+    std::vector<std::uint32_t> order;       ///< points of the cloud, grouped by node
+    std::vector<std::uint64_t> starts;      ///< per node: index of its first point in `order`
     std::uint32_t blocks = 0;
 
     bool empty() const { return nodes.empty(); }

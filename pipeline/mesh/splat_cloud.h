@@ -7,16 +7,16 @@
 
 namespace vantage {
 
-/// A cloud's points as a package stores them, relative to its origin, and half the distance to their
-/// neighbors: of the finest node of the octree in which each is.
+/// A cloud's points as stored in a package, relative to its origin, and half the distance to their neighbors,
+/// from the finest octree node that contains each.
 struct SplatCloud {
     std::vector<Eigen::Vector3f> positions;
     std::vector<float> radii;
 };
 
-/// Of the cloud from which the tree was made.
+/// From the cloud of which the tree was made.
 SplatCloud splat_cloud(const PointTree& tree, const Mesh& cloud, const Eigen::Vector3d& origin);
-/// The same, from a package with the effect `points`. Throws Error(damaged).
+/// From a package with the effect `points`. Throws Error(damaged).
 SplatCloud splat_cloud(const PackageReader& package);
 
 }  // namespace vantage

@@ -13,9 +13,9 @@
 namespace vantage {
 namespace {
 
-constexpr int finest = 10;  ///< halvings of the cloud's cube, at most
+constexpr int finest = 10;  ///< maximum number of halvings of the cloud's cube
 
-/// Bits 0 to 9 moved to every third place.
+/// Moves bits 0 to 9 to every third position.
 std::uint32_t spread(std::uint32_t v) {
     v = (v | v << 16) & 0x030000ff;
     v = (v | v << 8) & 0x0300f00f;
@@ -47,7 +47,7 @@ struct Moments {
 };
 
 struct Cell {
-    std::uint32_t code;  ///< of its place, see code_of()
+    std::uint32_t code;  ///< of its position, see code_of()
     Eigen::Vector3i place;
     Moments points;
 };
@@ -67,7 +67,7 @@ struct CellGrid {
     }
 };
 
-/// In a cube that is never empty, even around a single point far from zero.
+/// The grid of a cube that is never empty, even around a single point far from zero.
 CellGrid cube_around(const Mesh& cloud) {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& p : cloud.positions) box.extend(p);
@@ -112,8 +112,8 @@ std::vector<Cell> cells_of(const Mesh& cloud, const CellGrid& grid) {
     return cells;
 }
 
-/// The normal of the plane that fits the points of a cell and its neighbors best. Of points that span no
-/// plane, any direction across them.
+/// The normal of the best-fitting plane of the points in a cell and its neighbors. If these span no plane,
+/// any direction perpendicular to them.
 Eigen::Vector3d normal_of(const std::vector<Cell>& cells, const Cell& at, const CellGrid& grid) {
     Moments around;
     const int most = (1 << grid.level) - 1;
@@ -141,7 +141,7 @@ Eigen::Vector3d outward(const Eigen::Vector3d& p, const Eigen::Vector3d& middle,
     return *nearest - p;
 }
 
-/// Equilateral, with the cell's circle inside.
+/// Adds an equilateral triangle that contains the cell's circle.
 void add_facet(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, double cell, Mesh& out) {
     const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.cross(x);
     const auto first = std::uint32_t(out.positions.size());

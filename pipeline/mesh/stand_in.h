@@ -6,14 +6,14 @@
 
 namespace vantage {
 
-/// Triangles in the stand-in of a cloud, at most.
+/// Maximum number of triangles in the stand-in of a cloud.
 inline constexpr std::size_t max_facets = 32768;
 
-/// A coarse mesh that stands for a cloud where a mesh is needed: to choose photos and tiles, and to compare
-/// photos. In each occupied cell of a grid, the finest with at most `max_facets` of them, lies one triangle
-/// around the mean of the cell's points, in the plane that fits the points of the cells around it best
-/// (Hoppe et al. 1992), large enough to cover the cell. It faces the nearest of `eyes`; without eyes, away
-/// from the middle of the cloud. `cloud` must have a point, and finite positions. Deterministic.
+/// A coarse mesh that represents a cloud where a mesh is needed: to choose photos and tiles, and to compare
+/// photos. Each occupied cell of a grid, the finest with at most `max_facets` of them, gets one triangle
+/// around the mean of its points, in the best-fitting plane of the points in the cells around it (Hoppe et
+/// al. 1992), large enough to cover the cell. It faces the nearest of `eyes`; without eyes, away from the
+/// center of the cloud. `cloud` must have at least one point, and finite positions. Deterministic.
 Mesh stand_in(const Mesh& cloud, std::span<const Eigen::Vector3d> eyes);
 
 /// The length of its triangles' edges, from their corners; 0 without triangles.

@@ -28,7 +28,7 @@ std::uint32_t add_midpoint(Mesh& m, std::uint32_t a, std::uint32_t b) {
     return std::uint32_t(m.positions.size() - 1);
 }
 
-/// Which edges are halved: those longer than `longest` between vertices that are not strays.
+/// The edges to halve: those longer than `longest` between vertices that are not strays.
 struct Limit {
     double longest;
     std::span<const std::uint32_t> strays;  ///< ascending
@@ -46,7 +46,7 @@ struct Limit {
 class Midpoints {
   public:
     Midpoints(Mesh& mesh, const Limit& limit) : mesh_(mesh), limit_(limit) {}
-    /// The midpoint vertex of an edge that exceeds the limit; `no_midpoint` for others.
+    /// The midpoint vertex of an edge that exceeds the limit; else `no_midpoint`.
     std::uint32_t of(std::uint32_t a, std::uint32_t b) {
         if (!limit_.is_exceeded(mesh_, a, b)) return no_midpoint;
         const auto [low, high] = std::minmax(a, b);
@@ -79,7 +79,7 @@ void add_pieces(const Triangle& t, const Triangle& m, std::vector<Triangle>& out
     }
 }
 
-/// The mesh without edges that exceed the limit; nothing if that takes too many triangles.
+/// The mesh without edges that exceed the limit; empty if that takes too many triangles.
 std::optional<Mesh> subdivided(const Mesh& mesh, const Limit& limit) {
     Mesh out = mesh;
     const auto large = std::stable_partition(out.triangles.begin(), out.triangles.end(),

@@ -17,7 +17,7 @@ int planned_levels(const package::PhotoRecord& p) {
     return p.flags & package::photo_held_out ? 0 : level_count(int(p.width), int(p.height));
 }
 
-/// The bytes of a chunk of the scene; nothing if it has none that is planned.
+/// The bytes of a scene chunk; empty if none is planned.
 std::optional<std::uint64_t> scene_bytes(const ChunkRow& row, const package::SceneRecord& scene,
                                          const LayoutSizes& sizes, bool share) {
     if (const auto known = sizes.bytes.find(row.type); known != sizes.bytes.end())
@@ -26,7 +26,7 @@ std::optional<std::uint64_t> scene_bytes(const ChunkRow& row, const package::Sce
         case Type::lenses:
             if (!effect_on(scene, Effect::undistortion)) return {};
             break;
-        case Type::pose_refinement:  // a share has no results that depend on all photos
+        case Type::pose_refinement:  // a shard has no results that depend on all photos
         case Type::pairs:
             if (share) return {};
             break;

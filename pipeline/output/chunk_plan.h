@@ -10,22 +10,22 @@
 
 namespace vantage {
 
-/// What a package's layout depends on, besides its photos.
+/// The sizes that determine a package's layout, besides its photos.
 struct LayoutSizes {
-    /// Bytes of the scene's chunks whose size SCEN does not tell, such as META; 0: there is none.
+    /// Bytes of the scene chunks whose size is not in SCEN, such as META; 0: no chunk.
     std::map<package::Type, std::uint64_t> bytes;
     bool colors;  ///< the mesh has vertex colors
     std::uint64_t point_blocks = 0;
     bool coordinates = true;  ///< photos have texture coordinates per vertex
 };
-/// Those of a package that is written anew.
+/// The sizes for a package that is rewritten.
 LayoutSizes layout_sizes(const PackageReader& package, std::uint64_t meta_bytes, bool coordinates);
 
-/// Whether photos have texture coordinates per vertex: in a compact package only if they are shown by
-/// default, or `asked` for.
+/// Whether photos have texture coordinates per vertex: in a compact package, only if these are the default,
+/// or `asked` for.
 bool stores_coordinates(const package::SceneRecord& scene, bool asked);
 
-/// Every chunk in file order, coarse before fine; for a share, the per-photo chunks of its photos only. Space
+/// Every chunk in file order, coarse before fine; for a shard, only the per-photo chunks of its photos. Space
 /// is also reserved for photos that were skipped.
 std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const LayoutSizes& sizes,
                                    std::span<const package::PhotoRecord> photos, Share share = {});

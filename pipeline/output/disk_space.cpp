@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a file that need not exist.
+/// The folder of a file that need not exist.
 fs::path folder_of(const fs::path& file) {
     std::error_code error;
     return fs::absolute(file, error).parent_path();
@@ -47,8 +47,8 @@ bool has_layout(const fs::path& file, const PackageLayout& layout) {
 }  // namespace
 
 std::uint64_t disk_space_needed(const PackageLayout& layout) {
-    // Compact forms of JPEG photos take a tenth of the raw ones, twice; see docs/measurements.md, "Compact
-    // packages".
+    // Compact JPEG photos take a tenth of the raw size, and are stored twice; see docs/measurements.md,
+    // "Compact packages".
     return layout.bytes - layout.compact_bytes + layout.compact_bytes / 4;
 }
 

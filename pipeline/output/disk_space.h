@@ -6,17 +6,17 @@
 
 namespace vantage {
 
-/// What disk_space_for() returns if the file system does not tell.
+/// The result of disk_space_for() if the file system does not report its free space.
 inline constexpr std::uint64_t unknown_space = ~std::uint64_t(0);
 
-/// Bytes that preparing the package takes on the disk, at most: an estimate if chunks are compact, whose part
-/// and package exist at the same time.
+/// Maximum bytes on disk during preparation: an estimate if chunks are compact, because then the part and the
+/// package exist at the same time.
 std::uint64_t disk_space_needed(const PackageLayout& layout);
 
 /// Bytes available on disk for the package `out`, including those that its part already occupies.
 std::uint64_t disk_space_for(const std::filesystem::path& out);
 
-/// Whether files beside `out` are kept in memory, so that writing them is not limited by a disk.
+/// Whether the folder of `out` is in memory, so that no disk limits the writing.
 bool is_in_memory(const std::filesystem::path& out);
 
 /// Makes sure that the package fits on the disk. A finished package stays until the new one is complete; only

@@ -19,7 +19,7 @@ using package::PhotoState;
 using package::Stage;
 using package::Type;
 
-/// Copied, because a part changes while it is written.
+/// Copies the values, because a part changes while it is written.
 template <class T>
 std::vector<T> copy_records(const PackageReader& reader, Type type) {
     const auto bytes = reader.bytes(reader.find(type));

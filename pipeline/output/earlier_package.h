@@ -23,12 +23,12 @@ class EarlierPackage {
     std::optional<std::uint32_t> photo(const std::string& name) const;
     const package::PhotoRecord& record(std::uint32_t photo) const;
     const package::PhotoState& state(std::uint32_t photo) const;
-    /// A finished package, not a part or a share.
+    /// Whether it is a finished package, not a part or a shard.
     bool finished() const {
         return !in_place_ && reader_.header().shares == 0 && reader_.find(package::Type::pose_refinement);
     }
     const PackageReader& reader() const { return reader_; }
-    /// The settings it was prepared with, as stored in META; null if META cannot be read.
+    /// The settings with which it was prepared, as stored in META; null if META cannot be read.
     const nlohmann::json& settings() const { return *settings_; }
 
     /// Passes a stage's chunks to the writer if all are present and intact, and were made with the key and
@@ -57,7 +57,7 @@ EarlierPackages earlier_packages(const std::filesystem::path& out, bool resumed)
 /// XXH3-64 of the checksums of a stage's chunks, as the writer sealed them.
 std::uint64_t content_of(package::Stage stage, std::uint32_t photo, int levels, const PackageWriter& writer);
 
-/// Why a stage has to run for this photo, as a message.
+/// The reason, as a message, that a stage has to run for this photo.
 std::string reason_to_run(package::Stage stage, const std::string& photo, const package::PhotoState& wanted,
                           const nlohmann::json& settings, const EarlierPackages& earlier);
 

@@ -15,13 +15,13 @@ namespace {
 
 using package::Type;
 
-/// What of a run and of a package belongs to an effect.
+/// The trace spans and package chunks of an effect.
 struct Parts {
     std::vector<std::string> spans;  ///< see Traced
     std::vector<Type> chunks;
 };
 
-/// Nothing for effects of later versions.
+/// Empty for effects of later versions.
 Parts parts_of(const std::string& name) {
     const auto row = std::ranges::find(effect_table(), std::string_view(name), &EffectRow::name);
     if (row == effect_table().end()) return {};

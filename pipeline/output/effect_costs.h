@@ -10,19 +10,19 @@
 
 namespace vantage {
 
-/// What an effect is worth, and what it costs.
+/// The benefit and cost of an effect.
 struct EffectCost {
     std::string name, state;        ///< state: "on", "off", "on, forced" or "off, forced"
-    std::string gain, seams;        ///< such as "+0.14 ± 0.09 dB" and "-19 %"; empty if not judged
-    std::optional<double> seconds;  ///< that the run spent on deciding and applying it, all threads
-    std::uint64_t bytes = 0;        ///< that the package stores for it
+    std::string gain, seams;        ///< such as "+0.14 ± 0.09 dB" and "-19 %"; empty if not validated
+    std::optional<double> seconds;  ///< time of all threads for deciding and applying it
+    std::uint64_t bytes = 0;        ///< size of its data in the package
 };
 
-/// One per effect, in the order of META. Vignetting is decided together with exposure, which has the time of
-/// both. `spans`: of the run that made the package; empty if it is not known. Throws Error(damaged).
+/// One per effect, in the order of META. Vignetting is decided together with exposure; the time of both is
+/// listed under exposure. `spans`: of the run that made the package; empty if unknown. Throws Error(damaged).
 std::vector<EffectCost> effect_costs(const PackageReader& package, std::span<const Trace::Span> spans);
 
-/// As lines of text with a header.
+/// The costs as lines of text with a header.
 std::vector<std::string> table_of(std::span<const EffectCost> costs);
 
 }  // namespace vantage

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Bytes of padding, reserved for results.
+/// Bytes of padding, reserved for later results.
 constexpr std::size_t padding = 8192;
 constexpr std::size_t max_findings = 8;
 
@@ -30,7 +30,7 @@ json input_json(const fs::path& file, IdentityCache& identities) {
     return {{"name", utf8_name(file.filename().string())}, {"bytes", id.bytes}, {"xxh3", id.checksum}};
 }
 
-/// A mesh and its companions, whose names are relative to its folder; those that are missing as `absent`.
+/// A mesh and its companions, whose names are relative to its folder; missing ones are listed as `absent`.
 json mesh_json(const fs::path& file, const InputFiles& files, IdentityCache& identities) {
     json out = input_json(file, identities);
     for (const fs::path& companion : companions_of(file, files)) {
@@ -46,7 +46,7 @@ json mesh_json(const fs::path& file, const InputFiles& files, IdentityCache& ide
     return out;
 }
 
-/// With the content of a file that was read, so that a repaired photo is recognized.
+/// Includes the identity of a file that was read, so that a repaired photo is recognized.
 json skipped_json(const UnusablePhoto& photo, const fs::path& folder, IdentityCache& identities) {
     const fs::path file = file_named(folder, photo.photo);
     json out{{"name", photo.photo}, {"why", utf8_name(photo.why)}, {"there", fs::exists(file)}};
@@ -101,7 +101,7 @@ json inputs_json(const SceneInput& scene, IdentityCache& identities) {
             entry["name"] = name_below(fs::is_directory(cameras) ? cameras : cameras.parent_path(), file);
             inputs["cameras"].push_back(std::move(entry));
         }
-    // By their paths: their names may be the same.
+    // Listed by path, because their names may be equal.
     for (const fs::path& more : scene.files.more_cameras)
         for (const fs::path& file : camera_files(more)) {
             json entry = input_json(file, identities);
@@ -127,8 +127,8 @@ json findings_json(std::span<const std::string> findings, std::size_t listed) {
     return out;
 }
 
-/// Padded to `bytes`. If the text is longer, findings and evidence are dropped: neither is needed to render
-/// the package.
+/// META padded to `bytes`. If the text is longer, findings and evidence are dropped: rendering the package
+/// needs neither.
 std::string fitted(json meta, std::size_t bytes) {
     std::string out = json_text(meta);
     if (out.size() > bytes) {
@@ -180,7 +180,7 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
                       const std::vector<EffectDecision>& effects, IdentityCache& identities) {
     json meta{{"tool", tool_name}, {"config", settings_json(settings)}};
     meta["inputs"] = inputs_json(scene, identities);
-    // Packages of scenes that do not call for it are those of before it was added.
+    // In scenes that do not need the effect, META is as before the effect was added.
     const auto called_for = [](const EffectDecision& d) {
         const bool seldom = d.effect == Effect::transparency || d.effect == Effect::compact;
         return !seldom || d.forced || d.measured > 0;
@@ -194,7 +194,7 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
     meta["skipped"] = json::array();
     for (const UnusablePhoto& l : scene.skipped)
         meta["skipped"].push_back(skipped_json(l, scene.files.photos, identities));
-    // The identities are those of the bytes that were read before.
+    // The identities must be those of the bytes read before.
     for (const StampedFile& file : scene.read) expect_unchanged(file);
     meta["warnings"] = json::array();
     for (const std::string& w : scene.warnings) meta["warnings"].push_back(utf8_name(w));

@@ -18,8 +18,8 @@ void set_pose(const Pose& pose, Record& r) {
     Eigen::Map<Eigen::Vector3d>(r.t) = pose.t;
 }
 
-/// Per photo of the scene, whether `names` (each with or without extension) holds it out. Throws Error(usage)
-/// if a name means no photo of the scene, or several.
+/// Per photo of the scene, whether it is held out by `names` (each with or without extension). Throws
+/// Error(usage) if a name matches no photo of the scene, or several.
 std::vector<bool> held_out(const SceneInput& scene, std::span<const std::string> names);
 
 /// One record per photo, in the scene's order; fields measured by the per-photo stages are left empty. Throws

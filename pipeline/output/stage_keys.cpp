@@ -13,7 +13,7 @@ using package::Stage;
 /// Incremented whenever a change to the code changes the colors of photos that have a color profile.
 constexpr std::uint32_t color_conversion = 1;
 
-/// Compact chunks hold other bytes, and depth and colors that other stages read are rounded.
+/// Compact chunks have different bytes, and the depth and colors that other stages read are rounded.
 Fingerprint start(const StageRow& row, const SceneKey& scene) {
     Fingerprint f;
     f.add(row.stage).add(row.version);

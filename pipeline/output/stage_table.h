@@ -16,7 +16,7 @@ namespace vantage {
 
 inline constexpr std::size_t stage_count = std::size_t(package::Stage::count);
 
-/// The pixel data that a stage reads. `alpha`: only which pixels are transparent.
+/// The pixel data that a stage reads. `alpha`: only the transparency.
 enum class PixelInput { none, alpha, all };
 
 /// The scene-wide inputs of the per-photo stages.
@@ -37,14 +37,14 @@ struct StageRow {
     std::uint32_t version;  ///< incremented whenever a change to the code changes the stage's output
     PixelInput pixels;
     bool model;                         ///< renders or projects the model from the photo's pose
-    bool held_out;                      ///< runs for held-out photos, too
+    bool held_out;                      ///< also runs for held-out photos
     std::vector<std::string> settings;  ///< read by the stage, named as in META's configuration
     /// Adds the settings that no other input covers to the stage's key; may be null.
     void (*key)(Fingerprint&, const SceneKey&);
     /// Copies the stage's measurements from the record of the run that made them; may be null.
     void (*adopt)(const package::PhotoRecord& from, package::PhotoRecord& to);
-    void (*make)(StageInput& in);        ///< of a stage on the model, else null
-    void (*make_level)(LevelInput& in);  ///< of another stage: called with each level of the pyramid
+    void (*make)(StageInput& in);        ///< for a stage on the model, else null
+    void (*make_level)(LevelInput& in);  ///< for other stages: called with each level of the pyramid
 };
 /// In the order of package::Stage.
 std::span<const StageRow> stage_table();
@@ -63,7 +63,7 @@ class StageSet {
     bool operator[](package::Stage stage) const { return in_[std::size_t(stage)]; }
     /// Whether any stage uses the model.
     bool needs_model() const;
-    /// Whether any stage reads pixels, of a photo with or without transparent ones.
+    /// Whether any stage reads pixels of a photo with (`has_alpha`) or without transparent ones.
     bool needs_pixels(bool has_alpha) const;
 
   private:
@@ -71,9 +71,10 @@ class StageSet {
 };
 /// Runs the stages in `missing` that do not use the model on one level of the photo.
 void make_on_level(LevelInput& in, const StageSet& missing);
-/// All stages that use the model: they run again when a camera moves.
+/// All stages that use the model; they run again when a camera moves.
 StageSet stages_on_model();
-/// Runs those of them that are in `missing`; those that need no pixels first, while these are still decoded.
+/// Runs those stages on the model that are in `missing`; first those that need no pixels, while the photo is
+/// still being decoded.
 void make_on_model(StageInput& in, const StageSet& missing);
 
 }  // namespace vantage

@@ -38,7 +38,7 @@ void add_changed(const fs::path& file, Changes& out) {
         {InputChange::Kind::changed, file.string() + ": has changed since the package was prepared"});
 }
 
-/// A file, and what META lists as its companions.
+/// Compares a file and its companions listed in META.
 void compare(const fs::path& file, const json& was, IdentityCache& identities, Changes& out) {
     if (!fs::exists(file)) return add_missing(file.string(), out);
     const bool same = fs::file_size(file) == was.at("bytes").get<std::uint64_t>() &&
@@ -64,12 +64,13 @@ void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& i
         compare(file == now.end() ? folder / name : *file, was, identities, out);
         known.insert(comparable_name(name));
     }
-    // Files of a format that is preferred, or that the format reads if they are there.
+    // Files of a preferred format, or optional files that the format reads.
     for (const fs::path& file : now)
         if (!known.contains(comparable_name(name_below(folder, file)))) add_new(file, out);
 }
 
-/// Camera files of image sets, by their paths in the photos' folder, and the file that names the image sets.
+/// Compares the camera files of image sets, by their paths in the photos' folder, and the file that names the
+/// image sets.
 void compare_image_sets(const json& meta, const InputFiles& files, IdentityCache& identities, Changes& out) {
     const json& inputs = meta.at("inputs");
     std::set<fs::path> known;
@@ -88,7 +89,7 @@ void compare_image_sets(const json& meta, const InputFiles& files, IdentityCache
         add_new(files.image_sets, out);
 }
 
-/// The files of a list of META's inputs. Of several files of the same name, one has to be as it was.
+/// Compares the files in a list of META's inputs. Of several files with the same name, one must be unchanged.
 void compare_listed(const json& meta, const char* list, const std::vector<fs::path>& files,
                     IdentityCache& identities, Changes& out) {
     for (const json& was : meta.at("inputs").value(list, json::array())) {
@@ -104,7 +105,7 @@ void compare_listed(const json& meta, const char* list, const std::vector<fs::pa
     }
 }
 
-/// The mesh, of which there may be none in a scene of points only; what was one may have become the other.
+/// Compares the mesh. A scene of points only has none; a mesh may have become a cloud, or a cloud a mesh.
 void compare_mesh(const json& meta, const fs::path& mesh, IdentityCache& identities, Changes& out) {
     const json was = meta.at("inputs").value("mesh", json{});
     if (was.is_object() && mesh.empty())
@@ -115,7 +116,7 @@ void compare_mesh(const json& meta, const fs::path& mesh, IdentityCache& identit
         add_new(mesh, out);
 }
 
-/// In a scene of points only, all clouds have to be there.
+/// In a scene of points only, all clouds must exist.
 void compare_only_clouds(const json& meta, const std::vector<fs::path>& files, Changes& out) {
     if (meta.at("inputs").contains("mesh")) return;
     std::set<std::string> now, before;
@@ -129,7 +130,7 @@ void compare_only_clouds(const json& meta, const std::vector<fs::path>& files, C
         if (!before.contains(utf8_name(file.filename().string()))) add_new(file, out);
 }
 
-/// Photos that the package neither has nor skipped.
+/// Adds photos that the package neither contains nor skipped.
 void add_new_photos(const json& meta, const fs::path& folder, Changes& out) {
     std::set<fs::path> skipped;
     for (const json& l : meta.at("skipped"))
@@ -170,8 +171,8 @@ void compare_masks(const PackageReader& package, const json& meta, const fs::pat
     }
 }
 
-/// Photos that were skipped and whose file has appeared, changed or disappeared. Of a photo without a camera
-/// only whether it is there matters.
+/// Compares skipped photos: their files may have appeared, changed or disappeared. For a photo without a
+/// camera, only its existence matters.
 void compare_skipped(const json& meta, const fs::path& folder, IdentityCache& identities, Changes& out) {
     for (const json& l : meta.at("skipped")) {
         const fs::path photo = file_named(folder, l.at("name").get<std::string>());
@@ -190,7 +191,7 @@ void compare_skipped(const json& meta, const fs::path& folder, IdentityCache& id
     }
 }
 
-/// There are no photos any more, or never were.
+/// The changes of an input that has no photos, or no longer has any.
 Changes without_photos(const PackageReader& package, Changes out) {
     for (const package::PhotoRecord& p : package.photos()) add_missing(p.name, out);
     return out;
@@ -203,7 +204,7 @@ Changes changed_inputs(const PackageReader& package, const InputFiles& files, Id
     try {
         Changes out;
         compare_mesh(meta, files.mesh, identities, out);
-        // Where earlier packages list the materials of an OBJ.
+        // Earlier packages list the materials of an OBJ here.
         for (const json& was : meta.at("inputs").value("materials", json::array()))
             compare(file_named(files.mesh.parent_path(), was.at("name").get<std::string>()), was, identities,
                     out);
@@ -248,7 +249,7 @@ std::vector<std::string> changed_settings(const PackageReader& package, const Pr
     std::vector<std::string> out;
     if (const json was = meta.value("tool", json{}); was != tool_name)
         out.push_back("prepared by " + json_text(was, -1) + ", this is " + tool_name);
-    // Of a color profile that was not converted; up to version 0.6.1.
+    // Up to version 0.6.1, the warning about an unconverted color profile.
     for (const json& warning : meta.value("warnings", json::array()))
         if (warning.is_string() && warning.get<std::string>().ends_with("', treated as sRGB"))
             out.push_back(warning.get<std::string>());
@@ -257,8 +258,7 @@ std::vector<std::string> changed_settings(const PackageReader& package, const Pr
         if (const json before = was.value(key, json{}); before != value)
             out.push_back("setting " + key + ": was " + json_text(before, -1) + ", is now " +
                           json_text(value, -1));
-    for (const char* const key :
-         {"image_sets", "convention", "align"})  // stored only if they are not the default
+    for (const char* const key : {"image_sets", "convention", "align"})  // stored only if not the default
         if (was.contains(key) && !now.contains(key))
             out.push_back(std::string("setting ") + key + ": was " + json_text(was.at(key), -1) +
                           ", is now not given");

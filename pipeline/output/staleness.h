@@ -15,21 +15,20 @@ struct InputChange {
     Kind kind;
     std::string text;  ///< "mesh.ply: has changed since the package was prepared"
 };
-/// The inputs that have changed since the package was prepared; empty if it is current. Of the meshes from
-/// which deviation was measured and of point clouds, those in `files`. Throws Error(damaged) if META cannot
-/// be read.
+/// The inputs that have changed since the package was prepared; empty if it is current. Reference meshes and
+/// point clouds are compared only if listed in `files`. Throws Error(damaged) if META cannot be read.
 std::vector<InputChange> changed_inputs(const PackageReader& package, const InputFiles& files,
                                         IdentityCache& identities);
 /// The names of the files in a list of META's inputs ("compared", "points"), except
 /// one with the mesh's name. Throws Error(damaged) if META cannot be read.
 std::vector<std::string> names_listed(const PackageReader& package, const char* list);
 
-/// How the package's photos were to be grouped into image sets: auto, folders, off, or the name of a file.
-/// Throws Error(damaged) if META cannot be read.
+/// The package's setting for image sets: auto, folders, off, or the name of a file. Throws Error(damaged) if
+/// META cannot be read.
 std::string image_sets_wanted(const PackageReader& package);
 
-/// The settings that differ from those of the package, the program's version if it does, and color profiles
-/// that an earlier version did not convert, one line each.
+/// The settings that differ from the package's, the program's version if different, and color profiles that
+/// an earlier version did not convert, one line each.
 std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings);
 
 /// The first chunk or tile of the package that does not match its checksum, as a message; empty if there is

@@ -92,14 +92,14 @@ void write_results(const FinishInput& in, Agreement& agreement, PhotoTables& pho
     writer.finish();
 }
 
-/// Of one image set.
+/// The photos' colors of one image set.
 struct ImageSetColors {
     std::uint32_t image_set;
     std::vector<std::span<const package::SampleRecord>> samples;
     ColorFit fit;
 };
 
-/// The photos' chunks as they are now: a compact one that was rewritten has another length.
+/// Opens the part with its current chunks: a rewritten compact chunk has a different length.
 PackageReader open_part(const FinishInput& in) {
     return PackageReader(part_of(in.out), PackageReader::Expect::part);
 }
@@ -139,8 +139,8 @@ std::vector<ImageSetColors> fit_image_sets(const FinishInput& in, const PhotoSam
     return out;
 }
 
-/// What the photos of one image set decide once their cameras are known. Photos of other image sets have no
-/// pixels in `photos`.
+/// The results from the photos of one image set once their cameras are known. Photos of other image sets have
+/// no pixels in `photos`.
 struct ImageSetAgreement {
     ColorRefinement colors;
     TransientMasks transients;
@@ -160,7 +160,7 @@ ImageSetAgreement agree(const FinishInput& in, const PackageReader& part, ImageS
     return out;
 }
 
-/// What each image set's photos decide, one image set after the other.
+/// Computes the results of each image set in order.
 void agree_by_image_set(const FinishInput& in, const PackageReader& part, std::vector<ImageSetColors> colors,
                         std::span<const SurfaceDisc> discs, PhotoTables& photos, Agreement& out) {
     const std::vector<std::uint32_t> lens = lenses_of(photos.records);
@@ -187,7 +187,7 @@ void agree_by_image_set(const FinishInput& in, const PackageReader& part, std::v
     out.transients = joined(std::move(transients), photos.records, in.image_sets);
 }
 
-/// What there is to say about no photos.
+/// The results without photos.
 Agreement no_agreement() {
     Agreement out;
     std::size_t next = 0;
@@ -214,10 +214,10 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     }
     const auto read = [&](std::uint32_t photo) { return in.geometry.writer.read(Type::samples, photo); };
     PhotoSamples samples = read_samples(photos.records, read);
-    // Not the records themselves, whose poses change in the meantime.
+    // A copy, because the records' poses change in the meantime.
     const std::vector<package::PhotoRecord> given = photos.records;
     Agreement out;
-    // In the meantime, because cameras seldom move.
+    // Concurrently, because cameras seldom move.
     std::future<std::vector<ImageSetColors>> fitting =
         std::async(std::launch::async, [&] { return fit_image_sets(in, samples, given); });
     out.pose_refinement = register_cameras(in, open_part(in), samples, photos);

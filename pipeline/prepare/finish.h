@@ -23,9 +23,9 @@ struct FinishInput {
     std::map<Effect, EffectChoice> choices;
     bool validate = true;  ///< see PrepareSettings
     package::SceneRecord scene;
-    std::vector<std::string> image_sets{""};  ///< names, see ImageSet
-    std::vector<Pose> given;              ///< relative to the origin; moved photos' records differ if `known`
-    std::optional<PoseRefinement> known;  ///< found by an earlier package from the same inputs
+    std::vector<std::string> image_sets{""};       ///< names, see ImageSet
+    std::vector<Pose> given;                       ///< relative to the origin; if `known`, records may differ
+    std::optional<PoseRefinement> known;           ///< found by an earlier package from the same inputs
     std::vector<package::PairRecord> known_pairs;  ///< measured by earlier packages
     unsigned threads = 0;                          ///< 0: all cores
     OnProgress progress;                           ///< may be empty
@@ -34,7 +34,7 @@ struct FinishInput {
 /// Content of single photos that other photos contradict.
 struct TransientMasks {
     EffectDecision decision;
-    std::vector<double> disagreeing;  ///< per photo: the contradicted share of its visible surface
+    std::vector<double> disagreeing;  ///< per photo: the contradicted fraction of its visible surface
 };
 
 /// Results that depend on all photos together.
@@ -47,7 +47,7 @@ struct Agreement {
     Presentation presentation;
 };
 
-/// The decisions on the effects that all photos decide, in the order of the effect table.
+/// The decisions on the effects that depend on all photos, in the order of the effect table.
 std::array<EffectDecision*, 5> decisions_of(Agreement& agreement);
 
 /// Determines cameras, colors and transient masking from all photos and finishes the package: writes META,

@@ -33,7 +33,7 @@ bool is_of(const LeaveOneOutPose& p, std::uint32_t image_set, std::span<const pa
     return photos[p.without].image_set == image_set && photos[p.photo].image_set == image_set;
 }
 
-/// What does not differ per photo: a lens belongs to one image set.
+/// Joins the values per lens: a lens belongs to one image set.
 ColorFit joined_fit(const std::vector<ColorFit>& image_sets, std::span<const std::uint32_t> lens,
                     std::span<const package::PhotoRecord> photos) {
     ColorFit out = image_sets.front();
@@ -57,7 +57,7 @@ EffectDecision joined(std::span<const EffectDecision> decisions, std::span<const
     out = {out.effect, false, out.forced, 0, {}};
     for (std::size_t b = 0; b < decisions.size(); ++b) {
         const EffectDecision& d = decisions[b];
-        // Of image sets that have the effect, if any has.
+        // The maximum over the image sets with the effect, if any has it.
         if (d.on == out.on ? d.measured > out.measured : d.on) out.measured = d.measured;
         out.on |= d.on;
         out.evidence += (b ? "; " : "") + names[b] + ": " + d.evidence;

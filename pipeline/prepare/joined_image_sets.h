@@ -8,9 +8,9 @@
 
 namespace vantage {
 
-// One result of all photos from those of each image set; of a single image set, its own.
+// Join the results of the image sets into one for all photos; with a single image set, the result is its own.
 
-/// On if it is on for any image set. `names`: of the image sets, in the order of `decisions`.
+/// The effect is on if it is on for any image set. `names`: of the image sets, in the order of `decisions`.
 EffectDecision joined(std::span<const EffectDecision> decisions, std::span<const std::string> names);
 
 /// Each photo's result is that of its own image set.
@@ -21,8 +21,8 @@ ColorRefinement joined(std::vector<ColorRefinement> image_sets, std::span<const 
 TransientMasks joined(std::vector<TransientMasks> image_sets, std::span<const package::PhotoRecord> photos,
                       std::span<const std::string> names);
 
-/// The effects that are on for each image set, of what the image sets decided and of the background, which
-/// are the first image set's.
+/// The effects that are on for each image set: its own decisions and, for the first image set, the
+/// background.
 std::vector<EffectSet> effects_of_image_sets(std::span<const EffectDecision> decisions,
                                              std::size_t image_sets);
 

@@ -31,13 +31,13 @@ PackageReader open_share(const fs::path& file) {
     const package::Header& h = share.header();
     if (h.shares == 0 || h.directory_checksum == 0)
         throw Error(Exit::input,
-                    file.string() + ": not a finished share, expected a file written with --shard");
+                    file.string() + ": not a finished shard, expected a file written with --shard");
     return share;
 }
 
-/// All shares, sorted by number.
+/// All shards, sorted by number.
 std::vector<PackageReader> open_shares(const std::vector<fs::path>& files) {
-    if (files.empty()) throw Error(Exit::usage, "no shares to merge");
+    if (files.empty()) throw Error(Exit::usage, "no shards to merge");
     std::vector<PackageReader> shares;
     for (const fs::path& file : files) shares.push_back(open_share(file));
     const auto number = [](const PackageReader& r) { return r.header().share; };
@@ -46,7 +46,7 @@ std::vector<PackageReader> open_shares(const std::vector<fs::path>& files) {
     for (std::uint32_t n = 1; n <= expected; ++n) {
         const auto count = std::ranges::count(shares, n, number);
         if (count != 1)
-            throw Error(Exit::input, "share " + std::to_string(n) + " of " + std::to_string(expected) +
+            throw Error(Exit::input, "shard " + std::to_string(n) + " of " + std::to_string(expected) +
                                          (count ? " is given more than once" : " is missing"));
     }
     return shares;
@@ -67,7 +67,7 @@ void expect_same_scene(const PackageReader& a, const PackageReader& b) {
     }
 }
 
-/// Takes a photo's record, state and chunks from whichever parts hold them.
+/// Takes a photo's record, state and chunks from the parts that contain them.
 void merge_photo(std::uint32_t i, const EarlierPackages& parts, PackageWriter& writer, PhotoRecord& record,
                  PhotoState& state) {
     const auto holder =
@@ -120,7 +120,7 @@ void copy_merged_scene(const PackageReader& from, PackageWriter& writer) {
     }
 }
 
-/// Moves cameras that were registered from other inputs back to their given poses.
+/// Moves cameras that were refined from other inputs back to their given poses.
 void move_back(const FinishInput& in, PhotoTables& photos) {
     const PackageReader part(part_of(in.out), PackageReader::Expect::part);
     for (std::uint32_t i = 0; i < photos.records.size(); ++i) {

@@ -9,9 +9,9 @@
 
 namespace vantage {
 
-/// Joins the shares that `prepare` made of one scene (PrepareRun::share) into a package identical, byte for
-/// byte, to that of a single run. An interrupted merge is resumed. Throws Error(input) unless each share is
-/// given exactly once and all come from the same inputs and settings; Error(damaged) if a share is damaged.
+/// Joins the shards that `prepare` made of one scene (PrepareRun::share) into a package identical, byte for
+/// byte, to that of a single run. An interrupted merge is resumed. Throws Error(input) unless each shard is
+/// given exactly once and all have the same inputs and settings; Error(damaged) if a shard is damaged.
 void merge(const std::vector<std::filesystem::path>& shares, const std::filesystem::path& out,
            const OnProgress& progress = {});
 

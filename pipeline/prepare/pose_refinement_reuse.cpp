@@ -72,10 +72,11 @@ std::optional<PoseRefinement> pose_refinement_of(const PackageReader& package, s
     const std::string text(package.meta());
     out.decision = decision_in(text, Effect::pose_refinement);
     out.warnings = findings_in(text);
-    // Packages of earlier versions lack the poses without each photo.
+    // Packages of earlier versions lack the leave-one-out poses.
     if (out.decision.on && !package.find(Type::pose_refinement_without)) return {};
     out.pairs = pairs_of(package);
-    for (const auto& r : valid_records<package::LeaveOneOutPoseRecord>(package, Type::pose_refinement_without))
+    for (const auto& r :
+         valid_records<package::LeaveOneOutPoseRecord>(package, Type::pose_refinement_without))
         out.without.push_back({r.without, r.photo, cam_from_origin(r)});
     for (std::size_t i = 0; i < records.size(); ++i) {
         out.photos.push_back({{}, records[i].motion_px, records[i].before, records[i].after});

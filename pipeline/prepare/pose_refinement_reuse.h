@@ -27,9 +27,9 @@ std::vector<std::uint64_t> pose_refinement_fingerprints(std::span<const package:
 std::uint64_t pose_refinement_key(std::span<const std::uint64_t> fingerprints, EffectChoice choice,
                                   bool validate);
 
-/// The pose refinement stored in a package; none if it has another key or is damaged.
+/// The pose refinement stored in a package; empty if its key differs or it is damaged.
 std::optional<PoseRefinement> pose_refinement_of(const PackageReader& package, std::uint64_t key);
-/// The pairs of photos stored in a package; none if they are damaged.
+/// The pairs of photos stored in a package; empty if they are damaged.
 std::vector<package::PairRecord> pairs_of(const PackageReader& package);
 /// The pairs of all finished earlier packages.
 std::vector<package::PairRecord> pairs_of(const EarlierPackages& earlier);

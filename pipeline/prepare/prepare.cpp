@@ -106,7 +106,7 @@ void write_scene(PackageWriter& writer, const PreparePlan& plan, const PackedMod
     }
 }
 
-/// The model's checksum and that of the points that stand behind it.
+/// The checksum of the model and of the points that it represents.
 std::uint64_t with_cloud(std::uint64_t model, const SplatCloud& cloud) {
     const std::array all{model, checksum(bytes_of(cloud.positions)), checksum(bytes_of(cloud.radii))};
     return checksum(std::as_bytes(std::span(all)));
@@ -164,20 +164,20 @@ void record_skipped(const SceneInput& scene, const PhotoTables& photos, PrepareR
                                      result.skipped.front().photo + ": " + result.skipped.front().why);
 }
 
-/// Results that depend on all photos are left to the merge of the shares.
+/// Finishes a shard; merging computes the results that depend on all photos.
 void finish_share(PackageWriter& writer, const PhotoTables& photos) {
     writer.write(Type::photos, package::scene_wide, bytes_of(photos.records));
     writer.write(Type::states, package::scene_wide, bytes_of(photos.states));
     writer.finish();
 }
 
-/// The scene's cameras: as given, and as registered by an earlier run from the same inputs.
+/// The scene's cameras: as given, and as refined by an earlier run from the same inputs.
 struct Cameras {
     std::vector<Pose> given, current;  ///< relative to the origin
     std::optional<PoseRefinement> pose_refinement;
 };
 
-/// Also writes registered poses to the photos' records.
+/// Also writes refined poses to the photos' records.
 Cameras scene_cameras(const SceneKey& key, const SceneInput& scene, const Eigen::Vector3d& origin,
                       IdentityCache& identities, const EarlierPackages& earlier,
                       std::vector<package::PhotoRecord>& records) {
@@ -238,7 +238,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     scene.points = {};
     const bool share = run.share.shares > 0;
     const SceneKey key = scene_key(plan, scene, settings, model, renderer);
-    const EarlierPackages none;  // a share has no pose refinement
+    const EarlierPackages none;  // a shard has no pose refinement
     const Cameras cameras =
         scene_cameras(key, scene, model.origin, identities, share ? none : earlier, plan.photos.records);
     const auto discs = surface_disc_set(model.positions, model.opaque_indices(), plan.scene.reference_density,

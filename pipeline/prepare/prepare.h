@@ -24,27 +24,26 @@ struct Agreement;
 
 /// Options of a run that do not change the package.
 struct PrepareRun {
-    const std::atomic<bool>* stop =
-        nullptr;                          ///< when set, photos in flight are finished and no others started
-    bool strict = false;                  ///< an unusable photo ends the run
-    IdentityCache* identities = nullptr;  ///< null: the user's default cache
-    Share share{};                        ///< of the photos; default: all
-    Trace* trace = nullptr;               ///< records what each thread does
+    const std::atomic<bool>* stop = nullptr;                     ///< when set, no further photos are started
+    bool strict = false;                                         ///< an unusable photo ends the run
+    IdentityCache* identities = nullptr;                         ///< null: the user's default cache
+    Share share{};                                               ///< of the photos; default: all
+    Trace* trace = nullptr;                                      ///< records what each thread does
     std::function<void(const ResourceEstimate&)> on_estimate{};  ///< called before the first photo is started
     bool expect_view = false;  ///< throw Error(misplaced) by expect_mesh_in_view()
     std::chrono::steady_clock::time_point start =
-        std::chrono::steady_clock::now();  ///< when the run began; the estimate counts from here
+        std::chrono::steady_clock::now();  ///< start of the run; the estimate counts from here
 };
 
-/// What a run did.
+/// The result of a run.
 struct PrepareResult {
     struct Stage {
         std::size_t made = 0, kept = 0;
-        std::map<std::string, std::vector<std::string>> why;  ///< per reason: photos that the stage ran for
+        std::map<std::string, std::vector<std::string>> why;  ///< per reason: photos for which the stage ran
     };
     std::array<Stage, std::size_t(package::Stage::count)> stages;
     std::vector<UnusablePhoto> skipped;
-    std::shared_ptr<const Agreement> agreement;  ///< null for a share
+    std::shared_ptr<const Agreement> agreement;  ///< null for a shard
 };
 
 /// Prepares the package `out` from `scene`. Work is per photo, with at most `threads` photos in flight. The

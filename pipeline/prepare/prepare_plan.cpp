@@ -18,7 +18,7 @@
 namespace vantage {
 namespace {
 
-/// RMS distance from their mean of the vertices in the model's bounds: the same however the model is rotated.
+/// RMS distance of the vertices in the model's bounds from their mean; invariant under rotation.
 double spread(const Mesh& mesh, const package::SceneRecord& model) {
     const Eigen::AlignedBox3d bounds(Eigen::Map<const Eigen::Vector3d>(model.bounds_min),
                                      Eigen::Map<const Eigen::Vector3d>(model.bounds_max));
@@ -34,8 +34,8 @@ double spread(const Mesh& mesh, const package::SceneRecord& model) {
 }
 
 /// The finest density, rounded up to a power of two so that adding or removing a photo does not change every
-/// weight map: an octave is twelve steps of the depth weight. The powers are relative to the model's size: in
-/// input units, rounding would depend on the unit.
+/// weight map: an octave is twelve steps of the depth weight. The powers are relative to the model's size,
+/// because rounding in input units would depend on the unit.
 double reference_density(const SceneInput& scene, const package::SceneRecord& model) {
     const double size = spread(scene.mesh, model);
     return std::exp2(std::ceil(std::log2(finest_density(scene) * size))) / size;
@@ -54,14 +54,14 @@ package::SceneRecord scene_record(const PackedModel& model, const SceneInput& sc
     return record;
 }
 
-/// After the file, or after its folder if the file has the mesh's own name.
+/// The name of the file, or of its folder if the file has the mesh's own name.
 std::string name_of_deviation(const std::filesystem::path& from, const std::filesystem::path& mesh) {
     const bool same = from.filename() == mesh.filename() && from.has_parent_path();
     const std::filesystem::path folder = std::filesystem::absolute(from).parent_path();
     return "deviation-from-" + (same ? folder.filename() : from.stem()).string();
 }
 
-/// One field per mesh to compare with; their memory is released.
+/// Adds one field per reference mesh; frees the reference meshes.
 void add_deviations(SceneInput& scene, Trace* trace) {
     for (std::size_t i = 0; i < scene.compared.size(); ++i) {
         const Traced traced(trace, "deviation");
@@ -72,7 +72,7 @@ void add_deviations(SceneInput& scene, Trace* trace) {
     scene.compared.clear();
 }
 
-/// Its facets are seen from both sides, because the surface of points has none.
+/// Its facets are visible from both sides, because points have no orientation.
 PackedModel pack_stand_in(SceneInput& scene) {
     std::vector<Eigen::Vector3d> eyes;
     for (const PhotoInput& photo : scene.photos) eyes.push_back(photo.camera.cam_from_world.center());

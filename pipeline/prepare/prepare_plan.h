@@ -13,7 +13,7 @@
 
 namespace vantage {
 
-/// Everything that is decided before the first photo is processed.
+/// The decisions made before the first photo is processed.
 struct PreparePlan {
     package::SceneRecord scene{};
     std::vector<EffectDecision> effects;
@@ -25,18 +25,18 @@ struct PreparePlan {
     std::uint64_t names = 0;  ///< checksum of the photos' names, in order
 };
 
-/// Throws Error if a scene that was read cannot be prepared: Error(usage) if the effect `points` is off and
-/// there is nothing but points, Error(input) if the mesh has no triangles.
+/// Throws if a scene cannot be prepared: Error(usage) if it has points only and the effect `points` is off,
+/// Error(input) if the mesh has no triangles.
 void expect_usable(const SceneInput& scene, const PrepareSettings& settings);
 
-/// Scales the cameras to photos reduced to at most `longest` pixels on the long side.
+/// Scales the cameras for photos reduced to at most `longest` pixels on the long side.
 void reduce_photos(SceneInput& scene, int longest);
 
 /// Subdivides, compares, clusters and packs the model; the scene's mesh is subdivided and reordered in the
 /// same way.
 PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace* trace);
 
-/// Inspects the scene and plans the chunks of the package or share. Throws Error(input), and Error(usage) if
+/// Inspects the scene and plans the chunks of the package or shard. Throws Error(input), and Error(usage) if
 /// a photo to hold out is not in the scene.
 PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const PrepareSettings& settings,
                       Share share, IdentityCache& identities, Trace* trace);

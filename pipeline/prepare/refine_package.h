@@ -8,8 +8,9 @@
 namespace vantage {
 
 /// Recomputes a package's results that depend on all photos (pose refinement, colors, transient masking) with
-/// these choices for their effects: `out` becomes what `prepare` would write with them. `out` may be `file`,
-/// which is replaced when the new package is complete. Throws Error(damaged) if the package is damaged.
+/// these choices for their effects: `out` becomes the package that `prepare` would write with them. `out` may
+/// be `file`, which is replaced when the new package is complete. Throws Error(damaged) if the package is
+/// damaged.
 void refine_package(const std::filesystem::path& file, const std::map<Effect, EffectChoice>& choices,
                     const std::filesystem::path& out, const OnProgress& progress = {});
 

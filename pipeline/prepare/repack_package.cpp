@@ -72,7 +72,8 @@ void copy_photo(const PackageReader& from, PackageWriter& to, std::uint32_t i, c
             to.write(row->type, i, from.records<std::byte>(row->type, i));
 }
 
-/// The photo's state, with its chunks' checksums. They have no keys: `prepare` would make other bytes.
+/// The photo's state, with its chunks' checksums. Its stages have no keys, because `prepare` would produce
+/// different bytes.
 PhotoState state_of(const PackageReader& from, const PackageWriter& to, std::uint32_t i,
                     const PhotoRecord& r) {
     PhotoState state = from.records<PhotoState>(Type::states)[i];

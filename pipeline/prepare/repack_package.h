@@ -5,9 +5,9 @@
 
 namespace vantage {
 
-/// Writes a package again with its tiles in another form: compact, or raw. It shows the same scene, within
-/// what compact forms round; a photo's own JPEG in it is kept, but not made, because the photos are not read.
-/// Throws Error(damaged) if a part of the package is damaged.
+/// Writes a package with its tiles compact or raw. It shows the same scene, to within the rounding of compact
+/// tiles. A photo's own JPEG is kept but cannot be added, because the photos are not read. Throws
+/// Error(damaged) if a part of the package is damaged.
 void repack(const std::filesystem::path& file, bool compact, const std::filesystem::path& out,
             const OnProgress& progress = {});
 

@@ -37,7 +37,7 @@ std::uint64_t status_bytes(const char* key) {
     return 0;
 }
 
-/// Resident memory of the heap that is free, and will be used again.
+/// Resident memory of the heap that is free and will be reused.
 std::uint64_t freed_in_heap() {
 #ifdef __GLIBC__
     std::ifstream in("/proc/self/smaps");
@@ -60,18 +60,18 @@ double pixels(const PhotoInput& photo) { return double(photo.decoded.width) * ph
 /// For one thread of a 2023 server; machine_speed() scales them. Measured as in docs/measurements.md, "Cost
 /// by number of triangles".
 constexpr double seconds_per_pixel = 17e-9, seconds_per_lens_pixel = 2e-9, seconds_per_triangle = 0.16e-6;
-/// Of decoding.
+/// Seconds for decoding.
 constexpr double seconds_per_jpeg_pixel = 5e-9, seconds_per_other_pixel = 35e-9;
-/// Of a package on a disk, which is flushed at the end.
+/// Seconds for writing a package to a disk, which is flushed at the end.
 constexpr double seconds_per_written_byte = 2e-9;
-/// Of comparing photos; more for each of the first, because few are held out to judge effects.
+/// Seconds for comparing photos; validation adds more for the first photos only, because few are held out.
 constexpr double seconds_per_photo = 0.02, seconds_per_validated = 0.02;
 constexpr std::size_t max_validated = 12;
-/// Of background.
+/// Seconds for the background.
 constexpr double seconds_per_swept = 0.03;
-/// Views of the background, depths by direction, their costs and what they say to each other, at most.
+/// Maximum memory for the background: views, depths by direction, their costs and messages.
 constexpr std::uint64_t background_memory = 50'000'000;
-/// Shorter runs tell too little about the speed.
+/// Shorter runs are too short to measure the speed.
 constexpr double shortest_run = 0.5;
 
 /// Seconds of one thread for a photo.
@@ -85,7 +85,8 @@ double photo_seconds(const PhotoInput& photo, const package::SceneRecord& model)
            double(model.triangles) * seconds_per_triangle;
 }
 
-/// Of a photo's file per pixel; and while it is decoded as many again, if it is long because it is no JPEG.
+/// Bytes of a photo's file per pixel; the same again during decoding if the file is large because it is not a
+/// JPEG.
 double file_bytes(const PhotoInput& photo) {
     std::error_code error;
     const auto bytes = fs::file_size(photo.file, error);
@@ -120,7 +121,7 @@ ResourceEstimate estimate_resources(const SceneInput& scene, const PrepareSettin
     };
     const std::uint64_t base = memory_now() + scene_memory(model, run.opengl);
     const bool shared = run.shares > 0;
-    // The photos' memory is free when their results are compared.
+    // The photos' memory is free again when their results are compared.
     const auto needed = [&](unsigned in_flight) {
         return base +
                std::max(in_flight * photo(in_flight), shared ? 0 : agree_memory(scene, settings, in_flight));
@@ -170,7 +171,8 @@ std::uint64_t agree_memory(const SceneInput& scene, const PrepareSettings& setti
 }
 
 std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl) {
-    // The report's views; for OpenGL a software renderer's shaders, buffers and triangle bins.
+    // Memory of the report's views; for OpenGL also of a software renderer's shaders, buffers and triangle
+    // bins.
     return std::uint64_t(18e6 + (opengl ? 160e6 + 150.0 * double(model.triangles) : 0));
 }
 
@@ -191,7 +193,7 @@ unsigned photos_in_flight(const PrepareSettings& settings,
     while (in_flight > 1 && needed(in_flight) > settings.memory) --in_flight;
     if (needed(in_flight) > settings.memory)
         throw Error(Exit::usage,
-                    fmt::format("--memory {}: a photo at a time and this model may need up to {}M",
+                    fmt::format("--memory {}: one photo at a time and this model may need up to {}M",
                                 settings.memory >> 20 ? fmt::format("{}M", settings.memory >> 20)
                                                       : fmt::format("{}", settings.memory),
                                 (needed(in_flight) >> 20) + 1));
@@ -223,7 +225,7 @@ void remember_speed(double expected, double took) {
     try {
         replace_file(file, fmt::format("{:g}\n", speed));
     } catch (const Error&) {
-        // It improves estimates; runs do without.
+        // The speed only improves estimates.
     }
 }
 

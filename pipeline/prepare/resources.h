@@ -15,21 +15,21 @@ struct ResourceEstimate {
     std::uint64_t disk, disk_free;  ///< bytes
     std::uint64_t memory;           ///< bytes, peak
     unsigned in_flight;             ///< photos processed concurrently
-    double seconds;                 ///< of the whole run, with what is already over, if nothing can be reused
-    double photo_seconds;           ///< of them, for the photos
+    double seconds;                 ///< of the whole run, with the elapsed time, without reuse
+    double photo_seconds;           ///< the part for the photos
 };
 
 /// "about 4 s, at most 319 MB of memory (2 photos at a time), 161 MB of disk (25186 MB free)"
 std::string in_words(const ResourceEstimate& estimate);
 
-/// A run, as far as the resources that it needs depend on it.
+/// The conditions of a run that determine its resources.
 struct RunConditions {
     std::filesystem::path out;  ///< the package; need not exist
     bool opengl;                ///< the model is rendered by OpenGL, not on the CPU
-    unsigned shares;            ///< among which the photos are divided; 0: it processes all
-    double seconds_before;      ///< that are already over
+    unsigned shares;            ///< number of shards; 0: the run processes all photos
+    double seconds_before;      ///< elapsed before the estimate
 };
-/// Estimates what a run needs from here on. Throws Error(usage) if the settings' memory is too small.
+/// Estimates the further needs of a run. Throws Error(usage) if the settings' memory is too small.
 ResourceEstimate estimate_resources(const SceneInput& scene, const PrepareSettings& settings,
                                     const package::SceneRecord& model, const PackageLayout& layout,
                                     const RunConditions& run);
@@ -41,8 +41,8 @@ std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& 
 /// Whether a photo may use two cores while others are idle: not if memory is limited to one photo.
 bool uses_spare_cores(const PrepareSettings& settings, unsigned in_flight);
 
-/// Memory in bytes that results of all photos need after the photos are done: the coarse photos that are held
-/// to judge effects, on up to `threads` threads; 0 if nothing is judged.
+/// Memory in bytes for the results of all photos, after the photos are done: the coarse photos cached for
+/// validation, on up to `threads` threads; 0 without validation.
 std::uint64_t agree_memory(const SceneInput& scene, const PrepareSettings& settings, unsigned threads);
 
 /// Memory in bytes still to be allocated for the scene, independent of the number of photos in flight.
@@ -56,24 +56,24 @@ std::uint64_t memory_peak();
 /// The number of threads in the settings, or one per core.
 unsigned threads_of(const PrepareSettings& settings);
 
-/// Photos in flight that the settings' threads and memory allow, if so many need `needed` bytes. Throws
-/// Error(usage) if the memory is too small for one.
+/// Number of photos in flight that the settings' threads and memory allow; a number n of them needs needed(n)
+/// bytes. Throws Error(usage) if the memory is too small for one.
 unsigned photos_in_flight(const PrepareSettings& settings,
                           const std::function<std::uint64_t(unsigned in_flight)>& needed);
 
 /// Expected seconds, scaled by this machine's speed in earlier runs. Linear in photos * (triangles + pixels),
-/// or in the bytes that go to a disk if these take longer.
+/// or in the bytes written to a disk if these take longer.
 struct ExpectedSeconds {
     double photos;
-    double finish;  ///< results of all photos, with a background unless they are off; longer if the photos
-                    ///< show that cameras have to be registered
+    double finish;  ///< results of all photos, including the background unless it is off; longer if the
+                    ///< photos require pose refinement
 };
 ExpectedSeconds expected_seconds(const SceneInput& scene, const PrepareSettings& settings,
                                  const package::SceneRecord& model, unsigned in_flight,
                                  std::uint64_t to_disk);
-/// Corrects the speed by the ratio of actual to expected time, for the next estimate. Runs too short to tell
-/// are ignored, as are errors. A single run moves it by the root of its ratio, as the machine may have been
-/// busy.
+/// Corrects the speed by the ratio of actual to expected time, for the next estimate. Ignores runs that are
+/// too short, and errors. A single run changes the speed by the root of its ratio, because the machine may
+/// have been busy.
 void remember_speed(double expected, double took);
 
 }  // namespace vantage

@@ -65,8 +65,8 @@ EffectDecision decide_transients(std::span<const PhotoRecord> photos, const std:
                               100 * worst->disagreeing, photos[std::size_t(worst - maps.begin())].name));
 }
 
-/// Lets held-out photos confirm the effect. Their colors are fitted without them, even if no color effect is
-/// on.
+/// Validates the effect with held-out photos. Colors are fitted without the held-out photo, even if no color
+/// effect is on.
 void confirm(const FinishInput& in, const Folds& folds, const TransientViews& views,
              const TransientPartners& partners, const ColorRefinement& colors, EffectDecision& decision) {
     const Traced traced(in.geometry.trace, "judge transient masking");
@@ -77,7 +77,7 @@ void confirm(const FinishInput& in, const Folds& folds, const TransientViews& vi
     confirm(decision, validated);
 }
 
-/// Weight maps are twice as fine as the evidence.
+/// Views at the resolution of the weight maps, which is twice that of the evidence.
 TransientViews finer_views(const PackageReader& part, std::span<const PhotoRecord> photos) {
     return {cached_views, [&part, photos](std::uint32_t i) {
                 TransientView view = read_transient_view(part, photos[i], i, transient_level(photos[i]));
@@ -86,7 +86,8 @@ TransientViews finer_views(const PackageReader& part, std::span<const PhotoRecor
             }};
 }
 
-/// The decision, the evidence per photo in `out`, and the maps to apply: empty if the effect is off.
+/// Sets the decision and the evidence per photo in `out`; returns the maps to apply, none if the effect is
+/// off.
 std::vector<TransientMap> decide_weights(const FinishInput& in, const PackageReader& part, const Folds& folds,
                                          const ColorRefinement& colors, std::span<const PhotoRecord> photos,
                                          TransientMasks& out) {

@@ -8,9 +8,9 @@
 namespace vantage {
 
 /// Finds content of single photos that other photos contradict. If the effect is on, writes the weights to
-/// the weight maps' fourth channel; weights left by an earlier run and no longer needed are reset. It is
-/// measured if the worst photo is contradicted on more than half a percent of its visible surface, and then
-/// judged by held-out photos. Throws Error(damaged), Error(storage).
+/// the weight maps' fourth channel; weights of an earlier run that are no longer needed are reset. The effect
+/// is considered if the worst photo is contradicted on more than half a percent of its visible surface, and
+/// then validated with held-out photos. Throws Error(damaged), Error(storage).
 TransientMasks find_transients(const FinishInput& input, const PackageReader& part, const Folds& folds,
                                const ColorRefinement& colors, PhotoTables& photos);
 

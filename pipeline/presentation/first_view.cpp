@@ -21,12 +21,12 @@ using Eigen::Vector3d;
 constexpr double degree = std::numbers::pi / 180;
 constexpr double filled = 0.75;                ///< of the frame's height or width
 constexpr double least_fov = 8, max_fov = 70;  ///< degrees
-constexpr double nearby = 25 * degree;         ///< from the model, between photos nearby
+constexpr double nearby = 25 * degree;         ///< angle at the model between nearby photos
 constexpr double tolerated_roll = 15 * degree, usual_height = 40 * degree;
 constexpr double usual_distance = 0.5;  ///< of ln(distance / median)
-constexpr int cells = 24;               ///< of the model's longest side, for its roughness
+constexpr int cells = 24;               ///< along the model's longest side, for its roughness
 
-/// How much there is to see at each disc: how its neighbors' directions and colors vary.
+/// The amount of detail at each disc: the variation of its neighbors' normals and colors.
 std::vector<double> detail_of(Samples samples, std::span<const SurfaceDisc> discs) {
     struct Cell {
         Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
@@ -53,7 +53,7 @@ std::vector<double> detail_of(Samples samples, std::span<const SurfaceDisc> disc
             }
     }
     const auto worth = [](const Cell& cell) {
-        // The share of the normals that is not along their main direction.
+        // The fraction of the normals' energy outside their main direction.
         const double bent = 1 - principal_axes(cell.normals).values[2] / std::max(cell.normals.trace(), 1e-9);
         const double n = std::max(cell.colored, 1.0), mean = cell.light / n;
         return 0.05 + bent + 2 * std::sqrt(std::max(cell.squares / n - mean * mean, 0.0));
@@ -64,14 +64,14 @@ std::vector<double> detail_of(Samples samples, std::span<const SurfaceDisc> disc
     return out;
 }
 
-/// A photo that may be the first.
+/// A candidate for the first photo.
 struct Candidate {
     std::uint32_t photo;
     Pose pose;
-    double detail = 0;    ///< that it shows
-    Vector3d from;        ///< the direction from the model's middle, of length 1
-    double distance = 0;  ///< to the surface that it sees
-    double height = 0;    ///< radians above the horizon, of the place
+    double detail = 0;    ///< amount of detail in the photo
+    Vector3d from;        ///< unit direction from the model's center
+    double distance = 0;  ///< to the visible surface
+    double height = 0;    ///< elevation of the camera above the horizon, radians
 };
 
 std::vector<Candidate> candidates(std::span<const package::PhotoRecord> photos, Samples samples,
@@ -111,7 +111,7 @@ const Candidate& best_of(const std::vector<Candidate>& all, const Vector3d& up) 
     return *std::ranges::max_element(all, {}, score);
 }
 
-/// What lies from `low` to `high` of points seen in a direction, as tangents to both sides of it.
+/// The range of points seen around a direction, from quantile `low` to `high`, as tangents to both sides.
 struct Extent {
     double low, high;
     double middle() const { return (low + high) / 2; }
@@ -122,7 +122,7 @@ Extent extent_of(std::vector<double> tangents, double radius) {
     return {quantile(tangents, 0.01) - radius, quantile(tangents, 0.99) + radius};
 }
 
-/// Turned and zoomed to the middles of discs.
+/// Turns and zooms the view to the centers of discs.
 void frame(FirstView& view, const Vector3d& eye, const Vector3d& up, std::span<const Vector3d> points,
            double radius) {
     double distance = 0;
@@ -150,7 +150,7 @@ void frame(FirstView& view, const Vector3d& eye, const Vector3d& up, std::span<c
     }
 }
 
-/// As the photo shows it.
+/// Frames the view as in the photo.
 void frame_as(FirstView& view, const package::PhotoRecord& photo) {
     const Pose pose = cam_from_origin(photo);
     view.target = pose.center() + seen_distance(photo) * pose.direction();

@@ -10,17 +10,17 @@
 
 namespace vantage {
 
-/// The view that the player opens: from the place of the photo with the best mix of detail in sight, of other
-/// photos nearby, and of a usual distance; upright. It is turned and zoomed so that the model fills three
-/// quarters of a frame's height or width; from inside, it is what the photo shows.
+/// The initial view of the player: upright, from the camera with the best combination of visible detail,
+/// nearby photos, and a typical distance. It is turned and zoomed so that the model fills three quarters of a
+/// frame's height or width; from inside, it equals the photo's view.
 struct FirstView {
-    std::uint64_t photo = 0;          ///< from whose place; the number of photos if there is none with pixels
-    Eigen::Vector3d target{0, 0, 0};  ///< in the middle of the frame; relative to the origin
+    std::uint64_t photo = 0;          ///< the viewpoint; the number of photos if none has pixels
+    Eigen::Vector3d target{0, 0, 0};  ///< at the center of the frame; relative to the origin
     double fov = 45;                  ///< vertical, degrees
-    double aspect = 1;                ///< width over height of what is to be in the frame
+    double aspect = 1;                ///< width over height of the framed part
 };
 
-/// `samples`: of each photo at `discs`; without any for those that have no pixels.
+/// `samples`: of each photo at `discs`; empty for photos without pixels.
 FirstView first_view(std::span<const package::PhotoRecord> photos, Samples samples,
                      std::span<const SurfaceDisc> discs, const Eigen::Vector3d& up, KindOfScan kind);
 

@@ -9,14 +9,14 @@
 
 namespace vantage {
 
-/// How the photos stand to the model.
+/// The arrangement of the photos around the model.
 enum class KindOfScan {
-    object,  ///< all around something whose surface faces outward
-    inside,  ///< among surfaces that face them: a room, a courtyard
-    front    ///< before a facade or a relief, or above a site
+    object,  ///< all around an outward-facing surface
+    inside,  ///< among inward-facing surfaces: a room, a courtyard
+    front    ///< in front of a facade or a relief, or above a site
 };
 
-/// Of photos with pixels: their poses, and their samples at `discs`.
+/// Arguments are for photos with pixels: their poses, and their samples at `discs`.
 KindOfScan kind_of_scan(std::span<const Pose> poses, Samples samples, std::span<const SurfaceDisc> discs,
                         const Eigen::Vector3d& up);
 

@@ -6,14 +6,14 @@
 
 namespace vantage {
 
-/// How a scene is presented.
+/// The presentation of a scene.
 struct Presentation {
     Eigen::Vector3d up{0, 0, 1};
     KindOfScan kind = KindOfScan::front;
     FirstView first{};
 };
 
-/// Which way is up, what kind of scan it is, and what to show first. `samples`: of each photo at `discs`.
+/// Determines the up direction, the kind of scan and the first view. `samples`: of each photo at `discs`.
 Presentation presentation_of(std::span<const package::PhotoRecord> photos, Samples samples,
                              std::span<const SurfaceDisc> discs);
 

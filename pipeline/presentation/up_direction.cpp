@@ -17,22 +17,22 @@ using Eigen::Vector3d;
 
 constexpr double radians = std::numbers::pi / 180;
 constexpr double usual_roll = 1.5 * radians;
-constexpr double outlier = 12 * radians;     ///< of roll; more counts as much
-constexpr double on_its_side = 6 * radians;  ///< a camera on its side counts as rolled by that
-constexpr double leaning = 9 * radians;      ///< of the photos' mean, against what is up
+constexpr double outlier = 12 * radians;     ///< of roll; larger ones are clamped
+constexpr double on_its_side = 6 * radians;  ///< roll assumed for a camera on its side
+constexpr double leaning = 9 * radians;      ///< angle between the photos' mean and the up direction
 constexpr double within = 3;                 ///< standard errors
 constexpr double farthest_axis = 10 * radians;
 constexpr double least_roll = 0.75 * radians;
-constexpr std::size_t max_compared = 32;  ///< cameras of which each two suggest a direction
+constexpr std::size_t max_compared = 32;  ///< maximum number of cameras whose pairs propose a direction
 
 constexpr double error_of_surface = 0.7 * radians, farthest_surface = 15 * radians;
-constexpr double least_upright = 0.2;  ///< share of the discs on walls and floors
+constexpr double least_upright = 0.2;  ///< fraction of the discs on walls and floors
 constexpr double unsure = 5 * radians, turn_by = 10 * radians;
-constexpr double clearly_more = 0.25;  ///< of the discs
-/// Weight of `held` per disc: where all walls face one way, it decides which way along them is up.
+constexpr double clearly_more = 0.25;  ///< fraction of the discs
+/// Weight of `held` per disc: if all walls are parallel, it determines the up direction along them.
 constexpr double held_weight = 0.002;
 
-/// The axis of a camera that is level if `up` is up, and by how much it is not, in radians.
+/// The axis of a camera that should be level if `up` is correct, and its deviation in radians.
 struct Level {
     Vector3d axis;
     double roll;
@@ -41,14 +41,14 @@ struct Level {
 Level level_axis(const Pose& pose, const Vector3d& up) {
     const Vector3d x = pose.R.row(0), y = pose.R.row(1);
     const double upright = std::abs(x.dot(up)), turned = std::hypot(y.dot(up), on_its_side);
-    // Held upright, its rows run downward.
+    // If held upright, its columns run downward.
     const bool headlong = y.dot(up) > outlier;
     if (!headlong && upright <= turned) return {x, upright};
     if (turned < outlier) return {y, turned};
     return {x, headlong ? outlier : upright};
 }
 
-/// Counted up to `enough`.
+/// The misfit of an up direction, computed until it exceeds `enough`.
 double misfit(std::span<const Pose> poses, const Vector3d& up,
               double enough = std::numeric_limits<double>::infinity()) {
     double sum = 0;
@@ -57,7 +57,7 @@ double misfit(std::span<const Pose> poses, const Vector3d& up,
     return sum;
 }
 
-/// That which fits best of the directions that each two cameras suggest.
+/// The best of the directions proposed by pairs of cameras.
 Vector3d best_suggestion(std::span<const Pose> poses, const Vector3d& mean) {
     const std::size_t count = std::min(poses.size(), max_compared);
     const auto some = [&](std::size_t i) -> const Pose& { return poses[i * poses.size() / count]; };
@@ -79,11 +79,10 @@ Vector3d turned_toward(const Vector3d& direction, const Vector3d& other) {
     return direction.dot(other) < 0 ? Vector3d(-direction) : direction;
 }
 
-/// Least squares, with less weight for cameras that do not fit, about `up`; `mean` decides what rows that are
-/// parallel leave open.
+/// Robust least squares near `up`; with parallel rows, `mean` resolves the ambiguity.
 UpEstimate refined(std::span<const Pose> poses, Vector3d up, const Vector3d& mean) {
     UpEstimate out{up, leaning};
-    for (int round = 0; round < 40; ++round) {  // converged, whatever the suggestion was
+    for (int round = 0; round < 40; ++round) {  // converges from any proposal
         Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
         double weights = 0, squares = 0;
         for (const Pose& p : poses) {
@@ -103,8 +102,8 @@ UpEstimate refined(std::span<const Pose> poses, Vector3d up, const Vector3d& mea
     return out;
 }
 
-/// The mean of the directions that the columns of the photos call up. If they have none, up from below the
-/// cameras, which look down more often than up.
+/// The mean of the photos' up directions by their columns. If it vanishes, the direction opposite to the mean
+/// view, because cameras look down more often than up.
 Vector3d mean_up(std::span<const Pose> poses) {
     Vector3d columns = Vector3d::Zero(), ahead = Vector3d::Zero();
     for (const Pose& p : poses) columns -= p.R.row(1).transpose(), ahead += p.direction();
@@ -113,8 +112,8 @@ Vector3d mean_up(std::span<const Pose> poses) {
     return Vector3d::UnitZ();
 }
 
-/// A direction to which walls are parallel and which floors face, and the share of the discs on them: 0 if it
-/// is not near the one that was asked for.
+/// A direction parallel to walls and perpendicular to floors, and the fraction of discs on them: 0 if it is
+/// not near the requested one.
 struct Upright {
     Vector3d up;
     double share;
@@ -124,7 +123,7 @@ Upright upright_near(std::span<const SurfaceDisc> discs, const Vector3d& held) {
     const auto usable = [](const SurfaceDisc& d) { return d.normal.squaredNorm() > 0; };
     const auto all = double(std::ranges::count_if(discs, usable));
     Upright out{held, 0};
-    // Ever closer to a wall or a floor, in sines of the angle.
+    // Sines of the angles within which a disc counts as wall or floor, narrowing.
     for (const double near : {0.3, 0.2, 0.15, 0.1, 0.1, 0.07, 0.07, 0.07}) {
         Eigen::Matrix3d scatter = -held_weight * all * held * held.transpose();
         double upright = 0;
@@ -144,9 +143,8 @@ Upright upright_near(std::span<const SurfaceDisc> discs, const Vector3d& held) {
     return out;
 }
 
-/// Where all cameras look down the same way, as from the air, their rows are parallel and their columns lean
-/// far: the direction to which clearly more of the surface is upright than near the estimate, found by
-/// turning it about the rows.
+/// If all cameras look down in the same direction, as from the air, their rows are parallel and their columns
+/// lean far. Turns the estimate about the rows to a direction with clearly more walls and floors.
 Vector3d tilted(std::span<const Pose> poses, const UpEstimate& e, std::span<const SurfaceDisc> discs) {
     if (poses.empty() || e.error < unsure) return e.up;
     Vector3d row = Vector3d::Zero();

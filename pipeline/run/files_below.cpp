@@ -11,12 +11,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// `above`: the folders on the way, of which none is entered again.
+/// `above`: the enclosing folders, none of which is entered again.
 void add_files(const fs::path& folder, int levels, std::vector<fs::path> above,
                std::vector<fs::path>& files) {
     std::error_code error;
     above.push_back(fs::canonical(folder, error));
-    if (std::ranges::count(above, above.back()) > 1) return;  // a link to a folder above
+    if (std::ranges::count(above, above.back()) > 1) return;  // a link to an enclosing folder
     fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, error);
     if (error) throw Error(Exit::input, folder.string() + ": cannot list the folder: " + error.message());
     for (const fs::directory_entry& entry : it) {

@@ -41,7 +41,7 @@ std::string read_plain_text(const std::filesystem::path& file) {
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
         throw Error(Exit::input, file.string() + ": is UTF-16, expected UTF-8; save it as UTF-8");
     if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-    if (text.find('\n') == text.npos) std::ranges::replace(text, '\r', '\n');  // as Mac OS 9 ended lines
+    if (text.find('\n') == text.npos) std::ranges::replace(text, '\r', '\n');  // Mac OS 9 line ends
     return text;
 }
 

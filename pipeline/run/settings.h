@@ -10,13 +10,13 @@
 
 namespace vantage {
 
-/// What renders the model from the photos' cameras. `automatic`: the GPU if there is one, else the CPU.
+/// The renderer of the model from the photos' cameras. `automatic`: the GPU if there is one, else the CPU.
 enum class RenderBy { automatic, opengl, processor };
 const char* name(RenderBy by);
 /// Throws Error(usage) for an unknown name.
 RenderBy render_by(const std::string& name);
 
-/// How the distance to the nearest border is computed. `automatic`: by jump flooding on a GPU, else exact.
+/// The method for the distance to the nearest border. `automatic`: jump flooding on a GPU, else exact.
 enum class DistanceMethod { automatic, exact, jump_flooding };
 const char* name(DistanceMethod method);
 /// Throws Error(usage) for an unknown name.
@@ -33,15 +33,15 @@ struct PrepareSettings {
     int photo_size = 0;        ///< longer side to which photos are reduced, in px; 0: full size
     unsigned threads = 0;      ///< also the number of photos in flight; 0: one per core
     std::uint64_t memory = 0;  ///< bytes; limits the number of photos in flight; 0: no limit
-    std::vector<std::string> hold_out;        ///< photos whose pixels stay out of the package
-    std::vector<std::string> deviation_from;  ///< files of meshes or clouds to compare the mesh with
+    std::vector<std::string> hold_out;        ///< photos stored without their pixels
+    std::vector<std::string> deviation_from;  ///< files of meshes or clouds with which the mesh is compared
     std::vector<std::string> points;          ///< files of point clouds to show with the mesh
-    std::string image_sets = "auto";  ///< how photos are grouped into image sets, see group_image_sets
-    std::string convention = "auto";  ///< what is changed in the cameras, see settle_convention()
-    std::optional<Similarity> align;  ///< from the cameras' frame to the mesh's, if they differ
-    bool vertex_coordinates = false;  ///< stored even where the player does not use them by default
+    std::string image_sets = "auto";          ///< grouping of photos into image sets, see group_image_sets
+    std::string convention = "auto";          ///< correction to the cameras, see settle_convention()
+    std::optional<Similarity> align;          ///< from the cameras' frame to the mesh's, if they differ
+    bool vertex_coordinates = false;          ///< stored even if the player does not use them by default
     std::map<Effect, EffectChoice> effects;
-    bool validate = true;  ///< whether held-out photos must confirm the effects that all photos decide
+    bool validate = true;  ///< whether effects that depend on all photos are validated with held-out photos
 };
 
 }  // namespace vantage

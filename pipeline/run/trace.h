@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// A record of what each thread did, and when. Thread-safe; recording a span takes about a microsecond.
+/// A record of each thread's work over time. Thread-safe; recording a span takes about a microsecond.
 class Trace {
   public:
     struct Span {
@@ -32,7 +32,7 @@ class Trace {
     std::vector<Span> spans_;
 };
 
-/// Records the time from its construction to the end of the scope; nothing if the trace is null.
+/// Records the time from its construction to the end of the scope; does nothing if the trace is null.
 class Traced {
   public:
     Traced(Trace* trace, const char* what, std::string photo = {})

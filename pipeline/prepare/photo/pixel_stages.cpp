@@ -36,7 +36,7 @@ void cut_out(RgbaImage& image, const RgbaImage& mask) {
     image.opaque = false;
 }
 
-/// A photo's pixels; `own`: those of its file, unchanged.
+/// A photo's pixels; `own`: unchanged from its file.
 struct Pixels {
     RgbaImage image;
     bool own;
@@ -54,7 +54,7 @@ Pixels decode_pixels(const PhotoJob& job, PhotoFile& file, const package::PhotoR
     return {std::move(image), own};
 }
 
-/// At `weight_map_level`, of a photo that is not opaque.
+/// The valid texels at `weight_map_level` of a photo that is not opaque.
 std::vector<std::uint8_t> valid_texels(const PhotoJob& job, const RgbaImage& level) {
     if (!job.at.lens) return validity(level);
     const Traced traced(job.context.trace, "lens", job.photo.name);
@@ -72,7 +72,7 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
     const bool opaque = is_opaque(level);
     if (!opaque) r.flags |= package::photo_has_alpha;
     CoarsePixels coarse;
-    // Samples are those of what is stored, so that they are the same if they are made again from it.
+    // Samples are taken from the stored pixels, so that recomputing them gives the same.
     const std::uint32_t sampled = std::min(std::uint32_t(sample_level), r.levels - 1);
     const std::uint32_t last = std::max(r.levels, std::uint32_t(sample_level) + 1);
     for (std::uint32_t l = 0; l < last; ++l) {
