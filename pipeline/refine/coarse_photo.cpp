@@ -36,7 +36,7 @@ void smooth_colors(CoarsePhoto& photo) {
 }  // namespace
 
 Eigen::Array4f SquareMeans::around(float x, float y) const {
-    const float column = 2 * x, row = 2 * y;  // of corners
+    const float column = 2 * x, row = 2 * y;  // in corner coordinates
     const int i = std::clamp(int(column), 0, width - 1), j = std::clamp(int(row), 0, height - 1),
               right = std::min(i + 1, width - 1), below = std::min(j + 1, height - 1);
     const float u = column - float(i), v = row - float(j);
@@ -71,7 +71,7 @@ SquareMeans square_means(std::span<const std::array<float, 3>> colors, int width
 CoarsePhoto every_second_texel(const CoarsePhoto& photo) {
     CoarsePhoto out;
     const Intrinsics& k = photo.k;
-    // The first texel keeps its ray.
+    // The first texel's ray stays the same.
     out.k = {(k.width + 1) / 2, (k.height + 1) / 2, k.fx / 2, k.fy / 2, (k.cx + 0.5) / 2, (k.cy + 0.5) / 2};
     out.pose = photo.pose;
     out.focal = photo.focal;

@@ -12,23 +12,24 @@
 
 namespace vantage {
 
-/// Of the depth: what is farther apart is not one surface.
+/// Relative depth difference above which texels are not on one surface.
 inline constexpr double depth_step = 0.02;
 
-/// Mean colors of squares of 2 x 2 texels around each corner between texels, at the photo's frame of those
-/// inside. Interpolated between four corners, they give the mean over any such square, exactly positioned.
+/// Mean colors of squares of 2 x 2 texels around each corner between texels; at the photo's frame, of the
+/// texels inside. Interpolation between four corners gives the mean over a square at any position.
 struct SquareMeans {
     int width = 0, height = 0;           ///< corners: one more than texels
     std::vector<Eigen::Array4f> colors;  ///< row by row; linear light, the fourth value unused
 
-    /// The mean around a position in squares, each component at least 0 and at most a square beyond the last.
+    /// The mean around a position in units of squares, each component at least 0 and at most one square
+    /// beyond the last.
     Eigen::Array4f around(float x, float y) const;
 };
 
-/// `colors`: of a level, row by row.
+/// `colors`: of a level, in row-major order.
 SquareMeans square_means(std::span<const std::array<float, 3>> colors, int width, int height);
 
-/// A photo at one coarse level of its pyramid, as the judge reads it.
+/// A photo at one coarse level of its pyramid, for validation.
 struct CoarsePhoto {
     struct Texel {
         float linear[3];  ///< light, as exposed; NaN where the photo has no opaque pixel
@@ -40,14 +41,14 @@ struct CoarsePhoto {
     Pose pose;                  ///< relative to the origin
     double focal = 1;           ///< length, in px of the photo at full size
     std::vector<Texel> texels;  ///< row by row
-    /// Of the next finer level, whose squares are as large as this level's texels: interpolation between
-    /// coarse texels would blur.
+    /// Means of the next finer level, whose squares are as large as this level's texels: interpolation
+    /// between coarse texels would blur.
     SquareMeans means;
 
     Grid<const Texel> grid() const { return {texels.data(), k.width, k.height}; }
 };
 
-/// Every second texel in x and in y: the same photo, seen by a quarter of its rays. Without `means`.
+/// Every second texel in x and in y: the same photo with a quarter of its rays. Without `means`.
 CoarsePhoto every_second_texel(const CoarsePhoto& photo);
 
 /// Reads a photo's tiles, weight maps and depth at a level. Throws Error(damaged).

@@ -13,7 +13,7 @@
 namespace vantage {
 namespace {
 
-constexpr double min_improvement = 0.1;  ///< share of the disagreement that gains must remove
+constexpr double min_improvement = 0.1;  ///< fraction of the disagreement that gains must remove
 
 EffectDecision decide_exposure(const ColorFit& fit, EffectChoice wanted) {
     if (!fit.shares_surface())
@@ -26,7 +26,7 @@ EffectDecision decide_exposure(const ColorFit& fit, EffectChoice wanted) {
                     percent(fit.before), percent(fit.after)));
 }
 
-/// The share of the light that is lost in the corner.
+/// The fraction of the light lost in the corner.
 double corner_loss(const Vignetting& f) { return -std::expm1(-log_vignetting(f, 1)); }
 
 EffectDecision decide_vignetting(const ColorFit& fit, EffectChoice wanted) {
@@ -38,8 +38,8 @@ EffectDecision decide_vignetting(const ColorFit& fit, EffectChoice wanted) {
                       : "no lens vignetting was found");
 }
 
-/// What gains are worth to held-out photos, and what vignetting besides; `both`: with it, empty if there is
-/// none.
+/// The validation of gains, and the additional benefit of vignetting; `both`: with vignetting, empty if there
+/// is none.
 struct ColorJudgments {
     Judgment exposure, vignetting;
 };
@@ -93,7 +93,7 @@ ColorRefinement refine_colors(ColorFit fit, std::vector<std::uint32_t> lens, Sam
                               const std::map<Effect, EffectChoice>& choices, const Folds* folds) {
     const EffectChoice vignetting = choice_of(choices, Effect::vignetting),
                        exposure = choice_of(choices, Effect::exposure);
-    // One photo at a time, which takes less memory than each thread reading one when it needs it.
+    // Reads one photo at a time, which takes less memory than each thread reading its own.
     std::future<void> reading;
     if (folds && exposure != EffectChoice::off)
         reading = std::async(std::launch::async, [&] { folds->read_ahead(); });

@@ -12,30 +12,30 @@
 
 namespace vantage {
 
-/// How much the photos' colors disagree, the gains and vignetting that reduce it, and whether the scene needs
+/// The disagreement of the photos' colors, the gains and vignetting that reduce it, and the decisions on
 /// them.
 struct ColorRefinement {
     ColorFit fit;
     std::vector<std::uint32_t> lens;  ///< per photo, see lenses_of
     EffectDecision exposure, vignetting;
-    std::vector<PhotoColors> without{};  ///< per fold: fitted without its photo; empty if not judged
+    std::vector<PhotoColors> without{};  ///< per fold: fitted without its photo; empty if not validated
 };
 
 /// Gains are needed if photos disagree by more than the effect's threshold and gains remove at least a tenth
 /// of that; vignetting above its own threshold, but not without gains. A correction that is needed is then
 /// tested on held-out photos (see is_called_for), unless `folds` is null or a choice forces it. `fit`: of
-/// these samples and lenses, with vignetting unless that is turned off.
+/// these samples and lenses, with vignetting unless it is turned off.
 ColorRefinement refine_colors(ColorFit fit, std::vector<std::uint32_t> lens, Samples samples,
                               const std::map<Effect, EffectChoice>& choices, const Folds* folds = nullptr);
 
-/// Per fold, the colors of all photos but its own, fitted without it: gains alone, and with vignetting (empty
-/// if not wanted).
+/// Per fold, the colors of all other photos, fitted without its photo: gains alone, and with vignetting
+/// (empty if not wanted).
 struct FoldColors {
     std::vector<PhotoColors> gains, both;
 };
 FoldColors colors_without(const Folds& folds, std::span<const std::uint32_t> lens, bool vignetting);
 
-/// Colors as the judge applies them to predict a photo; they must outlive the result.
+/// The colors in the form in which predict() applies them; they must outlive the result.
 Alternative alternative(const PhotoColors& colors, bool gains_on, bool vignetting_on, std::uint32_t photo);
 
 /// Writes gains and vignetting into the photos' records; identity for effects that are off.

@@ -12,11 +12,11 @@
 
 namespace vantage {
 
-/// How much Folds holds in memory: coarse photos, and sightings of folds (some 2 MB each).
+/// Cache sizes of Folds: number of coarse photos, and of folds' sightings (some 2 MB each).
 inline constexpr std::size_t cached_photos = 64, kept_sightings = 12;
-inline constexpr std::size_t max_others = 8;  ///< that a photo is predicted from
+inline constexpr std::size_t max_others = 8;  ///< from which a photo is predicted
 
-/// Where Folds reads photos from. The spans must outlive it.
+/// The photos of Folds. The spans must outlive it.
 struct FoldsInput {
     const PackageReader& package;                  ///< with tiles, weight maps and depth
     std::span<const package::PhotoRecord> photos;  ///< with their poses
@@ -28,14 +28,14 @@ struct FoldsInput {
     std::size_t max_folds = 24;  ///< photos held out at most
 };
 
-/// A photo that is held out, and those that it is predicted from.
+/// A held-out photo, and the photos from which it is predicted.
 struct Fold {
     std::uint32_t photo;
     std::vector<std::uint32_t> others;  ///< up to max_others that share the most surface, ascending
 };
 
-/// Cross-validation: photos that are held out of everything in turn, spread over the scene.
-/// Photos are read at the finest level with at most 256 texels on the longer side.
+/// Cross-validation: photos spread over the scene are held out of all estimates, one at a time. Photos are
+/// read at the finest level with at most 256 texels on the longer side.
 class Folds {
   public:
     explicit Folds(const FoldsInput& input);
@@ -43,23 +43,23 @@ class Folds {
     const FoldsInput& input() const { return in_; }
     const SharedSurface& shared() const { return shared_; }
     const std::vector<Fold>& all() const { return folds_; }
-    /// At which a photo is read.
+    /// The level at which a photo is read.
     int level(std::uint32_t photo) const;
     std::shared_ptr<const CoarsePhoto> photo(std::uint32_t photo) const { return photos_.get(photo); }
 
-    /// A fold's photo, and what the others show.
+    /// A fold's photo, and its sightings in the others.
     struct View {
         const Fold& fold;
         std::size_t index;          ///< of the fold
-        const CoarsePhoto& target;  ///< every second texel of the fold's photo: enough to judge
+        const CoarsePhoto& target;  ///< every second texel of the fold's photo: enough for validation
         const Folds& folds;
 
-        /// What the others show at the photo's pixels. Kept for the next call, of some folds.
+        /// The other photos' sightings of the photo's pixels. Cached for some folds.
         std::shared_ptr<const Sightings> sightings() const;
-        /// With other poses, one per photo of the scene; `own`: that of the fold's photo.
+        /// The same with other poses, one per photo of the scene; `own`: that of the fold's photo.
         Sightings sightings(std::span<const Pose> poses, const Pose& own) const;
     };
-    /// Reads the photos of all folds, as far as they are kept, so that they need not be waited for later.
+    /// Reads the photos of all folds into the cache, as far as they fit, so that later calls need not wait.
     void read_ahead() const;
     /// Calls visit(view) for every fold, on several threads. Throws Error(damaged).
     void each(const std::function<void(const View&)>& visit) const;

@@ -52,7 +52,7 @@ float transient_weight(const Alternative& a, const Sighting& s) {
     return mask + (1 - mask) * own_share(s.theta);
 }
 
-/// Share of a color that keeps its exposure because it is overexposed, as in refined() of blend.frag.
+/// Fraction of a color that keeps its exposure because it is overexposed, as in refined() of blend.frag.
 float white_share(const float (&root)[3], float theta) {
     const float least = std::min({root[0], root[1], root[2]}), light = least * least;
     if (!(light > shader::overexposed)) return 0;
@@ -60,7 +60,7 @@ float white_share(const float (&root)[3], float theta) {
     return t * t * (3 - 2 * t) * (1 - own_share(theta));
 }
 
-/// Factor on light that takes out a lens's vignetting, see ColorFit.
+/// Factor on light that removes a lens's vignetting, see ColorFit.
 float without_vignetting(const Vignetting& f, double radius2) {
     return float(std::exp(log_vignetting_at_square(f, radius2)));
 }
@@ -109,7 +109,7 @@ struct Mean {
     }
 };
 
-/// What the photos show at a pixel: `which` of their colors, blended.
+/// The photos' colors at a pixel, blended; `which`: as exposed or smoothed.
 Mean mean_at(const Sightings& s, std::span<const Blended> b, std::size_t pixel, Colors which) {
     Mean mean;
     for (std::size_t i = s.first[pixel]; i < s.first[pixel + 1]; ++i) mean.add(b[i].weight, b[i].*which);
@@ -137,8 +137,7 @@ double distance(const Color& a, const Color& b) {
     return std::sqrt(sum / 3);
 }
 
-/// The step between two neighbors that is due to their weights; nothing if they are not on one
-/// surface.
+/// The step between two neighbors that is due to their weights; empty if they are not on one surface.
 std::optional<double> step(const CoarsePhoto& target, const Sightings& s, std::span<const Blended> b,
                            std::span<const Color> smooth, std::size_t i, std::size_t j) {
     const float zi = target.texels[i].z, zj = target.texels[j].z;
@@ -146,7 +145,7 @@ std::optional<double> step(const CoarsePhoto& target, const Sightings& s, std::s
     const Color &ci = smooth[i], &cj = smooth[j];
     if (!std::isfinite(ci[0]) || !std::isfinite(cj[0])) return {};
     const Color ij = mean_with_weights_of(s, b, i, j).code(), ji = mean_with_weights_of(s, b, j, i).code();
-    // Without a common photo the whole step is one of photos.
+    // Without a common photo, the whole step is due to the change of photos.
     const bool common = std::isfinite(ij[0]) && std::isfinite(ji[0]);
     return common ? (distance(ci, ij) + distance(cj, ji)) / 2 : distance(ci, cj);
 }
@@ -162,7 +161,7 @@ double seams_of(const CoarsePhoto& target, const Sightings& s, std::span<const B
     const auto add = [&](std::size_t i, std::size_t j) {
         if (const auto found = step(target, s, b, smooth, i, j)) sum += *found, ++n;
     };
-    // Every other row and column: half the work, hardly less precise.
+    // Only every other row and column, which is hardly less precise.
     for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < width; ++x) {
             const std::size_t at = y * width + x;
@@ -205,7 +204,7 @@ double mean_ssim(const cv::Mat& a, const cv::Mat& b, const cv::Mat& mask) {
     return cv::mean(above / below, mask > 0)[0];
 }
 
-/// Pixels, 255 or 0, that all predictions and the photo color.
+/// Mask (255 or 0) of the pixels that have a color in the photo and in all predictions.
 cv::Mat scored_pixels(const cv::Mat& own, std::span<const Prediction> predictions) {
     const auto colored = [](const cv::Mat& color) {
         cv::Mat first;

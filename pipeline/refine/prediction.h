@@ -17,7 +17,7 @@ struct Alternative {
     std::array<double, 3> view_vignetting{};                 ///< of the predicted photo's lens
 };
 
-/// A photo as the others show it.
+/// A photo predicted from the others.
 struct Prediction {
     cv::Mat color;     ///< 32FC3, sRGB codes 0 to 255, R G B; NaN where no other photo sees the surface
     double seams = 0;  ///< gray levels, see predict
@@ -25,10 +25,10 @@ struct Prediction {
 
 /// Blends the sightings as shaders/blend.frag does for the lumigraph.
 ///
-/// `seams` measures where the change of the weights, and not the subject, changes the color: the surface at
-/// each of two neighboring pixels is also blended with the weights of the other one, and the difference is
-/// the step that a viewer sees. Mean over neighbors on one surface, of smoothed colors: patches
-/// of another exposure remain, and fine detail that photos show in slightly different places does not.
+/// `seams` measures color steps caused by the weights, not by the subject: the surface at each of two
+/// neighboring pixels is also blended with the weights of the other pixel, and the difference is the visible
+/// step. It is the mean over neighbors on one surface, for smoothed colors: this includes patches of
+/// different exposure, but not fine detail that photos show in slightly different places.
 Prediction predict(const CoarsePhoto& target, const Sightings& sightings, const Alternative& alternative);
 
 /// A photo's own colors in the form of a prediction.

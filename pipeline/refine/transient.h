@@ -13,16 +13,16 @@ namespace vantage {
 /// Colors as exposed.
 TransientView transient_view(const CoarsePhoto& photo);
 
-/// Photos as exposed, made on demand.
+/// Photos as exposed, created on demand.
 using TransientViews = LruCache<TransientView>;
-inline constexpr std::size_t cached_views = 16;  ///< that are held at once, as exposed and as corrected
+inline constexpr std::size_t cached_views = 16;  ///< cached at once, as exposed and as corrected
 
 /// The maps of all photos, each compared with its partners. Keeps a bounded number of photos in memory. Empty
 /// for photos with fewer than two partners. `uncorrected` may throw Error(damaged).
 std::vector<TransientMap> transient_maps(const TransientViews& uncorrected, const PhotoColors& colors,
                                          const TransientPartners& partners, unsigned threads);
 
-/// What transient masks are worth to held-out photos, which vote neither on weight maps nor on gains.
+/// The validation of transient masks by held-out photos, which influence neither weight maps nor gains.
 /// `uncorrected`: at the folds' levels. `fits`: per fold, the colors fitted without its photo. `gains_on`,
 /// `vignetting_on`: whether to blend with them.
 Judgment validate_transients(const Folds& folds, const TransientViews& uncorrected,

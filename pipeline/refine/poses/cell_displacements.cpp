@@ -29,7 +29,7 @@ constexpr int columns = package::pair_columns, rows = package::pair_rows;
 struct GivenCamera {
     Intrinsics k;
     Pose pose;
-    double distance;  ///< median depth of what it sees
+    double distance;  ///< median depth of the visible surface
 
     explicit GivenCamera(const package::PhotoRecord& p)
         : k(intrinsics(p)), pose(cam_from_origin(p)), distance(p.seen_distance > 0 ? p.seen_distance : 1) {}
@@ -53,13 +53,13 @@ struct GivenCamera {
     }
 };
 
-/// A place on the surface and two tangents.
+/// A point on the surface and two tangents.
 struct Place {
     Vector3d x;
     Eigen::Matrix<double, 3, 2> tangents;
 };
 
-/// The surface that a photo sees, coarsely.
+/// The surface visible in a photo, at low resolution.
 class Surface {
   public:
     Surface(const PoseRefinementInput& in, std::uint32_t photo) : pose_(cam_from_origin(in.photos[photo])) {
@@ -72,7 +72,7 @@ class Surface {
         z_.resize(bytes.size() / sizeof(float));
         std::memcpy(z_.data(), bytes.data(), bytes.size());
     }
-    /// At a position in shares of the photo's width and height, if it is on one smooth surface.
+    /// The point at a position in fractions of the photo's width and height, if it is on one smooth surface.
     std::optional<Place> at(double u, double v) const {
         const int x = int(u * k_.width), y = int(v * k_.height);
         if (x < reach || y < reach || x + reach >= width_ || y + reach >= height_) return {};
@@ -99,13 +99,13 @@ class Surface {
     std::vector<float> z_;
 };
 
-/// Takes pixels of `b` to pixels of `a` along the surface's tangent plane.
+/// Maps pixels of `b` to pixels of `a` along the surface's tangent plane.
 Matrix2d along_surface(const GivenCamera& a, const GivenCamera& b, const Place& at) {
     return a.of_point(at.x) * at.tangents * (b.of_point(at.x) * at.tangents).inverse();
 }
 
-/// A match is displaced by M e_b - e_a if errors of the cameras displace what `a` and `b` see there by e_a
-/// and e_b, where M goes along the surface.
+/// A match is displaced by M e_b - e_a if camera errors displace the surface by e_a in `a` and by e_b in `b`,
+/// where M maps pixels of `b` to `a` along the surface.
 std::optional<CellDisplacement> cell_at(const GivenCamera& a, const GivenCamera& b, const Place& at) {
     const auto in_a = project(a.k, a.pose, at.x), in_b = project(b.k, b.pose, at.x);
     if (!in_a || !in_b) return {};
@@ -117,7 +117,7 @@ std::optional<CellDisplacement> cell_at(const GivenCamera& a, const GivenCamera&
     return out;
 }
 
-/// Adds what moves all cameras together, about the middle of all places.
+/// Adds the derivatives for a common motion of all cameras, about the center of all points.
 void add_frame(CellDisplacements& out, std::span<const GivenCamera> cameras,
                std::span<const std::vector<Place>> places) {
     double n = 0;

@@ -9,8 +9,8 @@
 
 namespace vantage {
 
-/// By how much the surface in a cell of a pair's first photo is displaced, and by how much errors of the
-/// cameras would displace it. All unknowns are in pixels.
+/// The displacement of the surface in a cell of a pair's first photo, and its derivatives with respect to
+/// camera errors. All unknowns are in pixels.
 struct CellDisplacement {
     Eigen::Vector2d moved;  ///< px of the first photo
     double weight;          ///< number of matches, at most 4
@@ -24,7 +24,7 @@ struct CellDisplacement {
     /// Of all cameras together: a SmallMotion divided by `CellDisplacements::frame_unit`.
     Eigen::Matrix<double, 2, 7> frame = Eigen::Matrix<double, 2, 7>::Zero();
     Eigen::Matrix<double, 2, 7> seen =
-        Eigen::Matrix<double, 2, 7>::Zero();  ///< how that motion moves the surface in the first photo
+        Eigen::Matrix<double, 2, 7>::Zero();  ///< motion of the surface in the first photo due to that motion
 };
 
 /// The cells of one pair.
@@ -37,7 +37,7 @@ struct PairCells {
 struct CellDisplacements {
     std::vector<PairCells> pairs;
     MotionFrame frame;
-    double frame_unit = 0;  ///< SmallMotion of about one pixel
+    double frame_unit = 0;  ///< scale of a SmallMotion of about one pixel
 };
 /// Reads the depth of each first photo at a coarse level. Throws Error(damaged).
 CellDisplacements cell_displacements(const PoseRefinementInput& in,

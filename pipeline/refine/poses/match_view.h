@@ -26,11 +26,11 @@ struct MatchView {
 MatchView read_match_view(const PackageReader& package, const package::PhotoRecord& record,
                           std::uint32_t photo, int long_side);
 
-/// Views of a package's photos at the sizes that are asked for. They are kept for all rounds of matching,
-/// some 50 MB at each size: 12 of 1600 px, 48 of 800 px. Thread-safe.
+/// Views of a package's photos at the requested sizes, cached for all rounds of matching, some 50 MB at each
+/// size: 12 of 1600 px, 48 of 800 px. Thread-safe.
 class MatchViews {
   public:
-    /// Both must outlive it.
+    /// Both must outlive this object.
     MatchViews(const PackageReader& package, std::span<const package::PhotoRecord> photos)
         : package_(package), photos_(photos) {}
     /// Throws like read_match_view().

@@ -18,12 +18,12 @@ namespace {
 
 using package::PairRecord;
 
-constexpr double explained = 0.5;          ///< share of the displacement that must be left at most
+constexpr double explained = 0.5;          ///< largest remaining fraction of the displacement
 constexpr double noticed_common = 1;       ///< px
-constexpr int validated_side = 384;        ///< texels at which poses are judged
+constexpr int validated_side = 384;        ///< texels, for the validation of poses
 constexpr std::size_t max_validated = 12;  ///< photos
 
-/// The pairs of which no photo is among `photos`.
+/// The pairs without any of `photos`.
 std::vector<PairRecord> pairs_without(std::span<const PairRecord> pairs,
                                       std::span<const std::uint32_t> photos) {
     std::vector<PairRecord> out;
@@ -32,8 +32,8 @@ std::vector<PairRecord> pairs_without(std::span<const PairRecord> pairs,
     return out;
 }
 
-/// Photos that are displaced relative to all others, the worst first; at most a third of all. None of those
-/// that stay.
+/// Photos that are displaced relative to all others, the worst first; at most a third of all. They do not
+/// include the reference photos, which stay.
 std::vector<std::uint32_t> odd_photos(const PoseRefinementInput& in, std::span<const PairRecord> pairs,
                                       std::span<const std::uint32_t> stay) {
     std::vector<std::uint32_t> odd;
@@ -55,13 +55,13 @@ std::vector<std::uint32_t> odd_photos(const PoseRefinementInput& in, std::span<c
     return odd;
 }
 
-/// Photos that overlap: those of the pair that shares most surface, then always the one that shares most with
-/// those.
+/// Overlapping photos: the pair that shares the most surface, then repeatedly the photo that shares the most
+/// with those chosen.
 std::vector<std::uint32_t> overlapping(std::span<const PairRecord> pairs, std::size_t count) {
     std::vector<std::uint32_t> out;
     const auto is_in = [&](std::uint32_t photo) { return std::ranges::count(out, photo) > 0; };
     while (out.size() < count) {
-        std::map<std::uint32_t, std::uint64_t> shared;  // by photo that is not in
+        std::map<std::uint32_t, std::uint64_t> shared;  // by photo not yet chosen
         for (const PairRecord& p : pairs) {
             if (!trusted(p) || (is_in(p.a) && is_in(p.b))) continue;
             if (out.empty() || is_in(p.a)) shared[p.b] += p.shared;
@@ -73,7 +73,7 @@ std::vector<std::uint32_t> overlapping(std::span<const PairRecord> pairs, std::s
     return out;
 }
 
-/// The input as if other photos had no pixels. `records` and `samples` hold what it refers to.
+/// The input as if other photos had no pixels. `records` and `samples` store its data.
 PoseRefinementInput input_of(const PoseRefinementInput& in, std::span<const std::uint32_t> photos,
                              std::vector<package::PhotoRecord>& records,
                              std::vector<std::span<const package::SampleRecord>>& samples) {
@@ -87,10 +87,10 @@ PoseRefinementInput input_of(const PoseRefinementInput& in, std::span<const std:
     return out;
 }
 
-/// Which cameras a solution moves.
+/// The cameras that a solution moves.
 enum class Moved { odd_ones, all, together };
 
-/// A solution with its poses when photos are held out.
+/// A solution, and its poses with held-out photos.
 struct Candidate {
     PoseSolution solution;
     Moved which;
@@ -105,12 +105,12 @@ Candidate candidate(const PoseRounds& rounds, const Folds& folds, PoseSolution s
     return c;
 }
 
-/// From where a held-out photo is predicted: its given camera tells whether the frame of the survey is kept;
-/// fitted to the others first, with the candidate and without, it tells what a viewer sees.
+/// The pose from which a held-out photo is predicted: its given pose shows whether the frame of the survey is
+/// kept; a pose fitted to the others, with the candidate and without, shows the quality for a viewer.
 enum class Own { given, fitted };
 
-/// What a candidate is worth to held-out photos, whose pixels had no part in the others' poses and gains,
-/// compared with `before` (null: the given poses).
+/// The validation of a candidate against `before` (null: the given poses), by held-out photos that do not
+/// influence the others' poses and gains.
 Judgment validate(const PoseRounds& rounds, const Folds& folds, std::span<const PhotoColors> gains,
                   const Candidate* before, const Candidate& after, Own own) {
     std::vector<ValidatedPhoto> photos(folds.all().size());
@@ -130,7 +130,7 @@ Judgment validate(const PoseRounds& rounds, const Folds& folds, std::span<const 
     return summarize(photos);
 }
 
-/// Jackknife over the folds: how far the photo's content moves in px when one other photo is missing.
+/// The motion of the photo's content, in px, without one other photo: a jackknife over the folds.
 double uncertainty(const PoseRounds& rounds, const Folds& folds, const Candidate& c, std::uint32_t photo) {
     std::vector<double> moved;
     for (std::size_t f = 0; f < folds.all().size(); ++f)
@@ -171,8 +171,8 @@ class PoseChoice {
     PoseChoice(const PoseRefinementInput& in, const CellDisplacements& cells, PoseRefinement& out)
         : out_(out), judge_(in.validate && !out.decision.forced), in_(in), cells_(cells) {}
 
-    /// Whether the cells of the pairs, which have been measured anyway, leave hope for a fit of these photos
-    /// (none: of all); else says why not.
+    /// Whether the displacements of the pairs' cells permit a useful fit of these photos (none: of all); else
+    /// records the reason.
     bool may_help(std::span<const std::uint32_t> photos, const std::string& of) {
         constexpr double hopeless = 0.85;
         const LeftByPoses left = left_by_poses(in_, cells_, photos);
@@ -183,7 +183,7 @@ class PoseChoice {
         return false;
     }
 
-    /// Whether a trial hints that the solution of a fit would be better; else says why not.
+    /// Whether a trial suggests that a full fit would be better; else records the reason.
     bool promises(const PoseSolution& trial, const std::string& of) {
         constexpr double promising = 0.75;
         if (moved(trial) == 0) return reject(of + " would not improve holdout corners"), false;
@@ -192,7 +192,7 @@ class PoseChoice {
         return false;
     }
 
-    /// Takes the solution if it is better than what has been taken so far.
+    /// Takes the solution if it is better than the current one.
     void consider(PoseSolution solution, const std::string& of, Moved which) {
         if (moved(solution) == 0) return reject(of + " would not improve holdout corners");
         if (solution.after > explained * solution.before) return reject_unexplained(solution, of);
@@ -216,7 +216,7 @@ class PoseChoice {
         taken_ = std::move(c);
     }
 
-    /// Made when a fit is first worth while.
+    /// Created for the first fit that is worthwhile.
     const PoseRounds& rounds() {
         if (!rounds_) rounds_.emplace(in_);
         return *rounds_;
@@ -239,7 +239,7 @@ class PoseChoice {
                         "that the mesh or the lens is the likely cause",
                         of, s.before, s.after));
     }
-    /// Makes what judging needs, the first time.
+    /// Prepares validation on first use.
     void judging() {
         if (folds_) return;
         folds_.emplace(FoldsInput{in_.package, in_.photos, in_.samples, in_.discs, in_.border_width,
@@ -257,7 +257,7 @@ class PoseChoice {
     std::optional<Candidate> taken_;
 };
 
-/// Fits all cameras, unless a trial with a few of many that overlap shows that it would not help.
+/// Fits all cameras, unless a trial with a few overlapping ones shows that it would not help.
 void choose_all(const PoseRefinementInput& in, PoseRefinement& out, PoseChoice& choice) {
     constexpr std::size_t few = 8;
     if (!choice.may_help({}, "moving all cameras")) return;

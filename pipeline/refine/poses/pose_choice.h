@@ -6,13 +6,13 @@
 
 namespace vantage {
 
-/// Decides which cameras move; `out.decision` says that photos disagree. First the photos that disagree with
-/// all others, which stay. Then, if the others still disagree, all, unless a systematic error explains it,
-/// which poses would hide. Poses are kept only if they halve the displacement of holdout corners, because
-/// errors of the mesh displace corners, too, and moving cameras hardly helps; if held-out photos are
-/// predicted better (see is_called_for), and not worse from their given cameras; and, per camera, if it moves
-/// by more than its uncertainty. The second condition is skipped if the choice is forced or `input.judge` is
-/// false. Throws Error(damaged).
+/// Decides which cameras move, given that photos disagree by `out.decision`. First moves the photos that
+/// disagree with all others, while the others stay. If the others still disagree, moves all, unless a
+/// systematic error explains it, which poses would hide. New poses are kept only if they halve the
+/// displacement of held-out corners (errors of the mesh also displace corners, and moving cameras hardly
+/// reduces these); if held-out photos are predicted better (see is_called_for), and not worse from their
+/// given cameras; and, per camera, if it moves by more than its uncertainty. The second condition is skipped
+/// if the choice is forced or `input.validate` is false. Throws Error(damaged).
 void choose_poses(const PoseRefinementInput& input, const CellDisplacements& cells,
                   const SystematicErrors& errors, PoseRefinement& out);
 

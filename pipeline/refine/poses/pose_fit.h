@@ -13,8 +13,8 @@ namespace vantage {
 /// A camera whose pose is fitted.
 struct FittedCamera {
     Intrinsics k;         ///< of the full-size photo
-    Pose given;           ///< the scene's pose, to which the anchor pulls
-    double distance = 1;  ///< median depth of what it sees; scales translation to pixels
+    Pose given;           ///< the scene's pose, to which the anchor pulls the camera
+    double distance = 1;  ///< median depth of the visible surface; scales translation to pixels
     bool fixed = false;   ///< keeps its pose
 };
 

@@ -22,7 +22,7 @@ using package::PairRecord;
 using package::PhotoRecord;
 
 constexpr int evidence_size = 800, evidence_corners = 300;  ///< px on the longer side; per photo
-constexpr double max_displacement = 1, max_shift = 1.5;     ///< px; pose refinement is needed above
+constexpr double max_displacement = 1, max_shift = 1.5;     ///< px; larger values require pose refinement
 
 /// Key of everything that a pair's measurement depends on.
 std::uint64_t key_of(const PoseRefinementInput& in, const PhotoPair& pair) {
@@ -63,7 +63,7 @@ std::vector<PairRecord> measure_pairs(const PoseRefinementInput& in) {
 
 std::string name_of(const PoseRefinementInput& in, std::uint32_t photo) { return in.photos[photo].name; }
 
-/// Why pose refinement cannot be measured, or "".
+/// The reason that pose refinement cannot be measured; empty if it can.
 std::string without_evidence(const PoseRefinementInput& in, std::span<const PairRecord> pairs) {
     const auto with_pixels =
         std::ranges::count_if(in.photos, [](const PhotoRecord& p) { return p.levels > 0; });
@@ -75,7 +75,7 @@ std::string without_evidence(const PoseRefinementInput& in, std::span<const Pair
                : "the photos show too little detail for matching";
 }
 
-/// Whether the discs that photos see lie in a plane: smallest over largest variance at most 1e-5.
+/// Whether the visible discs lie in a plane: the ratio of smallest to largest variance is at most 1e-5.
 bool is_flat(const PoseRefinementInput& in) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();

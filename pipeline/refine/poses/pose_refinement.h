@@ -26,21 +26,21 @@ struct PoseRefinementInput {
     OnProgress progress{};  ///< of each round of matching; may be empty
 };
 
-/// Pose refinement of one photo's camera.
+/// The refined pose of one photo's camera.
 struct PhotoPoseRefinement {
     std::optional<Pose> pose;      ///< relative to the origin; nullopt: the given pose is kept
     double motion_px = 0;          ///< median motion of the surface in the photo
-    double before = 0, after = 0;  ///< median displacement of holdout corners, px
+    double before = 0, after = 0;  ///< median displacement of held-out corners, px
     double uncertainty = 0;        ///< standard error of the motion, px
 };
 
-/// The pose of a camera that pose refinement moved, without what one photo shows.
+/// The pose of a refined camera, estimated without one photo's matches.
 struct LeaveOneOutPose {
     std::uint32_t without, photo;
     Pose pose;
 };
 
-/// How well the photos agree through the model, and the poses with which they agree better.
+/// The agreement of the photos through the model, and the poses that improve it.
 struct PoseRefinement {
     EffectDecision decision;
     std::vector<PhotoPoseRefinement> photos;
@@ -53,13 +53,13 @@ struct PoseRefinement {
 /// others.
 inline constexpr double min_outlier = 0.75, outlier_ratio = 2;
 
-/// How much pairs disagree, relative to the limits: corners displaced by 1 px (median), a pair shifted by 1.5
-/// px, one photo displaced by twice as much as the others. Above 1, pose refinement is needed. `found`
-/// describes it; may be null.
+/// The disagreement of the pairs, relative to the limits: corners displaced by 1 px (median), a pair shifted
+/// by 1.5 px, one photo displaced by twice as much as the others. Above 1, pose refinement is needed. `found`
+/// receives a description; may be null.
 double disagreement(const PoseRefinementInput& input, std::span<const package::PairRecord> pairs,
                     std::string* found = nullptr);
 
-/// Matches each photo with the two that share the most with it, at 800 px on the longer side, unless
+/// Matches each photo with the two that share the most surface with it, at 800 px on the longer side, unless
 /// pose refinement is off. If they disagree, decides which cameras move; see choose_poses. Throws
 /// Error(damaged).
 PoseRefinement register_photos(const PoseRefinementInput& input, EffectChoice choice);

@@ -9,19 +9,20 @@
 
 namespace vantage {
 
-/// Poses with which photos agree better.
+/// Poses that improve the agreement of the photos.
 struct PoseSolution {
     std::vector<PhotoPoseRefinement> photos;
-    std::vector<Pose> poses;            ///< of all photos, moved or not
+    std::vector<Pose> poses;            ///< of all photos, including those not moved
     std::vector<FittedCamera> cameras;  ///< `fixed` are those that were not moved
     Matching matched;                   ///< under these poses
-    double before = 0, after = 0;       ///< median displacement of holdout corners, px
-    double sigma = 1;                   ///< of the anchor that the poses were fitted with, px
-    /// Motion of all cameras that was taken back, px, median; 0 if some cameras were fixed from the start.
+    double before = 0, after = 0;       ///< median displacement of held-out corners, px
+    double sigma = 1;                   ///< of the anchor in the fit of the poses, px
+    /// Common motion of all cameras that was removed, px, median; 0 if some cameras were fixed from the
+    /// start.
     double common_motion = 0;
 };
 
-/// How thoroughly photos are matched: a trial tells in a tenth of the time whether a fit is worth while.
+/// The effort of matching: a trial shows in a tenth of the time whether a fit is worthwhile.
 enum class Effort { trial, full };
 
 /// Alternates between matching photos and fitting their poses.
@@ -29,10 +30,10 @@ class PoseRounds {
   public:
     explicit PoseRounds(const PoseRefinementInput& input, Effort effort = Effort::full);
 
-    /// Fits the poses of the given photos to all others, which stay. Throws Error(damaged).
+    /// Fits the poses of the given photos to all others, which are fixed. Throws Error(damaged).
     PoseSolution fit_some(std::span<const std::uint32_t> photos) const;
     /// Fits all poses. Their common motion is a gauge freedom: all cameras can slide along the model together
-    /// without pairs disagreeing. The frame belongs to the survey, so the motion is taken back. Throws
+    /// without pairs disagreeing. The frame belongs to the survey, so this motion is removed. Throws
     /// Error(damaged).
     PoseSolution fit_all() const;
     /// The given poses moved together; `uncertainty`: of that motion, px. Throws Error(damaged).
@@ -40,12 +41,12 @@ class PoseRounds {
 
     /// The solution's poses, fitted to the same matches, with the same anchor, except those of one photo.
     std::vector<Pose> poses_without(const PoseSolution& solution, std::uint32_t photo) const;
-    /// The solution's poses, changed as those of a few cameras change when the photo's matches are dropped
-    /// from a fit to the others, which stay. Empty if the photo has no match with any of them.
+    /// The solution's poses, with those of a few cameras changed by the difference that the photo's matches
+    /// make in a fit to the others, which are fixed. Empty if the photo has no match with any of them.
     std::vector<Pose> poses_without(const PoseSolution& solution, std::uint32_t photo,
                                     std::span<const std::uint32_t> fitted) const;
-    /// A photo's pose fitted to its matches with the others, which stay: to those found under the given poses
-    /// (null), or under a solution's. The pose in `poses` if there are none.
+    /// A photo's pose fitted to its matches with the others, which are fixed: matches found under the given
+    /// poses (null) or under a solution's. The pose in `poses` if there are no matches.
     Pose resection(const PoseSolution* solution, std::span<const Pose> poses, std::uint32_t photo) const;
     const std::vector<Pose>& given() const { return given_; }
     /// Median distance in px between a photo's content under two poses of its camera.
@@ -55,10 +56,10 @@ class PoseRounds {
   private:
     using Poses = std::vector<Pose>;
     using Pairs = std::vector<PhotoPair>;
-    /// Under the given poses, when it is first asked for; by any thread.
+    /// The matches under the given poses, computed on first use, by any thread.
     const Matching& as_given() const;
     int finest() const { return long_sides_.back(); }
-    /// Of the given poses in px, from the displacement of holdout corners.
+    /// The error of the given poses in px, from the displacement of held-out corners.
     double expected_error(const Matching& matched) const;
     Matching match(const Poses& poses, const Pairs& pairs, int long_side) const;
     std::vector<PoseChange> solve(const std::vector<FittedCamera>& cameras, const Pairs& pairs,

@@ -107,7 +107,7 @@ bool sighting(const Projector& p, const Point& point, Sighting& out) {
     const float right = out.x - p.cx, down = out.y - p.cy;
     out.radius2 = (right * right + down * down) * p.radius_scale;
     out.theta = angle_between(point.to_viewer, to_photo);
-    // sampling() in blend.frag, of a view of the target's size, without the slant.
+    // sampling() in blend.frag, for a view of the target's size, without the slant.
     const float sampling = std::clamp(p.focal * point.at.z() / at.z(), 0.001f, 1.0f);
     out.weight *= seen * angle_weight(out.theta) * sampling;
     return true;
@@ -138,7 +138,8 @@ class Surface {
                 (float(y) + 0.5f - float(target_.k.cy)) / float(target_.k.fy) * z, z};
     }
 
-    /// To the neighbor with the more similar depth, so that normals at an edge are those of one surface.
+    /// The difference to the neighbor with the more similar depth, so that normals at an edge are those of
+    /// one surface.
     Vector3f difference(int x, int y, int dx, int dy) const {
         const auto z = [&](int i, int j) {
             const bool inside = i >= 0 && j >= 0 && i < target_.k.width && j < target_.k.height;

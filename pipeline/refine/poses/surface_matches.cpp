@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double block = 16;              ///< pixels of the level, between corners
-constexpr double max_round_trip = 0.75;   ///< pixels of the level, tracked there and back
+constexpr double max_round_trip = 0.75;   ///< pixels of the level, after tracking forward and back
 constexpr double min_correlation = 0.75;  ///< over `patch`
 const cv::Size patch(13, 13);
 const cv::Size window(15, 15);  ///< of optical flow
@@ -24,7 +24,7 @@ constexpr int levels = 3;       ///< of its pyramids, besides the first
 
 Vector2d to_vector(const cv::Point2f& p) { return {double(p.x), double(p.y)}; }
 
-/// From one camera's pixels to another's.
+/// The map from one camera's pixels to another's.
 struct Reprojection {
     Eigen::Matrix3f R;
     Eigen::Vector3f t;
@@ -147,7 +147,7 @@ Vector3d SurfaceChart::surface_point(const Vector2d& at) const {
               y = std::clamp(int(std::floor(at.y())), 0, view_.depth.rows - 2);
     const double fx = at.x() - x, fy = at.y() - y;
     const auto inverse = [&](int i, int j) { return 1 / double(view_.depth.at<float>(y + j, x + i)); };
-    // On a plane, inverse depth is linear in the picture.
+    // On a plane, inverse depth is linear in image coordinates.
     const double z = 1 / ((1 - fy) * ((1 - fx) * inverse(0, 0) + fx * inverse(1, 0)) +
                           fy * ((1 - fx) * inverse(0, 1) + fx * inverse(1, 1)));
     const Vector3d in_camera((at.x() + 0.5 - view_.k.cx) / view_.k.fx * z,

@@ -8,11 +8,11 @@
 
 namespace vantage {
 
-/// Where another photo shows a corner of this one.
+/// The match of a corner in another photo.
 struct Match {
     std::uint32_t photo;
     Eigen::Vector2d pixel;  ///< full-size pixels of that photo
-    Eigen::Vector2d moved;  ///< from where the cameras predict it, in full-size pixels of this photo
+    Eigen::Vector2d moved;  ///< offset from the cameras' prediction, in full-size pixels of this photo
 };
 
 /// A corner of a photo, its point on the surface, and its matches in other photos.
@@ -23,12 +23,12 @@ struct Track {
     std::vector<Match> matches;
 };
 
-/// A photo and the surface that it sees, onto which other photos are warped for matching. `view` must outlive
-/// it.
+/// A photo and its visible surface, onto which other photos are warped for matching. `view` must outlive this
+/// object.
 class SurfaceChart {
   public:
     /// Finds up to `corners` corners (Shi and Tomasi 1994), at least 16 pixels of the level apart. `pose`:
-    /// the current estimate of the camera; the surface is that seen from `view.pose`.
+    /// the current estimate of the camera; the surface remains that seen from `view.pose`.
     SurfaceChart(const MatchView& view, const Pose& pose, std::uint32_t photo, int corners);
 
     const std::vector<Track>& tracks() const { return tracks_; }
@@ -38,9 +38,9 @@ class SurfaceChart {
     std::size_t match(const MatchView& other, const Pose& other_pose, std::uint32_t other_photo);
 
   private:
-    /// The point on the surface, depth interpolated, relative to the origin.
+    /// The point on the surface, with interpolated depth, relative to the origin.
     Eigen::Vector3d surface_point(const Eigen::Vector2d& pixel) const;
-    /// The neighborhood is inside the photo and on one surface.
+    /// Whether the neighborhood is inside the photo and on one surface.
     bool is_smooth(const Eigen::Vector2d& pixel) const;
 
     const MatchView& view_;

@@ -13,10 +13,10 @@ namespace {
 using package::PairRecord;
 
 constexpr int matched_side = 800, corners_of_neighbor = 300;
-/// Shares of the longer side: a pair that is displaced farther is suspect, and a match that is displaced
-/// farther does not fit. The first tells cameras from their neighbors, the second allows for inexact ones.
+/// Fractions of the longer side: pairs displaced by more are suspect, and matches displaced by more do not
+/// fit. The first distinguishes cameras from their neighbors, the second allows for inexact cameras.
 constexpr double near = 0.003, far_away = 0.01;
-constexpr double min_fit = 0.4;   ///< share of the corners
+constexpr double min_fit = 0.4;   ///< fraction of the corners
 constexpr double min_better = 2;  ///< times the fit with the cameras as given
 constexpr int max_neighbors = 3;
 constexpr std::size_t max_suspects = 12;
@@ -31,7 +31,7 @@ bool is_bad(const PoseRefinementInput& in, const PairRecord& p) {
 struct Counts {
     std::size_t all = 0, bad = 0, contradicting = 0;
 };
-/// Of each photo's pairs, without those with photos to `ignore`.
+/// Counts each photo's pairs, without those with photos to `ignore`.
 std::vector<Counts> count_pairs(const PoseRefinementInput& in, std::span<const PairRecord> pairs,
                                 const std::vector<bool>& ignore) {
     std::vector<Counts> out(in.photos.size());
@@ -46,15 +46,15 @@ std::vector<Counts> count_pairs(const PoseRefinementInput& in, std::span<const P
     return out;
 }
 
-/// How well photos fit their neighbors with their own and with other cameras.
+/// The fit of photos to their neighbors with their own and with other cameras.
 class CameraFits {
   public:
     explicit CameraFits(const PoseRefinementInput& in)
-        // More neighbors than were measured, in case the nearest ones are misplaced as well.
+        // Uses more neighbors than were measured, in case the nearest ones are misplaced as well.
         : in_(in), near_(photo_pairs(in.photos, in.samples, in.discs, 8)) {}
 
-    /// The best fit over a few neighbors of the camera: the share of their corners that match the photo's
-    /// pixels within `near` and `far_away` of where the camera predicts them.
+    /// The best fit over a few neighbors of the camera: the fractions of their corners that match the photo's
+    /// pixels within `near` and `far_away` of the camera's prediction.
     Eigen::Array2d of(std::uint32_t pixels, std::uint32_t camera) {
         const auto [known, is_new] = fits_.emplace(std::pair(pixels, camera), Eigen::Array2d::Zero());
         int tried = 0;
@@ -98,7 +98,7 @@ struct Swap {
     double least() const { return std::min(fit_a, fit_b); }
 };
 
-/// Photos with bad pairs, the largest share first.
+/// Photos with bad pairs, the largest fraction first.
 std::vector<std::uint32_t> suspects(const PoseRefinementInput& in, std::span<const PairRecord> pairs) {
     const std::vector<Counts> counts = count_pairs(in, pairs, std::vector<bool>(in.photos.size()));
     std::vector<std::uint32_t> out;

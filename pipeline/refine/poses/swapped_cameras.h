@@ -7,16 +7,16 @@
 
 namespace vantage {
 
-/// Photos whose cameras are not theirs.
+/// Photos with wrong cameras.
 struct MisplacedPhotos {
-    std::vector<std::string> warnings;  ///< a line per two photos that are swapped, and per other photo
-    bool swapped = false;               ///< any two
+    std::vector<std::string> warnings;  ///< one line per swapped pair, and per other photo
+    bool swapped = false;               ///< whether any two are swapped
 };
 
 /// Suspects are photos with pairs that contradict, or are displaced by more than 0.3 % of the photo: at most
-/// 12, those with the largest share of such pairs. Two suspects are swapped if each fits its neighbors with
-/// the other's camera, and at least twice as well as with its own. Of the other photos, those are reported
-/// that contradict all photos but swapped ones. Throws Error(damaged).
+/// 12, those with the largest fraction of such pairs. Two suspects are swapped if each fits its neighbors
+/// with the other's camera, and at least twice as well as with its own. Other photos are reported if they
+/// contradict all photos except swapped ones. Throws Error(damaged).
 MisplacedPhotos misplaced_photos(const PoseRefinementInput& input,
                                  std::span<const package::PairRecord> pairs);
 

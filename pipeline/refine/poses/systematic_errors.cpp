@@ -20,18 +20,18 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 using package::PairRecord;
 
-constexpr double min_pixels = 1;         ///< of an error of a lens
-constexpr double min_apart = 0.5;        ///< px by which a common motion displaces photos from each other
+constexpr double min_pixels = 1;         ///< minimum error of a lens
+constexpr double min_apart = 0.5;        ///< px between photos, from a common motion
 constexpr double min_sigmas = 3;         ///< of any error, in standard errors
-constexpr double common_explains = 0.5;  ///< cost of held-out cells that is left at most
+constexpr double common_explains = 0.5;  ///< largest remaining fraction of the cost of held-out cells
 constexpr double lens_explains = 0.75;
 constexpr double pose_prior = 0.5, lens_prior = 1e-3;  ///< 1/px^2
-constexpr double weak = 0.03;   ///< prior of the common motion, relative to its best known unknown
+constexpr double weak = 0.03;   ///< prior of the common motion, relative to its best-determined unknown
 constexpr int max_groups = 12;  ///< of photos held out by the jackknife
 constexpr int iterations = 15;
 constexpr double converged_step = 1e-4;  ///< px
 
-/// What is fitted.
+/// The unknowns of a fit.
 struct Model {
     bool poses = false, lenses = true, frame = true;
     std::vector<bool> moving{};  ///< with `poses`: the photos whose cameras move; empty: all
@@ -39,7 +39,7 @@ struct Model {
 };
 const Model poses_only{.poses = true, .lenses = false, .frame = false};
 
-/// Whether a cell takes part.
+/// Whether a cell is used.
 using Used = std::function<bool(const PairCells&, const CellDisplacement&)>;
 bool any_cell(const PairCells&, const CellDisplacement&) { return true; }
 
@@ -64,8 +64,7 @@ class SystematicFit {
         }
         return x;
     }
-    /// Visits cells that are held out of the fit, one half after the other, and what is left of their
-    /// displacement.
+    /// Visits the cells held out of the fit, one half after the other, with their residual displacement.
     template <class Visit>
     void each_held_out(const Model& model, const Used& used, const Visit& visit) const {
         for (const bool half : {false, true}) {
@@ -77,7 +76,7 @@ class SystematicFit {
             }
         }
     }
-    /// Their mean of ln(1 + |residual|^2).
+    /// The mean of ln(1 + |residual|^2) over held-out cells.
     double held_out_cost(const Model& model, const Used& used) const {
         double sum = 0, weight = 0;
         each_held_out(model, used, [&](const CellDisplacement& c, const Vector2d& left) {
@@ -91,7 +90,7 @@ class SystematicFit {
     static constexpr int frame_size = 7, per_cell = 25;  ///< unknowns: 2 poses, 2 lenses, the common motion
     using Jacobian = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, per_cell>;
     using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, per_cell, per_cell>;
-    /// The unknowns that are fitted to a pair: among those of a cell, and among all.
+    /// The unknowns of a pair: their columns in a cell, and among all.
     struct Columns {
         std::vector<int> of_cell, of_all;
     };
@@ -123,8 +122,8 @@ class SystematicFit {
         for (int i = 0; i < j.cols(); ++i) out -= j.col(i) * x[columns.of_all[std::size_t(i)]];
         return out;
     }
-    /// Pull of each unknown to 0. That of the common motion is strong enough to keep directions along the
-    /// surface, which pairs do not show, at 0.
+    /// Prior weight that pulls each unknown to 0. That of the common motion is strong enough to keep motions
+    /// along the surface, which pairs do not determine, at 0.
     VectorXd priors(const VectorXd& diagonal) const {
         VectorXd out = VectorXd::Constant(diagonal.size(), pose_prior);
         out.tail(out.size() - lens_at(0)).setConstant(lens_prior);
@@ -192,7 +191,7 @@ class ErrorSearch {
             if (fit_.lens(i) == lens) out.push_back(i);
         return out;
     }
-    /// What is fitted without each group of photos. Fitted on first use: most scenes show no error.
+    /// The fits without each group of photos. Computed on first use, because most scenes show no error.
     const std::vector<VectorXd>& fits_without_groups() {
         if (!without_.empty()) return without_;
         without_.resize(groups_);
@@ -204,7 +203,7 @@ class ErrorSearch {
         });
         return without_;
     }
-    /// Jackknife over the groups of photos, without groups that hold all of `photos`.
+    /// Jackknife over the groups of photos, except groups that contain all of `photos`.
     double uncertainty(const std::function<double(const VectorXd&)>& distance,
                        std::span<const std::uint32_t> photos = {}) {
         std::vector<double> distances;
@@ -215,7 +214,7 @@ class ErrorSearch {
         }
         return jackknife_error(distances);
     }
-    /// Whether unknowns of a lens are an error.
+    /// Whether a lens's unknowns indicate an error.
     bool is_found(std::uint32_t lens, int at, int count, const Model& without) {
         const double value = all_.segment(at, count).norm();
         const auto distance = [&](const VectorXd& x) { return (x - all_).segment(at, count).norm(); };
@@ -254,7 +253,7 @@ class ErrorSearch {
         if (!out.words.empty()) out.words = name_of(out.photos) + ": " + out.words;
         return out;
     }
-    /// Median distance in px between two common motions: of photos from each other, or of what they see.
+    /// Median distance in px between two common motions: between photos, or of the visible surface.
     double motion(Eigen::Matrix<double, 2, 7> CellDisplacement::*of, const VectorXd& a,
                   const VectorXd& b) const {
         std::vector<double> moved;

@@ -20,24 +20,24 @@ struct LensError {
 /// Errors that many pairs of photos show in the same way.
 struct SystematicErrors {
     std::vector<LensError> lenses;  ///< only those found
-    /// The smallest motion with which the cameras, composed with it, fit the mesh. Identity: no error found.
+    /// The smallest motion that makes the cameras, composed with it, fit the mesh. Identity: no error found.
     Similarity common{};
     double common_motion = 0;  ///< the same in px, median
-    double uncertainty = 0;    ///< standard error of it, px
+    double uncertainty = 0;    ///< its standard error, px
     std::string words{};       ///< about the common motion
 };
 
-/// Fits, robustly and all together, a motion of all cameras and, per lens, the focal length and a rolling
-/// shutter to the displacements of the pairs' cells. An error is found if it displaces by three times its
-/// standard error (jackknife over photos) and by 1 px (a lens) or photos by 0.5 px from each other (all
-/// cameras); if cells that were held out of the fit are displaced less with it; and, for lenses, if poses
-/// alone do not explain them better. A displaced mesh shows as a motion of all cameras; other errors of the
-/// mesh are not explained by few numbers.
+/// Fits, robustly and jointly, a motion of all cameras and, per lens, the focal length and a rolling shutter
+/// to the displacements of the pairs' cells. An error is found if its displacement is at least three times
+/// its standard error (jackknife over photos) and at least 1 px (a lens), or 0.5 px between photos (all
+/// cameras); if it reduces the displacement of held-out cells; and, for lenses, if poses alone do not explain
+/// them better. A displaced mesh appears as a motion of all cameras; other errors of the mesh cannot be
+/// explained by few parameters.
 SystematicErrors systematic_errors(const PoseRefinementInput& in, const CellDisplacements& cells);
 
-/// What remains of the displacement of cells if the cameras of `photos` move each on its own: their median
-/// without the motions and with them, in px, of pairs with one of the photos; half of the cells, as on a
-/// checkerboard, is held out of the fit, one half after the other. 0, 0 without cells.
+/// The displacement of cells if the cameras of `photos` move individually: the median without the motions and
+/// with them, in px, over pairs with one of the photos. Half of the cells, as on a checkerboard, are held out
+/// of the fit, one half after the other. 0, 0 without cells.
 struct LeftByPoses {
     double before, after;
 };
