@@ -63,7 +63,7 @@ void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std
             break;
         }
     }
-    // Players do without.
+    // The player does not need it.
     if (!reader.find(Type::samples, i))
         add(out, Finding::chunk_length, fmt::format("{}: SAMP is missing", p.name));
 }
@@ -144,7 +144,7 @@ Finding finding_of(InputChange::Kind kind) {
 void check_against(const PackageReader& reader, const CheckDepth& depth, Issues& out) {
     std::optional<IdentityCache> default_cache;
     IdentityCache& identities = depth.identities ? *depth.identities : default_cache.emplace();
-    // What the mesh is compared with or shown with may lie elsewhere.
+    // Reference meshes and point clouds may be elsewhere.
     InputFiles others;
     for (const auto& [list, files] :
          {std::pair("compared", &others.compared), std::pair("points", &others.points)}) {

@@ -13,7 +13,7 @@ class IdentityCache;
 /// A finding about a package.
 struct Issue {
     Finding finding;
-    std::string text;  ///< where, and what was expected and found
+    std::string text;  ///< location, expected and actual value
 
     const FindingRow& row() const { return finding_row(finding); }
 };
@@ -22,7 +22,7 @@ struct Issue {
 /// there are none.
 Exit worst(const std::vector<Issue>& issues);
 
-/// How much a check covers.
+/// The extent of a check.
 struct CheckDepth {
     bool deep = false;                    ///< also verify every tile's checksum and the weight maps' meaning
     std::filesystem::path against{};      ///< compare with this input folder, unless empty
@@ -30,7 +30,7 @@ struct CheckDepth {
 };
 
 /// Checks structure, checksums of chunks without tiles, contents and completeness. A package that cannot be
-/// opened is an issue, too. Throws Error(storage).
+/// opened is also an issue. Throws Error(storage).
 std::vector<Issue> check_package(const std::filesystem::path& file, const CheckDepth& depth);
 
 }  // namespace vantage

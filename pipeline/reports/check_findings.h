@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// Everything that `vantage check` can find.
+/// All findings of `vantage check`.
 enum class Finding {
     cannot_open,
     not_a_package,
@@ -62,8 +62,8 @@ Finding finding_of(Defect defect);
 
 /// "unreadable", "damaged", "stale", "incomplete".
 const char* kind_name(Exit kind);
-/// The same for a finding; "inputs unreadable", "story unreadable" or "story incomplete" if that says nothing
-/// about the package.
+/// The same for a finding; "inputs unreadable", "story unreadable" or "story incomplete" if it does not
+/// concern the package itself.
 const char* kind_name(const FindingRow& row);
 
 /// The row as a line of the table in docs/check-findings.md.

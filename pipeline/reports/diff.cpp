@@ -26,7 +26,7 @@ using package::PhotoRecord;
 using package::Type;
 using Differences = std::vector<Difference>;
 
-/// A value on a line of its own.
+/// A value as one line of text.
 std::string brief(const json& value) {
     constexpr std::size_t longest = 60;
     const std::string text = value.is_null()     ? "none"
@@ -35,7 +35,7 @@ std::string brief(const json& value) {
     return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
-/// The name by which an element of a list is found in the other list: its own, or its place.
+/// The key by which an element of a list is found in the other list: its name, or its index.
 std::string key_in(const json& list, std::size_t i) {
     const json& value = list[i];
     if (value.is_object() && value.contains("name") && value["name"].is_string()) return value["name"];
@@ -67,7 +67,7 @@ void diff_values(const char* of, const std::string& what, const json& a, const j
                     out);
 }
 
-/// At most `listed` of the differences in one list; more only as their number.
+/// Lists at most `listed` differences of one kind; counts the others.
 void diff_json(const char* of, const json& a, const json& b, Differences& out, const std::string& what = "") {
     constexpr std::size_t listed = 12;
     Differences found;
@@ -92,14 +92,14 @@ void diff_meta(const PackageReader& a, const PackageReader& b, Differences& out)
         diff_json("inputs", of_a.value(list, json{}), of_b.value(list, json{}), out, list);
 }
 
-/// Whether the chunks are stored as the same bytes.
+/// Whether the stored bytes of the chunks are equal.
 bool same_chunk(const DirectoryEntry* a, const DirectoryEntry* b) {
     if (!a || !b) return a == b;
     return a->form == b->form && a->checksum == b->checksum && a->length == b->length &&
            a->head_length == b->head_length;
 }
 
-/// Whether chunks without blocks have the same content, in whatever form.
+/// Whether chunks without blocks have the same content, compressed or not.
 bool same_content(const PackageReader& a, const DirectoryEntry* of_a, const PackageReader& b,
                   const DirectoryEntry* of_b) {
     if (same_chunk(of_a, of_b)) return true;
@@ -173,7 +173,7 @@ std::string compare_coordinates(const PackageReader& a, const PackageReader& b, 
                                 std::uint32_t j, const PhotoRecord& photo) {
     const auto x = a.records<std::array<float, 2>>(Type::coordinates, i);
     const auto y = b.records<std::array<float, 2>>(Type::coordinates, j);
-    if (x.size() != y.size()) return "of another model";
+    if (x.size() != y.size()) return "of a different model";
     std::size_t visibility = 0;
     double farthest = 0;
     for (std::size_t v = 0; v < x.size(); ++v)
@@ -189,7 +189,7 @@ std::string compare_coordinates(const PackageReader& a, const PackageReader& b, 
 std::string compare_visible(const PackageReader& a, const PackageReader& b, std::uint32_t i,
                             std::uint32_t j) {
     const auto x = a.records<std::uint64_t>(Type::visible, i), y = b.records<std::uint64_t>(Type::visible, j);
-    if (x.size() != y.size()) return "of another model";
+    if (x.size() != y.size()) return "of a different model";
     int bits = 0;
     for (std::size_t w = 0; w < x.size(); ++w) bits += std::popcount(x[w] ^ y[w]);
     return fmt::format("visibility of {} triangles differs", bits);
@@ -208,7 +208,7 @@ std::string compare_thumbnails(const PackageReader& a, const PackageReader& b, s
     return fmt::format("by at most {:.0f} of 255", t.largest);
 }
 
-/// Called for the finest level that differs; coarser levels follow from it. Empty if the content is the same.
+/// Compares the finest level that differs; coarser levels follow from it. Empty if the content is the same.
 std::string compare_chunk(const PackageReader& a, const PackageReader& b, Type type, std::uint32_t level,
                           std::uint32_t i, std::uint32_t j) {
     const PhotoRecord& photo = a.photos()[i];

@@ -11,19 +11,19 @@ namespace vantage {
 struct Difference {
     std::string of;    ///< "settings", "inputs", "model", or a photo's name
     std::string what;  ///< the setting, part or artifact; empty if `of` is in one package only
-    std::string text;  ///< how they differ, as a message
+    std::string text;  ///< the difference, as a message
 };
 
 /// All differences; photos are paired by name, in the order of `a`. Chunks with equal checksums are equal,
-/// for both packages are checked first. Throws Error(damaged) if one of them is not valid.
+/// because both packages are checked first. Throws Error(damaged) if one of them is invalid.
 std::vector<Difference> diff(const PackageReader& a, const PackageReader& b);
 
 /// Whether write_difference_page may write into the folder. Throws Error(usage).
 void expect_replaceable(const PackageReader& a, const PackageReader& b, const std::filesystem::path& folder,
                         bool force);
 
-/// Writes index.html: what was compared, `all` differences as a table or that there are none, and pictures of
-/// the photos that differ (tiles and each weight map), PNG files with A, B and the difference side by side.
+/// Writes index.html: the packages compared, a table of `all` differences (if any), and pictures of the
+/// photos that differ (tiles and each weight map), PNG files with A, B and the difference side by side.
 /// Returns the page's path. Throws Error(storage).
 std::filesystem::path write_difference_page(const PackageReader& a, const PackageReader& b,
                                             const std::vector<Difference>& all,

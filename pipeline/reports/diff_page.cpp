@@ -28,7 +28,7 @@ using package::Type;
 
 constexpr int longest = 800;  ///< px of a picture on the page
 
-/// Follows page_style.
+/// Appended to page_style.
 constexpr const char* diff_style = R"(
 body { max-width: 90rem; } img { width: 100%; } figure { margin-bottom: 2rem; } td { vertical-align: top; }
 .equal { color: var(--better); } .differ { color: var(--worse); }
@@ -110,9 +110,8 @@ void write_differences(std::ostream& out, const std::vector<Difference>& all) {
     const Column columns[] = {
         {"in", "a photo, or the part of the package: settings, inputs, model"},
         {"what",
-         "the setting, or what was made from the photo. Tiles: its pixels; weight maps: how much it counts "
-         "where; "
-         "coordinates: where vertices lie in it"},
+         "the setting, or the data made from the photo. Tiles: its pixels; weight maps: its blending weight; "
+         "coordinates: the positions of vertices in it"},
         {"difference",
          "A vs. B. Levels are those of the photo's pyramid: 0 is full size, each further one half of it"}};
     out << "<h2>Differences</h2>\n" << explained_table(columns);
@@ -146,7 +145,6 @@ fs::path write_page(const fs::path& folder, const PackageReader& a, const Packag
         << page_style << diff_style << "</style>\n<h1>" << title << "</h1>\n";
     if (all.empty())
         out << "<p class=equal>Identical: settings, inputs, effects, model, and all photos with everything "
-               "that was "
                "made from them.</p>\n";
     else
         out << "<p class=differ>" << count_of(all.size(), "difference") << ", listed below.</p>\n";

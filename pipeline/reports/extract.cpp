@@ -39,7 +39,7 @@ struct PhotoFiles {
     fs::path photo, weight_maps, depth;
     Product photo_format;
 };
-/// What is extracted, and where.
+/// The contents to extract, and their destination.
 struct Extraction {
     const PackageReader& reader;
     fs::path folder;
@@ -47,8 +47,8 @@ struct Extraction {
     std::vector<std::string>
         stems;  ///< per photo: its files' name, in a folder of its image set if there are several
 
-    /// Of the photo as it is written: none if it is undistorted, because that is asked for or COLMAP has no
-    /// such lens.
+    /// The lens of the written photo: none if it is undistorted, on request or because COLMAP has no such
+    /// lens.
     Lens lens(std::uint32_t photo) const {
         const Lens lens = lens_of(reader, photo);
         return undistorted || !has_colmap_model(lens) ? Lens{} : lens;
@@ -61,7 +61,7 @@ struct Extraction {
         return {folder / photos_name / (stem + (own ? ".jpg" : ".png")), folder / "weights" / (stem + ".png"),
                 folder / "depth" / (stem + ".exr"), own ? Product::jpeg : Product::png};
     }
-    /// The first line of the cameras' files: folders extracted in one way take no photos of the other.
+    /// The first line of the camera files: a folder holds either original or undistorted photos.
     std::string comment() const {
         return undistorted ? "# Cameras of the extracted photos, undistorted\n"
                            : "# Cameras of the extracted photos, as taken\n";
@@ -92,7 +92,7 @@ void write_mesh(const PackageReader& reader, const fs::path& file) {
                      .colors = colors});
 }
 
-/// Node by node, coarse before fine.
+/// Writes points node by node, coarse before fine.
 void write_points(const PackageReader& reader, const PointCloud& cloud, const fs::path& file) {
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(reader.scene().origin);
     const package::DirectoryEntry& chunk = *reader.find(Type::points);
@@ -108,13 +108,13 @@ void write_points(const PackageReader& reader, const PointCloud& cloud, const fs
     });
 }
 
-/// The photo's own JPEG, with a comment by which it is known as one of ours.
+/// The photo's own JPEG, with a comment that identifies it as our output.
 void write_jpeg(const PackageReader& reader, const package::DirectoryEntry& tiles, const Level& level,
                 const fs::path& file) {
     const auto jpeg = holds_level(reader, tiles, level) ? own_jpeg(reader, tiles) : std::nullopt;
     if (!jpeg)
         throw DamagedPackage(Defect::tile_checksum, reader.path().string() + ": " + describe(tiles, reader) +
-                                                        ": a part of the photo is damaged");
+                                                        ": the photo is damaged");
     constexpr std::size_t start_of_image = 2;
     const std::size_t length = jpeg_mark.size() + 2;
     const char comment[] = {'\xff', '\xfe', char(length >> 8), char(length & 0xff)};
@@ -153,8 +153,8 @@ void write_photo(const Extraction& to, std::uint32_t i) {
     image(Type::depth, weight_map_level, files.depth, 1, Sample::f32);
 }
 
-/// The cameras of all photos that are in the folder now, in the input's coordinates: those just written and
-/// those of an earlier call.
+/// The cameras of all photos in the folder, in the input's coordinates: those just written and those of
+/// earlier calls.
 std::vector<NamedCamera> extracted_cameras(const Extraction& to) {
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(to.reader.scene().origin);
     std::vector<NamedCamera> out;
@@ -168,14 +168,15 @@ std::vector<NamedCamera> extracted_cameras(const Extraction& to) {
     return out;
 }
 
-/// A folder holds photos as taken or undistorted ones: a camera must not stand for the other.
+/// Throws if the folder's photos are of the other kind (original or undistorted), because the cameras would
+/// not match.
 void expect_same_way(const Extraction& to) {
     const fs::path file = to.folder / cameras_name / colmap_text_files[0];
     std::ifstream in(file);
     for (std::string line; std::getline(in, line) && line.starts_with("#");)
         if (line.starts_with("# Cameras of the extracted photos") && line + "\n" != to.comment())
             throw Error(Exit::usage,
-                        fmt::format("{}: holds photos {}, expected another folder", to.folder.string(),
+                        fmt::format("{}: holds photos {}, expected a different folder", to.folder.string(),
                                     to.undistorted ? "as taken" : "without their distortion"));
 }
 
@@ -219,7 +220,7 @@ Extracted extract(const fs::path& package, const fs::path& folder, const std::ve
     if (!wanted.empty()) expect_same_way(to);
     expect_replaceable(to, wanted, force);
     for (const std::uint32_t i : wanted) write_photo(to, i);
-    // The comment tells them apart from inputs written by synth, which are never replaced.
+    // The comment distinguishes them from inputs written by synth, which are never replaced.
     if (!wanted.empty()) write_colmap_text(folder / cameras_name, extracted_cameras(to), to.comment());
     Extracted out{.photos = wanted.size()};
     if (!points_only(reader.scene())) {

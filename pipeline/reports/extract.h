@@ -15,11 +15,11 @@ struct Extracted {
 /// weights/NAME.png (angle, depth, border, transient masking at half size, of the pinhole camera),
 /// depth/NAME.exr (likewise; linear z, +inf: unseen), mesh.ply and points.ply (input coordinates, doubles),
 /// and the cameras of these photos as COLMAP text in sparse/ (poses as refined, input coordinates, doubles).
-/// Photos whose lens COLMAP cannot express are undistorted. NAME is without extension, unless other photos
-/// share it, and in a folder of its image set if there are several. Only the photos in `names`; all if it is
-/// empty; none of those without pixels. Replaces only pictures, meshes and cameras that it may have written,
-/// with `force` any file, but no input of the package. The mesh is that of the package, whose large triangles
-/// are divided, see subdivide_large_triangles(). Throws Error.
+/// Photos whose lens COLMAP cannot express are undistorted. NAME has no extension, unless other photos share
+/// the name, and includes a folder of the image set if there are several. Extracts the photos in `names`, or
+/// all if it is empty; photos without pixels are omitted. Replaces only pictures, meshes and cameras that it
+/// may have written; with `force`, any file except inputs of the package. The mesh is that of the package,
+/// whose large triangles are divided, see subdivide_large_triangles(). Throws Error.
 Extracted extract(const std::filesystem::path& package, const std::filesystem::path& folder,
                   const std::vector<std::string>& names, bool undistorted = false, bool force = false);
 

@@ -13,8 +13,8 @@ namespace {
 using Unit = CameraSet::Unit;
 using Numbers = std::array<double, 4 + std::tuple_size_v<decltype(Lens::p)>>;
 
-/// The angle in radians from the axis, at most `widest`, that the lens shows at `radius`, in focal lengths,
-/// in a direction; negative if the radius is.
+/// The angle in radians from the axis, at most `widest`, of the ray that the lens images at `radius` (in
+/// focal lengths) in a direction; negative for a negative radius.
 double angle_at(const Lens& lens, double widest, const Eigen::Vector2d& direction, double radius) {
     if (radius < 0) return -angle_at(lens, widest, -direction, -radius);
     double low = 0, high = widest;
@@ -27,7 +27,7 @@ double angle_at(const Lens& lens, double widest, const Eigen::Vector2d& directio
     return low;
 }
 
-/// The field of view of a camera whose photo's size is not known, as far as the unit tells; else NaN.
+/// The field of view of a camera whose photo size is unknown, if the unit determines it; else NaN.
 double field_of_view(const CameraSet::Entry& entry, int axis) {
     if (entry.unit == Unit::pixels) return field_of_view(entry.camera, axis);
     Camera camera = entry.camera;

@@ -14,7 +14,7 @@ namespace vantage {
 struct LensFacts {
     std::size_t cameras = 0;
     std::size_t calibrations = 0;  ///< number of different intrinsics and lenses among them
-    int width = 0, height = 0;     ///< px; 0 if the file of cameras does not say
+    int width = 0, height = 0;     ///< px; 0 if not in the camera file
     CameraSet::Unit unit{};        ///< of the focal lengths
     LensModel model{};
     Range focal_x{}, focal_y{};
@@ -32,15 +32,15 @@ struct CameraFacts {
     std::vector<LensFacts> lenses;  ///< those of most cameras first
 };
 
-/// Numbers that are not finite, and focal lengths that are not positive, do not count.
+/// Ignores numbers that are not finite, and focal lengths that are not positive.
 CameraFacts camera_facts(std::span<const CameraSet::Entry> cameras);
 
 /// "px", "photo width" or "longer side".
 const char* name(CameraSet::Unit unit);
 
 /// The angle in degrees that a camera sees between the left and the right edge of its frame (`axis` 0), or
-/// the upper and the lower (1), through its principal point and its lens. Where the lens's equation ends
-/// inside the frame, the angle ends as well. NaN without the frame's size.
+/// the upper and the lower (1), through its principal point and its lens. If the lens's valid range ends
+/// inside the frame, so does the angle. NaN without the frame's size.
 double field_of_view(const Camera& camera, int axis);
 
 }  // namespace vantage

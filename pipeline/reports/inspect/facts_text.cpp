@@ -164,9 +164,9 @@ void add_photos(const InputFacts& facts, Lines& out) {
 }
 
 void add_scale(const ScaleFacts& scale, Lines& out) {
-    out.add("scale", "no unit known: the files do not say how long a unit is");
+    out.add("scale", "no unit known: the files do not state one");
     const std::string distance = in_words(scale.distance, 3), typical = fmt::format("{:.3g}", scale.typical);
-    out.add("scale", "cameras are {} units from what they see{}: {:.3g} of the model's diagonal", distance,
+    out.add("scale", "cameras are {} units from the surface{}: {:.3g} of the model's diagonal", distance,
             distance == typical ? "" : ", typically " + typical, scale.in_model);
     out.add("scale", "a pixel is typically {:.3g} units wide there", scale.pixel);
     const std::vector<std::string> units = plausible_units(scale.typical);

@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// The facts for people: lines with a label each. Long lists are cut; facts_json() has all of them. The error
-/// is left to the caller.
+/// The facts for people, as labeled lines. Long lists are truncated; facts_json() has all entries. The caller
+/// prints the error.
 std::string facts_text(const InputFacts& facts);
 
 }  // namespace vantage

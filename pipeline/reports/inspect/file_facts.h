@@ -9,7 +9,7 @@ namespace vantage {
 /// A file's format by its extension: "JPEG" for .jpg, "PLY" for .ply; empty without extension.
 std::string format_of(const std::filesystem::path& file);
 
-/// The length of files in bytes; 0 for one of which it is not known.
+/// The total length of files in bytes; unknown lengths count as 0.
 std::uint64_t length_of(const std::filesystem::path& file);
 std::uint64_t length_of(const std::vector<std::filesystem::path>& files);
 

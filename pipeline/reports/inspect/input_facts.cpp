@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Takes a step; what is wrong is the error of the input, or a warning if there is one already.
+/// Runs a step; its failure becomes the input's error, or a warning if there is already one.
 template <class Step>
 void attempt(InputFacts& facts, const Step& step) {
     try {
@@ -50,7 +50,7 @@ void add_scene(const SceneInput& scene, InputFacts& facts) {
             {scene.image_sets[b], std::size_t(std::ranges::count(scene.photos, b, &PhotoInput::image_set))});
 }
 
-/// As prepare() begins, with the same results.
+/// Plans like the beginning of prepare(), with the same results.
 void add_plan(SceneInput scene, const PrepareSettings& settings, const fs::path& out,
               std::chrono::steady_clock::time_point start, InputFacts& facts) {
     expect_usable(scene, settings);
@@ -90,7 +90,7 @@ void add_points(InputFacts& facts) {
     facts.points = shape_facts(all);
 }
 
-/// The parts of an input that is no scene, each by itself.
+/// Adds the parts of an incomplete input, each separately.
 void add_parts(InputFacts& facts) {
     InputFiles& files = facts.files;
     if (!files.mesh.empty())

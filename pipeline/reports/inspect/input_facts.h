@@ -19,8 +19,8 @@
 
 namespace vantage {
 
-/// What an input is, as far as it can be told before it is prepared. Parts are missing if the input lacks
-/// them or they cannot be read.
+/// The facts about an input that are known before it is prepared. Parts are missing if the input lacks them
+/// or they cannot be read.
 struct InputFacts {
     InputFiles files;
     std::optional<ShapeFacts> mesh{}, points{};  ///< points: all clouds together
@@ -35,7 +35,7 @@ struct InputFacts {
             std::string name;
             std::size_t photos;
         };
-        std::size_t photos = 0;            ///< that can be used
+        std::size_t photos = 0;            ///< usable photos
         std::vector<ImageSet> image_sets;  ///< if there are several
         std::optional<ScaleFacts> scale;
     };
@@ -45,20 +45,20 @@ struct InputFacts {
     /// Only if the scene can be prepared, or is misplaced.
     struct Plan {
         std::vector<std::string> not_seeing;  ///< names of photos that do not see the mesh
-        std::vector<EffectDecision> effects;  ///< those decided from all photos are still open
+        std::vector<EffectDecision> effects;  ///< those that depend on all photos are undecided
         ResourceEstimate needs{};
     };
     std::optional<Plan> plan{};
 
-    std::optional<Error> error{};  ///< with which `prepare` would end
+    std::optional<Error> error{};  ///< the error with which `prepare` would end
 
-    /// How `prepare` would end: with the error, Exit::incomplete if photos are skipped, or Exit::ok.
+    /// The exit code of `prepare`: that of the error, Exit::incomplete if photos are skipped, or Exit::ok.
     Exit exit() const;
 };
 
-/// Looks at an input without preparing it: reads the mesh, the cameras and the photos' headers, and writes
-/// nothing. `settings` are those of a preparation that began at `start`, whose package would be `out`. What
-/// is wrong with the input is in the result.
+/// Inspects an input without preparing it: reads the mesh, the cameras and the photos' headers, and writes
+/// nothing. `settings` are those of a preparation that began at `start`, whose package would be `out`. Errors
+/// of the input are part of the result.
 InputFacts input_facts(const FoundInput& found, const PrepareSettings& settings,
                        const std::filesystem::path& out, std::chrono::steady_clock::time_point start);
 

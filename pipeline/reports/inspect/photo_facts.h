@@ -22,7 +22,7 @@ struct PhotoGroup {
 struct PhotoFacts {
     std::vector<PhotoGroup> groups;  ///< those of most photos first
     std::vector<UnusablePhoto> unreadable;
-    std::size_t masks = 0;  ///< photos that have one
+    std::size_t masks = 0;  ///< number of photos with a mask
 
     std::size_t photos() const;
     std::uint64_t bytes() const;

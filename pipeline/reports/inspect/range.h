@@ -5,11 +5,11 @@
 
 namespace vantage {
 
-/// The least and the greatest of some values; empty, with low > high, if there are none.
+/// The smallest and the largest of some values; empty, with low > high, if there are none.
 struct Range {
     double low = std::numeric_limits<double>::infinity(), high = -low;
 
-    /// Values that are not finite do not count.
+    /// Ignores values that are not finite.
     void add(double value) {
         if (!std::isfinite(value)) return;
         low = std::min(low, value);

@@ -8,8 +8,8 @@
 
 namespace vantage {
 
-/// How large the model is for the cameras. No input format states its unit in a way that is read, so lengths
-/// are in units of the input.
+/// The size of the model relative to the cameras. No unit is read from any input format, so lengths are in
+/// units of the input.
 struct ScaleFacts {
     Range distance;       ///< over photos: median depth of the vertices in the frame that face the camera
     double typical = 0;   ///< median of these
@@ -22,7 +22,7 @@ struct ScaleFacts {
 /// it.
 std::optional<ScaleFacts> scale_facts(const SceneInput& scene, double diagonal);
 
-/// Units ("m", "cm", "mm") in which `distance` is one from which people take photos: 0.1 to 500 m.
+/// Units ("m", "cm", "mm") in which `distance` is typical of photos: 0.1 to 500 m.
 std::vector<std::string> plausible_units(double distance);
 
 }  // namespace vantage

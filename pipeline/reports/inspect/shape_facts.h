@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// What a mesh or a cloud holds.
+/// The contents of a mesh or a cloud.
 struct ShapeFacts {
     std::size_t vertices = 0, triangles = 0;
     Eigen::Vector3d low, high;        ///< box in input units, without strays

@@ -67,7 +67,7 @@ std::string colors_part(std::span<const package::PhotoRecord> photos, const Colo
     if (r.vignetting.on) out += vignetting_curves(r.fit);
     const Column columns[] = {
         {"photo", ""},
-        {"gray card", "left: how this photo shows a card that the mean photo shows as on the right"},
+        {"gray card", "left: a gray card in this photo; right: the same card in the mean photo"},
         {"stops", "exposure relative to the mean photo; +1: twice as bright", true},
         {"gains (red, green, blue)", "factors on linear light that match the mean photo", true},
         {"difference", "from other photos of the same surface: median of linear light, in percent", true},

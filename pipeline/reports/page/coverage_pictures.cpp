@@ -24,7 +24,7 @@ const std::array<CoverageClass, 5> coverage_classes{{{"no photo", {196, 48, 40}}
 
 namespace {
 
-/// An axis of the world, and which way along it is up.
+/// The world axis that points up, and its sign.
 struct UpAxis {
     int axis = 2;   ///< 0, 1, 2: x, y, z
     int sign = +1;  ///< -1: the axis points down
@@ -70,7 +70,7 @@ struct ParallelView {
 ParallelView look_along(int axis, const UpAxis& up, const Eigen::Vector3f& low, const Eigen::Vector3f& high,
                         int size) {
     const Eigen::Vector3f forward = -Eigen::Vector3f::Unit(axis);
-    // Seen from above or below, the axis before is at the top: y for z.
+    // Seen from above or below, the preceding axis is at the top: y for z.
     const Eigen::Vector3f down = axis == up.axis ? (-Eigen::Vector3f::Unit((axis + 2) % 3)).eval()
                                                  : (-float(up.sign) * Eigen::Vector3f::Unit(up.axis)).eval();
     ParallelView p{{}, (low + high) / 2, 1, 0, 0};
@@ -82,7 +82,7 @@ ParallelView look_along(int axis, const UpAxis& up, const Eigen::Vector3f& low, 
     return p;
 }
 
-/// The sides of the model, above and below last.
+/// A side of the model; above and below come last.
 struct Side {
     int axis;
     bool opposite;
@@ -101,7 +101,7 @@ std::vector<Side> sides(const UpAxis& up) {
     return out;
 }
 
-/// The nearest triangle of each pixel, and the farthest, which the opposite view shows.
+/// The nearest triangle of each pixel, and the farthest, which is visible in the opposite view.
 struct Canvas {
     static constexpr std::uint32_t nothing = ~0u;
     struct Pixel {
@@ -130,7 +130,7 @@ struct Canvas {
     }
 };
 
-/// Fills the pixels whose centers lie in the triangle, and always the one that contains its first corner.
+/// Fills the pixels whose centers lie in the triangle, and always the pixel of its first corner.
 void fill(Canvas& canvas, const std::array<Eigen::Vector3f, 3>& p, std::uint32_t number) {
     const auto pixel = [](float v, int end) { return std::clamp(int(v), 0, end - 1); };
     const int w = canvas.width, h = canvas.height;
@@ -227,7 +227,7 @@ std::array<ParallelView, 3> views(const Geometry& g, const UpAxis& up, int size)
             look_along(2, up, low, high, size)};
 }
 
-/// All triangles in all views, divided among the cores.
+/// Draws all triangles in all views, divided among the cores.
 std::vector<Canvas> draw(const Geometry& g, const std::array<ParallelView, 3>& views) {
     const std::size_t triangles = g.indices.size() / 3;
     const std::size_t shares = std::clamp(std::thread::hardware_concurrency(), 1u, 8u);

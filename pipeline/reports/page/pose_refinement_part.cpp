@@ -19,7 +19,7 @@ constexpr std::size_t max_maps = 12;
 constexpr double cell_side = 22,
                  arrow_length = 10;  ///< CSS px: side of a cell, length of a displacement of 1 px
 
-/// Arrows from where each part of a photo is expected in another to where it was found.
+/// Arrows from the predicted to the found position, in another photo, of each part of a photo.
 std::string map(const PairRecord& p) {
     std::string arrows;
     for (int row = 0; row < package::pair_rows; ++row)
@@ -47,8 +47,8 @@ std::string maps(std::span<const PhotoRecord> photos, std::vector<PairRecord> pa
     std::ranges::stable_sort(pairs, std::greater{}, &PairRecord::median);
     pairs.resize(std::min(pairs.size(), max_maps));
     std::string out =
-        "<p>The pairs that disagree most. Arrows run from where the cameras predict each part of the first "
-        "photo in the second to where it was found, magnified ten times; red: more than 1.5 px.</p>\n<div "
+        "<p>The pairs that disagree most. Arrows run from the predicted position of each part of the first "
+        "photo in the second to the found one, magnified ten times; red: more than 1.5 px.</p>\n<div "
         "class=grid>\n";
     for (const PairRecord& p : pairs)
         out += fmt::format(
@@ -80,14 +80,13 @@ std::string pose_refinement_part(std::span<const PhotoRecord> photos, const Pose
     const Column columns[] = {
         {"photo", ""},
         {"displacement",
-         "how far corners in other photos are from where the cameras predict them, before any camera is "
+         "distance of corners in other photos from the cameras' prediction, before any camera is "
          "moved: median, "
          "px of the photo",
          true},
         {"camera moved by", "median motion of the photo's content, in px", true},
         {"held-out corners",
-         "displacement of corners that had no part in the correction, before and after it: median, px",
-         true}};
+         "displacement of corners held out of the correction, before and after it: median, px", true}};
     out += explained_table(columns);
     for (std::size_t i = 0; i < photos.size(); ++i)
         if (photos[i].levels) out += photo_row(photos[i], r, i);

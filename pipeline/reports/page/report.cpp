@@ -38,7 +38,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using package::PhotoRecord;
 
-/// Follows page_style.
+/// Appended to page_style.
 constexpr const char* report_style = R"(
 h2 { margin-top: 2.5rem; } .well { color: var(--better); } .bad { color: var(--worse); }
 .grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: 1.2rem; }
@@ -90,19 +90,19 @@ std::string warnings_part(const json& meta) {
 
 const Column effect_columns[] = {
     {"effect", "name of the effect, as in --effect NAME=on"},
-    {"state", "whether it is used; forced: by --effect, not by what was measured"},
-    {"evidence", "what was found in the photos, cameras and mesh"},
-    {"measured", "the figure that decides, in the unit given", true},
+    {"state", "whether it is used; forced: by --effect, not by the measurement"},
+    {"evidence", "findings in the photos, cameras and mesh"},
+    {"measured", "the value compared with the threshold, in the given unit", true},
     {"threshold", "the effect is considered if the measured value is above it", true},
     {"gain",
-     "how much better photos that are held out are predicted from the others with the effect than without: "
+     "improvement, with the effect, of the prediction of held-out photos from the others: "
      "mean and "
-     "standard error in dB (3 dB: half the squared error). Empty: not judged this way",
+     "standard error in dB (3 dB: half the squared error). Empty: not validated",
      true},
     {"seams",
      "change, with the effect, of the steps in the picture where the blended photos change, in percent; "
      "negative is "
-     "better. Empty: not judged",
+     "better. Empty: not validated",
      true},
     {"time", "spent on it in this run, summed over all threads, in seconds", true},
     {"stored", "size in the package, in KB (1000 bytes)", true}};
@@ -112,7 +112,7 @@ std::string effects_part(const PackageReader& package, const json& meta,
     const std::vector<EffectCost> costs =
         effect_costs(package, run ? run->spans : std::vector<Trace::Span>{});
     std::string out =
-        "<h2>Effects</h2>\n<p>What was corrected or added, and why. An effect is on if the scene needs "
+        "<h2>Effects</h2>\n<p>Corrections and additions, and the reasons. An effect is on if the scene needs "
         "it.</p>\n" +
         explained_table(effect_columns);
     const json effects = meta.value("effects", json::array());
@@ -145,9 +145,8 @@ std::string coverage_part(const PackageReader& package) {
     });
     const auto area = covered.get();
     std::string out =
-        "<h2>Coverage</h2>\n<p>The number of photos that see the surface: each part of the bar is a share of "
-        "its "
-        "area. Below, the model from six sides along the input's axes.</p>\n<div class=bar>";
+        "<h2>Coverage</h2>\n<p>The number of photos that see the surface: each part of the bar is a fraction "
+        "of its area. Below, the model from six sides along the input's axes.</p>\n<div class=bar>";
     for (std::size_t c = 0; c < area.size(); ++c)
         out += fmt::format("<div style=\"width:{:.3f}%;background:{}\"></div>", 100 * area[c],
                            css(coverage_classes[c].color));
@@ -197,7 +196,8 @@ std::string weight_legend() {
 void write_photos_part(std::ostream& out, const PackageReader& package) {
     const auto photos = package.photos();
     out << "<h2>Photos</h2>\n<p>Below each photo, the weight it has when photos are blended, whatever the "
-           "view: white for full weight, otherwise the color of what lowers it most; the deeper the color, "
+           "view: white for full weight, otherwise the color of the main cause that lowers it; the deeper "
+           "the color, "
            "the lower the weight. Distances are along the optical axis, in the input's unit.</p>\n"
         << weight_legend() << "<div class=grid>\n";
     const double best = best_density(photos);
@@ -217,13 +217,13 @@ void write_photos_part(std::ostream& out, const PackageReader& package) {
 std::string run_part(const ReportRun& run) {
     const Column stages[] = {{"stage", "a step of preparing each photo"},
                              {"made", "photos for which this run did it", true},
-                             {"kept", "photos of which an earlier run's result was taken over", true},
-                             {"reason", "why it was done, with the photo or the number of photos"}};
+                             {"kept", "photos for which an earlier run's result was reused", true},
+                             {"reason", "reason to run it, with the photo or the number of photos"}};
     const Column times[] = {
         {"task", "what was done, as in the timeline"},
         {"count", "how often", true},
         {"total", "time of all of them together, in seconds; tasks of several threads overlap", true},
-        {"median", "half of them took less, in milliseconds", true},
+        {"median", "half of them took less time, in milliseconds", true},
         {"longest", "the slowest of them, in milliseconds", true}};
     std::string out = "<h2>Stages</h2>\n" + explained_table(stages);
     for (std::size_t s = 0; s < run.prepared.stages.size(); ++s) {

@@ -16,9 +16,9 @@ struct ReportRun {
     double seconds = 0, memory_mb = 0;
 };
 
-/// Writes a self-contained HTML page about a package: whether it is complete, warnings, the effects with
-/// their evidence, coverage of the model, each photo with its weight maps, and for a run the stages and their
-/// times. Throws Error(storage), and Error(damaged) if META cannot be parsed.
+/// Writes a self-contained HTML page about a package: completeness, warnings, effects with their evidence,
+/// coverage of the model, each photo with its weight maps, and for a run the stages and their times. Throws
+/// Error(storage), and Error(damaged) if META cannot be parsed.
 void write_report(const std::filesystem::path& file, const PackageReader& package,
                   const std::optional<ReportRun>& run);
 

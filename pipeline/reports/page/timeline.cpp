@@ -23,7 +23,7 @@ const char* color_of(const std::map<std::string, std::size_t>& order, const std:
     return stage == waiting ? "#eeeeee" : palette[order.at(stage) % palette.size()];
 }
 
-/// 1, 2 or 5 times a power of ten, so that there are at most ten ticks.
+/// A step of 1, 2 or 5 times a power of ten that gives at most ten ticks.
 double tick_step(double end) { return round_up(std::max(end / 10, 1e-3)); }
 
 std::string ticks(double end, double height) {

@@ -9,7 +9,9 @@ namespace vantage {
 
 // From Okabe and Ito's palette, which color-blind readers can tell apart.
 const std::array<WeightColor, 6> weight_colors{{
-    {"full weight", "seen from the front, as near as by any photo, away from edges", {255, 255, 255}},
+    {"full weight",
+     "seen from the front, at the finest resolution of all photos, away from edges",
+     {255, 255, 255}},
     {"at a slant", "the surface is turned away from the camera", {0, 114, 178}},
     {"from afar", "other photos are nearer, or have a longer lens, and show finer detail", {0, 158, 115}},
     {"near an edge",

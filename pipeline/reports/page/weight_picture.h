@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// Name and sRGB color of what lessens a photo's weight somewhere.
+/// Name and sRGB color of a cause that lowers a photo's weight.
 struct WeightColor {
     const char *name, *meaning;
     std::array<std::uint8_t, 3> color;
@@ -16,13 +16,12 @@ struct WeightColor {
 /// Full weight, angle, depth, border, transient masking, nothing seen: the legend of weight_picture().
 extern const std::array<WeightColor, 6> weight_colors;
 
-/// The linear depth at which the nearest of the photos resolves what it sees, as pixels per unit: of the
-/// median depth. 0 if none sees anything.
+/// The finest resolution of any photo, in pixels per unit at its median depth. 0 if no photo sees the model.
 double best_density(std::span<const package::PhotoRecord> photos);
 
-/// A photo's weight maps at a level of at most `longest` texels: white where the photo has its full weight,
-/// otherwise the color of the weight map that lessens it most, the deeper the more. A photo is far as far as
-/// its density is below `finest`. 1x1 and gray if the photo has no weight maps. Throws Error(damaged).
+/// A photo's weight maps at a level of at most `longest` texels: white for full weight, otherwise the color
+/// of the weight map that lowers it most, deeper for lower weights. A photo counts as far in proportion to
+/// its density below `best`. 1x1 and gray if the photo has no weight maps. Throws Error(damaged).
 RgbaImage weight_picture(const PackageReader& package, std::uint32_t photo, double best, int longest);
 
 }  // namespace vantage
