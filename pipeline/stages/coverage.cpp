@@ -105,7 +105,7 @@ package::CoverageRecord record(const package::ClusterRecord& c, const Extent& e,
     std::uint32_t seen = 0;
     for (std::uint32_t t = c.first_triangle; t < c.first_triangle + c.triangles; ++t) seen += part.at(t);
     r.seen = std::max<std::uint16_t>(1, clamped_u16(65535.0 * seen / c.triangles));
-    // A margin of two pixels covers what falls between pixels and what the player's depth test lets through.
+    // A margin of two pixels covers triangles between pixels, and those that the player's depth test passes.
     const double w = 65535.0 * (1 << weight_map_level) / k.width,
                  h = 65535.0 * (1 << weight_map_level) / k.height;
     r.u0 = clamped_u16(std::floor((e.x0 - 2) * w));

@@ -74,7 +74,7 @@ class AreaByEdge {
         area_[std::size_t(std::clamp(step, 0.0, double(area_.size() - 1)))] += f.area;
     }
     bool empty() const { return !(total_ > 0); }
-    /// The edge length in px below which this share of the area lies; infinite if there is none.
+    /// The edge length in px below which this fraction of the area lies; infinite without area.
     double below(double share) const {
         double sum = 0;
         for (std::size_t i = 0; i < area_.size(); ++i)
@@ -88,8 +88,8 @@ class AreaByEdge {
     double total_ = 0;
 };
 
-/// The 95th percentile of edge lengths by area, so that a few large triangles behind a dense object count for
-/// what they cover.
+/// The 95th percentile of edge lengths by area, so that a few large triangles behind a dense object count by
+/// their area.
 Measured triangle_size(const SceneInput& scene) {
     AreaByEdge all;
     const std::size_t step = std::max<std::size_t>(1, scene.mesh.triangles.size() / samples);
@@ -105,7 +105,8 @@ Measured triangle_size(const SceneInput& scene) {
                               edge)};
 }
 
-/// Of the photos that are shown together: those of an image set, if there are several.
+/// The spread of focal lengths among photos that are shown together: those of an image set, if there are
+/// several.
 Measured focal_spread(const SceneInput& scene, bool by_image_set) {
     if (scene.photos.empty()) return {0, "the scene has no photos"};
     double least = 1, most = 0;
@@ -140,7 +141,7 @@ Measured unseen_colors(const SceneInput& scene) {
                                100 * share)};
 }
 
-/// One field: its range and the share of vertices without value. Sets `varies`.
+/// Describes a field: its range and the percentage of vertices without value. Sets `varies`.
 std::string describe(const VertexField& field, bool& varies) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     std::size_t without = 0;
@@ -189,7 +190,7 @@ Measured image_sets(const SceneInput& scene) {
     return {double(scene.image_sets.size()), evidence};
 }
 
-/// Photos of which the length is not known, or 0, do not count; reduced ones count with as much less.
+/// Ignores photos of unknown or zero length; the length of reduced photos is scaled down.
 Measured raw_length(const SceneInput& scene) {
     double pixels = 0, bytes = 0;
     bool reduced = false;
@@ -204,7 +205,7 @@ Measured raw_length(const SceneInput& scene) {
         reduced |= decoded > kept;
     }
     if (bytes == 0) return {0, "there are no photos"};
-    // A third more for coarser levels; weight maps and depth, of twice as many bytes, begin at half size.
+    // Coarser levels add a third; weight maps and depth, with twice the bytes per texel, begin at half size.
     const double raw = pixels * 4 * (1 + 1 / 3.0) * 1.5;
     return {raw / bytes,
             fmt::format("raw, {:.1f} MB of photos{} become {:.1f} MB of tiles, weight maps and depth",
@@ -282,7 +283,7 @@ std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effe
         }
         decisions.push_back(decide(row.effect, choice_of(choices, row.effect),
                                    std::isfinite(m.value) ? m.value : 1e9, m.evidence));
-        // Even if forced on, there may be nothing to show.
+        // Even if the effect is forced on, there may be nothing to show.
         const bool nothing = (row.effect == Effect::vertex_colors && scene.mesh.colors.empty()) ||
                              (row.effect == Effect::scalar_fields && scene.mesh.scalars.empty()) ||
                              (row.effect == Effect::points && scene.points.positions.empty()) ||

@@ -7,12 +7,12 @@
 
 namespace vantage {
 
-/// Decides for each effect whether the scene needs it, with the measurement and its evidence in words.
+/// Decides for each effect whether the scene needs it, with the measurement and its textual evidence.
 /// `choices` overrides the decision.
 std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effect, EffectChoice>& choices);
 
-/// Whether inspect() turns the effect `transparency` on: the model is packed before. Unless forced, not for a
-/// mesh without any triangle to see: programs that do not use alpha write 0.
+/// Whether inspect() turns the effect `transparency` on; needed earlier, to pack the model. Unless forced,
+/// false for a mesh whose triangles are all invisible: programs that do not use alpha write 0.
 bool has_transparency(const Mesh& mesh, const std::map<Effect, EffectChoice>& choices);
 
 /// The finest sampling of the surface by any photo, in pixels per unit: the maximum of sqrt(fx fy) / z over a

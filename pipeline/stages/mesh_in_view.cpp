@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t max_examined = 200000;  ///< vertices per photo
 
-/// Whether the vertices in the frame span enough of it. They are visited in large steps, so that a photo that
-/// sees the mesh is done after a few.
+/// Whether the vertices in the frame span enough of it. They are visited in large steps, so that a few
+/// suffice for a photo that sees the mesh.
 bool sees(const PhotoInput& photo, const std::vector<Eigen::Vector3d>& positions) {
     const Intrinsics& k = photo.camera.intrinsics;
     const double enough = least_share_of_frame * k.width * k.height;

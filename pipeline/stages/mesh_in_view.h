@@ -6,15 +6,15 @@
 
 namespace vantage {
 
-/// A photo sees the mesh if what it shows of the mesh spans at least this share of its frame.
+/// A photo sees the mesh if the mesh's visible part spans at least this fraction of its frame.
 inline constexpr double least_share_of_frame = 0.001;
 
 /// The names of the photos that do not see the mesh. Occlusion is ignored.
 std::vector<std::string> photos_not_seeing_mesh(const SceneInput& scene);
 
 /// Throws Error(misplaced) with the bounding boxes of mesh and cameras if `blind`, the number of photos that
-/// do not see the mesh, is more than half of them: the mesh has another scale or place than the cameras, or
-/// its own frame.
+/// do not see the mesh, is more than half of them: the mesh has a different scale, position or frame than the
+/// cameras.
 void expect_mesh_in_view(const SceneInput& scene, std::size_t blind);
 
 }  // namespace vantage

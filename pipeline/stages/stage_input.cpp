@@ -40,7 +40,7 @@ const std::vector<Eigen::Vector2f>& StageInput::coordinates() {
         return coordinates_.emplace(
             facet_coordinates(view.projection, model.indices, geometry, photo.intrinsics));
     coordinates_ = vertex_coordinates(view.projection, view.triangles.indices, photo.intrinsics);
-    coordinates_->resize(model.positions.size(), Eigen::Vector2f(-1, -1));  // photos look through the others
+    coordinates_->resize(model.positions.size(), Eigen::Vector2f(-1, -1));  // photos see through the others
     return *coordinates_;
 }
 

@@ -33,10 +33,10 @@ struct PosedPhoto {
     std::string name;
     Intrinsics intrinsics;
     Pose pose;                      ///< relative to the origin
-    std::optional<LensTable> lens;  ///< nothing if the photo is as a pinhole camera takes it
+    std::optional<LensTable> lens;  ///< empty if the photo is that of a pinhole camera
 };
 
-/// The pixel data that these stages read, as of a pinhole camera.
+/// The pixel data that these stages read, as seen by a pinhole camera.
 struct CoarsePixels {
     /// At `weight_map_level`, one byte per texel; empty if the photo is opaque: valid where the lens images
     /// it.
@@ -55,7 +55,7 @@ struct LevelInput {
     PackageWriter& writer;
     std::uint32_t photo;
     const package::PhotoRecord& record;
-    std::uint32_t level;  ///< possibly beyond the last one that has tiles
+    std::uint32_t level;  ///< possibly coarser than the last level with tiles
     bool last;            ///< the coarsest
     const RgbaImage& image;
     std::span<const std::byte>
@@ -74,7 +74,7 @@ class StageInput {
     const PhotoGeometry geometry;
     package::PhotoRecord& record;
 
-    /// Texture coordinates of all vertices, made when they are first asked for; (-1, -1) where not visible.
+    /// Texture coordinates of all vertices, computed on first use; (-1, -1) where not visible.
     const std::vector<Eigen::Vector2f>& coordinates();
     /// Awaits the pixels.
     CoarsePixels& pixels();

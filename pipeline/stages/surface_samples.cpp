@@ -19,7 +19,7 @@ namespace {
 constexpr double min_pixels = 6;  ///< foreshortened radius in a photo
 constexpr double min_cosine = 0.2;
 
-/// Sample points on the unit disc: its center and three rings, each point for about the same area.
+/// Sample points on the unit disc: its center and three rings, each point representing about the same area.
 constexpr std::size_t disc_points = 1 + 6 + 12 + 18;
 std::array<Eigen::Vector2f, disc_points> make_disc() {
     std::array<Eigen::Vector2f, disc_points> out;
@@ -70,7 +70,7 @@ class DiscSampler {
                               center = pose_.R * disc.center.cast<double>() + pose_.t;
         const double cosine = std::abs(n.dot(center)) / std::max(center.norm(), 1e-300);
         if (!(center.z() > 0) || !(cosine > min_cosine)) return {};
-        // By the foreshortened size, so that texels do not extend beyond the disc.
+        // Uses the foreshortened size, so that texels do not extend beyond the disc.
         const double size = cosine * std::sqrt(k_.fx * k_.fy) * disc.radius / center.z();
         if (!(size >= min_pixels) || !(size < k_.width)) return {};
         const double texel = std::log2(0.3 * size) - sample_level;
@@ -96,14 +96,14 @@ class DiscSampler {
     }
 
   private:
-    /// A disc in camera space, and how to look it up.
+    /// A disc in camera space, and its lookup position.
     struct ProjectedDisc {
         Eigen::Vector3f center, along, across;
         float slack;  ///< tolerance of the depth test, scene units
         std::size_t level;
-        Eigen::Matrix<float, 2, 3> displaced;  ///< by the lens, px: the center, and further along and across
+        Eigen::Matrix<float, 2, 3> displaced;  ///< by the lens, px: center; change along and across
     };
-    /// By the lens; NaN beyond its range.
+    /// Displacement by the lens; NaN beyond its valid range.
     Eigen::Vector2d displacement(const Eigen::Vector3d& p) const {
         const Eigen::Vector2d at = pixel(p);
         return photo_pixel(*lens_, at) - at;

@@ -25,7 +25,7 @@ struct PhotoView {
     PhotoProjection projection;
 };
 
-/// Renders depth, angle and triangle maps from the photos' cameras: with OpenGL on a thread of its own, or on
+/// Renders depth, angle and triangle maps from the photos' cameras: with OpenGL on a separate thread, or on
 /// the CPU in the caller's thread. Thread-safe.
 class GeometryRenderer {
   public:
@@ -41,9 +41,9 @@ class GeometryRenderer {
     bool by_opengl() const;  ///< false: on the CPU
     DistanceMethod distance() const { return distance_; }
 
-    /// From now on the model is a stand-in, and depth that of `cloud`, which must outlive the renderer.
+    /// Makes the model a stand-in and takes the depth from `cloud`, which must outlive the renderer.
     void splats(const SplatCloud& cloud);
-    /// Null unless depth is that of a cloud.
+    /// The cloud of which the depth is rendered; else null.
     const SplatCloud* cloud() const { return cloud_; }
 
     /// On the CPU, rendering is deferred to the future's get().

@@ -9,8 +9,8 @@
 namespace vantage {
 namespace {
 
-/// Distance to the nearest border pixel at or above, in the same column, at most `none`; `before`: those of
-/// the row above.
+/// Distance to the nearest border pixel at or above, in the same column, at most `none`; `before`: distances
+/// of the row above.
 VANTAGE_SIMD void step(const std::uint8_t* border, const std::int16_t* before, std::int16_t* to, int width,
                        std::int16_t none) {
     for (int x = 0; x < width; ++x) {

@@ -24,7 +24,7 @@ Intrinsics map_intrinsics(const Intrinsics& photo);
 Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Pose& cam_from_origin,
                             double reach = std::numeric_limits<double>::infinity());
 
-/// Maps of a photo that sees nothing.
+/// Maps of a photo that does not see the model.
 PhotoGeometry empty_geometry(const Intrinsics& photo);
 
 }  // namespace vantage

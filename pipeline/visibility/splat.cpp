@@ -10,9 +10,9 @@ namespace vantage {
 namespace {
 
 constexpr float unseen = std::numeric_limits<float>::infinity();
-constexpr float filling = 2;        ///< radius of a splat, in half distances, at which few gaps are left
+constexpr float filling = 2;        ///< radius of a splat, in half distances, that leaves few gaps
 constexpr float largest = 64;       ///< radius of a splat, texels
-constexpr float hole_step = 0.02f;  ///< how much farther than its neighbors a hole is, relative to depth
+constexpr float hole_step = 0.02f;  ///< minimum depth of a hole behind its neighbors, relative to depth
 
 /// Draws a disc of constant depth.
 void draw(const Eigen::Vector2f& at, float radius, float z, Grid<float> map) {

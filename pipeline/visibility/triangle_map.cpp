@@ -32,7 +32,7 @@ std::pair<int, int> pixel_centers(Int low, Int high, int size) {
 /// Triangles after setup, `lanes` at a time. Edge function i, opposite corner i, is nonnegative inside the
 /// triangle; 1/z and value/z are linear over the map.
 struct SmallTriangles {
-    Ints small;           ///< -1 for those that are; the rest of the others is undefined
+    Ints small;           ///< -1 for small triangles; other fields of the others are undefined
     Ints large;           ///< likewise
     Ints x0, x1, y0, y1;  ///< bounding box, pixels; may be empty
     Ints row[3], step_x[3], step_y[3];

@@ -4,7 +4,7 @@
 namespace vantage {
 
 /// The stage of texture coordinates: writes them, if the package holds any for the photo, and the photo's
-/// measurements: the hull of what it sees, the share of visible vertices, depths.
+/// measurements: the footprint hull, the fraction of visible vertices, depths.
 void make_coordinates(StageInput& in);
 
 }  // namespace vantage

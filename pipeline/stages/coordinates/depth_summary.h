@@ -8,7 +8,7 @@ namespace vantage {
 struct DepthSummary {
     float nearest, farthest, median;
 };
-/// Depths are positive, +inf if nothing is seen. nullopt if none is finite.
+/// Depths are positive, +inf where nothing is visible. nullopt if none is finite.
 std::optional<DepthSummary> summarize_depths(std::span<const float> z);
 
 }  // namespace vantage

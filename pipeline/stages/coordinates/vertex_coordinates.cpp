@@ -62,7 +62,7 @@ VANTAGE_INLINE Size set_up(std::span<const ProjectedVertex> vertices, const std:
     return std::abs(t.area) > t.slack ? Size::small : Size::none;
 }
 
-/// Tests `lanes` vertices, starting at `i`. Returns whether any of them is hidden that was not.
+/// Tests `lanes` vertices, starting at `i`. Returns whether any is newly hidden.
 VANTAGE_INLINE bool hide_lanes(const SmallTriangle& t, std::size_t i, BinnedVertices& s) {
     Ints x, y, vertex, hidden;
     Floats inverse;
@@ -86,8 +86,8 @@ VANTAGE_INLINE bool hide_lanes(const SmallTriangle& t, std::size_t i, BinnedVert
     return any[0] | any[1] | any[2] | any[3];
 }
 
-/// The blocks of `lanes` that the triangle may hide vertices of, starting at `first`: one bit in
-/// the byte of each.
+/// The blocks, of `lanes` starting at `first`, in which the triangle may hide vertices: one bit in the byte
+/// of each.
 VANTAGE_INLINE std::uint64_t blocks_behind(const SmallTriangle& t, std::size_t first, const VertexBlocks& b) {
     Ints left, right, top, bottom;
     Floats inverse;
@@ -133,7 +133,7 @@ VANTAGE_INLINE std::size_t hide_in_blocks(const SmallTriangle& t, std::size_t fi
     return tests;
 }
 
-/// Widens the bounds by what the slack adds to the triangle, within these bins.
+/// Widens the bounds by the triangle's growth due to the slack, within these bins.
 VANTAGE_INLINE void add_slack(SmallTriangle& t, int x0, int x1, int y0, int y1) {
     // A barycentric coordinate is at least -slack / area; the factor also covers rounding.
     const float reach = 8 * t.slack / std::abs(t.area);
