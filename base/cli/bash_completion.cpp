@@ -7,13 +7,13 @@
 namespace vantage {
 namespace {
 
-/// What completes a value: the kind of file, or nothing to complete.
+/// The kind of file that completes a value; empty if none does.
 std::string kind_of(const DescribedOption& o) {
     if (o.type == "TEXT") return o.values.empty() ? "FILE" : "";
     return o.type == "FILE" || o.type == "FOLDER" || o.type == "PACKAGE" ? o.type : "";
 }
 
-/// A branch for the values of one option.
+/// The case branch for the values of one option.
 std::string value_case(const DescribedOption& o) {
     std::string out = "            " + joined(o.names, "|") + ") value=yes kind=" + kind_of(o);
     if (!o.values.empty()) out += " words='" + joined(o.values, " ") + "'";
@@ -21,7 +21,7 @@ std::string value_case(const DescribedOption& o) {
     return out + " ;;\n";
 }
 
-/// A branch for the options and arguments after a verb, or without one.
+/// The case branch for the options and arguments of a verb, or of the program itself.
 std::string bash_verb_case(const DescribedCommand& c, const std::string& pattern) {
     std::vector<std::string> names;
     for (const DescribedOption& o : c.options) names.insert(names.end(), o.names.begin(), o.names.end());
@@ -33,7 +33,7 @@ std::string bash_verb_case(const DescribedCommand& c, const std::string& pattern
     return out + "            esac ;;\n";
 }
 
-/// The beginning finds the option whose value is completed: bash breaks words at "=".
+/// Start of the script: finds the option whose value is being completed. Bash breaks words at "=".
 constexpr const char* beginning = R"(# Completion of PROGRAM for bash, made from its command line.
 FUNCTION() {
     local word=${COMP_WORDS[COMP_CWORD]} verb=${COMP_WORDS[1]} option= options= verbs= kind= words= value= commas=
@@ -49,8 +49,8 @@ FUNCTION() {
     case $verb in
 )";
 
-/// The end completes `words`, after a comma where there are several, or files: bash does so itself (default,
-/// dirnames) if there is nothing else.
+/// End of the script: completes `words`, after the last comma in a list, or files. Bash falls back to file
+/// names itself (default, dirnames).
 constexpr const char* end = R"(    esac
     COMPREPLY=()
     if [[ -z $value && $word == -* ]]; then

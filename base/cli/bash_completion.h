@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// A script for bash that completes the program's verbs, options, values and files. It uses functions of the
-/// package bash-completion, which loads it, to find packages, and works without.
+/// A bash script that completes the program's verbs, options, values and files. The package bash-completion
+/// loads it; its functions find packages, but are not required.
 std::string bash_completion(const DescribedCommand& program);
 
 }  // namespace vantage

@@ -25,10 +25,10 @@ struct Option::Entry {
 };
 
 struct Command::Node {
-    std::string program;  ///< of a verb
+    std::string program;  ///< name of the program, for a verb
     std::string version;
     std::shared_ptr<CLI::App> app;
-    std::deque<Option::Entry> options;  ///< with arguments
+    std::deque<Option::Entry> options;  ///< and arguments
     std::vector<Command> verbs;
     std::vector<std::string> common;
     std::function<int(const Command&)> action;
@@ -40,7 +40,7 @@ namespace {
     throw Error(Exit::usage, "expected " + expected + ", not '" + text + "'");
 }
 
-/// The whole text as a number within limits.
+/// Parses the whole text as a number within limits.
 template <class T>
 T number_in(const std::string& text, T least, T most, const std::string& expected) {
     T value{};
@@ -298,7 +298,7 @@ int Command::run(const std::vector<std::string>& arguments) const {
         names.push_back(verb.node_->app->get_name());
         if (first == names.back()) return verb.run({arguments.begin() + 1, arguments.end()});
     }
-    // Of a program that does something by itself, an argument may be a file.
+    // If the program has an action of its own, an argument may be a file.
     const bool file =
         node_->action && (first.find_first_of("./") != first.npos || std::filesystem::exists(first));
     if (!names.empty() && !first.starts_with('-') && !file) {
@@ -337,7 +337,7 @@ int Command::print_help(bool all) const {
     return int(Exit::ok);
 }
 
-/// What is wrong with the arguments that were left over.
+/// The error message for unparsed arguments.
 std::string Command::unexpected() const {
     const std::string word = node_->app->remaining().front();
     if (!word.starts_with('-')) return "'" + word + "' was not expected";

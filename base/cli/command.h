@@ -12,22 +12,23 @@
 
 #include "base/cli/described_command.h"
 
-/// The command lines of the programs, read by CLI11, which only command.cpp includes.
+/// Command lines of the programs, parsed by CLI11, which only command.cpp includes.
 namespace vantage {
 
-/// An option, flag or argument, completed where it is added. It refers to its Command, which must outlive it.
+/// An option, flag or argument, configured by chained calls. It refers to its Command, which must outlive it.
 class Option {
   public:
-    Option group(const std::string& heading) const;  ///< of --help; default "Options"
-    Option type(const std::string& kind) const;      ///< of the value: FILE, FOLDER, PACKAGE, PHOTO, ...
+    Option group(const std::string& heading) const;  ///< heading in --help; default "Options"
+    Option type(const std::string& kind) const;      ///< kind of value: FILE, FOLDER, PACKAGE, PHOTO, ...
     Option required() const;
-    /// Of a list: also takes several values in one word, "a,b".
+    /// For a list: also accepts several values in one word, "a,b".
     Option commas() const;
-    /// Of a list: takes one word only each time it is given, so that arguments may follow.
+    /// For a list: takes only one word per occurrence, so that arguments may follow.
     Option one_word() const;
     Option needs(const Option& other) const;
     Option excludes(const Option& other) const;
-    /// Lists values in --help and for completion. Others are accepted: they are files, or are checked later.
+    /// Values to list in --help and to complete. Others are accepted as well: they are files, or are checked
+    /// later.
     Option suggests(std::vector<std::string> values) const;
 
   private:
@@ -40,11 +41,12 @@ class Option {
 template <class T>
 using NamedValues = std::initializer_list<std::pair<const char*, std::type_identity_t<T>>>;
 
-/// A program or one of its verbs: its options, and what it does. A handle: copies refer to the same command.
+/// A program or one of its verbs, with its options and its action. A handle: copies refer to the same
+/// command.
 ///
-/// `names` are those of an option, "-o,--output", or of an argument, "FILE". `value` must outlive run(); what
-/// it is before is the default that --help shows, unless it is empty or out of range. A value that does not
-/// fit is a usage error that names the option and what was expected.
+/// `names` are those of an option, "-o,--output", or of an argument, "FILE". `value` must outlive run(); its
+/// initial value is the default that --help shows, unless it is empty or out of range. An invalid value is a
+/// usage error that names the option and the expected values.
 class Command {
   public:
     Command(const std::string& name, const std::string& description);
@@ -72,7 +74,7 @@ class Command {
             value = static_cast<std::remove_cvref_t<decltype(value)>>(given);
         });
     }
-    /// Such as 800M; K, M, G, T are powers of 1024. 0: no default.
+    /// A size such as 800M; K, M, G, T are powers of 1024. An initial value of 0 means no default.
     Option bytes(const std::string& names, std::uint64_t& value, const std::string& help) const;
     /// One of the named values.
     template <class T>
@@ -96,34 +98,33 @@ class Command {
     Option choices(const std::string& names, std::vector<std::string>& values,
                    const std::vector<std::string>& words, const std::string& help) const;
     Option list(const std::string& names, std::vector<std::string>& values, const std::string& help) const;
-    /// Two finite numbers in one word, "1,2", or in two.
+    /// Two finite numbers, as one word, "1,2", or as two.
     Option pair(const std::string& names, std::vector<double>& values, const std::string& help) const;
     /// --force, for commands that write files (see output_file).
     void force(bool& value) const;
     void version(const std::string& text) const;
-    Option quiet() const;  ///< -q, of a program that does something without a verb
+    Option quiet() const;  ///< -q, for a program that has an action without a verb
 
-    /// The options of a command with many that its --help lists, by their last names; --help-all lists all.
+    /// The options that --help lists, by their last names, for a command with many; --help-all lists all.
     void common(std::vector<std::string> names) const;
     /// Paragraphs, examples and exit codes at the end of --help.
     void notes(const std::string& text) const;
-    /// What the command does: it returns the exit code. It gets this command, whose options may be asked for.
+    /// Sets the action, which returns the exit code. It receives this command, to query its options.
     void action(std::function<int(const Command&)> run) const;
     void action(std::function<int()> run) const;
-    /// With the options of all verbs: --help, -q, --json and --version, that of the program.
+    /// Adds a verb, with the options of all verbs: --help, -q, --json and --version (the program's).
     Command verb(const std::string& name, const std::string& description) const;
 
-    /// Parses the arguments (without the program's name) and does what they ask for: --help, also as "help
-    /// VERB", a verb's action or the program's. `--describe`, which --help does not list, prints described()
-    /// as a line, of which the build makes the manual and the completion of shells. Returns the exit code.
-    /// Throws what actions throw, and Error(usage) for an unknown option or verb, with the one that is most
-    /// like it.
+    /// Parses the arguments (without the program's name) and prints the help (--help, or "help VERB"), or
+    /// runs the action of the verb or program. The hidden option `--describe` prints described() as one line,
+    /// from which the build makes the manual and the shell completions. Returns the exit code. Throws what
+    /// actions throw, and Error(usage) for an unknown option or verb, suggesting the most similar one.
     int run(const std::vector<std::string>& arguments) const;
-    /// Gives --`name` these values, at least one, if the command line did not. Throws Error(usage) for an
-    /// unknown option or a wrong value, with `place` in front, such as a file.
+    /// Sets --`name` to these values, at least one, unless the command line sets it. Throws Error(usage) for
+    /// an unknown option or an invalid value; the message starts with `place`, such as a file.
     void give(const std::string& name, const std::vector<std::string>& values,
               const std::string& place) const;
-    bool given(const std::string& group) const;  ///< whether any option of a group was
+    bool given(const std::string& group) const;  ///< whether any option of the group was
     DescribedCommand described() const;
 
   private:
@@ -144,7 +145,7 @@ class Command {
     std::shared_ptr<Node> node_;
 };
 
-/// The exit codes of both programs (Exit), for the end of --help. Each program returns some of them.
+/// The exit codes of both programs (Exit), for the end of --help. No program returns all of them.
 std::string exit_codes_text();
 
 }  // namespace vantage

@@ -4,40 +4,40 @@
 
 namespace vantage {
 
-/// Digits of a limit; larger ones only stand for "no limit".
+/// Longest text of a limit; longer ones mean "no limit".
 inline constexpr std::size_t longest_limit = 7;
 
 /// One option or argument of a command line.
 struct DescribedOption {
-    std::vector<std::string> names;  ///< "-o" and "--output"; of an argument its only name, such as "INPUT"
-    std::string type;  ///< of its value: FILE, FOLDER, PACKAGE, NUMBER, TEXT, ...; empty: a flag
-    std::vector<std::string> values;  ///< to choose from; empty if there is no such list
-    std::string least, most;          ///< limits of a number; empty if there are none
-    std::string initial;              ///< the value without the option; empty if nothing is to be said of it
+    std::vector<std::string> names;  ///< "-o" and "--output"; for an argument, its only name, such as "INPUT"
+    std::string type;  ///< of its value: FILE, FOLDER, PACKAGE, NUMBER, TEXT, ...; empty for a flag
+    std::vector<std::string> values;  ///< permitted values; empty if they are not listed
+    std::string least, most;          ///< limits of a number, or empty
+    std::string initial;              ///< the default; empty if it is not shown
     std::string description;
-    std::string group;  ///< the heading of --help that it is listed under
+    std::string group;  ///< its heading in --help
     bool required = false;
     bool several = false;              ///< takes any number of values
-    bool commas = false;               ///< values may be separated by commas
-    std::vector<std::string> needs{};  ///< other options; of --help alone
+    bool commas = false;               ///< accepts values separated by commas
+    std::vector<std::string> needs{};  ///< other options; used only in --help
 };
 
 /// A program or one of its verbs, as its command line describes it.
 struct DescribedCommand {
-    std::string name;  ///< of a verb without that of the program
+    std::string name;  ///< for a verb, without the program's
     std::string description;
-    std::string notes;  ///< what --help prints at the end: paragraphs, examples, exit codes
+    std::string notes;  ///< end of --help: paragraphs, examples, exit codes
     std::vector<DescribedOption> arguments, options;
     std::vector<DescribedCommand> verbs;
-    std::vector<std::string> common;  ///< options that --help lists if it does not list all; of --help alone
+    std::vector<std::string> common;  ///< options in the short form of --help; used only there
 };
 
-/// The headings that options are listed under, in the order of the first option of each.
+/// The headings of the options, in order of first appearance.
 std::vector<std::string> headings_of(const std::vector<DescribedOption>& options);
 
-/// As one line of JSON.
+/// The command as one line of JSON.
 std::string to_line(const DescribedCommand& command);
-/// Throws Error(input) if the line is not of to_line().
+/// Throws Error(input) if the line was not written by to_line().
 DescribedCommand from_line(const std::string& line);
 
 }  // namespace vantage

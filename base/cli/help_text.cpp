@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t width = 80, indent = 26, max_examples = 6;
 
-/// Words in lines that end before `width`; all but the first one begin at `left`, which the first one has
-/// reached.
+/// Wraps words before column `width`. Lines after the first are indented by `left`, where the first line
+/// starts.
 std::string wrapped(const std::string& text, std::size_t left) {
     std::istringstream words(text);
     std::string out, word;
@@ -48,7 +48,7 @@ std::string entry(const DescribedOption& o) {
     return entry(name, text);
 }
 
-/// Without details, which begin with a semicolon outside parentheses.
+/// The entry without its details, which follow the first semicolon outside parentheses.
 std::string short_entry(const DescribedOption& o) {
     DescribedOption out = o;
     int depth = 0;
@@ -85,7 +85,7 @@ std::string common_options(const DescribedCommand& c, const std::string& command
     return out;
 }
 
-/// Without the last examples, unless `all`.
+/// The notes, with at most `max_examples` examples unless `all`.
 std::string notes_of(const DescribedCommand& c, bool all) {
     const Notes notes = divided(c.notes);
     std::string out;

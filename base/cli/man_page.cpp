@@ -9,7 +9,7 @@
 namespace vantage {
 namespace {
 
-/// As the text is printed: no character of it is an instruction. Hyphens stay what is typed.
+/// Escapes text so that roff prints it literally, with hyphens as typed.
 std::string roff_escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -28,7 +28,7 @@ std::string roff_escaped(const std::string& text) {
 std::string bold(const std::string& text) { return "\\fB" + roff_escaped(text) + "\\fR"; }
 std::string italic(const std::string& text) { return "\\fI" + roff_escaped(text) + "\\fR"; }
 
-/// A sentence: with a capital letter, unless it starts with a name or a value, and a period.
+/// Capitalizes the text, unless it starts with a name or a value, and ends it with a period.
 std::string sentence(std::string text) {
     const std::size_t word = text.find_first_of(" :=/");
     const bool prose = word != std::string::npos && text[word] == ' ' && text.find_first_of(",.") > word;
@@ -36,7 +36,7 @@ std::string sentence(std::string text) {
     return text.empty() || text.ends_with('.') ? text : text + ".";
 }
 
-/// "Show what ..." as "show what ...".
+/// "Prepare a package." becomes "prepare a package".
 std::string summary(std::string text) {
     if (text.ends_with('.')) text.pop_back();
     const auto lower = [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; };
@@ -44,16 +44,16 @@ std::string summary(std::string text) {
     return text;
 }
 
-/// What the option takes: "FILE", or the values to choose from.
+/// The option's value: "FILE", or the permitted values.
 std::string value_of(const DescribedOption& o) {
     if (o.values.empty()) return italic(o.type);
     std::string out;
-    const std::string next = "|\\:";  // a line may end there
+    const std::string next = "|\\:";  // permits a line break
     for (const std::string& v : o.values) out += (out.empty() ? "" : next) + bold(v);
     return o.type == "FILE" ? out + next + italic(o.type) : out;
 }
 
-/// What is known of the value beside its description, such as "1 to 4096, default 256".
+/// Limits and default of the value, such as "1 to 4096, default 256".
 std::string limits_of(const DescribedOption& o) {
     std::string out;
     const auto add = [&](const std::string& text) { out += (out.empty() ? "" : ", ") + text; };
@@ -82,7 +82,7 @@ std::string argument_entry(const DescribedOption& o) {
     return ".TP\n" + italic(o.names.front()) + (o.several ? " ..." : "") + "\n" + described(o);
 }
 
-/// Options by the groups of --help, of which the first, that of --help itself, needs no heading.
+/// Options by group, as in --help. The first group, which includes --help itself, needs no heading.
 std::string option_sections(const DescribedCommand& c) {
     if (c.options.empty()) return {};
     const std::string plain = "Options";
@@ -129,7 +129,7 @@ std::string see_also(const std::set<std::string>& pages) {
     return ".SH \"SEE ALSO\"\n" + out + "\n";
 }
 
-/// `command`: as it is typed; `others`: the pages to refer to.
+/// `command`: as typed; `others`: related pages.
 ManPage page(const DescribedCommand& c, const std::string& command, const std::set<std::string>& others,
              const std::string& version) {
     ManPage out{command, {}};
@@ -137,7 +137,7 @@ ManPage page(const DescribedCommand& c, const std::string& command, const std::s
     const Notes notes = divided(c.notes);
     const std::string what = summary(c.description);
     out.text = ".TH \"" + roff_escaped(out.name) + "\" 1 \"\" \"Vantage " + version + "\" \"Vantage\"\n";
-    out.text += ".nh\n.ad l\n";  // option names are not divided
+    out.text += ".nh\n.ad l\n";  // no hyphenation of option names
     out.text += ".SH NAME\n" + roff_escaped(out.name) + " \\- " + roff_escaped(what) + "\n";
     out.text += synopsis(command, c);
     if (!c.verbs.empty() && c.arguments.empty())

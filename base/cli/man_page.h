@@ -6,13 +6,13 @@
 
 namespace vantage {
 
-/// A manual page in the man macros of roff.
+/// A manual page, written in roff's man macros.
 struct ManPage {
     std::string name;  ///< such as "vantage-prepare"
     std::string text;
 };
 
-/// The pages of programs of one version, and of their verbs; each refers to those related to it.
+/// The pages of the programs and their verbs; each refers to related pages.
 std::vector<ManPage> man_pages(const std::vector<DescribedCommand>& programs, const std::string& version);
 
 }  // namespace vantage

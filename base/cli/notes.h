@@ -4,15 +4,16 @@
 
 namespace vantage {
 
-/// What --help prints at its end, divided.
+/// The end of --help, split into its parts.
 struct Notes {
     std::vector<std::string> paragraphs;  ///< each on one line
     std::vector<std::string> examples;    ///< lines, without indentation
-    std::string exit_codes;  ///< a paragraph that starts with "Exit code"; empty if there is none
+    std::string exit_codes;               ///< the paragraph that starts with "Exit code", or empty
 };
 
-/// Paragraphs end with a line that ends with a period. Indented lines after "Example:" or "Examples:" are
-/// examples; those after another line that ends with a colon (the list of verbs) are dropped with it.
+/// A paragraph ends at a line that ends with a period. Indented lines after "Example:" or "Examples:" are
+/// examples. Any other line that ends with a colon (the list of verbs) is dropped with the indented lines
+/// after it.
 Notes divided(const std::string& notes);
 
 }  // namespace vantage

@@ -20,7 +20,7 @@ int report_exception(const char* program) noexcept {
                      message);
         try {
             results()["error"] = {{"exit_code", int(code)}, {"message", message}};
-        } catch (const std::bad_alloc&) {  // the line has said it
+        } catch (const std::bad_alloc&) {  // already reported
         }
         return int(code);
     };

@@ -8,8 +8,8 @@ namespace vantage {
 /// failed allocation Exit::memory, a failed file operation Exit::storage, and anything else Exit::internal.
 int report_exception(const char* program) noexcept;
 
-/// The exit code that `run` returns, or that of the exception that it throws, which is reported; then prints
-/// results().
+/// Calls `run`, reports any exception, and prints results(). Returns the exit code of `run` or of the
+/// exception.
 int run_reported(const char* program, const std::function<int()>& run) noexcept;
 
 }  // namespace vantage

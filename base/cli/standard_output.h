@@ -4,21 +4,21 @@
 
 namespace vantage {
 
-/// The form in which a verb reports on the standard output: lines for people; nothing (-q); one JSON object
-/// (--json), by docs/results.schema.json.
+/// Form of a verb's report on the standard output: lines for people, nothing (-q), or one JSON object
+/// (--json) that follows docs/results.schema.json.
 enum class OutputForm { lines, none, json };
 
-/// Chosen by Command before an action runs; forgets results().
+/// Called by Command before an action runs; clears results().
 void choose_output(OutputForm form);
 OutputForm output_form();
 
-/// The standard output if lines are wanted, otherwise a file that discards what is written.
+/// The standard output in the form `lines`, otherwise a file that discards its content.
 std::FILE* text_output();
 
-/// Members of the JSON object. Command adds those of all verbs.
+/// The JSON object. Command adds the members common to all verbs.
 nlohmann::json& results();
 
-/// Prints results() if JSON is wanted.
+/// Prints results() in the form `json`.
 void print_results(int exit_code);
 
 }  // namespace vantage

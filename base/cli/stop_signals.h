@@ -3,12 +3,12 @@
 
 namespace vantage {
 
-/// What a signal to stop does to the work in flight.
+/// Effect of a stop signal on the work in flight.
 enum class InFlight {
-    /// It is finished, and a notice says so. A second signal exits at once with Exit::interrupted, which is
-    /// safe: results are saved as they are made.
+    /// It is finished, after a notice. A second signal exits at once with Exit::interrupted, which is safe
+    /// because results are saved as they are made.
     finished,
-    abandoned  ///< System calls are interrupted, so that what is half done can be removed.
+    abandoned  ///< System calls are interrupted, so that unfinished results can be removed.
 };
 
 /// Installs handlers for SIGINT, SIGTERM and, unless it is ignored as under nohup, SIGHUP that set the

@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// The fewest letters inserted, deleted or replaced to make one word of the other (Levenshtein 1966).
+/// Edit distance: insertions, deletions and replacements of letters (Levenshtein 1966).
 std::size_t edits(const std::string& a, const std::string& b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t(0));

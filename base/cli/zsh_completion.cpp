@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// In single quotes, for _arguments, to which brackets and colons have a meaning.
+/// Escapes text in single quotes for _arguments, where brackets and colons are special.
 std::string argument_escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -17,7 +17,7 @@ std::string argument_escaped(const std::string& text) {
     return out;
 }
 
-/// How _arguments completes a value: a list, a kind of file, or nothing.
+/// The action by which _arguments completes a value: a list, a kind of file, or nothing.
 std::string action_of(const DescribedOption& o) {
     const std::string list = o.values.empty() ? "" : "(" + joined(o.values, " ") + ")";
     const std::string values =
@@ -29,7 +29,7 @@ std::string action_of(const DescribedOption& o) {
     return o.type == "FILE" || (o.type == "TEXT" && list.empty()) ? "_files" : values;
 }
 
-/// An action as a part of what _arguments takes, where colons divide.
+/// The action with its colons escaped, because colons separate the fields of an _arguments specification.
 std::string divided_action(const DescribedOption& o) {
     std::string out;
     for (const char c : action_of(o)) out += c == ':' ? "\\:" : std::string(1, c);
@@ -45,7 +45,7 @@ std::string specification_of(const DescribedOption& o) {
            argument_escaped(o.description) + "]" + value + "'";
 }
 
-/// A branch for the options and arguments after a verb, or without one.
+/// The case branch for the options and arguments of a verb, or of the program itself.
 std::string zsh_verb_case(const DescribedCommand& c, const std::string& pattern) {
     std::string out = "    " + pattern + ")\n        _arguments";
     for (const DescribedOption& o : c.options) out += " \\\n            " + specification_of(o);

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// A script for zsh that completes the program's verbs, options, values and files, with their descriptions.
+/// A zsh script that completes the program's verbs, options, values and files, with descriptions.
 std::string zsh_completion(const DescribedCommand& program);
 
 }  // namespace vantage

@@ -14,8 +14,8 @@ namespace vantage {
 
 void use_large_pages() {
 #ifdef __GLIBC__
-    constexpr int at_once = 512 << 20;         // of address space; memory as it is written to
-    constexpr int largest_in_heap = 32 << 20;  // as glibc allows
+    constexpr int at_once = 512 << 20;         // address space; memory is allocated on first write
+    constexpr int largest_in_heap = 32 << 20;  // glibc's maximum
     ::mallopt(M_ARENA_MAX, 1);
     ::mallopt(M_MMAP_THRESHOLD, largest_in_heap);
     ::mallopt(M_TRIM_THRESHOLD, at_once + at_once / 4);

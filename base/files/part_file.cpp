@@ -17,7 +17,7 @@
 namespace vantage {
 namespace {
 
-/// Whether the file is the one of that name.
+/// Whether the open file is the one that has this name.
 bool is_at(int fd, const std::filesystem::path& path) {
     struct stat opened {
     }, named{};
@@ -54,7 +54,7 @@ void PartFile::open() {
             close();
             throw Error(Exit::storage, part_.string() + ": another process is writing it");
         }
-        // Another process may have completed or removed what was opened, before it was locked.
+        // Another process may have completed or removed the file between opening and locking.
     } while (!is_at(fd_, part_));
 }
 
@@ -125,7 +125,7 @@ void PartFile::reserve(std::uint64_t bytes) const {
         errno = error;
         fail("reserve " + std::to_string((bytes >> 20) + 1) + " MiB");
     }
-    // A part may be longer: an interrupted run had appended to it.
+    // A part may be longer if an interrupted run appended to it.
     struct stat st {};
     const bool longer = ::fstat(fd_, &st) == 0 && std::uint64_t(st.st_size) > bytes;
     if (error != 0 || longer) resize(bytes);

@@ -9,15 +9,15 @@ namespace vantage {
 
 /// The name under which `file` is written until it is complete.
 std::filesystem::path part_of(const std::filesystem::path& file);
-/// The name under which a part's chunks are put together, if they are not where they belong.
+/// The name of the file into which a part's chunks are packed if they are not in their final places.
 std::filesystem::path packing_of(const std::filesystem::path& file);
 /// The name to which an existing part of another layout is moved.
 std::filesystem::path displaced_part_of(const std::filesystem::path& file);
 
-/// A file that is written as part_of(file), or another name beside it, and renamed when it is complete. Only
-/// one process at a time can have it open; the lock ends with the process, even in a crash. Offsets and
-/// lengths are in bytes. Reading and writing are thread-safe. Functions throw Error(storage) if the system
-/// call fails.
+/// A file that is written as part_of(file), or another name in the same folder, and renamed when it is
+/// complete. Only one process at a time can have it open; the lock ends with the process, even in a crash.
+/// Offsets and lengths are in bytes. Reading and writing are thread-safe. Functions throw Error(storage) if
+/// the system call fails.
 class PartFile {
   public:
     /// Creates the part or opens the existing one.
@@ -34,7 +34,7 @@ class PartFile {
     /// Copies from another file inside the kernel, sharing blocks if the file system can. Returns the number
     /// of bytes copied, which may be less than `length`.
     std::uint64_t copy(int from, std::uint64_t from_offset, std::uint64_t offset, std::uint64_t length) const;
-    /// The same from another part, all of it.
+    /// The same from another part, but copies the whole length.
     void copy(const PartFile& from, std::uint64_t from_offset, std::uint64_t offset,
               std::uint64_t length) const;
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
@@ -43,11 +43,11 @@ class PartFile {
 
     /// Sets the size and allocates the space now, so that a full disk fails the run at once, not hours later.
     void reserve(std::uint64_t bytes) const;
-    /// Sets the size alone: what is not written takes no space if the file system supports holes.
+    /// Only sets the size: unwritten ranges take no space if the file system supports holes.
     void resize(std::uint64_t bytes) const;
     /// Zeroes a range, and frees its space if the file system supports holes.
     void punch_hole(std::uint64_t offset, std::uint64_t length) const;
-    /// Waits until all that was written is on the disk.
+    /// Waits until everything written is on the disk.
     void flush() const;
     /// Starts writing a range to the disk without waiting, so that the disk is busy while photos are
     /// prepared.
@@ -62,9 +62,9 @@ class PartFile {
     /// Flushes to the disk, including the name.
     void flush_with_name() const;
     /// Flushes to the disk, then renames to file(), so that a file with this name is always complete, and
-    /// flushes the folder, so that a power cut does not take the name back; deletes the displaced part.
+    /// flushes the folder, so that a power cut does not undo the renaming; deletes the displaced part.
     void publish();
-    /// Or discarded.
+    /// True after publish() or discard().
     bool published() const { return fd_ < 0; }
 
   private:

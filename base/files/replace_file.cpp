@@ -20,7 +20,7 @@ std::string reason() { return errno ? std::strerror(errno) : ""; }
 }  // namespace
 
 UnfinishedFile::UnfinishedFile(const std::filesystem::path& file, unsigned mode) : file_(file) {
-    std::random_device random;  // process numbers repeat: in containers, on other machines
+    std::random_device random;  // not the process ID, which repeats in containers and on other machines
     do {
         part_ = file.string() + std::string(unfinished_mark) + std::to_string(random());
         const Descriptor fd(::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));

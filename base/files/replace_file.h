@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// A file that is being written beside its place, under a name that no other process or thread uses. It takes
-/// its name when it is finished, so that readers see the old content or the new one; it is removed otherwise.
+/// A file that is written in the same folder under a name that no other process or thread uses. It is renamed
+/// when it is finished, so that readers see either the old or the new content; otherwise it is removed.
 class UnfinishedFile {
   public:
     /// Creates FILE.part-RANDOM, empty, with the permissions `mode` less the umask. Throws Error(storage).
@@ -18,28 +18,28 @@ class UnfinishedFile {
     UnfinishedFile& operator=(const UnfinishedFile&) = delete;
 
     const std::filesystem::path& file() const { return file_; }
-    /// Where it is to be written.
+    /// The path to write to.
     const std::filesystem::path& part() const { return part_; }
     /// Throws Error(storage) if it cannot be renamed.
     void finish() const;
-    /// Throws Error(storage): the file cannot be written, and why, unless that is empty.
+    /// Throws Error(storage) saying that the file cannot be written, with the reason unless that is empty.
     [[noreturn]] void fail(const std::string& why) const;
 
   private:
     std::filesystem::path file_, part_;
 };
 
-/// What the name of an unfinished file adds to that of the file, before its random end.
+/// Suffix of an unfinished file's name, followed by random characters.
 inline constexpr std::string_view unfinished_mark = ".part-";
 
-/// Replaces a file at once: after a crash or a power cut there is the old content or the new one. Throws
-/// Error(storage), and leaves the file as it was, if that is not possible.
+/// Replaces a file atomically: after a crash or a power cut, it has either the old or the new content. On
+/// failure, throws Error(storage) and leaves the file unchanged.
 void replace_file(const std::filesystem::path& file, std::string_view text, unsigned mode = 0666);
-/// The same with what `write` writes.
+/// The same, with the output of `write`.
 void replace_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write,
                   unsigned mode = 0666);
 
-/// Renames a file, replacing the one of the new name. Throws Error(storage).
+/// Renames a file, replacing any existing file with the new name. Throws Error(storage).
 void rename_file(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace vantage

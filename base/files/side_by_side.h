@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// Amplification of the differences in side_by_side, which makes small ones visible.
+/// Amplification of differences in side_by_side, to make small ones visible.
 inline constexpr int shown_gain = 8;
 
 /// Two RGBA8 pictures of the same size and `shown_gain` times the absolute difference of their colors

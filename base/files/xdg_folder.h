@@ -3,8 +3,8 @@
 
 namespace vantage {
 
-/// The folder "vantage" in the one that a variable such as XDG_CACHE_HOME names, else in `below_home`, such
-/// as .cache, of HOME (XDG Base Directory Specification). Empty if neither is set.
+/// The folder "vantage" in the folder named by a variable such as XDG_CACHE_HOME, or else in
+/// HOME/`below_home`, such as .cache (XDG Base Directory Specification). Empty if neither is set.
 std::filesystem::path xdg_folder(const char* variable, const char* below_home);
 
 }  // namespace vantage

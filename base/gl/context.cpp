@@ -33,10 +33,10 @@ EGLContext context_on(EGLDisplay display, Debug debug) {
 
 bool has_extension(const char* list, const char* name) { return list && std::strstr(list, name); }
 
-/// libepoxy ends the process if it cannot load a library, so this is tried first.
+/// libepoxy terminates the process if it cannot load a library, so loading is tested first.
 bool loads(const char* library) { return ::dlopen(library, RTLD_LAZY | RTLD_LOCAL) != nullptr; }
 
-/// The OpenGL libraries that cannot be loaded; empty if none.
+/// The OpenGL libraries that cannot be loaded; empty if all can.
 std::string missing_libraries() {
     if (!loads("libEGL.so.1")) return "libEGL.so.1";
     return loads("libOpenGL.so.0") || loads("libGL.so.1") ? "" : "libOpenGL.so.0 or libGL.so.1";
@@ -137,7 +137,7 @@ Device current_device() {
 
 namespace {
 
-/// The first serious message since the last check(), stored because an exception must not pass through the
+/// The first serious message since the last check(), stored because exceptions must not propagate through the
 /// driver.
 thread_local std::string pending;
 

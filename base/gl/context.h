@@ -37,7 +37,7 @@ Device current_device();
 /// send none unless the context was created with the debug flag.
 void watch_errors();
 
-/// Clears what check() would throw for: errors of others who share the context.
+/// Clears pending errors, which other users of the context may have caused.
 void forget_errors();
 
 /// Throws Failure naming `where` if an OpenGL error or a recorded message is pending, and clears both.

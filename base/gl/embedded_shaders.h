@@ -4,11 +4,11 @@
 
 namespace vantage::gl {
 
-/// A file of shaders/, compiled into the program.
+/// A file from shaders/, compiled into the program.
 struct EmbeddedShader {
     std::string_view file, text;
 };
-/// All of them. The build writes the source (embed_shaders.cmake).
+/// All shader files. The build generates the source (embed_shaders.cmake).
 std::span<const EmbeddedShader> embedded_shaders();
 
 }  // namespace vantage::gl

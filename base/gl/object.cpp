@@ -93,7 +93,7 @@ Texture make_texture_array(const char* label, GLenum format, int width, int heig
 
 Texture make_layer_view(const char* label, const Texture& array, GLenum format, int layer) {
     GLuint id = 0;
-    glGenTextures(1, &id);  // a view needs a name that is no texture yet
+    glGenTextures(1, &id);  // a view needs a name that is not yet a texture
     glTextureView(id, GL_TEXTURE_2D, array.id(), format, 0, 1, GLuint(layer), 1);
     set_sampling(id, GL_NEAREST);
     glObjectLabel(GL_TEXTURE, id, -1, label);

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-/// OpenGL objects that release themselves. Move-only; created by direct state access on the context's thread,
-/// labeled for debuggers; the context must outlive them.
+/// Self-releasing OpenGL objects. They are move-only, created by direct state access on the context's thread,
+/// and labeled for debuggers. The context must outlive them.
 namespace vantage::gl {
 
 template <auto Release>
@@ -70,7 +70,7 @@ Framebuffer make_framebuffer(const char* label, std::span<const GLuint> colors, 
 /// Framebuffer of one layer of an array texture. Throws Failure if it is incomplete.
 Framebuffer make_layer_framebuffer(const char* label, const Texture& array, int layer);
 VertexArray make_vertex_array(const char* label);
-/// `target`: what it measures, as in glCreateQueries.
+/// `target`: as in glCreateQueries.
 Query make_query(GLenum target);
 
 /// Feeds `attribute` with `components` floats per vertex from `buffer`, one vertex every `stride` bytes.

@@ -8,7 +8,7 @@
 
 namespace vantage::gl {
 
-/// A stage of a program: its type and its file's name under shaders/.
+/// A stage of a program: its type and the name of its file in shaders/.
 struct Stage {
     GLenum type;
     std::string file;

@@ -8,8 +8,8 @@
 
 namespace vantage::gl {
 
-/// A mapped buffer of 32-bit words that commands fill and the processor reads when they have finished,
-/// without waiting for the graphics card unless asked to. Belongs to the OpenGL thread.
+/// A mapped buffer of 32-bit words that GPU commands fill. The CPU reads it when they have finished, and does
+/// not wait for them unless asked to. Belongs to the OpenGL thread.
 class Readback {
   public:
     Readback() = default;
@@ -20,15 +20,15 @@ class Readback {
     /// Allocates the buffer. False if it cannot be mapped.
     bool allocate(const char* label, std::size_t words);
     void release();
-    /// Whether there is a buffer.
+    /// Whether the buffer is allocated.
     explicit operator bool() const { return !words_.empty(); }
     GLuint id() const { return buffer_.id(); }
 
     /// Marks the end of the commands that fill the buffer.
     void begin();
-    /// Whether those commands have not been found finished yet: the buffer must not be filled again.
+    /// Whether those commands may still be running: the buffer must not be refilled yet.
     bool pending() const { return fence_ != nullptr; }
-    /// The words, once, when the commands have finished; `wait` waits for up to ten seconds.
+    /// Returns the words once, after the commands have finished. With `wait`, waits up to ten seconds.
     std::optional<std::span<const std::uint32_t>> take(bool wait);
 
   private:

@@ -8,7 +8,7 @@ namespace vantage {
 enum class Exit : int {
     ok = 0,
     usage = 2,        ///< the command line or a configuration file is wrong
-    input = 3,        ///< an input is missing, unreadable or does not fit the others
+    input = 3,        ///< an input is missing, unreadable or inconsistent with the others
     damaged = 4,      ///< a package is truncated, corrupt or not a package
     stale = 5,        ///< a package is valid, but its inputs have changed
     storage = 6,      ///< the disk is full, or a file cannot be read or written
@@ -18,11 +18,11 @@ enum class Exit : int {
     different = 10,   ///< packages or pictures differ
     internal = 11,    ///< a bug
     memory = 12,      ///< out of memory
-    misplaced = 13    ///< the photos do not see the mesh: another scale, frame or place than the cameras
+    misplaced = 13    ///< the mesh is not in view: its scale, frame or position differs from the cameras'
 };
 
-/// An error to report to the user: a one-line message that gives the file, the item, what was expected and
-/// what was found, and the exit code of the program.
+/// An error to report to the user: a one-line message with the file, the item, the expected and the actual
+/// value, and the exit code.
 class Error : public std::runtime_error {
   public:
     Error(Exit code, const std::string& message) : std::runtime_error(message), code_(code) {}

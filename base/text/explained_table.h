@@ -4,15 +4,15 @@
 
 namespace vantage {
 
-/// A column of a table on a page.
+/// A column of an HTML table.
 struct Column {
     std::string name;     ///< HTML, as in the heading; may be empty
-    std::string meaning;  ///< plain text with units; empty only for a column that needs none
+    std::string meaning;  ///< plain text with units; empty only if self-explanatory
     bool number = false;  ///< aligned to the right
 };
 
-/// HTML: the beginning of a table, with its row of headings, each with its meaning as a tooltip; and before
-/// it, closed until it is clicked, the meanings of all columns.
+/// The beginning of an HTML table: a collapsed list of the columns' meanings, then the heading row, with the
+/// meanings as tooltips.
 std::string explained_table(std::span<const Column> columns);
 
 }  // namespace vantage

@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// What printf would print.
+/// The text that printf would print.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 
 }  // namespace vantage

@@ -6,15 +6,15 @@
 
 namespace vantage {
 
-/// Parses; a discarded value if the text is not JSON. The library's parser takes seconds to compile: once,
-/// here.
+/// Parses JSON; returns a discarded value if the text is invalid. The library's parser takes seconds to
+/// compile, so it is compiled only here.
 nlohmann::json json_of(std::string_view text);
 
-/// The strings of a list in an object, with an empty one for each item of another type; none if the object
-/// lacks it.
+/// The strings of a list in an object. Items of another type become empty strings; the result is empty if
+/// there is no such list.
 std::vector<std::string> texts_in(std::string_view object, const char* list);
 
-/// As it is written: indented, or in one line if `indent` is negative; bytes that are not UTF-8 are replaced.
+/// Formats JSON, indented, or as one line if `indent` is negative. Bytes that are not UTF-8 are replaced.
 std::string json_text(const nlohmann::json& json, int indent = 1);
 
 }  // namespace vantage

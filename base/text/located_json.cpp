@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double farthest = 1e12;  ///< input units; beyond, positions lose all their digits
+constexpr double farthest = 1e12;  ///< input units; beyond this, positions have no precision left
 
 /// A value in a message, in one short line.
 std::string shown(const json& value) {
@@ -106,7 +106,7 @@ Eigen::Vector3d LocatedJson::vector() const {
 }
 
 json parsed_json(const std::string& text, const std::string& file, int depth) {
-    std::vector<std::set<std::string>> keys;  // of the objects that are open, by their depth
+    std::vector<std::set<std::string>> keys;  // of the open objects, by depth
     const auto watch = [&](int at, json::parse_event_t event, json& value) {
         if (at > depth)
             throw Error(Exit::input,

@@ -10,12 +10,12 @@
 
 namespace vantage {
 
-/// A value of a JSON file that knows where it is, so that errors name the place. What is read from it must
-/// be of the expected kind: everything else throws Error(input), one line with the file, the place, what was
-/// found and what was expected.
+/// A JSON value that knows its location, so that errors can name it. Reading a value of another kind than
+/// expected throws Error(input): one line with the file, the location, the value found and the value
+/// expected.
 class LocatedJson {
   public:
-    /// The whole of a file. The arguments must outlive it; keys that are not known go to `unknown`.
+    /// The root value of a file. The arguments must outlive it; unknown keys are added to `unknown`.
     LocatedJson(const std::string& file, const nlohmann::json& value, std::vector<std::string>& unknown)
         : file_(&file), value_(&value), unknown_(&unknown) {}
 
@@ -26,20 +26,20 @@ class LocatedJson {
     /// Expects an object; reports keys other than these.
     void expect_object(std::initializer_list<std::string_view> known) const;
     bool has(const char* key) const;
-    /// Expects that the object has the key.
+    /// Expects the object to have the key.
     LocatedJson at(const char* key) const;
-    /// Expects an array of at most so many.
+    /// Expects an array of at most `most` items.
     std::vector<LocatedJson> items(std::size_t most) const;
-    /// Expects an object of at most so many keys.
+    /// Expects an object of at most `most` keys.
     std::vector<std::pair<std::string, LocatedJson>> entries(std::size_t most) const;
 
     bool is_object() const;
     bool is_text() const;
     bool is_true() const;
     bool is_null() const;
-    /// At most so many bytes, without control characters other than line feeds if `lines`.
+    /// A string of at most `most` bytes without control characters, except line feeds if `lines`.
     std::string text(std::size_t most, bool lines = false) const;
-    /// Finite, within the range.
+    /// A finite number within the range.
     double number(double low, double high) const;
     /// An array of three numbers, none larger than 1e12.
     Eigen::Vector3d vector() const;
@@ -54,8 +54,8 @@ class LocatedJson {
     std::string path_;
 };
 
-/// Parses a file's text. Refuses what is no JSON or no UTF-8, is nested deeper than `depth`, or has a key
-/// twice in an object. Throws Error(input).
+/// Parses a file's text. Throws Error(input) if it is not JSON or not UTF-8, is nested deeper than `depth`,
+/// or repeats a key in an object.
 nlohmann::json parsed_json(const std::string& text, const std::string& file, int depth = 64);
 
 }  // namespace vantage

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// ASCII letters in lower case.
+/// Converts ASCII letters to lower case.
 inline std::string lower_case(std::string text) {
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
     return text;

@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// The extension of a file's name with its dot, ASCII letters in lower case; empty if it has none.
+/// A file name's extension with its dot, ASCII letters in lower case; empty if it has none.
 inline std::string lower_extension(const std::filesystem::path& file) {
     return lower_case(file.extension().string());
 }

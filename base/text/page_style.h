@@ -19,7 +19,7 @@ figure { margin: 0; }
 img { display: block; max-width: 100%; height: auto; }
 )";
 
-/// The beginning of page_style, by which a page written by these programs is recognized.
+/// The beginning of page_style, which identifies pages written by these programs.
 inline constexpr std::string_view page_mark = page_style.substr(1, page_style.find(" --line") - 1);
 
 }  // namespace vantage

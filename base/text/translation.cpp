@@ -9,14 +9,14 @@
 #include <string_view>
 #include <system_error>
 
-extern "C" int _nl_msg_cat_cntr;  // glibc: to be increased when LANGUAGE has changed
+extern "C" int _nl_msg_cat_cntr;  // glibc: must be incremented after LANGUAGE changes
 
 namespace vantage {
 namespace {
 
 constexpr const char* domain = "vantage";
 
-/// bin/../share/locale of an installation, or of a build folder.
+/// bin/../share/locale in an installation or a build folder.
 std::filesystem::path catalogs() {
     std::error_code error;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
@@ -28,7 +28,8 @@ std::string variable(const char* name) {
     return value ? value : "";
 }
 
-/// In every locale but C, gettext follows LANGUAGE; before glibc 2.39 also in C.UTF-8, which is always there.
+/// gettext follows LANGUAGE in every locale but C. Before glibc 2.39, this includes C.UTF-8, which always
+/// exists.
 void use_locale_with_languages() {
     for (const char* name : {"", "en_US.UTF-8", "en_GB.UTF-8", "de_DE.UTF-8", "fr_FR.UTF-8"}) {
         const char* const taken = std::setlocale(LC_MESSAGES, name);

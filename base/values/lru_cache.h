@@ -10,8 +10,8 @@
 
 namespace vantage {
 
-/// Data per photo, read on demand; the least recently used is evicted. Thread-safe, but two threads that
-/// request the same photo at once may both read it.
+/// Data of photos, read on demand; the least recently used photo is evicted. Thread-safe, but two threads
+/// that request the same photo at once may both read it.
 template <class T>
 class LruCache {
   public:

@@ -10,7 +10,7 @@
 namespace vantage {
 namespace {
 
-constexpr double stray_ratio = 20;  ///< of distances; nearer vertices cost little precision
+constexpr double stray_ratio = 20;  ///< ratio of distances; vertices within it cost little precision
 
 std::vector<std::uint32_t> vertices_in_use(std::size_t vertices,
                                            std::span<const std::array<std::uint32_t, 3>> triangles) {
@@ -24,7 +24,7 @@ std::vector<std::uint32_t> vertices_in_use(std::size_t vertices,
     return out;
 }
 
-/// Distances from the median of each coordinate, the largest of the three axes.
+/// Distance of each vertex from the median of each coordinate, the largest of the three axes.
 std::vector<double> distances_from_median(std::span<const Eigen::Vector3d> positions,
                                           std::span<const std::uint32_t> vertices) {
     std::vector<double> out(vertices.size(), 0), values(vertices.size());
@@ -37,14 +37,14 @@ std::vector<double> distances_from_median(std::span<const Eigen::Vector3d> posit
     return out;
 }
 
-/// The most strays that `vertices` may have.
+/// Maximum number of strays among `vertices`.
 std::size_t max_strays(std::size_t vertices) {
     return std::min(std::max<std::size_t>(3, vertices / 100), vertices / 4);
 }
 
-/// Whether it shows without medians that no vertex is a stray: along the longest axis both ends have more
-/// vertices than may be strays, each end 45 % of the length. Wherever the median is, one end is 5 % of the
-/// length away from it, and no vertex is more than 20 times as far.
+/// Proves cheaply, without medians, that no vertex is a stray: along the longest axis, the outer 45 % at each
+/// end hold more vertices than may be strays. Wherever the median is, one end is at least 5 % of the length
+/// away from it, and no vertex is more than 20 times as far.
 bool fills_both_ends(std::span<const Eigen::Vector3d> positions, std::span<const std::uint32_t> vertices) {
     constexpr double share = 0.5 - 1 / stray_ratio;
     Eigen::AlignedBox3d box;
@@ -60,7 +60,7 @@ bool fills_both_ends(std::span<const Eigen::Vector3d> positions, std::span<const
     return std::min(at_low, at_high) > max_strays(vertices.size());
 }
 
-/// The largest distance that is not a stray's.
+/// The largest distance of a vertex that is not a stray.
 double reach_of(std::vector<double> distances) {
     const auto last = distances.end() - std::ptrdiff_t(max_strays(distances.size())) - 1;
     std::nth_element(distances.begin(), last, distances.end());

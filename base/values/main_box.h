@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// The box of a mesh's vertices, without those that lie far from all others.
+/// The bounding box of a mesh's vertices without strays, which lie far from all others.
 struct MainBox {
     Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = low;
     std::vector<std::uint32_t> strays;  ///< the vertices outside, ascending
@@ -16,17 +16,17 @@ struct MainBox {
     double distance(const Eigen::Vector3d& p) const;
 };
 
-/// Strays are at most 1 % of the vertices (at least 3 may be, but no more than a quarter) and 20 times as far
-/// as any other vertex from the median of each coordinate. Only vertices of triangles count, all if there are
-/// no triangles; the box is that of all vertices if none is a stray. Positions must be finite. Zero without
-/// vertices.
+/// Strays are at most 1 % of the vertices (3 are always permitted, but no more than a quarter) and 20 times
+/// as far from the median of each coordinate as any other vertex. Only vertices of triangles count, or all if
+/// there are no triangles. Without strays, the box contains all vertices. Positions must be finite. Zero if
+/// there are no vertices.
 MainBox main_box(std::span<const Eigen::Vector3d> positions,
                  std::span<const std::array<std::uint32_t, 3>> triangles);
-/// Of a mesh. It takes a moment: what needs the box of a scene is given it.
+/// The box of a mesh. Takes a moment, so callers compute it once and pass it on.
 MainBox main_box(const auto& mesh) { return main_box(mesh.positions, mesh.triangles); }
 
-/// Whether a triangle has a stray: a corner farther from `bounds`, the box without strays, than its diagonal.
-/// False if `bounds` is empty.
+/// Whether a triangle has a stray: a corner whose distance from `bounds`, the box without strays, exceeds the
+/// box's diagonal. False if `bounds` is empty.
 bool has_stray(const std::array<Eigen::Vector3f, 3>& corners, const Eigen::AlignedBox3d& bounds);
 
 }  // namespace vantage

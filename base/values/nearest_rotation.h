@@ -4,11 +4,11 @@
 
 namespace vantage {
 
-/// The orthogonal matrix that is closest to a matrix; mirrored if the matrix is.
+/// The orthogonal matrix closest to a matrix; it mirrors if the matrix does.
 Eigen::Matrix3d nearest_orthogonal(const Eigen::Matrix3d& m);
 
-/// The rotation that is closest to a matrix (W. Kabsch, "A discussion of the solution for the best rotation
-/// to relate two sets of vectors", 1978).
+/// The rotation closest to a matrix (W. Kabsch, "A discussion of the solution for the best rotation to relate
+/// two sets of vectors", 1978).
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& m);
 
 }  // namespace vantage

@@ -4,8 +4,7 @@
 
 namespace vantage {
 
-/// Of a symmetric matrix: its eigenvalues, ascending, and its eigenvectors of length 1, as columns in the
-/// same order.
+/// Eigenvalues of a symmetric matrix, ascending, and its unit eigenvectors, as columns in the same order.
 struct PrincipalAxes {
     Eigen::Vector3d values;
     Eigen::Matrix3d axes;

@@ -17,7 +17,7 @@ double quantile(std::vector<T> values, double share) {
     return double(*at);
 }
 
-/// The median, the upper of the two middle values if their number is even; 0 if there are none. Reorders the
+/// The median, or the upper of the two middle values of an even number; 0 if there are none. Reorders the
 /// values.
 template <class T>
 T upper_median(std::span<T> values) {
@@ -27,7 +27,7 @@ T upper_median(std::span<T> values) {
     return *middle;
 }
 
-/// Jackknife standard error of an estimate, from its distances to the n estimates that each lack a part of
+/// Jackknife standard error of an estimate, from its differences to the n estimates that each omit part of
 /// the data: sqrt((n - 1) / n sum(d^2)); 0 if there are none.
 inline double jackknife_error(std::span<const double> distances) {
     const double n = double(distances.size());

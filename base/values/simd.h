@@ -22,7 +22,7 @@ using Ints = std::int32_t __attribute__((vector_size(4 * lanes)));
 using Floats = float __attribute__((vector_size(4 * lanes)));
 using Doubles = double __attribute__((vector_size(8 * lanes)));
 
-/// Elements from `at` on, which need not be aligned.
+/// Loads elements from `at`, which need not be aligned.
 template <class Vector, class T>
 VANTAGE_INLINE void load(Vector& elements, const T* at) {
     static_assert(sizeof(T) * lanes == sizeof elements);

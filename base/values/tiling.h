@@ -26,14 +26,14 @@ inline Level level_size(int width, int height, int level) {
             int((std::int64_t(height) + (1LL << level) - 1) >> level)};
 }
 
-/// The part of a tile, in its texels, that lies in its level.
+/// The part of a tile that lies within its level, in texels of the tile.
 struct TilePart {
     int left = 0, top = 0, right = 0, bottom = 0;
     int width() const { return right - left; }
     int height() const { return bottom - top; }
 };
 
-/// Where a tile's first texel is in its level; negative for the border of the first.
+/// Position of a tile's first texel in its level; negative in the border of the first tile.
 inline int tile_left(const Level& level, std::size_t tile) {
     return int(tile % std::size_t(level.columns())) * tile_content - tile_border;
 }
