@@ -10,15 +10,15 @@
 namespace vantage {
 namespace {
 
-constexpr double scale = 0.12;         ///< of the robust weights, ln of linear light
+constexpr double scale = 0.12;         ///< scale of the robust weights, ln of linear light
 constexpr double initial_scale = 0.6;  ///< halved with every iteration down to `scale`
 constexpr int iterations = 5;
-constexpr int min_photos = 3;  ///< of a lens, to separate vignetting from the subject
+constexpr int min_photos = 3;  ///< photos per lens needed to separate vignetting from the subject
 constexpr double max_gain = 4;
-constexpr double min_corner = 0.05, max_corner = 0.6;  ///< share of the light lost in the corner
-constexpr double min_improvement = 0.02;               ///< share of the cost that vignetting must remove
+constexpr double min_corner = 0.05, max_corner = 0.6;  ///< fraction of the light lost in the corner
+constexpr double min_improvement = 0.02;  ///< minimum relative reduction of the cost by vignetting
 
-/// The unknowns, and the number of vignetting terms of each lens.
+/// The unknowns, and the number of vignetting terms per lens.
 struct Model {
     Eigen::MatrixXd gain;        ///< photos x 3
     Eigen::VectorXd vignetting;  ///< 3 per lens
@@ -37,12 +37,12 @@ struct Model {
     }
 };
 
-/// Calls visit(observation, e^2) with the mean square over channels of the residual to the disc's weighted
-/// mean color.
+/// Calls visit(observation, e^2), where e^2 is the squared residual from the disc's weighted mean color,
+/// averaged over the channels.
 template <class Visit>
 void each_residual(const SharedDiscs& obs, const Model& m, const std::vector<double>& weights,
                    const Visit& visit) {
-    std::vector<Eigen::Vector3d> colors;  // of a disc
+    std::vector<Eigen::Vector3d> colors;  // of one disc
     obs.each_disc([&](std::span<const Observation> disc, std::size_t at) {
         Eigen::Vector3d mean = Eigen::Vector3d::Zero();
         double sum = 0;
@@ -74,7 +74,7 @@ struct Normal {
     Eigen::MatrixXd d;  ///< vignetting x 3
 };
 
-/// An observation's contribution: its weight, and its features and values times that weight.
+/// An observation's contribution: its weight, and its weighted features and values.
 struct WeightedObservation {
     Eigen::Index photo, lens;  ///< row of the gain, first row of the vignetting
     double weight;
@@ -177,7 +177,7 @@ void iterate(const SharedDiscs& obs, Model& m, std::vector<double>& weights, dou
     }
 }
 
-/// The vignetting grows outward and is within bounds in the corner.
+/// Whether the vignetting increases outward and is within its bounds in the corner.
 bool is_plausible(const Vignetting& f) {
     double before = 0;
     for (int i = 1; i <= 64; ++i) {
@@ -195,7 +195,7 @@ std::vector<int> photos_of(std::span<const std::uint32_t> lens, std::size_t lens
     return count;
 }
 
-/// Fits vignetting with the most terms that leave every lens's vignetting plausible; none if it does not
+/// Fits vignetting with as many terms as remain plausible for every lens; without vignetting if it does not
 /// help.
 void fit_vignetting(const SharedDiscs& obs, Model& m, std::vector<double>& weights) {
     const Model without = m;
@@ -235,7 +235,7 @@ void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<do
     obs.each_disc([&](std::span<const Observation> disc, std::size_t) {
         for (std::size_t i = 0; i < disc.size(); ++i) {
             const Observation &a = disc[i], &b = disc[(i + 1) % disc.size()];
-            if (i + 1 == disc.size() && i < 2) break;  // two photos are one pair
+            if (i + 1 == disc.size() && i < 2) break;  // two photos form only one pair
             const double d = (m.corrected(a) - m.corrected(b)).lpNorm<1>() / 3;
             differences.push_back(float(d));
             by_photo[a.photo].push_back(float(d));
@@ -254,7 +254,7 @@ std::vector<std::array<double, 3>> gains_of(const Model& m) {
     return out;
 }
 
-/// What a fit works on, and its result so far.
+/// The input and the intermediate result of a fit.
 struct Fit {
     std::vector<std::size_t> samples;  ///< as in ColorFit
     SharedDiscs obs;

@@ -21,17 +21,17 @@ double vignetting_radius(const Intrinsics& intrinsics, const Eigen::Vector2d& pi
 double log_vignetting(const Vignetting& vignetting, double radius);
 double log_vignetting_at_square(const Vignetting& vignetting, double radius2);
 
-/// A difference of natural logarithms in percent.
+/// Converts a difference of natural logarithms to percent.
 inline double percent(double ln) { return 100 * std::expm1(ln); }
 
-/// Gains and vignetting with which photos of the same surface agree in ln I + ln_gain[photo][channel] +
+/// Gains and vignetting that make photos of the same surface agree in ln I + ln_gain[photo][channel] +
 /// log_vignetting(vignetting[lens], r).
 struct ColorFit {
     std::vector<std::array<double, 3>> ln_gain;  ///< per photo; the mean over a component is 0
     std::vector<Vignetting> vignetting;          ///< per lens
     std::vector<std::uint32_t> component;        ///< per photo: equal for photos connected by shared surface
-    std::vector<std::size_t> samples;            ///< per photo: discs that another photo shows, too
-    /// Median |ln ratio| between photos of the same disc, mean of the channels: without and with the
+    std::vector<std::size_t> samples;            ///< per photo: discs that another photo also shows
+    /// Median |ln ratio| between photos of the same disc, averaged over the channels: without and with the
     /// correction.
     double before = 0, after = 0;
     std::vector<double> photo_before, photo_after;  ///< the same per photo; 0 if it shares no disc
@@ -60,8 +60,8 @@ struct PhotoColors {
 };
 PhotoColors colors_of(const ColorFit& fit, std::span<const std::uint32_t> lens);
 
-/// The colors of all photos but one, fitted as if it were not in the scene; its own gain is 1, its vignetting
-/// that of its lens.
+/// The colors of all photos but one, fitted without it; its own gain is 1, and its vignetting is that of its
+/// lens.
 PhotoColors fit_without(Samples samples, std::span<const std::uint32_t> lens, std::uint32_t photo,
                         bool with_vignetting);
 
@@ -71,7 +71,7 @@ struct FitsWithout {
 };
 FitsWithout fits_without(Samples samples, std::span<const std::uint32_t> lens, std::uint32_t photo);
 
-/// Writes gains and vignetting into the photos' records; 1 and 0 for what is off.
+/// Writes gains and vignetting into the photos' records; gain 1 and vignetting 0 if disabled.
 void apply_colors(const PhotoColors& colors, bool gains_on, bool vignetting_on,
                   std::span<package::PhotoRecord> photos);
 

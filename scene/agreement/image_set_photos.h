@@ -8,17 +8,16 @@
 
 namespace vantage {
 
-// What photos decide together, each image set decides by itself: as if the photos of other image sets had no
-// pixels.
+// Joint estimates are made per image set, as if the photos of other image sets had no pixels.
 
-/// 1 + the highest number of a photo's image set.
+/// One more than the highest image set number of any photo.
 std::uint32_t image_set_count(std::span<const package::PhotoRecord> photos);
 
-/// The records, those of photos of other image sets without levels.
+/// The photo records; photos of other image sets have no levels.
 std::vector<package::PhotoRecord> records_of_image_set(std::span<const package::PhotoRecord> photos,
                                                        std::uint32_t image_set);
 
-/// The samples, none for photos of other image sets.
+/// The samples; photos of other image sets have none.
 std::vector<std::span<const package::SampleRecord>> samples_of_image_set(
     Samples samples, std::span<const package::PhotoRecord> photos, std::uint32_t image_set);
 

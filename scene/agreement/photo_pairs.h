@@ -20,11 +20,11 @@ struct PhotoPair {
     double color = 0;      ///< median |ln ratio| of linear light, mean of the channels
 };
 
-/// Favors much shared surface and similar directions.
+/// Score that favors a large shared surface and similar directions.
 double worth(const PhotoPair& pair);
 
-/// Finds photos that share surface; photos of different image sets share none, as their colors cannot be
-/// compared. The spans must outlive it.
+/// Finds photos that share surface. Photos of different image sets never do, because their colors cannot be
+/// compared. The spans must outlive the object.
 class SharedSurface {
   public:
     /// Shared discs are counted with bit operations; angles and colors are computed only for candidates.
@@ -32,11 +32,11 @@ class SharedSurface {
                   std::span<const SurfaceDisc> discs);
 
     std::size_t photos() const { return seen_.size(); }
-    /// Up to `count` pairs with `photo` that share the most surface, at least 30 discs; the most first, equal
-    /// ones in the order of the other photo.
+    /// Up to `count` pairs with `photo` that share the most surface, at least 30 discs, in descending order;
+    /// ties are ordered by the other photo.
     std::vector<PhotoPair> most_shared(std::uint32_t photo, std::size_t count) const;
-    /// Up to `count` pairs with `photo` that share the most surface from similar directions; the best
-    /// first. Chosen among the `candidates_of(count)` that share the most.
+    /// Up to `count` pairs with `photo` that share the most surface from similar directions, best first. They
+    /// are selected from the `candidates_of(count)` pairs that share the most.
     std::vector<PhotoPair> best_pairs(std::uint32_t photo, std::size_t count) const;
     static std::size_t candidates_of(std::size_t count) { return 4 * count; }
 
@@ -47,14 +47,14 @@ class SharedSurface {
 
     Samples samples_;
     std::span<const SurfaceDisc> discs_;
-    std::vector<Bits> seen_;                ///< a bit per disc
+    std::vector<Bits> seen_;                ///< one bit per disc
     std::vector<std::uint32_t> image_set_;  ///< per photo
     std::vector<Eigen::Vector3d> eyes_;
     mutable std::mutex mutex_;
     mutable std::map<std::pair<std::uint32_t, std::uint32_t>, PhotoPair> compared_;
 };
 
-/// The best `per_photo` pairs of every photo, each once, sorted by (a, b).
+/// The best `per_photo` pairs of every photo, without duplicates, sorted by (a, b).
 std::vector<PhotoPair> photo_pairs(const SharedSurface& shared, std::size_t per_photo);
 std::vector<PhotoPair> photo_pairs(std::span<const package::PhotoRecord> photos, Samples samples,
                                    std::span<const SurfaceDisc> discs, std::size_t per_photo);

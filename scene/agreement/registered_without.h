@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// Replaces the poses in the package's photo records by those found without what `photo` shows: that of the
-/// photo itself by the one given. Throws Error(damaged).
+/// Replaces the poses in the package's photo records with those refined without `photo`, and its own pose
+/// with the input pose. Throws Error(damaged).
 void use_poses_without(const PackageReader& package, std::uint32_t photo,
                        std::span<package::PhotoRecord> records);
 

@@ -9,7 +9,7 @@ namespace vantage {
 namespace {
 
 constexpr std::size_t min_samples = 30;
-constexpr std::size_t max_samples = std::size_t(1) << 20;  ///< over all photos
+constexpr std::size_t max_samples = std::size_t(1) << 20;  ///< total of all photos
 
 SharedDiscs shared(Samples samples, const std::vector<bool>& use) {
     SharedDiscs out;
@@ -51,7 +51,7 @@ SharedDiscs shared_discs(Samples samples, std::vector<std::size_t>& count) {
     for (;;) {
         SharedDiscs obs = shared(samples, use);
         count = counted(obs, samples.size());
-        bool stable = true;  // leaving out a photo reduces the counts of others
+        bool stable = true;  // dropping a photo reduces the counts of others
         for (std::size_t i = 0; i < use.size(); ++i)
             if (use[i] && count[i] < min_samples) use[i] = stable = false;
         if (stable) return obs;
@@ -86,7 +86,7 @@ PhotoSamples thinned(Samples samples, std::size_t step) {
 }
 
 PhotoSamples samples_to_fit(Samples samples) {
-    constexpr std::size_t most = 8192;  // of all photos
+    constexpr std::size_t most = 8192;  // discs
     std::size_t shown_discs = 0;
     for (const auto& s : samples) shown_discs += std::size_t(std::ranges::count_if(s, shown));
     return thinned(samples, 1 + shown_discs / most);

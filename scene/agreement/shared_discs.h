@@ -15,27 +15,27 @@ using Samples = std::span<const std::span<const package::SampleRecord>>;
 /// Whether the photo shows the disc.
 inline bool shown(const package::SampleRecord& s) { return s.linear[0] | s.linear[1] | s.linear[2]; }
 
-/// The samples of all photos. With many photos only every `step`-th disc is kept, which bounds the memory.
+/// The samples of all photos. With many photos, only every `step`-th disc is kept to limit memory.
 struct PhotoSamples {
     std::vector<std::vector<package::SampleRecord>> of_photo;  ///< empty for photos without pixels
     std::size_t step = 1;
     std::vector<std::span<const package::SampleRecord>> spans() const;
 };
-/// Every `step`-th disc.
+/// Keeps every `step`-th disc.
 PhotoSamples thinned(Samples samples, std::size_t step);
-/// Enough of the discs to fit the colors of a fold: a gain is one number per photo and channel.
+/// Enough discs to fit the colors of a fold, since a gain is only one number per photo and channel.
 PhotoSamples samples_to_fit(Samples samples);
 /// `read` returns the bytes of a photo's SAMP chunk.
 PhotoSamples read_samples(std::span<const package::PhotoRecord> photos,
                           const std::function<std::vector<std::byte>(std::uint32_t photo)>& read);
 
-/// A disc in a photo: ln of its linear color, and the r^2 of the lens vignetting, see vignetting_radius.
+/// A disc in a photo: ln of its linear color, and r^2 for the lens vignetting (see vignetting_radius).
 struct Observation {
     std::uint32_t photo;
     float ln[3], radius2;
 };
 
-/// The discs that several photos show.
+/// Discs visible in several photos.
 struct SharedDiscs {
     std::vector<Observation> all;    ///< disc by disc
     std::vector<std::size_t> first;  ///< start of each disc in `all`, and the end
@@ -48,7 +48,7 @@ struct SharedDiscs {
     }
 };
 
-/// Leaves out photos that share fewer than 30 discs with others. `count`: shared discs per photo.
+/// Drops photos that share fewer than 30 discs with others. `count`: shared discs per photo.
 SharedDiscs shared_discs(Samples samples, std::vector<std::size_t>& count);
 
 /// Connected components by shared discs: for each photo, the first photo of its component.

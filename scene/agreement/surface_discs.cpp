@@ -44,7 +44,7 @@ std::vector<SurfaceDisc> surface_disc_set(std::span<const Eigen::Vector3f> posit
         const double share = 0.5 * (whole > 0 ? area[t] / whole : 0) + 0.5 / double(triangles);
         passed += share * double(package::surface_discs);
         const auto p = corners(t);
-        // Rounding must not lose the last disc.
+        // Rounding must not drop the last disc.
         const double until = t + 1 == triangles ? double(package::surface_discs) : passed;
         while (discs.size() < package::surface_discs && double(discs.size()) + 0.5 < until)
             discs.push_back(

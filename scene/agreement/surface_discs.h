@@ -9,21 +9,21 @@
 
 namespace vantage {
 
-/// A small disc on the model's surface, at which photos are compared.
+/// A small disc on the model's surface where photos are compared.
 struct SurfaceDisc {
-    Eigen::Vector3f center, normal;  ///< the normal has either sign, and is 0 on a degenerate triangle
+    Eigen::Vector3f center, normal;  ///< the normal's sign is arbitrary; 0 on a degenerate triangle
     float radius;
 };
 
 /// Discs spread over the model, half by area and half by triangle count, so that neither a large ground plane
-/// nor a dense object takes them all. Deterministic. Their radius is 48 px at `density` (pixels per unit of
-/// the finest photo). Triangles with strays count as
-/// without area (has_stray; `bounds` relative to the origin). Empty if the model has no triangles.
+/// nor a dense object receives them all. Deterministic. Their radius is 48 px at `density` (pixels per unit
+/// of the finest photo). Triangles with strays count as zero area (has_stray; `bounds` relative to the
+/// origin). Empty if the model has no triangles.
 std::vector<SurfaceDisc> surface_disc_set(std::span<const Eigen::Vector3f> positions,
                                           std::span<const std::uint32_t> indices, double density,
                                           const Eigen::AlignedBox3d& bounds = {});
 
-/// Every `step`-th disc.
+/// Keeps every `step`-th disc.
 std::vector<SurfaceDisc> thinned(std::span<const SurfaceDisc> discs, std::size_t step);
 
 }  // namespace vantage

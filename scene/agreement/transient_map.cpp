@@ -13,7 +13,7 @@ constexpr float tolerance = 0.35f;   ///< ln of linear light
 constexpr float depth_step = 0.02f;  ///< relative depth difference on one surface
 constexpr std::size_t max_compared = 6;
 
-/// What another photo shows at a point `p` of its camera space; null if it does not see it.
+/// The texel of another photo at point `p` in its camera space; null if it does not see the point.
 const TransientView::Texel* shown_at(const TransientView& v, const Eigen::Vector3f& p) {
     if (!(p.z() > 0)) return nullptr;
     const float x = float(v.k.fx) * p.x() / p.z() + float(v.k.cx),
@@ -26,12 +26,12 @@ const TransientView::Texel* shown_at(const TransientView& v, const Eigen::Vector
 
 using Others = std::array<const TransientView::Texel*, max_compared>;
 
-/// How far a color is outside the range that another photo shows.
+/// Distance of a color from the range of colors in another photo.
 float outside(const float* ln, const TransientView::Texel& other, std::size_t c) {
     return std::max({0.0f, other.low[c] - ln[c], ln[c] - other.high[c]});
 }
 
-/// Whether the other photo shows the color, too: then it belongs to the scene, even if the mesh lacks it.
+/// Whether the other photo also shows the color. If so, it belongs to the scene, even if the mesh lacks it.
 bool confirms(const TransientView::Texel& other, const float* ln) {
     return std::max({outside(ln, other, 0), outside(ln, other, 1), outside(ln, other, 2)}) <= tolerance;
 }
@@ -40,7 +40,7 @@ float median(std::array<float, max_compared>& v, std::size_t n) {
     return upper_median(std::span(v).first(n));
 }
 
-/// Weight in [0, 1] of a color that none of `n` others shows, given what they show of the same place.
+/// Weight in [0, 1] of a color that none of `n` other photos shows, from their texels at the same place.
 float weight_among(const float* ln, const Others& others, std::size_t n) {
     float deviation = 0, spread = 0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -61,16 +61,16 @@ float weight_among(const float* ln, const Others& others, std::size_t n) {
 }
 
 int clamped(int i, int n) { return std::clamp(i, 0, n - 1); }
-/// Mirrors a position at the first and the last of `n`, which are not repeated.
+/// Reflects a position at the first and the last of `n`, without repeating them.
 int mirrored(int i, int n) { return clamped(i < 0 ? -i : i >= n ? 2 * n - 2 - i : i, n); }
 
-/// Values of a row, and two on each side.
+/// The values of a row, padded by two on each side.
 template <class T>
 class WideRow {
   public:
     explicit WideRow(int width) : width_(width), values_(std::size_t(width) + 4) {}
     T* data() { return values_.data() + 2; }
-    /// Fills the sides from inside; `index`: clamped or mirrored.
+    /// Fills the padding from the row; `index`: clamped or mirrored.
     void extend(int (*index)(int, int)) {
         for (const int i : {-2, -1, width_, width_ + 1}) data()[i] = data()[index(i, width_)];
     }
@@ -107,7 +107,8 @@ std::vector<std::uint8_t> median_3x3(Grid<const std::uint8_t> from) {
     return out;
 }
 
-/// Least of the texels around each: a row of five in it and in the rows beside it, and one two rows away.
+/// Minimum around each texel: five texels in its own row and in the rows above and below, three in the rows
+/// beyond.
 std::vector<std::uint8_t> least_around(Grid<const std::uint8_t> from) {
     std::vector<std::uint8_t> out(from.size());
     WideRow<std::uint8_t> least(from.width);
@@ -126,7 +127,7 @@ std::vector<std::uint8_t> least_around(Grid<const std::uint8_t> from) {
     return out;
 }
 
-/// Weights 1 2 1 in each direction.
+/// Blur with weights 1 2 1 in each direction.
 std::vector<std::uint8_t> binomial_3x3(Grid<const std::uint8_t> from) {
     std::vector<std::uint8_t> out(from.size());
     WideRow<std::uint16_t> sums(from.width);

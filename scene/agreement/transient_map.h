@@ -8,27 +8,27 @@
 
 namespace vantage {
 
-/// Where other photos contradict a photo.
+/// The areas of a photo that other photos contradict.
 struct TransientMap {
     int width = 0, height = 0;
     std::vector<std::uint8_t> weight;  ///< 255: not contradicted; 0: others agree on another color
-    double disagreeing = 0;            ///< share of the compared texels with weight below 128
+    double disagreeing = 0;            ///< fraction of the compared texels with weight below 128
 };
 
-/// Compares each texel with the same place in `others`. The weight falls when no other photo shows its color
-/// around that place within 0.35 (ln of linear light), and it is outside the range that most of them show by
-/// more than 0.35 plus twice the spread among them; it is 0 at twice that. Single texels are ignored as
-/// noise. The weight is 255 if fewer than two others see the place or they disagree among themselves. At most
+/// Compares each texel with the same place in `others`. The weight falls when no other photo shows the color
+/// around that place within 0.35 (ln of linear light), and it differs from the range in most of them by more
+/// than 0.35 plus twice their spread; at twice that difference, it is 0. Single texels are ignored as noise.
+/// The weight is 255 if fewer than two others see the place, or if they disagree among themselves. At most
 /// six others are used per texel.
 TransientMap transient_of(const TransientView& photo, std::span<const TransientView* const> others);
 
-/// The same for one of many photos, with the views of `partners` as others. Empty if there are fewer than
+/// The same for one of many photos, compared with the views of its `partners`. Empty if there are fewer than
 /// two.
 TransientMap transient_of(std::uint32_t photo, std::span<const std::uint32_t> partners,
                           const LruCache<TransientView>& views);
 
-/// Removes single texels below 255, which are noise, and grows the rest over its blurred edges: median of
-/// 3x3, minimum over 5x5 without the corners' three texels, binomial blur of 3x3.
+/// Removes single texels below 255 as noise, and expands the rest over its blurred edges: 3x3 median, minimum
+/// over 5x5 without three texels at each corner, 3x3 binomial blur.
 std::vector<std::uint8_t> without_noise(const std::vector<std::uint8_t>& weight, int width, int height);
 
 }  // namespace vantage

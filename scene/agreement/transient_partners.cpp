@@ -6,7 +6,7 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t neighbors = 6;  ///< that a photo chooses
+constexpr std::size_t neighbors = 6;  ///< chosen by each photo
 
 }  // namespace
 

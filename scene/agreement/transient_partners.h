@@ -12,7 +12,7 @@ namespace vantage {
 class TransientPartners {
   public:
     explicit TransientPartners(const SharedSurface& shared);
-    /// Ascending. `without`: exactly as if that photo were not in the scene.
+    /// The partners, ascending. `without`: exactly as if that photo were not in the scene.
     std::vector<std::uint32_t> of(std::uint32_t photo, std::optional<std::uint32_t> without = {}) const;
 
   private:
@@ -21,8 +21,8 @@ class TransientPartners {
         bool spare;  ///< considered only if another candidate is missing
     };
     bool chooses(std::uint32_t photo, std::uint32_t other, std::optional<std::uint32_t> without) const;
-    std::vector<std::vector<Candidate>> candidates_;     ///< per photo, the best first
-    std::vector<std::vector<std::uint32_t>> chosen_by_;  ///< per photo: those whose candidate it is
+    std::vector<std::vector<Candidate>> candidates_;     ///< per photo, best first
+    std::vector<std::vector<std::uint32_t>> chosen_by_;  ///< per photo: the photos of which it is a candidate
 };
 
 }  // namespace vantage

@@ -24,19 +24,19 @@ struct TransientView {
 
     Grid<const Texel> grid() const { return {texels.data(), width, height}; }
 };
-/// A texel's color as exposed, from linear light (NaN: the photo has no pixel), and its depth; see
-/// find_ranges.
+/// Sets a texel's color as exposed, from linear light (NaN: the photo has no pixel), and its depth. Call
+/// find_ranges afterwards.
 void set_color(TransientView::Texel& texel, const float* linear, float z);
-/// Fills in `low` and `high` of all texels from their colors.
+/// Computes `low` and `high` of all texels from their colors.
 void find_ranges(TransientView& view);
 
-/// The level of the evidence for transient masks: with at most 512 texels on the longer side.
+/// The level at which photos are compared for transient masks, with at most 512 texels on the longer side.
 int transient_level(const package::PhotoRecord& record);
-/// A photo's pixels at a level that has weight maps, colors as exposed. Throws Error(damaged).
+/// A photo's pixels at a level that has weight maps, with colors as exposed. Throws Error(damaged).
 TransientView read_transient_view(const PackageReader& package, const package::PhotoRecord& record,
                                   std::uint32_t photo, int level);
 
-/// The view in the exposure of the mean photo, without the lens's vignetting.
+/// The view with the exposure of the mean photo, and vignetting corrected.
 TransientView corrected(TransientView view, const std::array<double, 3>& ln_gain,
                         const Vignetting& vignetting);
 

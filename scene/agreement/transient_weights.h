@@ -7,10 +7,10 @@
 
 namespace vantage {
 
-/// Sets the fourth channel of texels of weight maps to the map's weights, bilinear: 255 without a map (null),
-/// at least 1 where the photo sees the model, unchanged 0 elsewhere. `level`: the size of the whole level;
-/// `texels`: 4 bytes each, the first at column `left`, row `top` of the level, positions beyond it are those
-/// of its edge.
+/// Sets the fourth channel of weight-map texels to the map's weights, interpolated bilinearly: 255 without a
+/// map (null), at least 1 where the photo sees the model, and still 0 elsewhere. `level`: the size of the
+/// whole level; `texels`: 4 bytes each, starting at column `left`, row `top` of the level; positions beyond
+/// the level are clamped to its edge.
 void set_weights(const TransientMap* map, const Level& level, Grid<std::byte> texels, int left, int top);
 
 /// The same for a stored tile of the level.

@@ -11,18 +11,18 @@
 
 namespace vantage {
 
-/// Transient masking maps of a package's photos as if one of them did not exist, made on demand from what the
-/// package holds.
+/// Transient masks of a package's photos as if one of them did not exist, computed on demand from the
+/// package.
 class TransientWithout {
   public:
-    /// `samples` as read from the package. Throws Error(damaged).
+    /// `samples`: as read from the package. Throws Error(damaged).
     TransientWithout(const PackageReader& package, const PhotoSamples& samples);
 
-    /// Chooses the photo that does not exist. `colors`: fitted without it; `photos`: the package's records,
-    /// with poses found without it.
+    /// Chooses the photo to hold out. `colors`: fitted without it; `photos`: the package's records, with
+    /// poses refined without it.
     void hold_out(std::uint32_t photo, PhotoColors colors, std::span<const package::PhotoRecord> photos);
-    /// What `prepare --hold-out` writes to the weight maps of another photo; null if it has fewer than two
-    /// partners. Valid until hold_out. Throws Error(damaged).
+    /// The transient mask of another photo, as `prepare --hold-out` writes it to the weight maps; null if it
+    /// has fewer than two partners. Valid until the next hold_out. Throws Error(damaged).
     const TransientMap* of(std::uint32_t photo);
 
   private:

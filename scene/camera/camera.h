@@ -14,7 +14,7 @@ struct Intrinsics {
     /// The same camera at another resolution.
     Intrinsics scaled(int new_width, int new_height) const;
     /// The same camera at a level of the photo's pyramid. A pixel there is exactly 2^level pixels wide, so
-    /// the frame grows where the size is rounded up.
+    /// rounding the size up enlarges the frame.
     Intrinsics at_level(int level) const;
 };
 
@@ -41,8 +41,8 @@ struct Projection {
     double z;
 };
 
-/// Pinhole projection without the lens. Empty for points on or behind the camera's plane, and if the result
-/// is not finite.
+/// Pinhole projection without the lens. Empty for points on or behind the camera's plane, or if the result is
+/// not finite.
 std::optional<Projection> project(const Intrinsics& intrinsics, const Pose& cam_from_world,
                                   const Eigen::Vector3d& point);
 
@@ -57,12 +57,12 @@ inline bool in_frame(const Intrinsics& k, const Eigen::Vector2d& pixel) {
 Eigen::Matrix4d clip_from_cam(const Intrinsics& intrinsics, double near, double far);
 
 /// Near and far plane for depths from `nearest` to `farthest`, slightly widened. The near plane is at least
-/// 1e-7 of `farthest`, the resolution of single-precision positions, or of `reach` if that is less: the
-/// distance up to which the surface should be drawn well. {0, 0} if nothing is in front of the camera.
+/// 1e-7 times `farthest`, the resolution of single-precision positions, or times `reach` if that is less: the
+/// distance up to which the surface should be drawn accurately. {0, 0} if nothing is in front of the camera.
 Eigen::Vector2d clip_range(double nearest, double farthest, double reach);
 
 /// Throws Error(input) naming `who` unless sizes and focal lengths are positive, everything (including the
-/// lens) is finite, and R is orthonormal with determinant +1 to within 1e-3. Replaces R by the nearest
+/// lens) is finite, and R is orthonormal with determinant +1 to within 1e-3. Replaces R with the nearest
 /// rotation.
 void validate(Camera& camera, const std::string& who);
 

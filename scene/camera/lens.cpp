@@ -63,12 +63,12 @@ Eigen::Vector2d aria(const Coefficients& p, const Eigen::Vector2d& q) {
             y + 2 * p[6] * x * y + p[7] * (r2 + 2 * y * y) + r2 * (p[10] + r2 * p[11])};
 }
 
-/// The root of k r x'^2 - x' + r = 0 that is r for k = 0. NaN where there is none.
+/// The root of k r x'^2 - x' + r = 0 that equals r for k = 0. NaN if there is none.
 Eigen::Vector2d division(double k, const Eigen::Vector2d& q) {
     return q * (2 / (1 + std::sqrt(1 - 4 * k * q.squaredNorm())));
 }
 
-/// The root of x' + k x'^3 = r that is r for k = 0, in closed form. NaN where there is none.
+/// The root of x' + k x'^3 = r that equals r for k = 0, in closed form. NaN if there is none.
 Eigen::Vector2d matchmover(double k, const Eigen::Vector2d& q) {
     const double r = q.norm(), root = std::sqrt(3 * std::abs(k)), x = 1.5 * r * root;
     if (!(x > 1e-8)) return q;
@@ -108,7 +108,7 @@ double lens_range(const Lens& lens) {
         before = now;
     }
     if (i > steps) return std::numeric_limits<double>::infinity();
-    // The maximum is in one of the last two steps: ternary search.
+    // The maximum lies in one of the last two steps and is found by ternary search.
     double low = last * std::max(i - 2, 0) / steps, high = last * i / steps;
     while (high - low > 1e-9) {
         const double a = low + (high - low) / 3, b = high - (high - low) / 3;

@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// Lens distortion models: from the direction of a ray to where it meets the photo, in focal lengths. x, y:
+/// Lens distortion models map the direction of a ray to its position in the photo, in focal lengths. x, y:
 /// the direction; r: its distance from the axis.
 enum class LensModel : int {
     none,

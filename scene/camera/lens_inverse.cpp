@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// Where a ray in the direction `xy` is imaged as far from the center as `xy` is.
+/// The ray in direction `xy` whose image is as far from the center as `xy`.
 Eigen::Vector2d by_bisection(const Lens& lens, double range, const Eigen::Vector2d& xy) {
     const double radius = xy.norm();
     if (radius == 0) return xy;
@@ -20,7 +20,7 @@ Eigen::Vector2d by_bisection(const Lens& lens, double range, const Eigen::Vector
     return along * low;
 }
 
-/// By central differences.
+/// Jacobian by central differences.
 Eigen::Matrix2d jacobian(const Lens& lens, const Eigen::Vector2d& at) {
     const double step = 1e-6 * std::max(1.0, at.norm());
     Eigen::Matrix2d J;

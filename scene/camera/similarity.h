@@ -9,12 +9,12 @@ namespace vantage {
 struct Similarity {
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
     Eigen::Vector3d t = Eigen::Vector3d::Zero();
-    double scale = 1;  ///< above 0
+    double scale = 1;  ///< positive
 
     Eigen::Vector3d operator()(const Eigen::Vector3d& x) const;
 };
 
-/// A rotation times a scale, and a translation: 3 rows of 4 numbers.
+/// As 3 rows of 4 numbers: a rotation times a scale, and a translation.
 Eigen::Matrix<double, 3, 4> matrix_of(const Similarity& s);
 
 Similarity inverse(const Similarity& s);

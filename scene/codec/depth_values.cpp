@@ -12,11 +12,11 @@
 namespace vantage::codec {
 namespace {
 
-constexpr int dropped = 24 - depth_bits;  ///< bits of a float's 24, of which one is implied
+constexpr int dropped = 24 - depth_bits;  ///< of a float's 24 significant bits, one of which is implicit
 constexpr std::uint32_t infinite = 0x7f800000u >> dropped;
 constexpr std::uint32_t max_steps = 0xffff;
 
-/// What is kept of a depth that is positive and finite, which it stays.
+/// The stored bits of a positive, finite depth; the rounded depth is positive and finite as well.
 std::uint32_t kept_bits(float z) {
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(z);
     return std::clamp((bits + (1u << (dropped - 1))) >> dropped, 1u, infinite - 1);
@@ -24,7 +24,7 @@ std::uint32_t kept_bits(float z) {
 
 float depth_of(std::uint32_t kept) { return std::bit_cast<float>(kept << dropped); }
 
-/// 0 for +inf; nothing if there is a value that a depth cannot have, or too large a range.
+/// 0 for +inf. Not valid if a value is not a depth or the range is too large.
 struct Steps {
     std::uint32_t least = infinite;
     std::vector<std::uint16_t> values;

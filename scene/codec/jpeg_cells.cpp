@@ -12,7 +12,7 @@
 namespace vantage::codec {
 namespace {
 
-constexpr int wanted_width = 64, wanted_height = 128;  ///< pixels of a cell, about
+constexpr int wanted_width = 64, wanted_height = 128;  ///< approximate size of a cell, pixels
 constexpr int max_interval = 16;                       ///< so that a row of a cell fits into 65535 bytes
 
 int divided_up(int a, int b) { return (a + b - 1) / b; }
@@ -49,8 +49,8 @@ unsigned restart_interval(const jpeg_decompress_struct& from) {
     return unsigned(interval_for(divided_up(int(from.image_width), width), width));
 }
 
-/// Codes the coefficients again, in one scan with restarts. False if the JPEG is damaged or of another kind.
-/// Has no destructors to run, because errors jump out of it.
+/// Re-encodes the coefficients in one scan with restarts. False if the JPEG is damaged or unsupported. Has no
+/// destructors to run, because errors jump out of it.
 bool transcode(std::span<const std::byte> jpeg, Buffer& out) {
     jpeg_decompress_struct from{};
     jpeg_compress_struct to{};
@@ -63,7 +63,7 @@ bool transcode(std::span<const std::byte> jpeg, Buffer& out) {
         jpeg_mem_src(&from, reinterpret_cast<const unsigned char*>(jpeg.data()), jpeg.size());
         if (jpeg_read_header(&from, TRUE) == JPEG_HEADER_OK && can_divide(from)) {
             jvirt_barray_ptr* coefficients = jpeg_read_coefficients(&from);
-            const bool valid = failure.errors.num_warnings == 0;  // what follows counts anew
+            const bool valid = failure.errors.num_warnings == 0;  // later calls reset the count
             jpeg_copy_critical_parameters(&from, &to);
             to.optimize_coding = TRUE;
             to.restart_interval = restart_interval(from);
@@ -104,10 +104,10 @@ void append_word(std::vector<std::byte>& out, std::size_t value) {
     out.push_back(std::byte(value >> 8));
 }
 
-/// Rows of MCUs in the cells of row `row`.
+/// Number of MCU rows in the cells of row `row`.
 int rows_in_cell(const CellGrid& g, int row) { return std::min(g.band, g.header.mcu_rows() - row * g.band); }
 
-/// Row `row` of a cell with `rows` rows of MCUs; empty if the cell is damaged.
+/// MCU row `row` of a cell with `rows` of them; empty if the cell is damaged.
 std::optional<std::span<const std::byte>> row_of_cell(std::span<const std::byte> cell, int rows, int row) {
     std::size_t at = 2 * std::size_t(rows), length = 0;
     if (cell.size() < at) return std::nullopt;
@@ -127,7 +127,7 @@ struct Window {
 
 Window whole(const CellGrid& g) { return {0, g.columns, 0, g.header.mcu_rows()}; }
 
-/// What a part needs, with the neighbors from which its chroma is interpolated.
+/// The window needed to decode a part, including the neighbors from which its chroma is interpolated.
 Window window_of(const CellGrid& g, const PixelRect& part) {
     const int beside = g.header.mcu_width / 4, above = g.header.mcu_height / 4;
     return {std::max(0, part.left - beside) / g.cell_width(),
@@ -142,7 +142,7 @@ PixelRect pixels_of(const CellGrid& g, const Window& w) {
             std::min(g.header.height, w.last_row * g.header.mcu_height)};
 }
 
-/// A JPEG of a window of cells.
+/// Assembles a JPEG from a window of cells.
 bool assemble(std::span<const std::byte> header, const CellGrid& g, const Window& w, const CellAt& cell,
               std::vector<std::byte>& jpeg) {
     const PixelRect pixels = pixels_of(g, w);
@@ -162,7 +162,7 @@ bool assemble(std::span<const std::byte> header, const CellGrid& g, const Window
     return true;
 }
 
-/// Puts segments, row by row of MCUs, into cells. Empty if they are not those of the header's grid.
+/// Puts segments, MCU row by MCU row, into cells. Empty if they do not match the header's grid.
 std::optional<JpegCells> in_cells(std::vector<std::byte> header,
                                   std::span<const std::span<const std::byte>> segments) {
     const auto grid = cell_grid(header);
@@ -194,7 +194,7 @@ std::vector<std::byte> plain_header(std::span<const std::byte> jpeg, const JpegH
                   restarts = 0xdd;
     std::vector<std::byte> out(jpeg.begin(), jpeg.begin() + 2);
     for (const JpegSegment& s : segments_of(jpeg, header)) {
-        // These two tell the color space.
+        // These two markers give the color space.
         const bool kept =
             (s.marker == jfif && s.content.size() == 16) || (s.marker == adobe && s.content.size() == 14);
         if (s.at + 2 + s.content.size() == header.bytes) {
@@ -225,7 +225,7 @@ std::optional<JpegCells> divide_codes(std::span<const std::byte> jpeg) {
     return in_cells(plain_header(jpeg, *header, interval, divided->tables), segments);
 }
 
-/// The same by libjpeg, which reads every kind of JPEG.
+/// The same with libjpeg, which supports every kind of JPEG.
 std::optional<JpegCells> divide_coefficients(std::span<const std::byte> jpeg) {
     Buffer buffer;
     if (!transcode(jpeg, buffer)) return std::nullopt;

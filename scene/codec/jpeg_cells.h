@@ -10,20 +10,20 @@
 
 namespace vantage::codec {
 
-/// How a photo's DCT coefficients are divided so that parts of it can be decoded alone: into cells of
-/// `interval` MCUs by `band` rows of MCUs. A cell holds, for each of its rows of MCUs, a u16 with the length
-/// of that row's entropy-coded data; then these data, each beginning anew like after a restart marker. All
-/// follows from the header, in which the restart interval is the cells' width.
+/// The division of a photo's DCT coefficients into cells of `interval` MCUs by `band` MCU rows, so that parts
+/// of it can be decoded independently. A cell holds, for each of its MCU rows, the length of its
+/// entropy-coded data as a u16; then the data, each starting afresh as after a restart marker. The grid
+/// follows from the header, whose restart interval is the cells' width.
 struct CellGrid {
     JpegHeader header;
     int columns = 0, rows = 0;
-    int band = 0;  ///< rows of MCUs in a cell; the last row of cells may have fewer
+    int band = 0;  ///< MCU rows in a cell; the last row of cells may have fewer
 
     int cell_width() const { return header.restart_interval * header.mcu_width; }
     std::size_t cells() const { return std::size_t(columns) * std::size_t(rows); }
 };
 
-/// Empty if `header` is not one of a photo in cells.
+/// Empty if `header` is not the header of a photo in cells.
 std::optional<CellGrid> cell_grid(std::span<const std::byte> header);
 
 /// A photo in cells, row by row; cell i ends at ends[i] of `bytes`.
@@ -37,12 +37,12 @@ struct JpegCells {
     }
 };
 
-/// Divides a JPEG without changing its coefficients. Empty if it is not one of 8 bits in gray or three
-/// colors, or is damaged.
+/// Divides a JPEG without changing its coefficients. Empty if it is damaged, or not 8-bit gray or
+/// three-channel color.
 std::optional<JpegCells> divide_jpeg(std::span<const std::byte> jpeg);
 
-/// Puts the coefficients of all cells together: a JPEG with the pixels of the one that was divided. Empty if
-/// a cell is damaged.
+/// Joins the coefficients of all cells into a JPEG with the same pixels as the original. Empty if a cell is
+/// damaged.
 using CellAt = std::function<std::span<const std::byte>(std::size_t cell)>;
 std::optional<std::vector<std::byte>> joined_jpeg(std::span<const std::byte> header, const CellAt& cell);
 
@@ -53,11 +53,11 @@ struct PixelRect {
     int height() const { return bottom - top; }
 };
 
-/// The cells that are needed to decode a part, row by row.
+/// The cells needed to decode a part, row by row.
 std::vector<std::size_t> cells_of(const CellGrid& grid, const PixelRect& part);
 
-/// Decodes a part, which lies in the photo, into width * height * 4 bytes: the same pixels as those of the
-/// whole JPEG. False if a cell is damaged.
+/// Decodes a part, which must lie within the photo, into width * height * 4 bytes, with the same pixels as
+/// the whole JPEG. False if a cell is damaged.
 bool decode_cells(std::span<const std::byte> header, const CellGrid& grid, const PixelRect& part,
                   const CellAt& cell, std::span<std::byte> rgba);
 

@@ -1,20 +1,20 @@
 #pragma once
 #include <cstdio>
-// After <cstdio>: it uses its types.
+// Must follow <cstdio>, whose types it uses.
 #include <jpeglib.h>
 
 #include <csetjmp>
 
 namespace vantage::codec {
 
-/// Where libjpeg jumps when it fails: its errors must not return. The function that calls setjmp(jump) must
-/// have no destructors to run.
+/// The jump target for errors of libjpeg, whose error handler must not return. The function that calls
+/// setjmp(jump) must have no destructors to run.
 struct JpegFailure {
     jpeg_error_mgr errors;
     std::jmp_buf jump;
 };
 
-/// An error manager that prints nothing and jumps to `failure.jump`, which has to be set before libjpeg runs.
+/// An error manager that prints nothing and jumps to `failure.jump`, which must be set before libjpeg runs.
 inline jpeg_error_mgr* jumping_errors(JpegFailure& failure) {
     jpeg_error_mgr* errors = jpeg_std_error(&failure.errors);
     errors->error_exit = [](j_common_ptr j) {

@@ -10,7 +10,7 @@ namespace {
 constexpr int start_of_image = 0xd8, baseline_frame = 0xc0, arithmetic_tables = 0xcc, restart_marker = 0xdd,
               start_of_scan = 0xda;
 
-/// `segment` begins with its length. False if this kind of frame is not read.
+/// `segment` begins with its length. False if this kind of frame is not supported.
 bool read_frame(std::span<const std::byte> segment, JpegHeader& out) {
     if (segment.size() < 8 || byte_at(segment, 2) != 8) return false;
     out.height = word_at(segment, 3);
@@ -35,7 +35,7 @@ bool is_other_frame(int marker) {
     return marker >= 0xc1 && marker <= 0xcf && marker != huffman_tables && marker != arithmetic_tables;
 }
 
-/// Empty if the segment is not whole.
+/// Empty if the segment is incomplete.
 std::optional<JpegSegment> segment_at(std::span<const std::byte> jpeg, std::size_t at) {
     if (at + 4 > jpeg.size() || byte_at(jpeg, at) != 0xff) return std::nullopt;
     const auto length = std::size_t(word_at(jpeg, at + 2));

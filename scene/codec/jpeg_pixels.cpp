@@ -26,7 +26,7 @@ std::vector<std::byte> encode_jpeg(std::span<const std::byte> rgba, int width, i
     unsigned long bytes = out.size();
     if (!encoder || tjCompress2(encoder.get(), pixels(rgba), width, 0, height, TJPF_RGBA, &to, &bytes,
                                 TJSAMP_444, quality, TJFLAG_ACCURATEDCT | TJFLAG_NOREALLOC))
-        throw std::bad_alloc();  // the only error with enough space
+        throw std::bad_alloc();  // the only possible error with enough space
     out.resize(bytes);
     return out;
 }

@@ -7,14 +7,14 @@
 
 namespace vantage::codec {
 
-/// The median edge detector of LOCO-I (Weinberger et al. 2000): what to expect at a texel from the ones to
-/// its left, above, and above left. The plane continued where they end at an edge.
+/// The median edge detector of LOCO-I (Weinberger et al. 2000): predicts a texel from its neighbors to the
+/// left, above, and above left. Continues their plane, except at an edge.
 inline int predicted(int left, int above, int corner) {
     return std::max(std::min(left, above), std::min(std::max(left, above), left + above - corner));
 }
 
-/// Sets each texel, row by row, to `next(expected)`. Beyond the edges: the first row is expected to continue
-/// to the right, starting from 0, the first column downward.
+/// Sets each texel, row by row, to `next(expected)`. In the first row, the expected value is the texel to the
+/// left, starting from 0; in the first column, the texel above.
 template <class T, class Next>
 void predict_each(const Grid<T>& values, const Next& next) {
     for (int y = 0; y < values.height; ++y) {
@@ -27,7 +27,7 @@ void predict_each(const Grid<T>& values, const Next& next) {
     }
 }
 
-/// What predict_each expects at each texel of row `y`, subtracted from it.
+/// The texels of row `y` minus the values that predict_each expects there.
 template <class T>
 void differences_of_row(const Grid<const T>& values, int y, std::span<std::int16_t> out) {
     const T* row = &values(0, y);
@@ -44,7 +44,7 @@ void differences_of_row(const Grid<const T>& values, int y, std::span<std::int16
             std::int16_t(int(row[x]) - predicted(int(row[x - 1]), int(above[x]), int(above[x - 1])));
 }
 
-/// Differences as unsigned numbers, small ones first: 0, -1, 1, -2, ...
+/// Maps differences to unsigned numbers by magnitude: 0, -1, 1, -2, ...
 inline std::uint32_t folded(std::int32_t d) { return std::uint32_t(d) << 1 ^ std::uint32_t(d >> 31); }
 inline std::int32_t unfolded(std::uint32_t u) { return std::int32_t(u >> 1) ^ -std::int32_t(u & 1); }
 

@@ -12,11 +12,11 @@ namespace vantage::codec {
 namespace {
 
 constexpr int end_of_image = 0xd9, first_restart = 0xd0;
-constexpr int max_blocks = 10;  ///< in an MCU (B.2.3)
+constexpr int max_blocks = 10;  ///< blocks per MCU (B.2.3)
 constexpr int max_size = 11;    ///< bits of a DC difference
-constexpr int peek_bits = 10;   ///< codes up to this length are found by one look at a table
+constexpr int peek_bits = 10;   ///< codes up to this length are found by one table lookup
 
-/// A Huffman table (C.2): codes by symbol, and symbols by code.
+/// A Huffman table (C.2), for encoding and decoding.
 struct HuffmanTable {
     struct Code {
         std::uint16_t bits = 0;
@@ -28,12 +28,13 @@ struct HuffmanTable {
     std::array<Code, 256> code_of{};
     std::array<Found, std::size_t(1) << peek_bits> short_codes{};
     std::array<std::int32_t, 18> end{};    ///< per length: one past its last code, left-aligned to 16 bits
-    std::array<std::int32_t, 17> first{};  ///< per length: its first code minus the place of its symbol
+    std::array<std::int32_t, 17> first{};  ///< per length: its first code minus the index of its symbol
     std::vector<std::uint8_t> symbols;
     bool defined = false;
 };
 
-/// `counts`: per length from 1 to 16. False if there are more codes than the lengths allow.
+/// `counts`: number of codes of each length from 1 to 16. False if there are more codes than the lengths
+/// permit.
 bool fill(HuffmanTable& t, std::span<const std::byte> counts, std::span<const std::byte> symbols) {
     t = {};
     for (const std::byte s : symbols) t.symbols.push_back(std::to_integer<std::uint8_t>(s));
@@ -60,13 +61,13 @@ bool fill(HuffmanTable& t, std::span<const std::byte> counts, std::span<const st
 /// Whether one of the four bytes is 0xff.
 bool has_marker_byte(std::uint32_t w) { return ((w & 0x7f7f7f7fu) + 0x01010101u) & w & 0x80808080u; }
 
-/// Bits of entropy-coded data, most significant first, without the zeros stuffed after 0xff. Beyond a marker
-/// or the end there are zeros.
+/// Reads entropy-coded data, most significant bit first, without the zeros stuffed after 0xff. Supplies zeros
+/// beyond a marker or the end.
 class BitReader {
   public:
     explicit BitReader(std::span<const std::byte> data) : data_(data) {}
 
-    /// The next 32 bits, without taking them.
+    /// The next 32 bits, without consuming them.
     std::uint32_t peek() {
         if (held_ < 32) refill();
         return std::uint32_t(bits_ >> 32);
@@ -75,13 +76,13 @@ class BitReader {
         bits_ <<= n;
         held_ -= n;
     }
-    /// More was taken than there is.
+    /// Whether more bits were consumed than available.
     bool overrun() const { return held_ < 0 || beyond_ > held_; }
-    /// Leaves out the rest of a byte, and the restart marker that must follow.
+    /// Skips the rest of the byte and the restart marker, which must follow.
     bool restart() {
         held_ = beyond_ = 0;
         bits_ = 0;
-        // What has been read ahead is at most padding: reading stops at markers.
+        // Bits read ahead are only padding, because reading stops at markers.
         while (at_ < data_.size() && data_[at_] == std::byte(0xff) && at_ + 1 < data_.size() &&
                data_[at_ + 1] == std::byte(0xff))
             ++at_;
@@ -129,13 +130,13 @@ class BitReader {
     std::span<const std::byte> data_;
     std::size_t at_ = 0;
     std::uint64_t bits_ = 0;
-    int held_ = 0, beyond_ = 0;  ///< bits, and how many of them are beyond the data
+    int held_ = 0, beyond_ = 0;  ///< bits held, and how many of them are beyond the data
 };
 
-/// Appends bits, and a zero after every byte of 0xff.
+/// Writes bits, stuffing a zero after every 0xff byte.
 class BitWriter {
   public:
-    /// More than an MCU can have: 64 codes of at most 31 bits per block, each byte followed by a zero.
+    /// Upper bound on the bytes of an MCU: 64 codes of at most 31 bits per block, with every byte stuffed.
     static constexpr std::size_t room = std::size_t(max_blocks) * 64 * 8;
 
     explicit BitWriter(std::size_t expected) : out_(expected + room) {}
@@ -183,9 +184,9 @@ class BitWriter {
 };
 
 struct Component {
-    int id = 0, blocks = 1;  ///< in an MCU
+    int id = 0, blocks = 1;  ///< blocks per MCU
     const HuffmanTable *dc = nullptr, *ac = nullptr, *dc_out = nullptr;
-    int in = 0, out = 0;  ///< the DC values from which the next ones differ
+    int in = 0, out = 0;  ///< previous DC values of the input and the output
 };
 
 struct Scan {
@@ -238,7 +239,7 @@ bool read_scan(std::span<const std::byte> segment, Scan& out) {
     return true;
 }
 
-/// Tables and components; the header was parsed before.
+/// Reads tables and components; the header is already parsed.
 bool read_header(std::span<const std::byte> jpeg, const JpegHeader& header, Scan& out) {
     out.restart_interval = header.restart_interval;
     const auto segments = segments_of(jpeg, header);
@@ -258,7 +259,7 @@ bool has_all_sizes(const HuffmanTable& t) {
                        [](const auto& c) { return c.length > 0; });
 }
 
-/// Chooses the codes to write. Returns the segment that defines them, if they are not the header's.
+/// Selects the codes to write. Returns the segment that defines them, unless they are the header's.
 std::vector<std::byte> choose_codes(Scan& scan) {
     const bool own =
         std::ranges::all_of(scan.components, [](const Component& c) { return has_all_sizes(*c.dc); });
@@ -276,7 +277,7 @@ std::vector<std::byte> choose_codes(Scan& scan) {
     return out;
 }
 
-/// Takes a code; its length is 0 if there is none.
+/// Reads a code; its length is 0 if it is invalid.
 HuffmanTable::Found take(BitReader& in, const HuffmanTable& t) {
     const std::uint32_t next = in.peek();
     const HuffmanTable::Found found = t.short_codes[next >> (32 - peek_bits)];

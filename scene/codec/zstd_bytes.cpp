@@ -21,7 +21,7 @@ std::vector<std::byte> compress(std::span<const std::byte> bytes, int level) {
     std::vector<std::byte> out(ZSTD_compressBound(bytes.size()));
     const std::size_t n =
         ZSTD_compressCCtx(context.get(), out.data(), out.size(), bytes.data(), bytes.size(), level);
-    if (ZSTD_isError(n)) throw std::bad_alloc();  // the only error with enough space
+    if (ZSTD_isError(n)) throw std::bad_alloc();  // the only possible error with enough space
     out.resize(n);
     return out;
 }

@@ -18,9 +18,9 @@ enum class Type : std::uint32_t {
     meta = fourcc("META"),             ///< JSON: tool, configuration, effects with evidence, inputs, names
     scene = fourcc("SCEN"),            ///< one SceneRecord
     photos = fourcc("PHOT"),           ///< PhotoRecord[photos]
-    states = fourcc("STAT"),           ///< PhotoState[photos]: what each photo's artifacts were made from
+    states = fourcc("STAT"),           ///< PhotoState[photos]: inputs of each photo's artifacts
     pose_refinement = fourcc("REGI"),  ///< PoseRefinementRecord[photos]: poses as given, and residuals
-    pose_refinement_without = fourcc("REGW"),  ///< LeaveOneOutPoseRecord[]: poses without a photo; optional
+    pose_refinement_without = fourcc("REGW"),  ///< LeaveOneOutPoseRecord[]: leave-one-out poses; optional
     pairs = fourcc("PAIR"),                    ///< PairRecord[]: how well overlapping photos agree
     positions = fourcc("VPOS"),                ///< float[3][vertices], relative to the origin
     normals = fourcc("VNRM"),                  ///< float[3][vertices], unit length
@@ -35,7 +35,7 @@ enum class Type : std::uint32_t {
     lenses = fourcc("LENS"),                   ///< LensRecord[photos]; optional
     thumbnail = fourcc("THMB"),                ///< per photo: RGBA8
     coverage = fourcc("COVR"),                 ///< per photo: CoverageRecord[clusters]
-    visible = fourcc("VISB"),      ///< per photo: u64[], a bit per triangle seen in full, then in part
+    visible = fourcc("VISB"),      ///< per photo: u64[], a bit per fully, then partly visible triangle
     samples = fourcc("SAMP"),      ///< per photo: SampleRecord[discs of the surface]
     coordinates = fourcc("TEXC"),  ///< per photo: float[2][vertices]; (-1,-1) where not visible
     tiles = fourcc("TILE"),        ///< per photo and level: blocks of RGBA8 tiles
@@ -46,32 +46,33 @@ enum class Type : std::uint32_t {
 
 /// The stages that produce a photo's artifacts; at most `max_stages`.
 enum class Stage : std::uint32_t { thumbnail, tiles, weight_maps, coordinates, coverage, samples, count };
-inline constexpr std::uint32_t max_stages = 8;  ///< for which a photo's state has space
+inline constexpr std::uint32_t max_stages = 8;  ///< number of stages in a photo's state
 
 }  // namespace package
 
 /// The levels of a photo's pyramid at which it has chunks of a type.
 enum class ChunkLevels { single, tiles, weight_maps };
 
-/// When a chunk of the scene is written: with the others, when all photos are known, or then and behind all
-/// others, because its size is not known before.
+/// When a chunk of the scene is written: with the others, after all photos are done, or after that at the end
+/// of the file, because its size was not known before.
 enum class ChunkWrite { planned, last, appended };
 
 /// A type of chunk: a row of the chunk table.
 struct ChunkRow {
     package::Type type;
-    const char* name = nullptr;                    ///< of the content; null if it only describes the package
-    package::Stage stage = package::Stage::count;  ///< makes it for each photo; count: one for the scene
-    ChunkLevels levels = ChunkLevels::single;      ///< of a photo; all but `single` are blocks of tiles
-    bool compact = false;                          ///< coded if the effect is on
-    std::uint64_t record = 0;                      ///< bytes of one of its records
-    /// Number of its records, if SCEN and PHOT tell; null otherwise. Of the scene, the photo is empty.
+    const char* name = nullptr;  ///< name of the content; null for chunks that only describe the package
+    package::Stage stage = package::Stage::count;  ///< makes it for each photo; count: one per scene
+    ChunkLevels levels = ChunkLevels::single;      ///< for a photo; all but `single` hold tiles as blocks
+    bool compact = false;                          ///< coded if the effect `compact` is on
+    std::uint64_t record = 0;                      ///< bytes per record
+    /// Number of records if it follows from SCEN and PHOT, otherwise null. For a chunk of the scene, the
+    /// photo is empty.
     std::uint64_t (*count)(const package::SceneRecord&, const package::PhotoRecord&) = nullptr;
-    const char* counted = "";  ///< the same in words
+    const char* counted = "";  ///< `count` in words
     ChunkWrite write = ChunkWrite::planned;
 
     bool per_photo() const { return stage != package::Stage::count; }
-    /// Bytes of the content, if `count` is not null; of the scene, or of a photo.
+    /// Bytes of the content, for the scene or a photo; `count` must not be null.
     std::uint64_t length(const package::SceneRecord& scene) const;
     std::uint64_t length(const package::SceneRecord& scene, const package::PhotoRecord& photo) const;
 };
@@ -80,14 +81,14 @@ struct ChunkRow {
 std::span<const ChunkRow> chunk_table();
 const ChunkRow& chunk_row(package::Type type);
 
-/// Whether a photo of `levels` pyramid levels has such a chunk at a level.
+/// Whether a photo with `levels` pyramid levels has such a chunk at `level`.
 bool has_chunk(const ChunkRow& row, int level, int levels);
 
 struct LeveledChunk {
     const ChunkRow* row;
     std::uint32_t level;
 };
-/// The chunks of a photo of `levels` pyramid levels, by level and then in the order of the table.
+/// The chunks of a photo with `levels` pyramid levels, by level and then in the order of the table.
 std::vector<LeveledChunk> chunks_of_photo(int levels);
 
 }  // namespace vantage

@@ -37,7 +37,7 @@ void on_bus_error(int signal, siginfo_t* info, void*) {
             print(text);
         ::_exit(int(Exit::damaged));
     }
-    ::signal(signal, SIG_DFL);  // not in a package: returning raises it again, which ends the process
+    ::signal(signal, SIG_DFL);  // not in a package: returning raises the signal again, which ends the process
 }
 
 }  // namespace

@@ -13,11 +13,11 @@ struct Mismatch {
     Defect defect;  ///< chunk_checksum or tile_checksum
     std::string text;
 };
-/// The chunks that do not match their checksums, or whose heads do not, and with `tiles` all tiles; at most
-/// `most`. A package without any is valid. Pages that were read are released.
+/// The chunks that do not match their checksums, or whose heads do not, and with `tiles` also all such tiles;
+/// at most `most`. A package without mismatches is valid. Pages are released after reading.
 std::vector<Mismatch> mismatches(const PackageReader& package, bool tiles,
                                  std::size_t most = std::numeric_limits<std::size_t>::max());
-/// What is said of a tile, or of a block of color in cells, that does not match its checksum.
+/// The message for a tile, or a block of color in cells, that does not match its checksum.
 std::string tile_mismatch(const PackageReader& package, const package::DirectoryEntry& entry,
                           std::size_t tile);
 /// Reads the whole package. Throws Error(damaged) with the first mismatch.

@@ -43,7 +43,7 @@ bool is_csv(std::string_view head) {
            head.starts_with("frame,degrees,mean,");
 }
 
-/// Six lines, each of them a number.
+/// Whether the file has six lines, each of them a number.
 bool is_world_file(std::string_view head) {
     std::istringstream in{std::string(head)};
     int lines = 0;
@@ -99,7 +99,7 @@ const Row& row_of(Product product) { return *std::ranges::find(rows, product, &R
     throw Error(Exit::usage, file.string() + ": " + why);
 }
 
-/// The file to which a link leads, whether it exists or not.
+/// The target of a link, whether or not it exists.
 fs::path followed(const fs::path& file) {
     fs::path at = file;
     std::error_code error;
@@ -135,7 +135,7 @@ void expect_replaceable(const fs::path& file, const fs::path& to, const Row& row
     const fs::file_status status = fs::status(file);
     if (!fs::exists(status)) return;
     if (fs::is_directory(status)) refuse(file, "is a folder, expected a file");
-    // /dev/stdout links to what is no path.
+    // /dev/stdout may link to a target that is not a path.
     if (!fs::is_regular_file(status) || !fs::exists(to))
         refuse(file, "is a device or a pipe, expected a file");
     if (fs::file_size(to) == 0) return;
@@ -145,7 +145,7 @@ void expect_replaceable(const fs::path& file, const fs::path& to, const Row& row
                          (force ? ", or --force to replace it" : ""));
 }
 
-/// A file that only this program uses, under a name that it chose.
+/// Checks a file that only this program uses, under a name that it chose.
 void expect_own(const fs::path& file) {
     const fs::file_status status = fs::status(file);
     if (!fs::exists(status)) return;

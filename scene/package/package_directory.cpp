@@ -46,7 +46,7 @@ bool raw_chunk_fits(const DirectoryEntry& e) {
            body / e.block_length <= e.head_length / sizeof(std::uint64_t);
 }
 
-/// Forms of later programs are left alone.
+/// Unknown forms, of later programs, are accepted.
 bool coded_chunk_fits(const DirectoryEntry& e) {
     if (e.form == Form::zstd) return e.head_length == e.length && e.length >= sizeof(std::uint64_t);
     return e.head_length / package::coded_block_entry >= e.coded_blocks;
@@ -101,7 +101,7 @@ class DirectoryReading {
         const auto* first = reinterpret_cast<const DirectoryEntry*>(bytes_.data() + h.directory_offset);
         std::vector<DirectoryEntry> entries(first, first + h.directory_count);
         const auto fits = [&](const DirectoryEntry& e) { return chunk_fits(e, bytes_.size()); };
-        if (is_part(h) && h.directory_checksum == 0)  // it grows
+        if (is_part(h) && h.directory_checksum == 0)  // it is still being written
             std::erase_if(entries, [&](const DirectoryEntry& e) { return e.type == 0 || !fits(e); });
         else if (checksum(bytes_of(entries)) != h.directory_checksum)
             damaged(Defect::directory, "directory: checksum does not match");
@@ -111,7 +111,7 @@ class DirectoryReading {
         return entries;
     }
 
-    /// Has header and directory fetched again. False for a file.
+    /// Fetches header and directory again. False for a file.
     bool discard() {
         const PackageSource::Part first = bytes_.first(std::min(bytes_.size(), sizeof(Header)));
         if (!source_.discard({&first, 1})) return false;

@@ -10,27 +10,27 @@
 namespace vantage::package {
 
 inline constexpr char magic[8] = {'V', 'A', 'N', 'T', 'A', 'G', 'E', '\n'};
-inline constexpr char part_magic[8] = {'V', 'N', 'T', 'G', 'P', 'A', 'R', 'T'};  ///< while in preparation
+inline constexpr char part_magic[8] = {'V', 'N', 'T', 'G', 'P', 'A', 'R', 'T'};  ///< during preparation
 inline constexpr std::uint32_t version = 8;
-inline constexpr std::uint64_t alignment = 4096;  ///< of every raw chunk and its blocks
+inline constexpr std::uint64_t alignment = 4096;  ///< bytes, for every raw chunk and its blocks
 constexpr std::uint64_t aligned(std::uint64_t n) { return (n + alignment - 1) / alignment * alignment; }
-inline constexpr std::uint64_t coded_alignment = 8;  ///< of every other chunk
+inline constexpr std::uint64_t coded_alignment = 8;  ///< bytes, for every other chunk
 inline constexpr std::uint32_t scene_wide = 0xffffffffu;
 
-/// How a chunk's content is stored; codec/ has the forms of tiles.
+/// The storage form of a chunk's content; codec/ implements the forms of tiles.
 enum class Form : std::uint32_t {
-    raw,     ///< as it is
+    raw,     ///< uncompressed
     zstd,    ///< without blocks: u64 length of the content, then a zstd frame
     jpeg,    ///< tiles of color: JPEG without the header, which all tiles share
     cells,   ///< a level of color: the photo's own JPEG, in cells
-    planes,  ///< tiles of four bytes per texel, without loss
+    planes,  ///< tiles of four bytes per texel, lossless
     depth    ///< tiles of depth, rounded
 };
 
-/// Content is at most so many times as long as a zstd chunk, which may end with zeros, so that no small file
-/// claims much memory.
+/// Maximum ratio of content length to length of a zstd chunk, which may be padded with zeros, so that no
+/// small file claims much memory.
 inline constexpr std::uint64_t max_expansion = 32;
-/// Bytes in the head of a coded chunk for each of its blocks: checksum and end.
+/// Bytes per block in the head of a coded chunk: checksum and end.
 inline constexpr std::uint64_t coded_block_entry = 16;
 
 struct Header {
@@ -40,15 +40,15 @@ struct Header {
     std::uint64_t directory_offset;
     std::uint64_t file_size;
     std::uint64_t directory_checksum;  ///< XXH3-64 of the directory
-    std::uint64_t layout;              ///< XXH3-64 of the photos' names and the places of their chunks
-    std::uint32_t share, shares;       ///< the share of the photos in this part, from 1; 0, 0 for all
+    std::uint64_t layout;              ///< XXH3-64 of the photos' names and the positions of their chunks
+    std::uint32_t share, shares;       ///< shard number, from 1, and number of shards; 0, 0 for none
     std::uint64_t header_checksum;     ///< XXH3-64 of the preceding bytes
 };
 
-/// Where a chunk is. A chunk is a head followed by blocks. `checksum` covers the head. In a raw chunk, blocks
-/// have equal length, and the head holds the u64 checksum of each block, padded with zeros to the alignment.
-/// In others, the head holds the u64 checksums, then the u64 end of each block, counted from the end of the
-/// head, then what all blocks share.
+/// Location of a chunk. A chunk is a head followed by blocks. `checksum` covers the head. In a raw chunk,
+/// blocks have equal length, and the head holds the u64 checksum of each block, padded with zeros to the
+/// alignment. In others, the head holds the u64 checksums, then the u64 end of each block, counted from the
+/// end of the head, then data shared by all blocks.
 struct DirectoryEntry {
     std::uint32_t type;
     std::uint32_t version;
@@ -57,7 +57,7 @@ struct DirectoryEntry {
     std::uint64_t offset;
     std::uint64_t length;  ///< head and blocks
     std::uint64_t head_length;
-    std::uint64_t block_length;  ///< of a raw chunk; 0 if it has no blocks
+    std::uint64_t block_length;  ///< for a raw chunk; 0 if it has no blocks
     std::uint64_t checksum;      ///< XXH3-64 of the head
     Form form;
     std::uint32_t coded_blocks;  ///< number of blocks, unless the form is raw
@@ -73,27 +73,27 @@ struct SceneRecord {
     std::uint64_t effects;     ///< bit i: Effect i is on
     std::uint64_t scalar_fields;
     double up[3]{0, 0, 1};  ///< unit vector
-    double shade[3]{};      ///< linear light beside the model in the median photo; 0, 0, 0: not known
-    /// The view that the player opens: from the place of a photo toward a point relative to the origin. With
-    /// another number than that of a photo, all of the model.
+    double shade[3]{};      ///< linear light of the background in the median photo; 0, 0, 0: unknown
+    /// The player's first view: from the position of a photo toward a point relative to the origin. If this
+    /// is not the number of a photo, the view shows the whole model.
     std::uint64_t first_photo = ~0ull;
     double first_target[3]{};
-    double first_fov = 45;    ///< of what is to be in the frame: vertical, in degrees
-    double first_aspect = 1;  ///< its width over its height
+    double first_fov = 45;    ///< vertical angle to fit into the frame, degrees
+    double first_aspect = 1;  ///< aspect ratio to fit into the frame
 };
 
 enum PhotoFlags : std::uint32_t {
     photo_held_out = 1,
     photo_has_alpha = 4,
     photo_skipped = 8,     ///< unreadable: only its camera is stored; the reason is in its PhotoState
-    photo_registered = 16  ///< its pose was refined; REGI has the one given
+    photo_registered = 16  ///< its pose was refined; REGI holds the input pose
 };
 
 struct PhotoRecord {
     char name[192];  ///< UTF-8, zero-terminated: the file name without folders
     std::uint32_t width, height;
     std::uint32_t flags;
-    std::uint32_t levels;  ///< of the tile pyramid; 0 if the photo is held out or skipped
+    std::uint32_t levels;  ///< levels of the tile pyramid; 0 if the photo is held out or skipped
     std::uint32_t thumbnail_width, thumbnail_height;
     std::uint32_t weight_map_width, weight_map_height;  ///< at pyramid level `weight_map_level`
     double fx, fy, cx, cy;
@@ -101,7 +101,7 @@ struct PhotoRecord {
     double t[3];                    ///< applies to positions relative to the origin
     double corrected_direction[3];  ///< unit vector in world space; [P] 2.3.3
     double hull_area;               ///< area of the visible vertices' convex hull over the photo's, [0,1]
-    double seen_distance;           ///< median linear depth of what the photo sees; 0 if it sees nothing
+    double seen_distance;           ///< median linear depth of the visible surface; 0 if it sees nothing
     double z_min, z_max;            ///< range of the depth map; 0, 0 if it sees nothing
     double visible_vertices;        ///< fraction of the vertices that this photo sees, [0,1]
     double gain[3];                 ///< factors on linear light that match the mean photo
@@ -110,14 +110,14 @@ struct PhotoRecord {
     std::uint32_t image_set;  ///< its number in BAND; 0 if there is none
 };
 
-/// What a photo's artifacts were made from, so that a later run can tell which to keep.
+/// The inputs of a photo's artifacts, from which a later run decides which to keep.
 struct PhotoState {
     struct Made {
         std::uint64_t key;      ///< hash of settings, version, and inputs except the pose; 0: not made
         std::uint64_t content;  ///< XXH3-64 of the checksums of the stage's chunks
     };
-    Made stages[max_stages];             ///< by Stage; 0 beyond
-    std::uint64_t photo, camera, model;  ///< XXH3-64 of these inputs, to report which has changed
+    Made stages[max_stages];             ///< by Stage; 0 for unused entries
+    std::uint64_t photo, camera, model;  ///< XXH3-64 of these inputs, to report which one changed
     std::uint64_t pose;                  ///< XXH3-64 of the pose used for visibility
     std::uint64_t transients;            ///< XXH3-64 of the transient weights; 0 if all are 255
     char skipped[192];                   ///< why the photo could not be read, or empty
@@ -131,14 +131,14 @@ struct ClusterRecord {
     std::uint32_t first_triangle, triangles;
 };
 
-/// The head of SURR; scene/package/contents/background.h has what follows.
+/// The head of SURR; see scene/package/contents/background.h for the rest.
 struct BackgroundRecord {
     std::uint64_t vertices, triangles, clusters, photos;
     std::uint64_t hidden;  ///< triangles of the mesh
 };
 
-/// A point of a cloud: x, y and z in 1/2^21 of its node's cube, from the lowest bit, rounded down to a cell
-/// of which the point is the middle; sRGB and 255.
+/// A point of a cloud: x, y and z in 1/2^21 of its node's cube, from the lowest bit, rounded down to the cell
+/// whose center represents the point; sRGB and 255.
 struct PackedPoint {
     std::uint32_t low, high;
     std::uint8_t color[4];
@@ -147,18 +147,18 @@ inline constexpr std::uint32_t point_block = 32768;  ///< points per block of PN
 inline constexpr std::uint32_t point_node = 16384;   ///< points per node, at most
 
 /// A cube of the octree over a point cloud, and the points that it adds to those of its ancestors. Together
-/// they are about `spacing` apart; below are the points between them. Parents come before their children, in
-/// the order of their parents.
+/// they are about `spacing` apart; its descendants add the points between them. Nodes are stored in
+/// breadth-first order.
 struct PointNode {
     float low[3], size;                 ///< of the cube, relative to the origin
     float spacing;                      ///< in input units
-    std::uint32_t block, first, count;  ///< its points: block, place in it, number
-    std::uint32_t children;             ///< number of its first child; the others follow
-    std::uint8_t child_octants;         ///< bit i: a child is the eighth i: x + 2 y + 4 z
+    std::uint32_t block, first, count;  ///< its points: block, index in the block, number
+    std::uint32_t children;             ///< index of its first child; the others follow
+    std::uint8_t child_octants;         ///< bit i: there is a child in octant i = x + 2 y + 4 z
     std::uint8_t reserved[3];
 };
 
-/// A set of photos that is shown by itself: visible light, infrared, before a restoration.
+/// A set of photos that is shown separately: visible light, infrared, before a restoration.
 struct ImageSetRecord {
     char name[56];          ///< UTF-8, zero-terminated
     std::uint64_t effects;  ///< bit i: Effect i is on for these photos
@@ -172,38 +172,38 @@ struct LensRecord {
     double p[12];
 };
 
-/// What one photo sees of one cluster.
+/// Visibility of one cluster in one photo.
 struct CoverageRecord {
-    std::uint16_t seen;            ///< fraction of its triangles that are at least partly seen, unorm16
-    std::uint16_t u0, v0, u1, v1;  ///< texture coordinates of its pixels and a margin for filtering, unorm16
+    std::uint16_t seen;            ///< fraction of its triangles that are at least partly visible, unorm16
+    std::uint16_t u0, v0, u1, v1;  ///< bounds of its texture coordinates with a margin for filtering, unorm16
     std::int16_t log2_density;     ///< log2(pixels per unit at its center) * 256
 };
 
-/// The number of discs of every model's surface, at which photos are compared.
+/// The number of discs on each model's surface where photos are compared.
 inline constexpr std::size_t surface_discs = 8192;
 
-/// The mean color of a disc of the surface in a photo, linear light, unorm16; all 0 if the photo does not
-/// show it well. Radius: distance from the principal point over half the photo's diagonal, unorm16.
+/// The mean color of a disc of the surface in a photo, linear light, unorm16; all 0 if it is not clearly
+/// visible. Radius: distance from the principal point over half the photo's diagonal, unorm16.
 struct SampleRecord {
     std::uint16_t linear[3];
     std::uint16_t radius;
 };
 
-/// What pose refinement did to a photo.
+/// The result of pose refinement for a photo.
 struct PoseRefinementRecord {
-    double R[9], t[3];     ///< the pose as given, like PhotoRecord's
-    double motion_px;      ///< median displacement of the photo's content, px; 0 if its pose was kept
+    double R[9], t[3];     ///< the input pose, like PhotoRecord's
+    double motion_px;      ///< median displacement of the photo's content, px; 0 if the pose is unchanged
     double before, after;  ///< median residual of corners held out of the fit, px
     std::uint64_t key;     ///< XXH3-64 of all inputs, the same for all photos
 };
 
-/// The pose of a registered camera, fitted again as if another photo were not in the scene.
+/// The pose of a refined camera, refitted as if another photo were not in the scene.
 struct LeaveOneOutPoseRecord {
-    std::uint32_t without;  ///< the photo that has no say in it
-    std::uint32_t photo;    ///< of the camera
+    std::uint32_t without;  ///< the photo held out of the fit
+    std::uint32_t photo;    ///< photo of the camera
     double R[9], t[3];      ///< like PhotoRecord's
 };
-/// Maximum number of poses stored without a photo.
+/// Maximum number of leave-one-out poses stored per photo.
 inline constexpr std::size_t poses_without_photo = 24;
 
 /// Maximum number of pairs measured and stored per photo.
@@ -211,15 +211,15 @@ inline constexpr std::uint64_t stored_pairs_per_photo = 2;
 /// Size of a pair's displacement map, in cells.
 inline constexpr int pair_columns = 12, pair_rows = 8;
 
-/// How far two overlapping photos disagree, matched through the model with the cameras as given. Pixels are
+/// The disagreement of two overlapping photos, matched through the model with the input cameras. Pixels are
 /// those of photo `a` at full size.
 struct PairRecord {
     std::uint32_t a, b;              ///< a < b; both 0: no pair
     std::uint32_t shared;            ///< discs seen by both
-    std::uint32_t corners, matches;  ///< corners of `a` that could be compared, and those found in `b`
+    std::uint32_t corners, matches;  ///< comparable corners of `a`, and those found in `b`
     float angle;                     ///< median angle between their directions to that surface, radians
     float color;                     ///< median |ln ratio| of the discs' linear light, mean of the channels
-    float median, p90;               ///< distance of matches from where the cameras predict them, px
+    float median, p90;               ///< distance of matches from their predicted positions, px
     float shift[2];                  ///< median displacement to the right and down, px
     std::uint32_t reserved;
     std::uint64_t key;  ///< XXH3-64 of all inputs

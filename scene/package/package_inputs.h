@@ -4,8 +4,8 @@
 
 namespace vantage {
 
-/// What may not be overwritten by files made from a package: the package, and, by content, the inputs that it
-/// was prepared from. Inputs are missing if META cannot be parsed. Throws Error(damaged).
+/// Files that outputs made from a package must not overwrite: the package and, identified by content, the
+/// inputs of its preparation. Inputs are missing if META cannot be parsed. Throws Error(damaged).
 Inputs inputs_of(const PackageReader& package);
 
 }  // namespace vantage

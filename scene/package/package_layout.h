@@ -13,25 +13,25 @@ struct ChunkPlan {
     package::Type type;
     std::uint32_t photo = package::scene_wide;
     std::uint32_t level = 0;
-    std::uint64_t bytes = 0;  ///< of the head, for a chunk without blocks
+    std::uint64_t bytes = 0;  ///< bytes of the head, for a chunk without blocks
     std::uint64_t blocks = 0;
     std::uint64_t block_length = 0;
-    bool compact = false;  ///< may be stored in a shorter form; the sizes are those of the raw one
+    bool compact = false;  ///< may be stored in a shorter form; sizes are those of the raw form
 };
 
-/// The share of the photos that one of several runs prepares: number `share` of `shares`, counted from 1; 0
-/// of 0 means all photos.
+/// The shard that one of several runs prepares: number `share` of `shares`, counted from 1; 0 of 0 means all
+/// photos.
 struct Share {
     std::uint32_t share = 0, shares = 0;
     bool holds(std::size_t photo) const { return shares == 0 || photo % shares == share - 1; }
 };
 
-/// The positions of the planned chunks in the package, or, if some are compact, in its part: there, each has
-/// the space of its raw form, most of which is never written.
+/// The positions of the planned chunks in the package, or, if some are compact, in its part file, where each
+/// has space for its raw form, most of which is never written.
 struct PackageLayout {
-    std::uint64_t bytes = 0;                         ///< size of the file
-    std::uint64_t compact_bytes = 0;                 ///< of the file, for the raw forms of compact chunks
-    std::uint64_t checksum = 0;                      ///< of the photos' names and of where their chunks are
+    std::uint64_t bytes = 0;          ///< size of the file
+    std::uint64_t compact_bytes = 0;  ///< of the file, used by raw forms of compact chunks
+    std::uint64_t checksum = 0;       ///< of the photos' names and the positions of their chunks
     std::vector<package::DirectoryEntry> directory;  ///< in the order of the plan, without checksums
 
     bool compact() const { return compact_bytes > 0; }

@@ -27,7 +27,7 @@ using package::Type;
 
 namespace {
 
-/// That a photo may belong to: 1 without BAND.
+/// Number of image sets to which a photo may belong: 1 without BAND.
 std::uint64_t number_of_image_sets(const DirectoryEntry* chunk) {
     return chunk ? chunk->head_length / sizeof(package::ImageSetRecord) : 1;
 }
@@ -46,16 +46,16 @@ struct PackageReader::Mapping {
     std::uint64_t size = 0;
     bool remote = false;
     std::vector<Held> held;
-    std::vector<DirectoryEntry> directory;  ///< copied: a part's changes while it is written
+    std::vector<DirectoryEntry> directory;  ///< copied: the directory of a part changes
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, const DirectoryEntry*> index;
     // Copied before they are used, because the file may be overwritten while it is open.
     std::once_flag scene_read, photos_read;
     package::SceneRecord scene{};
     std::vector<package::PhotoRecord> photos;
-    std::mutex mutex;  ///< of `contents`
+    std::mutex mutex;  ///< guards `contents`
     std::map<const DirectoryEntry*, std::vector<std::byte>> contents;
 
-    std::mutex holding;  ///< of `whole` and `held`
+    std::mutex holding;  ///< guards `whole` and `held`
     std::set<const DirectoryEntry*> whole;
 
     Mapping(std::unique_ptr<PackageSource> from, Expect expect)
@@ -72,7 +72,7 @@ struct PackageReader::Mapping {
         if (!fetched) throw Error(Exit::interrupted, source->name().string() + ": stopped while it was read");
         return fetched;
     }
-    /// Fetches these parts, which then stay readable.
+    /// Fetches these byte ranges, which then stay readable.
     void keep(std::span<const Part> parts, std::stop_token stop = {}) {
         Held fetched = hold(parts, std::move(stop));
         const std::scoped_lock lock(holding);
@@ -81,14 +81,14 @@ struct PackageReader::Mapping {
     void keep(Part part) {
         if (remote) keep({&part, 1});
     }
-    /// Fetches a chunk again that does not match its checksum. False for a file.
+    /// Fetches a chunk again after a checksum mismatch. False for a file.
     bool again(const DirectoryEntry& e) {
         const Part part(data + e.offset, e.length);
         if (!source->discard({&part, 1})) return false;
         keep(part);
         return true;
     }
-    /// Fetches the lengths of the content of all compressed chunks of the scene.
+    /// Fetches the content lengths of all compressed scene-wide chunks.
     void keep_lengths() {
         std::vector<Part> words;
         for (const DirectoryEntry& e : directory)

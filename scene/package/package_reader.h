@@ -17,18 +17,18 @@
 namespace vantage {
 
 /// A mapped package, in a file or on a server. Opening it reads and checks the header and the directory only.
-/// Spans point into the mapping and are valid as long as the reader, so functions that return one cannot be
-/// called on a temporary.
+/// Spans point into the mapping and are valid as long as the reader lives, so functions that return one
+/// cannot be called on a temporary.
 ///
-/// Of a package on a server, bytes are fetched before they are read, and any function may throw Error(input)
-/// if they cannot be. Content and records are fetched when they are asked for, and stay; blocks and heads of
-/// chunks with blocks must be held by the caller, see hold().
+/// If the package is on a server, bytes are fetched before they are read, and any function may throw
+/// Error(input) if that fails. Content and records are fetched on demand and kept; the caller must hold
+/// blocks and heads of chunks with blocks, see hold().
 class PackageReader {
   public:
     using Part = PackageSource::Part;
-    /// What is accepted: only a whole package, or also one that is still being prepared. In the latter, only
-    /// the photos' chunks sealed so far are found, scene-wide chunks may not have been written yet, and the
-    /// caller must check the records.
+    /// Which files are accepted: only whole packages, or also ones that are still being prepared. In the
+    /// latter, only the photos' chunks sealed so far are found, scene-wide chunks may not have been written
+    /// yet, and the caller must check the records.
     enum class Expect { whole, part };
     /// Throws Error(input) if the file cannot be opened, Error(damaged) if it is not what is expected.
     explicit PackageReader(const std::filesystem::path& file, Expect expect = Expect::whole);
@@ -47,54 +47,54 @@ class PackageReader {
     const package::DirectoryEntry* find(package::Type type, std::uint32_t photo = package::scene_wide,
                                         std::uint32_t level = 0) const;
 
-    /// The content of a chunk without blocks, decompressed if it is stored so and kept until the reader is
-    /// closed; of others, the head. Empty for null, and if it cannot be decompressed.
+    /// The content of a chunk without blocks, decompressed if necessary and kept until the reader is closed;
+    /// for other chunks, the head. Empty for null, or if it cannot be decompressed.
     std::span<const std::byte> bytes(const package::DirectoryEntry* entry) const&;
     std::span<const std::byte> bytes(const package::DirectoryEntry*) const&& = delete;
     /// Length of that content; 0 for null.
     std::uint64_t content_length(const package::DirectoryEntry* entry) const;
-    /// Number of blocks as stored: of color in cells, these are no tiles.
+    /// Number of stored blocks; for color in cells, these are not tiles.
     std::size_t blocks(const package::DirectoryEntry& entry) const;
-    /// What the blocks of a coded chunk share; empty for others.
+    /// The data shared by the blocks of a coded chunk; empty for others.
     std::span<const std::byte> shared(const package::DirectoryEntry& entry) const&;
     std::span<const std::byte> shared(const package::DirectoryEntry&) const&& = delete;
     /// A block as stored; empty if the chunk's head is damaged. Throws Error(damaged) if there is no such
     /// block.
     std::span<const std::byte> block(const package::DirectoryEntry& entry, std::size_t index) const&;
     std::span<const std::byte> block(const package::DirectoryEntry&, std::size_t) const&& = delete;
-    /// The same, checked. Throws Error(damaged) if its checksum does not match.
+    /// The same, verified. Throws Error(damaged) if its checksum does not match.
     std::span<const std::byte> valid_block(const package::DirectoryEntry& entry, std::size_t index) const&;
     std::span<const std::byte> valid_block(const package::DirectoryEntry&, std::size_t) const&& = delete;
     /// True if the block's checksum matches.
     bool block_valid(const package::DirectoryEntry& entry, std::size_t index) const;
-    /// Of a chunk, as stored.
+    /// The head of a chunk, as stored.
     Part head(const package::DirectoryEntry& entry) const&;
     Part head(const package::DirectoryEntry&) const&& = delete;
     /// Head and blocks as stored, and the file's descriptor, for copying.
     std::span<const std::byte> raw(const package::DirectoryEntry& entry) const&;
     std::span<const std::byte> raw(const package::DirectoryEntry&) const&& = delete;
     int descriptor() const;
-    /// Of a package on a server, fetches these bytes, which stay readable as long as the result. Otherwise
-    /// nothing is to be done. Throws Error(input), Error(storage), Error(interrupted) when stopped.
+    /// If the package is on a server, fetches these bytes, which stay readable as long as the result lives.
+    /// Otherwise does nothing. Throws Error(input), Error(storage), and Error(interrupted) when stopped.
     [[nodiscard]] Held hold(std::span<const Part> parts, std::stop_token stop = {}) const;
-    /// Forgets fetched bytes that do not match a checksum, so that they are fetched again. False for a file.
+    /// Discards fetched bytes that do not match a checksum, so that they are fetched again. False for a file.
     bool discard(std::span<const Part> parts) const;
-    /// Fetches a whole chunk again that does not match its checksums. False for a file.
+    /// Fetches a whole chunk again after a checksum mismatch. False for a file.
     bool fetch_again(const package::DirectoryEntry& entry) const;
-    /// Fetches at once all that is read before the first tile: chunks without blocks, and thumbnails. They
-    /// stay. Throws as hold() does.
+    /// Fetches everything needed before the first tile in one batch and keeps it: chunks without blocks, and
+    /// thumbnails. Throws like hold().
     void fetch_scene(std::stop_token stop = {}) const;
-    /// Bytes that fetch_scene() reads.
+    /// Number of bytes that fetch_scene() fetches.
     std::uint64_t scene_bytes() const;
     bool remote() const;
-    /// Nothing for a file.
+    /// Empty for a file.
     std::optional<SourceTraffic> traffic() const;
 
     /// Releases the pages of these bytes, or of the whole file; they are read from the file again when
-    /// needed. Content that was decompressed stays.
+    /// needed. Decompressed content is kept.
     void forget(std::span<const std::byte> bytes) const;
     void forget_all() const;
-    /// True if the head's checksum matches; of a chunk without blocks, that is all of it.
+    /// True if the head's checksum matches; the head is all of a chunk without blocks.
     bool head_valid(const package::DirectoryEntry& entry) const;
     /// True if the checksums of the head and of every block match.
     bool valid(const package::DirectoryEntry& entry) const;
@@ -122,7 +122,7 @@ class PackageReader {
     /// Index of the photo with this name, given with or without its extension. Throws Error(usage) if several
     /// photos have this name without extension.
     std::optional<std::uint32_t> photo_index(std::string_view name) const;
-    /// Per photo, its name in the names of files made from it (see file_stems).
+    /// Per photo, the stem of its output files (see file_stems).
     std::vector<std::string> photo_stems() const;
 
   private:

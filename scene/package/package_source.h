@@ -9,35 +9,35 @@
 
 namespace vantage {
 
-/// Bytes of a package that stay readable as long as this lives.
+/// Keeps bytes of a package readable as long as it lives.
 using Held = std::shared_ptr<const void>;
 
-/// What has been transferred from a server since a package was opened.
+/// Traffic with a server since a package was opened.
 struct SourceTraffic {
     std::uint64_t bytes_received = 0, bytes_from_cache = 0;
     double bytes_per_second = 0;  ///< received, over the last two seconds
-    bool offline = false;         ///< the server cannot be reached: what is not in the cache cannot be shown
+    bool offline = false;         ///< the server cannot be reached; only cached data can be shown
 };
 
-/// Where a package's bytes come from. They are mapped, but those of a package on a server must be fetched
+/// The source of a package's bytes. They are mapped, but bytes of a package on a server must be fetched
 /// before they are read. Thread-safe.
 class PackageSource {
   public:
-    using Part = std::span<const std::byte>;  ///< of bytes()
+    using Part = std::span<const std::byte>;  ///< a range of bytes()
 
     virtual ~PackageSource() = default;
-    /// As messages name it: a path, or a URL.
+    /// Name in messages: a path or a URL.
     virtual const std::filesystem::path& name() const = 0;
     virtual Part bytes() const = 0;
-    /// Of a file with these bytes, for copying; -1 if there is none that is complete.
+    /// Descriptor of a file with these bytes, for copying; -1 if there is no complete one.
     virtual int descriptor() const = 0;
     /// Waits until all parts are readable; null when stopped. Throws Error(input) if they cannot be fetched,
-    /// Error(storage).
+    /// and Error(storage).
     virtual Held hold(std::span<const Part> parts, std::stop_token stop) = 0;
-    /// Forgets fetched bytes that do not match a checksum, so that hold() fetches them again. False if there
+    /// Discards fetched bytes that do not match a checksum, so that hold() fetches them again. False if there
     /// is no other copy.
     virtual bool discard(std::span<const Part> parts) = 0;
-    /// Nothing for a file.
+    /// Empty for a file.
     virtual std::optional<SourceTraffic> traffic() const = 0;
 };
 

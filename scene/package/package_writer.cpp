@@ -34,14 +34,14 @@ Key key_of(const DirectoryEntry& e) { return {e.type, e.photo, e.level}; }
 /// Offset of directory entry `i`.
 std::uint64_t slot(std::size_t i) { return sizeof(Header) + i * sizeof(DirectoryEntry); }
 
-/// Whether a chunk is the planned one: of the planned lengths, or shorter if it may be compact.
+/// Whether a chunk has the planned lengths, or is shorter if it may be compact.
 bool is_planned(const DirectoryEntry& e, const DirectoryEntry& plan, bool compact) {
     if (e.form != Form::raw) return compact && e.length < plan.length && e.head_length <= e.length;
     return e.length == plan.length && e.head_length == plan.head_length &&
            e.block_length == plan.block_length;
 }
 
-/// Whether the file is a package, finished or not, with the same photo chunks in the same places.
+/// Whether the file is a package, finished or not, with the same photo chunks at the same positions.
 bool can_resume(const Header& h, const PackageLayout& layout, Share share) {
     const auto is = [&](const char(&magic)[8]) { return std::memcmp(h.magic, magic, sizeof magic) == 0; };
     return (is(package::part_magic) || is(package::magic)) && is_valid(h) && h.version == package::version &&
@@ -71,7 +71,7 @@ struct PackageWriter::State {
     };
     std::vector<Appended> appended;
     bool resumed = false, holds_photos = false;
-    mutable std::mutex mutex;  ///< of the checksums, `settled` and `holds_photos`
+    mutable std::mutex mutex;  ///< guards the checksums, `settled` and `holds_photos`
 
     State(const std::filesystem::path& path, std::span<const ChunkPlan> plan, std::uint64_t names, Share s)
         : file(path),
@@ -109,7 +109,7 @@ struct PackageWriter::State {
         file.write(slot(i), bytes_of_one(e));
     }
 
-    /// Writes a chunk behind the others. Returns its entry.
+    /// Appends a chunk. Returns its entry.
     DirectoryEntry write_behind(const Appended& chunk) {
         DirectoryEntry e{};
         e.type = std::uint32_t(chunk.type);
@@ -134,7 +134,7 @@ struct PackageWriter::State {
     void publish_together(std::span<DirectoryEntry> present);
 };
 
-/// Adopts the chunks that an earlier run sealed; false if the file does not have this layout.
+/// Reuses the chunks that an earlier run sealed; false if the file does not have this layout.
 bool PackageWriter::State::resume() {
     Header h{};
     const auto header = std::as_writable_bytes(std::span(&h, 1));
@@ -177,12 +177,12 @@ void PackageWriter::State::publish_in_place(std::span<const DirectoryEntry> pres
     file.publish();
 }
 
-/// Copies the chunks one after the other into a file of their own. The part remains until that is complete;
-/// see publish_interrupted().
+/// Packs the chunks into another file. The part remains until that file is complete; see
+/// publish_interrupted().
 void PackageWriter::State::publish_together(std::span<DirectoryEntry> present) {
     PartFile together(file.file(), packing_of(file.file()));
     together.resize(0);
-    // Before anything else is there, so that after a power cut, too, it is recognized as ours.
+    // Written first, so that the file is recognized as ours even after a power cut.
     together.write(0, std::as_bytes(std::span(package::part_magic)));
     together.flush();
     std::uint64_t at = slot(present.size());
@@ -196,7 +196,7 @@ void PackageWriter::State::publish_together(std::span<DirectoryEntry> present) {
     together.resize(at);  // in case the last chunk is empty
     layout.bytes = at;
     Header h = final_header(present);
-    h.layout = 0;  // no part has its chunks at these places
+    h.layout = 0;  // no part has its chunks at these positions
     seal_header(h);
     together.write(sizeof h, std::as_bytes(present));
     together.write(0, bytes_of_one(h));
@@ -212,8 +212,8 @@ PackageWriter::PackageWriter(const std::filesystem::path& file, std::span<const 
     s.resumed = s.holds_photos = s.resume();
     if (!s.resumed) s.file.displace();
     try {
-        // Marks the file before it has a size, so that after a crash or a power cut it is recognized as a
-        // part.
+        // Marks the file before it has a size, so that it is recognized as a part after a crash or a power
+        // cut.
         s.file.write(0, std::as_bytes(std::span(package::part_magic)));
         if (!s.resumed) s.file.flush();
         s.layout.compact() ? s.file.resize(s.layout.bytes) : s.file.reserve(s.layout.bytes);
@@ -369,7 +369,7 @@ void publish_interrupted(const std::filesystem::path& file) {
     const std::filesystem::path packing = packing_of(file);
     const Descriptor fd(::open(packing.c_str(), O_RDONLY | O_CLOEXEC));
     if (!fd || ::flock(fd.get(), LOCK_EX | LOCK_NB) != 0)
-        return;  // there is none, or another process writes it
+        return;  // there is none, or another process is writing it
     try {
         const PackageReader whole(packing);
     } catch (const Error&) {

@@ -15,10 +15,10 @@ namespace vantage {
 
 class PackageReader;
 
-/// Blocks that are not stored as they are, one after the other; block i ends at ends[i] of `bytes`.
+/// Coded blocks, concatenated; block i ends at ends[i] of `bytes`.
 struct CodedBlocks {
     package::Form form = package::Form::raw;
-    std::vector<std::byte> shared{};  ///< by all blocks, for the head
+    std::vector<std::byte> shared{};  ///< data shared by all blocks, for the head
     std::vector<std::byte> bytes{};
     std::vector<std::uint64_t> ends{};
 
@@ -28,18 +28,18 @@ struct CodedBlocks {
     }
 };
 
-/// Writes a package whose layout is known before its contents: every chunk has a fixed place, so the file is
-/// the same in whatever order and on whatever thread the photos finish. The bytes go to FILE.part; finish()
-/// writes the directory and the header, flushes, and renames. Compact chunks are shorter than their places;
-/// finish() then puts all chunks together in another file. Until then, a chunk's directory entry is
-/// written when the chunk is sealed, and everything has a checksum, so that the next writer can resume after
-/// a crash at any point. write(), write_blocks(), note(), keep(), copy() and skip() are thread-safe and
-/// throw Error(storage).
+/// Writes a package whose layout is known before its contents. Every chunk has a fixed position, so the file
+/// does not depend on the order or the threads in which photos finish. The bytes go to FILE.part; finish()
+/// writes the directory and the header, flushes, and renames. If there are compact chunks, which do not fill
+/// their space, finish() packs all chunks into another file. Until then, a chunk's directory entry is written
+/// when the chunk is sealed, and everything has a checksum, so that the next writer can resume after a crash
+/// at any point. write(), write_blocks(), note(), keep(), copy() and skip() are thread-safe and throw
+/// Error(storage).
 class PackageWriter {
   public:
-    /// Resumes FILE.part if it has this layout; moves one of another layout to displaced_part_of(FILE).
-    /// `names` is a checksum of the photos' names, in order. Throws Error(storage) if the file cannot be
-    /// created, another process is writing it, or the disk has too little space.
+    /// Resumes FILE.part if it has this layout; otherwise moves it to displaced_part_of(FILE). `names` is a
+    /// checksum of the photos' names, in order. Throws Error(storage) if the file cannot be created, another
+    /// process is writing it, or the disk has too little space.
     PackageWriter(const std::filesystem::path& file, std::span<const ChunkPlan> plan, std::uint64_t names = 0,
                   Share share = {});
     /// Leaves FILE.part for the next writer; deletes it if it never held a chunk of a photo.
@@ -47,34 +47,36 @@ class PackageWriter {
     PackageWriter(const PackageWriter&) = delete;
     PackageWriter& operator=(const PackageWriter&) = delete;
 
-    /// True if FILE.part existed with this layout; read it with a PackageReader to see what to keep.
+    /// True if FILE.part existed with this layout; a PackageReader can read it to decide which chunks to
+    /// keep.
     bool resumed() const;
 
-    /// Writes a chunk without blocks: exactly the planned number of bytes. A compact one is compressed.
+    /// Writes a chunk without blocks, with exactly the planned number of bytes. Compact chunks are
+    /// compressed.
     void write(package::Type type, std::uint32_t photo, std::span<const std::byte> bytes);
-    /// Writes all blocks of a chunk: `fill` is called for block 0, 1, ... with its bytes to fill, so that
-    /// only one block is in memory.
+    /// Writes all blocks of a chunk. `fill` is called with the buffer of block 0, 1, ..., so that only one
+    /// block is in memory.
     void write_blocks(package::Type type, std::uint32_t photo, std::uint32_t level,
                       const std::function<void(std::size_t b, std::span<std::byte> block)>& fill);
-    /// Writes a compact chunk with blocks, if it is shorter than the raw one, else returns false.
+    /// Writes a compact chunk with blocks if it is shorter than the raw one, otherwise returns false.
     bool write_coded(package::Type type, std::uint32_t photo, std::uint32_t level, const CodedBlocks& blocks);
     /// Whether a chunk was planned.
     bool plans(package::Type type, std::uint32_t photo, std::uint32_t level = 0) const;
     /// Whether a chunk may be stored in a shorter form.
     bool compact(package::Type type, std::uint32_t photo, std::uint32_t level = 0) const;
-    /// Writes record number `index` of a scene-wide chunk before the chunk as a whole, for a resumed run to
-    /// read.
+    /// Writes record `index` of a scene-wide chunk ahead of the whole chunk, so that a resumed run can read
+    /// it.
     void note(package::Type type, std::size_t index, std::span<const std::byte> record);
 
-    /// Adds a chunk of the scene that was not planned, after all others, with finish().
+    /// Adds an unplanned chunk of the scene, which finish() writes after all others.
     void append(package::Type type, std::span<const std::byte> bytes);
 
     /// Keeps a chunk that FILE.part already holds, as `entry` describes it.
     void keep(const package::DirectoryEntry& entry);
-    /// Copies a chunk from another package, as photo `photo`. The caller checks that it is valid.
+    /// Copies a chunk from another package for photo `photo`. The caller checks that it is valid.
     void copy(const PackageReader& from, const package::DirectoryEntry& entry, std::uint32_t photo);
-    /// Drops the chunks of a photo that cannot be used; their place stays empty, and takes no space if the
-    /// file system supports holes.
+    /// Skips the chunks of an unusable photo; their range stays empty, and takes no space if the file system
+    /// supports holes.
     void skip(std::uint32_t photo);
 
     /// Reads back a sealed chunk without blocks. Throws Error(storage).
@@ -82,7 +84,7 @@ class PackageWriter {
     /// XXH3-64 of the head of a chunk that was written, kept or copied. Throws std::logic_error for any other
     /// chunk.
     std::uint64_t checksum_of(package::Type type, std::uint32_t photo, std::uint32_t level = 0) const;
-    /// Bytes of the finished package, or before that of its part.
+    /// Bytes of the finished package, or of its part before that.
     std::uint64_t size() const;
     /// Completes the package. Throws Error(storage), and std::logic_error if a planned chunk was neither
     /// written, kept, copied nor skipped.
@@ -93,8 +95,8 @@ class PackageWriter {
     std::unique_ptr<State> state_;
 };
 
-/// If a run was killed after it had put a package together and before it was renamed, finishes that;
-/// otherwise does nothing. Throws Error(storage).
+/// Finishes the package of a run that was killed between packing and renaming; otherwise does nothing. Throws
+/// Error(storage).
 void publish_interrupted(const std::filesystem::path& file);
 
 }  // namespace vantage

@@ -17,7 +17,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(space) + 1 - first);
 }
 
-/// Without characters that would break a line or change a terminal.
+/// Replaces characters that would break a line or control a terminal.
 std::string printable(std::string_view text) {
     std::string shown(text);
     std::ranges::replace_if(
@@ -78,7 +78,7 @@ std::string version_flaw(const Answer& answer, const Origin& known) {
            quoted(by_tag ? known.etag : known.last_modified);
 }
 
-/// Why an answer other than 206 cannot be used.
+/// Why a response other than 206 cannot be used.
 std::string refusal(const Answer& answer, ByteRange asked, const Origin* known) {
     if (answer.status == 416 && answer.content_range && answer.content_range->total)
         if (std::string flaw = total_flaw(*answer.content_range->total, known); !flaw.empty()) return flaw;

@@ -9,12 +9,12 @@ namespace vantage {
 
 /// The value of a Content-Range header (RFC 9110, 14.4).
 struct ContentRange {
-    std::optional<ByteRange> bytes;      ///< none for `bytes */1000`; otherwise not empty
-    std::optional<std::uint64_t> total;  ///< size of the whole file; none for `bytes 0-99/*`
+    std::optional<ByteRange> bytes;      ///< no value for `bytes */1000`; otherwise a non-empty range
+    std::optional<std::uint64_t> total;  ///< size of the whole file; no value for `bytes 0-99/*`
 };
 
-/// Nothing if the value is malformed, another unit than bytes, out of the range of 64 bits, or contradicts
-/// itself: `bytes 9-3/20`, `bytes 0-20/20`, `bytes */*`.
+/// Empty if the value is malformed, has a unit other than bytes, exceeds 64 bits, or contradicts itself:
+/// `bytes 9-3/20`, `bytes 0-20/20`, `bytes */*`.
 std::optional<ContentRange> parse_content_range(std::string_view value);
 
 }  // namespace vantage

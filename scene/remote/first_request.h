@@ -12,19 +12,19 @@
 
 namespace vantage {
 
-/// The request that opens a file: it learns the size, and holds the first bytes in memory, because the cache
-/// can be chosen only then.
+/// The request that opens a file. It determines the size and holds the first bytes in memory, because the
+/// cached file is selected only afterwards.
 class FirstRequest : public Request {
   public:
-    /// `bytes`: to ask for. `cached`: the cached copy that is complete enough to be used if it is current, or
-    /// null.
+    /// `bytes`: number of bytes to request. `cached`: a cached copy that is complete enough to use if it is
+    /// current, or null.
     FirstRequest(std::uint64_t bytes, std::string url, const Origin* cached);
 
-    /// Waits for the end; false when stopped.
+    /// Waits for completion; false when stopped.
     bool wait(std::stop_token stop);
-    // After the end:
+    // Valid after completion:
     const std::optional<Failure>& failure() const { return failure_; }
-    /// True if the cached copy is current; nothing else is known then.
+    /// True if the cached copy is current; origin() and bytes() are then not set.
     bool unmodified() const { return unmodified_; }
     const Origin& origin() const { return *origin_; }
     std::span<const std::byte> bytes() const { return bytes_; }

@@ -62,11 +62,11 @@ struct RemoteFile::Impl {
     std::vector<bool> used;               ///< per block, since opening; guarded by the mutex
     std::condition_variable_any changed;  ///< a part has finished
     std::unordered_map<std::uint64_t, std::shared_ptr<Part>> pending;  ///< by block; guarded by the mutex
-    Transfers transfers;                                               ///< last: its thread uses the others
+    Transfers transfers;  ///< last, because its thread uses the others
 };
 
-/// A request for a run of blocks. It keeps them until the thread of the transfers is done with it, even if
-/// those that waited for it are gone.
+/// A request for a run of blocks. It keeps the blocks until the transfer thread is done, even if its waiters
+/// are gone.
 struct RemoteFile::Impl::Part : Request {
     Part(Impl& owner, BlockRun blocks, std::uint64_t turn, Kept blocks_kept)
         : Request(bytes_of(blocks, owner.file->origin().size), turn),
@@ -90,7 +90,7 @@ struct RemoteFile::Impl::Part : Request {
         finish();
     }
 
-    /// With the mutex.
+    /// Requires the mutex.
     void finish() {
         finished = true;
         for (std::uint64_t block = run.begin; block < run.end; ++block) {
@@ -142,7 +142,7 @@ void RemoteFile::Impl::open(std::uint64_t first, std::stop_token stop) {
     }
 }
 
-/// Uses the cached file of the version that the server has, and stores the first bytes in it.
+/// Switches to the cached file of the server's version, and stores the first bytes in it.
 void RemoteFile::Impl::adopt(const FirstRequest& request, std::uint64_t first) {
     if (!file || !same_version(file->origin(), request.origin())) {
         first_kept.reset();
@@ -153,7 +153,7 @@ void RemoteFile::Impl::adopt(const FirstRequest& request, std::uint64_t first) {
     first_kept = file->keep({run});
     if (file->present(run)) return;
     file->write(0, request.bytes());
-    used.assign(run.end, true);  // but not from the cache
+    used.assign(run.end, true);  // not from the cache
 }
 
 std::vector<BlockRun> RemoteFile::Impl::blocks_within(std::span<const ByteRange> ranges) const {
@@ -166,8 +166,7 @@ std::vector<BlockRun> RemoteFile::Impl::blocks_within(std::span<const ByteRange>
     return blocks_of(ranges);
 }
 
-/// Notes that blocks are used, and counts those that come from the cache, once each. Returns the bytes that
-/// are absent.
+/// Marks blocks as used, and counts those from the cache, once each. Returns the number of absent bytes.
 std::uint64_t RemoteFile::Impl::use(const std::vector<BlockRun>& runs) {
     const std::scoped_lock lock(mutex);
     const std::uint32_t tick = file->table().tick();
@@ -185,7 +184,7 @@ std::uint64_t RemoteFile::Impl::use(const std::vector<BlockRun>& runs) {
     return absent;
 }
 
-/// Joins the parts that fetch some of the blocks, and starts parts for the others.
+/// Joins pending parts that fetch some of the blocks, and starts parts for the others.
 RemoteFile::Impl::Parts RemoteFile::Impl::request(const std::vector<BlockRun>& runs, const Kept& kept) {
     Parts parts;
     const std::scoped_lock lock(mutex);
@@ -229,7 +228,7 @@ bool RemoteFile::Impl::wait(const Parts& parts, std::stop_token stop) {
     return ended;
 }
 
-/// With the mutex. Cancels the parts that nobody waits for any more.
+/// Requires the mutex. Cancels the parts that nobody waits for any more.
 void RemoteFile::Impl::abandon(const Parts& parts) {
     for (const auto& part : parts)
         if (--part->waiting == 0 && !part->finished) {

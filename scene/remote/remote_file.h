@@ -17,40 +17,41 @@ namespace vantage {
 struct RemoteOptions {
     /// Folder; empty: $XDG_CACHE_HOME/vantage/remote, else ~/.cache/vantage/remote. On a local disk.
     std::filesystem::path cache{};
-    std::uint64_t cache_bytes = std::uint64_t(4) << 30;  ///< most that all cached files take on the disk
+    std::uint64_t cache_bytes = std::uint64_t(4) << 30;  ///< limit for all cached files on the disk
     std::chrono::milliseconds connect_timeout{10'000};
-    std::chrono::seconds stall_timeout{20};  ///< at fewer than 256 bytes per second
-    /// Before the second try; four times as long before the third.
+    std::chrono::seconds stall_timeout{20};  ///< maximum time below 256 bytes per second
+    /// Pause before the second try; four times as long before the third.
     std::chrono::milliseconds retry_pause{250};
     int max_requests = 6;  ///< in flight at once, 1 to 64; each takes 64 KiB of memory for bodies
-    std::uint64_t first_bytes = 256 << 10;  ///< that opening fetches; rounded up to 64 KiB, at most 64 MiB
-    std::filesystem::path certificates{};   ///< PEM file of trusted authorities; empty: those of the system
+    std::uint64_t first_bytes = 256 << 10;  ///< fetched on opening; rounded up to 64 KiB, at most 64 MiB
+    std::filesystem::path certificates{};   ///< PEM file of trusted authorities; empty: the system's
 };
 
-/// What has been transferred since the file was opened.
+/// Traffic since the file was opened.
 struct Traffic {
     std::uint64_t bytes_received = 0;    ///< of bodies
     std::uint64_t requests = 0;          ///< each try counts
-    std::uint64_t bytes_from_cache = 0;  ///< present when they were first asked for, in whole blocks
+    std::uint64_t bytes_from_cache = 0;  ///< present when first requested, in whole blocks
     double bytes_per_second = 0;         ///< received, over the last two seconds
 };
 
 /// A file on a server, read by ranges over HTTP. It is cached in a sparse file of the same size, which is
-/// mapped: ranges are fetched into it before they are read. Bytes that were not fetched read as zero. All
-/// sizes are in bytes; blocks are 64 KiB, and ranges are fetched in whole blocks.
+/// mapped: ranges are fetched into it before they are read. Bytes that have not been fetched read as zero.
+/// All sizes are in bytes; blocks are 64 KiB, and ranges are fetched in whole blocks.
 ///
 /// The cache has a limit. When it is exceeded, files that no process has open are deleted, then blocks of
-/// this one are freed, least recently fetched first, and read as zero again. Blocks stay while they are
-/// fetched, or kept with keep(), in any process, and so do those that opening fetches; if these alone exceed
-/// the limit, so does the cache. Whoever reads bytes that are not kept must check them, and fetch them again.
+/// this one are freed, least recently fetched first, and read as zero again. Blocks are not freed while any
+/// process fetches them or keeps them with keep(), nor are the ones fetched on opening; if these alone exceed
+/// the limit, so does the cache. Readers of bytes that are not kept must verify them, and fetch them again if
+/// necessary.
 ///
 /// Thread-safe, except that it must outlive all calls. Processes may open the same file. Errors of the server
 /// or the network are Error(input), those of the cache Error(storage); both are one line.
 class RemoteFile {
   public:
-    /// Opens with one request, for the first bytes. A cached copy is used if the server says by ETag or
-    /// Last-Modified that it is current, otherwise it is dropped. If the server cannot be reached, the cached
-    /// copy is used as it is (see offline()). Throws Error(input) if the server cannot be reached and there
+    /// Opens with one request, for the first bytes. A cached copy is used if it is current according to the
+    /// server's ETag or Last-Modified, otherwise it is dropped. If the server cannot be reached, the cached
+    /// copy is used unchecked (see offline()). Throws Error(input) if the server cannot be reached and there
     /// is none, does not support ranges, or has no such file; Error(storage); Error(interrupted) when
     /// stopped.
     explicit RemoteFile(std::string_view url, const RemoteOptions& options = {}, std::stop_token stop = {});
@@ -58,30 +59,30 @@ class RemoteFile {
     RemoteFile(RemoteFile&&) noexcept;
     RemoteFile& operator=(RemoteFile&&) noexcept;
 
-    /// Without user name and password.
+    /// The URL without user name and password.
     const std::string& url() const;
     std::uint64_t size() const;
-    /// The mapped file, valid as long as this object.
+    /// The mapped file, valid as long as this object lives.
     std::span<const std::byte> bytes() const&;
     std::span<const std::byte> bytes() const&& = delete;
-    /// Of the sparse file.
+    /// Path of the sparse file.
     const std::filesystem::path& path() const;
     /// True if the server has not been reached since the file was opened from the cache.
     bool offline() const;
 
-    /// Waits until all ranges are present. What another thread is fetching is waited for, not requested
-    /// again. Returns false when stopped; requests that nobody else waits for are then cancelled. A call of
-    /// many bytes does not hold up others: what a call needs first goes before what another needs later.
-    /// Throws Error(input) after up to three tries, also if the file has changed on the server;
-    /// Error(storage); Error(internal) if a range extends beyond the file.
+    /// Waits until all ranges are present. Ranges that another thread is fetching are not requested again.
+    /// Returns false when stopped; requests that nobody else waits for are then canceled. A call for many
+    /// bytes does not block others: requests of different calls are interleaved, in order of need. Throws
+    /// Error(input) after up to three tries, also if the file has changed on the server; Error(storage);
+    /// Error(internal) if a range extends beyond the file.
     [[nodiscard]] bool fetch(std::span<const ByteRange> ranges, std::stop_token stop = {});
     /// True if all bytes were fetched and not freed since.
     bool present(ByteRange range) const;
-    /// Forgets bytes that do not match a checksum, so that the next fetch() fetches them again, in place.
-    /// Other bytes of the same blocks are forgotten with them.
+    /// Discards bytes that do not match a checksum, so that the next fetch() replaces them in place. Other
+    /// bytes in the same blocks are discarded as well.
     void discard(ByteRange range);
-    /// The blocks of these ranges stay as long as the result lives, once they are fetched: keep them, then
-    /// fetch. The result may outlive this object. Throws Error(storage).
+    /// Prevents the blocks of these ranges from being freed as long as the result lives: first keep them,
+    /// then fetch. The result may outlive this object. Throws Error(storage).
     [[nodiscard]] std::shared_ptr<const void> keep(std::span<const ByteRange> ranges);
 
     Traffic traffic() const;

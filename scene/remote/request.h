@@ -15,14 +15,15 @@ namespace vantage {
 struct Failure {
     Exit code = Exit::input;
     std::string message;       ///< begins with the URL
-    bool transient = false;    ///< trying again may help
-    bool unreachable = false;  ///< the server was not reached or is busy, or the connection was cut
+    bool transient = false;    ///< a retry may succeed
+    bool unreachable = false;  ///< the server was not reached or is busy, or the connection broke
 };
 
-/// A GET of a range of a file. Its functions are called by the thread of Transfers.
+/// A GET request for a range of a file. Its functions are called by the thread of Transfers.
 class Request {
   public:
-    /// `turn`: requests with a lower one go first, so that a caller with many does not hold up the others.
+    /// `turn`: requests with a lower turn go first, so that a caller with many requests does not block
+    /// others.
     explicit Request(ByteRange range, std::uint64_t turn = 0) : turn_(turn), range_(range) {}
     virtual ~Request() = default;
     Request(const Request&) = delete;
@@ -32,15 +33,16 @@ class Request {
     ByteRange range() const { return range_; }
     /// A header line to send, such as `If-None-Match: "5"`; or empty.
     virtual std::string condition() const { return {}; }
-    /// Called with the headers of the last answer, before its body. `asked`: what of the range was asked for,
-    /// after what had arrived before a cut. Returns as flaw_of() does, and may shorten() the range.
+    /// Called with the headers of the last response, before its body. `asked`: the requested part of the
+    /// range, after the bytes that arrived before a disconnection. Returns like flaw_of(), and may shorten()
+    /// the range.
     virtual std::string flaw(const Answer& answer, ByteRange asked) = 0;
-    /// Stores the next bytes of the body, which lie in the range. May throw Error(storage).
+    /// Stores the next bytes of the body, which lie within the range. May throw Error(storage).
     virtual void store(std::uint64_t offset, std::span<const std::byte> bytes) = 0;
-    /// Called once: all bytes were stored (null), or the last try failed. Not called if cancelled.
+    /// Called once, when all bytes are stored (null) or the last try has failed. Not called if canceled.
     virtual void done(const Failure* failure) = 0;
 
-    /// From any thread. Transfers::cancel() also wakes its thread.
+    /// May be called from any thread. Transfers::cancel() also wakes its thread.
     void cancel() { cancelled_ = true; }
     bool cancelled() const { return cancelled_; }
 

@@ -25,7 +25,7 @@ constexpr long receive_buffer = 64 << 10;           // bytes per request
 constexpr std::size_t max_header_bytes = 64 << 10;  // per answer
 constexpr long max_redirects = 5;
 constexpr long stall_rate = 256;                    // bytes per second; slower is a stall
-constexpr std::uint64_t progress_bytes = 64 << 10;  // that a try must bring to count as progress
+constexpr std::uint64_t progress_bytes = 64 << 10;  // minimum per try to count as progress
 
 struct CloseEasy {
     void operator()(CURL* easy) const { curl_easy_cleanup(easy); }
@@ -57,8 +57,8 @@ struct Active {
     std::unique_ptr<curl_slist, FreeList> headers{};
     ByteRange asked{};  ///< of this try
     Answer answer{};
-    bool answered = false;           ///< all headers have arrived and were found flawless
-    std::optional<Failure> fault{};  ///< found by a callback, which then ends the transfer
+    bool answered = false;           ///< all headers have arrived and are valid
+    std::optional<Failure> fault{};  ///< set by a callback, which then ends the transfer
     std::array<char, CURL_ERROR_SIZE> error{};
 
     std::uint64_t received_in_try() const { return request->range().begin + received - asked.begin; }
@@ -69,14 +69,14 @@ struct Active {
     }
 };
 
-/// 301 and the like, which libcurl follows; 304 is an answer.
+/// Redirects such as 301, which libcurl follows; 304 is a final response.
 bool is_redirect(const Answer& answer) {
     return answer.status >= 301 && answer.status <= 308 && answer.status != 304 && !answer.location.empty();
 }
 
 bool may_pass(int status) { return status == 429 || status == 502 || status == 503 || status == 504; }
 
-/// After the last line of headers. Returns whether to continue.
+/// Called after the last header line. Returns whether to continue.
 bool headers_end(Active& a) {
     if (a.answer.status >= 100 && a.answer.status < 200) return true;
     if (is_redirect(a.answer)) {
@@ -95,7 +95,7 @@ bool headers_end(Active& a) {
     return a.answered = true;
 }
 
-/// Exceptions must not pass through libcurl.
+/// Exceptions must not propagate through libcurl.
 template <class F>
 std::size_t guarded(Active& a, std::size_t bytes, F f) {
     try {
@@ -106,14 +106,14 @@ std::size_t guarded(Active& a, std::size_t bytes, F f) {
         a.fault = Failure{Exit::memory, a.shown_url + ": " + e.what()};
     }
     if (!a.fault) a.fault = a.failure("the transfer was stopped");
-    return bytes + 1;  // any other number than that of the bytes ends the transfer
+    return bytes + 1;  // any number other than `bytes` ends the transfer
 }
 
 std::size_t on_header(char* data, std::size_t, std::size_t size, void* active) {
     Active& a = *static_cast<Active*>(active);
     const std::string_view line(data, size);
     return guarded(a, size, [&] {
-        if (a.answered && !line.starts_with("HTTP/")) return true;  // after the body
+        if (a.answered && !line.starts_with("HTTP/")) return true;  // trailer after the body
         a.answered = false;
         take_header_line(a.answer, line);
         if (a.answer.header_bytes > max_header_bytes) {
@@ -267,7 +267,7 @@ struct Transfers::Impl {
         }
     }
 
-    /// Milliseconds until the next try is due; the thread is woken if anything else happens.
+    /// Milliseconds until the next try is due; other events wake the thread.
     int pause() const {
         using namespace std::chrono;
         auto wait = milliseconds(1000);
@@ -297,7 +297,7 @@ struct Transfers::Impl {
         CURL* easy = a.easy.get();
         const std::string range = std::to_string(a.asked.begin) + "-" + std::to_string(a.asked.end - 1);
         curl_slist* headers = curl_slist_append(nullptr, "Accept-Encoding: identity");
-        // A cut body is continued whatever the cache has.
+        // After a disconnection, the body is continued regardless of the cache.
         const std::string condition = a.received == 0 ? a.request->condition() : "";
         if (!condition.empty()) headers = curl_slist_append(headers, condition.c_str());
         a.headers.reset(headers);
@@ -322,7 +322,7 @@ struct Transfers::Impl {
         if (!options_.certificates.empty())
             curl_easy_setopt(easy, CURLOPT_CAINFO, options_.certificates.c_str());
         curl_easy_setopt(easy, CURLOPT_HTTP_VERSION, long(CURL_HTTP_VERSION_2TLS));
-        curl_easy_setopt(easy, CURLOPT_PIPEWAIT, 1L);  // rather than connect again
+        curl_easy_setopt(easy, CURLOPT_PIPEWAIT, 1L);  // instead of opening a new connection
         curl_easy_setopt(easy, CURLOPT_BUFFERSIZE, receive_buffer);
         curl_easy_setopt(easy, CURLOPT_CONNECTTIMEOUT_MS, long(options_.connect_timeout.count()));
         curl_easy_setopt(easy, CURLOPT_LOW_SPEED_LIMIT, stall_rate);
@@ -364,8 +364,8 @@ struct Transfers::Impl {
     std::unique_ptr<CURLM, CloseMulti> multi_;
     std::mutex mutex_;
     std::vector<std::unique_ptr<Active>> incoming_;  ///< guarded by the mutex
-    // Of the thread only.
-    std::deque<std::unique_ptr<Active>> waiting_;  ///< by turn, then in the order in which they came
+    // Used only by the thread.
+    std::deque<std::unique_ptr<Active>> waiting_;  ///< by turn, then in order of arrival
     std::vector<std::unique_ptr<Active>> in_flight_;
     std::jthread thread_;
 };

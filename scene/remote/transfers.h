@@ -9,29 +9,29 @@
 
 namespace vantage {
 
-/// How Transfers reach a server.
+/// Settings for connections to a server.
 struct TransferOptions {
     std::chrono::milliseconds connect_timeout{10'000};
     std::chrono::seconds stall_timeout{20};
     std::chrono::milliseconds retry_pause{
-        250};                            ///< before the second try; four times as long before the third
+        250};                            ///< pause before the second try; four times as long before the third
     int max_in_flight = 6;               ///< requests
-    std::filesystem::path certificates;  ///< PEM file of trusted authorities; empty: those of the system
+    std::filesystem::path certificates;  ///< PEM file of trusted authorities; empty: the system's
 };
 
-/// Carries out requests for one URL in a thread of its own, in the order of their turns. They share
-/// connections: one with HTTP/2, otherwise one per request in flight. Bodies are passed on as they arrive;
-/// memory for them is 64 KiB per request. A request that fails for a reason that may pass is tried three
-/// times, continuing with what has arrived. Certificates are always verified. Redirects are followed, but
+/// Carries out requests for one URL in a separate thread, in order of their turns. They share connections:
+/// one with HTTP/2, otherwise one per request in flight. Bodies are passed on as they arrive, with a buffer
+/// of 64 KiB per request. Transient failures are retried until three successive tries make no progress,
+/// resuming after the bytes that have arrived. Certificates are always verified. Redirects are followed, but
 /// never from https to http. Thread-safe.
 class Transfers {
   public:
     /// Throws Error(memory) if the thread cannot be started, Error(internal) if libcurl cannot.
     Transfers(std::string url, const TransferOptions& options);
-    /// Requests that are not done are dropped.
+    /// Drops unfinished requests.
     ~Transfers();
 
-    /// `tries`: in a row without progress.
+    /// `tries`: maximum number of successive tries without progress.
     void start(std::shared_ptr<Request> request, int tries = 3);
     void cancel(Request& request);
 

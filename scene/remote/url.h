@@ -4,10 +4,10 @@
 
 namespace vantage {
 
-/// The URL without fragment. Throws Error(input) if it is not a URL of http or https.
+/// The URL without its fragment. Throws Error(input) unless it is an http or https URL.
 std::string checked_url(std::string_view text);
 
-/// A checked URL as messages and the cache show it: without user name and password.
+/// A checked URL as shown in messages and stored in the cache: without user name and password.
 std::string shown_url(const std::string& url);
 
 }  // namespace vantage

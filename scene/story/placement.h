@@ -5,12 +5,12 @@
 
 namespace vantage {
 
-/// Where an object stands in a scene of several, whose coordinates are those of its first object: turned and
-/// scaled about the middle of its bounds, then moved.
+/// The placement of an object in a scene with several, whose coordinates are those of the first object:
+/// rotated and scaled about the center of its bounds, then translated.
 struct Placement {
     Eigen::Vector3d move = Eigen::Vector3d::Zero();  ///< input units of the first object
     Eigen::Vector3d turn = Eigen::Vector3d::Zero();  ///< degrees about x, then y, then z
-    double scale = 1;                                ///< above 0
+    double scale = 1;                                ///< positive
     bool operator==(const Placement&) const = default;
 };
 

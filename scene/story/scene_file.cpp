@@ -18,11 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double farthest = 1e12;  ///< input units; beyond, positions lose all their digits
+constexpr double farthest = 1e12;  ///< input units; beyond this, positions have no precision left
 constexpr double smallest = 1e-6, largest = 1e6;
 constexpr double matrix_tolerance = 1e-4;  ///< other programs write few digits
 
-/// One object's table, read key by key.
+/// Reads one object's table key by key.
 class ObjectTable {
   public:
     ObjectTable(const fs::path& file, const toml::table& table, std::size_t number)
@@ -49,7 +49,7 @@ class ObjectTable {
         if (!value || value->empty()) fail(std::string(key) + ": expected a text that is not empty");
         return *value;
     }
-    /// From the file's folder to a path from the current one; empty if it is not given.
+    /// Resolves a path relative to the file's folder; empty if it is not given.
     fs::path path(const char* key) const { return has(key) ? from_folder(text(key)) : fs::path(); }
     std::vector<fs::path> points() const {
         std::vector<fs::path> out;
@@ -93,7 +93,7 @@ class ObjectTable {
         return out;
     }
 
-    /// 3 rows of 4 numbers: a rotation times a scale, and a translation.
+    /// Reads 3 rows of 4 numbers: a rotation times a scale, and a translation.
     std::optional<Similarity> align() const {
         if (!has("align")) return {};
         const auto* rows = table_["align"].as_array();
@@ -170,7 +170,7 @@ SceneObject::Input read_input(const ObjectTable& t) {
     return in;
 }
 
-/// "scans/altar/" is altar.
+/// For example, "altar" for "scans/altar/".
 std::string stem_of(const fs::path& path) {
     return (path.has_filename() ? path : path.parent_path()).stem().string();
 }
@@ -224,7 +224,7 @@ toml::array matrix_rows(const Similarity& s) {
     return out;
 }
 
-/// Paths relative to the folder; those of other disks and URLs as they are.
+/// Makes paths relative to the folder; keeps URLs and paths on other disks unchanged.
 class RelativePaths {
   public:
     explicit RelativePaths(const fs::path& folder) : folder_(fs::absolute(folder)) {}

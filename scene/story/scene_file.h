@@ -12,11 +12,11 @@ namespace vantage {
 /// One object of a scene file. In the file, paths are relative to its folder.
 struct SceneObject {
     std::string name;
-    std::filesystem::path package;  ///< or URL; empty if the object is still to be prepared
+    std::filesystem::path package;  ///< or URL; empty if the object is not yet prepared
     Placement placement;
     bool shown = true;
-    double opacity = 1;  ///< 0 to 1; below 1, what is behind shows through its surface
-    /// What to prepare it from: a folder, or the three parts by themselves; and point clouds to show with it.
+    double opacity = 1;  ///< 0 to 1; below 1, objects behind it are visible through its surface
+    /// Inputs for preparation: a folder, or the three parts separately; and point clouds to show with it.
     struct Input {
         std::filesystem::path folder, mesh, cameras, photos;
         std::vector<std::filesystem::path> points;
@@ -26,30 +26,30 @@ struct SceneObject {
     std::optional<Similarity> matrix{};
 };
 
-/// What a scene file is read for: `show` needs packages, `prepare` needs inputs.
+/// Why a scene file is read: `show` needs packages, `prepare` needs inputs.
 enum class SceneUse { show, prepare };
 
-/// Whether a name is that of a scene file, *.toml.
+/// Whether the path names a scene file, *.toml.
 bool is_scene_file(const std::filesystem::path& file);
 
-/// Reads a list of objects, each with `package` or what it is prepared from (`input`, or `mesh`, `cameras`
-/// and `photos`; `points`; `align`, 3 rows of 4 numbers), and if wanted `name`, `move`, `turn` and `scale`,
-/// or `matrix`, 4 rows of 4 numbers, and `shown` and `opacity`:
+/// Reads a list of objects, each with `package` or its inputs (`input`, or `mesh`, `cameras` and `photos`;
+/// `points`; `align`, 3 rows of 4 numbers), and optionally `name`, `move`, `turn` and `scale`, or `matrix`, 4
+/// rows of 4 numbers, `shown` and `opacity`:
 ///
 ///     [[object]]
 ///     package = "altar.vantage"
 ///     move = [2.5, 0, 0]
 ///
-/// The first one is not moved, turned or scaled. Paths become paths from the current folder; a name that is
-/// not given is that of the package or input. Throws Error(input) naming the file and the key that is
-/// missing, unknown, of the wrong type, not finite or out of range, or a name that two objects have or that
-/// cannot be a file's.
+/// The first object is not moved, turned or scaled. Paths are converted to be relative to the current folder;
+/// a missing name defaults to that of the package or input. Throws Error(input) naming the file and the key
+/// that is missing, unknown, of the wrong type, not finite or out of range, or a name that is not unique or
+/// not usable as a file name.
 std::vector<SceneObject> read_scene_file(const std::filesystem::path& file, SceneUse use);
 
-/// The text of such a file, with packages, or the inputs of objects without one, relative to its folder
-/// `folder`.
+/// The text of a scene file in `folder`, with the paths of packages, or of inputs for objects without a
+/// package, relative to that folder.
 std::string scene_file_text(const std::vector<SceneObject>& objects, const std::filesystem::path& folder);
-/// Writes it, with packages relative to its own folder. Replaces any file of that name. Throws
+/// Writes a scene file, with packages relative to its folder. Replaces any existing file. Throws
 /// Error(storage).
 void write_scene_file(const std::filesystem::path& file, const std::vector<SceneObject>& objects);
 

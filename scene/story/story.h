@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// A text for visitors: one for all languages, or one for each.
+/// A text for visitors: one for all languages, or one per language.
 struct StoryText {
     std::string plain;                               ///< UTF-8; used if there are no others
     std::map<std::string, std::string> by_language;  ///< tags such as "en" or "pt-BR", and UTF-8
@@ -17,11 +17,11 @@ struct StoryText {
     bool operator==(const StoryText&) const = default;
 };
 
-/// A camera as people write it, in the input's coordinates.
+/// A camera in human-readable form, in the input's coordinates.
 struct StoryView {
     Eigen::Vector3d eye = Eigen::Vector3d::Zero(), target = Eigen::Vector3d::UnitX();
-    std::optional<Eigen::Vector3d> up{};  ///< nothing: that of the photos
-    double roll = 0;                      ///< degrees by which the camera is turned clockwise
+    std::optional<Eigen::Vector3d> up{};  ///< default: the photos' up direction
+    double roll = 0;                      ///< clockwise rotation of the camera, degrees
     double fov = 45;                      ///< vertical, degrees
     bool operator==(const StoryView&) const = default;
 };
@@ -30,16 +30,16 @@ struct StoryNote {
     std::string id;  ///< unique
     StoryText title, text;
     std::string picture{};                    ///< PNG or JPEG, relative to the story's folder; empty: none
-    std::optional<StoryView> view{};          ///< from where it is looked at
-    std::optional<Eigen::Vector3d> anchor{};  ///< the place on the surface, in the input's coordinates
+    std::optional<StoryView> view{};          ///< viewpoint of the note
+    std::optional<Eigen::Vector3d> anchor{};  ///< position on the surface, in the input's coordinates
     bool operator==(const StoryNote&) const = default;
 };
 
-/// A place where a tour stops: at a note or at a view.
+/// A stop of a tour, at a note or at a view.
 struct StoryStop {
-    std::string note{};  ///< id; empty: `view` is given
+    std::string note{};  ///< id; if empty, `view` is set
     std::optional<StoryView> view{};
-    double fly = 3, stay = 5;  ///< seconds to get there, and there
+    double fly = 3, stay = 5;  ///< seconds of the flight, and of the stop
     bool operator==(const StoryStop&) const = default;
 };
 
@@ -53,14 +53,14 @@ struct StoryTour {
 /// 8 bits, sRGB.
 using StoryColor = std::array<std::uint8_t, 3>;
 
-/// What is behind the model: a color, or a gradient from the top of the picture to its bottom.
+/// The plain background: a color, or a gradient from the top of the picture to its bottom.
 struct StoryBackground {
     StoryColor top{}, bottom{};
-    double soft_edges = 0;  ///< share of the shorter side over which the picture fades toward its edges
+    double soft_edges = 0;  ///< fraction of the shorter side over which the picture fades toward its edges
     bool operator==(const StoryBackground&) const = default;
 };
 
-/// What a kiosk shows while nobody touches it, again and again. Exactly one of the three is given.
+/// The loop that a kiosk shows while idle. Exactly one of the three is set.
 struct StoryAttract {
     double after = 60;   ///< seconds without input
     std::string tour{};  ///< id
@@ -69,9 +69,9 @@ struct StoryAttract {
     bool operator==(const StoryAttract&) const = default;
 };
 
-/// What a curator tells about a package or a scene.
+/// A curator's presentation of a package or a scene.
 struct Story {
-    std::string language = "en";  ///< of plain texts, and where a text lacks the visitor's language
+    std::string language = "en";  ///< of plain texts; also used if a text lacks the visitor's language
     StoryText title;
     std::optional<StoryView> opening{};
     std::optional<StoryBackground> background{};
@@ -81,27 +81,29 @@ struct Story {
     bool operator==(const Story&) const = default;
 };
 
-/// The text in a language ("de-AT", or else "de"), or else in the story's own, or else in the first one.
+/// The text in a language ("de-AT", then "de"), or else in the story's language, or else in the first
+/// available.
 const std::string& text_in(const Story& story, const StoryText& text, const std::string& language);
 
-/// All languages of its texts, sorted; its own one is among them.
+/// All languages of the story's texts, including its own, sorted.
 std::vector<std::string> languages_of(const Story& story);
 
-/// Null if there is none of that id.
+/// The note with this ID; null if there is none.
 const StoryNote* note_of(const Story& story, const std::string& id);
-/// By its id, or else by its title in any language; null if there is none.
+/// The tour with this ID, or else with this title in any language; null if there is none.
 const StoryTour* tour_of(const Story& story, const std::string& name);
-/// The view of a stop, or of its note; null if the note is missing or has none.
+/// The view of a stop, or of its note; null if the note is missing or has no view.
 const StoryView* view_of_stop(const Story& story, const StoryStop& stop);
 
-/// Sets a text in a language. A text for all languages becomes one for the story's own and one for this.
+/// Sets a text in a language. A text for all languages is split into one for the story's language and one for
+/// this.
 void set_text(const Story& story, StoryText& text, const std::string& language, const std::string& words);
 
-/// Removes a note, and the stops of tours and of the attract loop at it; tours without stops are removed,
-/// too.
+/// Removes a note, and its stops in tours and in the attract loop. Tours left without stops are removed as
+/// well.
 void remove_note(Story& story, std::size_t note);
 
-/// An id that no note has yet: "note-1", "note-2", ...
+/// An unused note ID: "note-1", "note-2", ...
 std::string free_note_id(const Story& story);
 
 }  // namespace vantage

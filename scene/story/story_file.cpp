@@ -144,7 +144,7 @@ StoryAttract read_attract(const LocatedJson& at) {
     return out;
 }
 
-/// Expects that no two items have the same id.
+/// Expects all items to have different IDs.
 template <class Item>
 void expect_different(const std::vector<Item>& items, const LocatedJson& at) {
     std::set<std::string> ids;
@@ -256,7 +256,7 @@ ordered_json json_of(const Story& story) {
     return out;
 }
 
-/// Arrays of numbers in one line, everything else in a line of its own.
+/// Writes arrays of numbers on one line, and everything else on separate lines.
 void print(std::ostream& out, const ordered_json& value, const std::string& indent) {
     const bool object = value.is_object();
     if (!value.is_structured() || value.empty() || (!object && value.front().is_number())) {
@@ -318,7 +318,7 @@ void write_story(const fs::path& file, const Story& story) {
     try {
         text = story_text(story);
         if (parse_story(text, "story").story != story) throw Error(Exit::input, "is not read back as it is");
-    } catch (const std::exception& e) {  // also of texts that are not UTF-8
+    } catch (const std::exception& e) {  // including texts that are not UTF-8
         throw Error(Exit::usage, file.string() + ": cannot be saved: " + e.what());
     }
     replace_file(file, text);

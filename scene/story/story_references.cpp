@@ -22,7 +22,7 @@ void check_stops(const Story& story, const std::vector<StoryStop>& stops, const 
     }
 }
 
-/// Whether a file begins as its format requires.
+/// Whether a file has the signature of its format.
 bool is_picture(const std::filesystem::path& file) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) return false;
@@ -60,7 +60,7 @@ std::vector<std::string> missing_pictures(const Story& story, const std::filesys
 }
 
 std::vector<std::string> anchors_outside(const Story& story, const Eigen::AlignedBox3d& box) {
-    constexpr double margin = 0.1;  // of the diagonal
+    constexpr double margin = 0.1;  // fraction of the diagonal
     std::vector<std::string> out;
     for (std::size_t i = 0; i < story.notes.size(); ++i) {
         const auto& anchor = story.notes[i].anchor;

@@ -8,14 +8,15 @@
 
 namespace vantage {
 
-/// What a story names and does not have: notes of stops, their views, the tour of its attract loop. One line
-/// each, with the place.
+/// Dangling references within a story: notes of stops, their views, the tour of its attract loop. One line
+/// each, with the location.
 std::vector<std::string> dangling_references(const Story& story);
 
-/// Pictures of notes that are not in `folder`, that of the story, or do not begin as a PNG or JPEG file does.
+/// Pictures of notes that are missing from `folder`, the story's folder, or lack the signature of a PNG or
+/// JPEG file.
 std::vector<std::string> missing_pictures(const Story& story, const std::filesystem::path& folder);
 
-/// Anchors that lie farther outside a box, in the input's coordinates, than a tenth of its diagonal.
+/// Anchors that lie outside a box, in the input's coordinates, by more than a tenth of its diagonal.
 std::vector<std::string> anchors_outside(const Story& story, const Eigen::AlignedBox3d& box);
 
 }  // namespace vantage

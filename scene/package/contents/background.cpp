@@ -14,7 +14,7 @@ using package::BackgroundRecord;
 using package::ClusterRecord;
 using package::CoverageRecord;
 
-/// Appends values, or zeros in their place.
+/// Appends values, or zeros instead.
 template <class T>
 void put(std::vector<std::byte>& out, const std::vector<T>& values, std::size_t count) {
     const std::size_t at = out.size();
@@ -22,7 +22,7 @@ void put(std::vector<std::byte>& out, const std::vector<T>& values, std::size_t 
     std::ranges::copy(std::as_bytes(std::span(values)), out.begin() + std::ptrdiff_t(at));
 }
 
-/// Takes values from the front.
+/// Reads values from the front.
 template <class T>
 std::vector<T> take(std::span<const std::byte>& bytes, std::size_t count) {
     std::vector<T> out(count);
@@ -37,7 +37,7 @@ std::uint64_t size_of(const BackgroundRecord& r) {
            r.vertices * 20 + r.photos + r.triangles * 12 + r.hidden * 4 + r.clusters * sizeof(ClusterRecord);
 }
 
-/// What is wrong with the content; empty if nothing is.
+/// The first error in the content; empty if it is valid.
 const char* problem(const BackgroundContent& s) {
     for (const Eigen::Vector3f& p : s.positions)
         if (!p.allFinite()) return "a position is not finite";

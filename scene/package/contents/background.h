@@ -14,18 +14,19 @@ namespace vantage {
 inline constexpr int max_background_labels = 31;
 inline constexpr float background_trust = 7, correction_scale = 500;
 
-/// A backdrop around scene and cameras, for what photos show beside the mesh.
+/// A backdrop around scene and cameras that shows the photographed background.
 struct BackgroundContent {
     std::vector<Eigen::Vector3f> positions;               ///< relative to the origin
-    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of these; counterclockwise seen from inside
-    std::vector<package::ClusterRecord> clusters;         ///< of these triangles, in order, all of them
-    /// Per vertex: the calm color, sRGB; the label of the photo that shows it times 8, plus its trust, 0
-    /// to 7.
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise seen from inside
+    std::vector<package::ClusterRecord> clusters;         ///< cover all these triangles in order
+    /// Per vertex: the background color (robust mean), sRGB; 8 times the label of the photo that shows it,
+    /// plus the trust in that photo, 0 to 7.
     std::vector<std::array<std::uint8_t, 4>> colors;
-    /// Per vertex: added to that photo's color, square roots of light times `correction_scale`; 0.
+    /// Per vertex: correction of that photo's color, in square roots of light times `correction_scale`; then
+    /// 0.
     std::vector<std::array<std::int8_t, 4>> corrections;
-    std::vector<std::uint32_t> hidden;  ///< triangles of the mesh that are not shown: photos show sky there
-    std::vector<std::uint8_t> labels;   ///< per photo, 1 to 31; 0: it shows only its own view
+    std::vector<std::uint32_t> hidden;  ///< hidden triangles of the mesh, where photos show sky
+    std::vector<std::uint8_t> labels;   ///< per photo, 1 to 31; 0: used only near its own view
     std::vector<std::vector<package::CoverageRecord>> coverage;  ///< per photo and cluster; may be empty
     std::vector<std::vector<std::uint64_t>> visible;             ///< per photo, as VISB; may be empty
 };
@@ -33,8 +34,8 @@ struct BackgroundContent {
 /// The content of SURR, see FORMAT.md.
 std::vector<std::byte> background_chunk(const BackgroundContent& content);
 
-/// The package's background; nothing if it has none. Copied, because the file may be overwritten while it
-/// is shown. Throws Error(damaged) if the chunk does not match its checksum or its own counts.
+/// The package's background; empty if it has none. Copied, because the file may be overwritten while it is
+/// shown. Throws Error(damaged) if the chunk does not match its checksum or its own counts.
 std::optional<BackgroundContent> read_background(const PackageReader& package);
 
 }  // namespace vantage

@@ -9,8 +9,7 @@
 namespace vantage {
 namespace {
 
-/// Packages store `name`, `measures` and `unit`, so changing one changes every package. That is why
-/// "fov-normalization" keeps its British spelling there.
+/// Packages store `name`, `measures` and `unit`, so changing one of these changes every package.
 constexpr std::array table{
     EffectRow{Effect::undistortion, "undistortion", "undistortion",
               "largest displacement by the lens in any photo", "px", 0.05, Basis::scene, "blend",

@@ -30,12 +30,12 @@ enum class Effect : int {
     count
 };
 
-/// What an effect is decided from.
+/// The data from which an effect is decided.
 enum class Basis {
     scene,      ///< cameras and mesh, before any photo is prepared
     colors,     ///< surface colors of all photos, after each is prepared
     pixels,     ///< the surface as matched between all photos, after each is prepared
-    background  ///< what all photos show beside the mesh, after each is prepared
+    background  ///< background of all photos, after each is prepared
 };
 
 /// The constant part of the table.
@@ -43,7 +43,7 @@ struct EffectRow {
     Effect effect;
     const char* name;      ///< as stored in packages
     const char* option;    ///< as documented for the command line, where `name` is accepted too
-    const char* measures;  ///< what is compared with the threshold; stored in packages
+    const char* measures;  ///< the quantity compared with the threshold; stored in packages
     const char* unit;      ///< of the measured value; stored in packages
     double threshold;      ///< the effect is on above it
     Basis basis;
@@ -59,19 +59,19 @@ const EffectRow& effect_row(Effect effect);
 /// True if the effect is decided from all photos together, after each is prepared.
 inline bool from_all_photos(const EffectRow& row) { return row.basis != Basis::scene; }
 
-/// What an effect is worth to photos that are held out of everything and predicted from the others.
+/// Gain of an effect in photos that are held out completely and predicted from the others.
 struct Judgment {
-    int photos = 0;              ///< judged
+    int photos = 0;              ///< number of photos held out
     double gain = 0, error = 0;  ///< dB after the best gain per channel: mean, and its standard error
-    double noise = 0;            ///< dB: the standard error that the losses suggest, see summarize
-    double worst = 0;            ///< dB, of the photo that gains least
+    double noise = 0;            ///< dB: standard error estimated from the losses, see summarize
+    double worst = 0;            ///< dB, lowest gain of a photo
     int worse = 0;               ///< number of photos that lose
     double ssim = 0;             ///< mean change
     double seams_before = 0, seams_after = 0;  ///< gray levels
     std::string worst_photo;
 };
 
-/// What one image set of photos decided about an effect, see EffectDecision.
+/// The decision about an effect for one image set, see EffectDecision.
 struct ImageSetDecision {
     std::string image_set;
     bool on = false;
@@ -89,14 +89,14 @@ struct EffectDecision {
     std::string evidence;                ///< one human-readable sentence
     std::optional<Judgment> judgment{};  ///< if photos were held out to decide
     std::vector<ImageSetDecision>
-        image_sets{};  ///< if each image set decided for itself; on if it is on for any
+        image_sets{};  ///< decisions per image set, if made separately; on if it is on for any
 };
 
 enum class EffectChoice { automatic, on, off };
-/// Automatic unless chosen otherwise.
+/// The user's choice, or `automatic`.
 EffectChoice choice_of(const std::map<Effect, EffectChoice>& choices, Effect effect);
 
-/// Decides one effect. A `measured` that is not finite leaves an automatic effect off.
+/// Decides one effect. If `measured` is not finite, an automatic effect stays off.
 EffectDecision decide(Effect effect, EffectChoice choice, double measured, std::string evidence);
 
 /// A set of effects: bit i is Effect i.

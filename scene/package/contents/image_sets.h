@@ -8,21 +8,21 @@
 
 namespace vantage {
 
-/// A set of photos that is shown by itself, such as those in infrared.
+/// A set of photos that is shown separately, such as infrared photos.
 struct ImageSet {
     std::string name;
-    EffectSet effects = 0;  ///< of the scene, and those that this image set's photos decided
+    EffectSet effects = 0;  ///< of the scene, and those decided from the photos of this image set
 };
 
-/// The image sets of a package, the default one first; one without a name if the effect is off. Throws
+/// The image sets of a package, default first; a single one without a name if the effect is off. Throws
 /// Error(damaged).
 std::vector<ImageSet> read_image_sets(const PackageReader& package);
 
-/// The number of the image set of this name; upper and lower case are the same. Throws Error(usage), naming
-/// the package and its image sets, if it has none.
+/// The number of the image set with this name, ignoring case. Throws Error(usage) naming the package and its
+/// image sets if there is none.
 std::uint32_t image_set_named(const PackageReader& package, const std::string& name);
 
-/// The effects that each image set's photos decide.
+/// The effects that are decided separately for each image set.
 EffectSet effects_of_image_sets();
 
 }  // namespace vantage

@@ -20,7 +20,7 @@ Vector2d continued(const Lens& lens, double range, const Vector2d& ray) {
     return distort(lens, at) + slope * (r - range);
 }
 
-/// The displacement at a node, pixels: number 0 is at the frame's edge, others are a cell apart.
+/// The displacement at a node, pixels. Node 0 lies on the frame's edge; nodes are one cell apart.
 Vector2d displacement(const Intrinsics& k, const Lens& lens, double range, int column, int row) {
     constexpr double most = 1e6;
     const Vector2d pixel(double(column) * k.width / LensTable::cells,
@@ -43,7 +43,7 @@ bool is_inside(const Intrinsics& k, const Vector2d& pixel, double margin) {
            pixel.y() <= k.height - margin;
 }
 
-/// Whether all of a cell is imaged inside the photo.
+/// Whether a whole cell is imaged inside the photo.
 bool is_inside(const LensTable& t, int column, int row, double margin) {
     const Intrinsics& k = t.camera;
     const Vector2d size(double(k.width) / LensTable::cells, double(k.height) / LensTable::cells);
@@ -53,7 +53,7 @@ bool is_inside(const LensTable& t, int column, int row, double margin) {
                              .cwiseAbs()
                              .cwiseMax((cell.max() - Vector2d(k.cx, k.cy)).cwiseAbs());
     if (!(std::hypot(far.x() / k.fx, far.y() / k.fy) <= t.range)) return false;
-    const Vector2d inset = size * 1e-6;  // within this cell alone
+    const Vector2d inset = size * 1e-6;  // strictly within this cell
     const Eigen::AlignedBox2d to = photo_bounds(t, {cell.min() + inset, cell.max() - inset});
     return is_inside(k, to.min(), margin) && is_inside(k, to.max(), margin);
 }
@@ -131,7 +131,7 @@ Eigen::AlignedBox2d photo_bounds(const LensTable& table, const Eigen::AlignedBox
               right = spline_place(pixels.max().x() / k.width).first + 3,
               top = spline_place(pixels.min().y() / k.height).first,
               bottom = spline_place(pixels.max().y() / k.height).first + 3;
-    // A spline's values lie between those of its coefficients.
+    // The values of a spline lie within the range of its coefficients.
     Eigen::AlignedBox2f moves;
     for (int y = top; y <= bottom; ++y)
         for (int x = left; x <= right; ++x)

@@ -10,9 +10,9 @@
 
 namespace vantage {
 
-/// How far a lens displaces each pixel of a pinhole camera with the same intrinsics, as a uniform bicubic
-/// B-spline over the camera's frame: processors and shaders evaluate every lens model in the same way, within
-/// 0.02 px of distort() (LensTables in tests/scene/package/contents/lens_table_test.cpp).
+/// The displacement of each pixel of a pinhole camera with the same intrinsics by a lens, as a uniform
+/// bicubic B-spline over the camera's frame. C++ code and shaders thus evaluate every lens model in the same
+/// way, within 0.02 px of distort() (LensTables in tests/scene/package/contents/lens_table_test.cpp).
 struct LensTable {
     static constexpr int cells = 64;         ///< along each side of the frame
     static constexpr int side = cells + 3;   ///< coefficients; those of cell i are i to i + 3
@@ -22,32 +22,31 @@ struct LensTable {
 };
 
 LensTable lens_table(const Intrinsics& camera, const Lens& lens);
-/// Of a photo of a package and its record; nothing without a lens. Throws Error(damaged), see lens_of().
+/// The table of a photo in a package; empty without a lens. Throws Error(damaged), see lens_of().
 std::optional<LensTable> lens_table(const PackageReader& package, const package::PhotoRecord& record,
                                     std::uint32_t photo);
 
-/// The four coefficients that count at a coordinate of the frame, and their weights, which add up to 1.
+/// The four coefficients that contribute at a coordinate of the frame, and their weights, which sum to 1.
 struct SplinePlace {
     int first;
     std::array<float, 4> weights;
 };
-/// `share`: of the frame's width or height; clamped to [0, 1].
+/// `share`: position as a fraction of the frame's width or height; clamped to [0, 1].
 SplinePlace spline_place(double share);
 
-/// Where the lens images what the pinhole camera images at `pixel`; NaN beyond the lens's range. Outside the
-/// frame, the displacement is that of the nearest pixel inside.
+/// The position in the photo that corresponds to the pinhole camera's `pixel`; NaN beyond the lens's range.
+/// Outside the frame, the displacement is that of the nearest pixel inside.
 Eigen::Vector2d photo_pixel(const LensTable& table, const Eigen::Vector2d& pixel);
 
 /// Largest displacement relative to a pinhole camera, in pixels, sampled on a grid over the photo. 0 for a
 /// camera without distortion; never NaN.
 double largest_displacement(const Camera& camera);
 
-/// Bounds of where the lens images a rectangle of pinhole pixels; beyond the lens's range, of where the
-/// spline leads.
+/// Bounds of the image of a rectangle of pinhole pixels; beyond the lens's range, the spline is extrapolated.
 Eigen::AlignedBox2d photo_bounds(const LensTable& table, const Eigen::AlignedBox2d& pixels);
 
-/// Per texel of a level of the pinhole camera's frame, 1 if the lens images it inside the photo, at least a
-/// texel from the edge; empty if it does so everywhere.
+/// For each texel of a level of the pinhole camera's frame, 1 if the lens images it inside the photo, at
+/// least a texel from the edge; empty if that is true everywhere.
 std::vector<std::uint8_t> inside_photo(const LensTable& table, int level);
 
 }  // namespace vantage

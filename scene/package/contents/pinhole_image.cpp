@@ -11,16 +11,16 @@
 namespace vantage {
 namespace {
 
-constexpr int reach = 2;       ///< of the interpolation, texels
-constexpr int band_rows = 64;  ///< converted and sampled at a time
+constexpr int reach = 2;       ///< radius of the interpolation, texels
+constexpr int band_rows = 64;  ///< rows converted and sampled at a time
 
-/// Rows of an image as numbers, colors multiplied by alpha. Beyond the image, its last texels, as far as the
+/// Rows of an image as numbers, with premultiplied alpha. They are padded with the edge texels as far as the
 /// interpolation reaches.
 struct Texels {
     int first_row, width;  ///< width of a row in texels
     std::vector<float> values;
 
-    /// Four channels of the texel at a place of the image.
+    /// The four channels of a texel of the image.
     VANTAGE_INLINE const float* at(int x, int y) const {
         return values.data() + 4 * (std::size_t(y - first_row) * std::size_t(width) + std::size_t(x + reach));
     }
@@ -51,12 +51,12 @@ Texels texels_of(const RgbaImage& image, int first_row, int last_row) {
     return out;
 }
 
-/// Red, green, blue and alpha, of one texel and of two beside each other.
+/// Red, green, blue and alpha of one texel, and of two adjacent ones.
 using Color = float __attribute__((vector_size(16)));
 using Pair = Floats;
 static_assert(lanes == 8);
 
-/// Catmull-Rom weights of four texels, for a place `f` of the way from the second to the third.
+/// Catmull-Rom weights of four texels, for a position at fraction `f` between the second and the third.
 template <class Vector>
 VANTAGE_INLINE Vector catmull_rom(float f, const Vector& cube, const Vector& square, const Vector& linear,
                                   const Vector& constant) {
@@ -67,9 +67,9 @@ VANTAGE_INLINE Pair both(float left, float right) {
     return Pair{left, left, left, left, right, right, right, right};
 }
 
-/// Writes the color at a place in texels, from the 16 around it.
+/// Writes the color at a position in texels, interpolated from the 16 around it.
 VANTAGE_INLINE void sample(const Texels& texels, float x, float y, std::uint8_t* to) {
-    const int column = int(x + 0.5f) - 1, row = int(y + 0.5f) - 1;  // floors, since places are not negative
+    const int column = int(x + 0.5f) - 1, row = int(y + 0.5f) - 1;  // floors: positions are not negative
     const float fx = x - 0.5f - float(column);
     const Pair left = catmull_rom(fx, both(-0.5f, 1.5f), both(1, -2.5f), both(-0.5f, 0), both(0, 1)),
                right = catmull_rom(fx, both(-1.5f, 0.5f), both(2, -0.5f), both(0.5f, 0), both(0, 0));
@@ -92,7 +92,7 @@ VANTAGE_INLINE void sample(const Texels& texels, float x, float y, std::uint8_t*
     for (int c = 0; c < 4; ++c) to[c] = std::uint8_t(std::clamp(bytes[c], 0.0f, 255.0f));
 }
 
-/// The table's coefficients for a row of texels: its four rows, weighted.
+/// The table's coefficients for a row of texels: a weighted sum of four rows.
 void weigh_rows(const LensTable& table, const SplinePlace& y, std::vector<Eigen::Vector2f>& out) {
     for (std::size_t i = 0; i < std::size_t(LensTable::side); ++i) {
         out[i].setZero();
@@ -102,15 +102,15 @@ void weigh_rows(const LensTable& table, const SplinePlace& y, std::vector<Eigen:
 }
 
 struct Columns {
-    std::vector<SplinePlace> places;  ///< of the table
-    std::vector<double> squares;      ///< of the rays' horizontal parts
+    std::vector<SplinePlace> places;  ///< in the table
+    std::vector<double> squares;      ///< of the rays' horizontal components
 };
 
 /// A row of the pinhole camera's level.
 struct LevelRow {
     int y;
-    float texel;                                ///< px of the photo
-    double square;                              ///< of the rays' vertical part
+    float texel;                                ///< size in px of the photo
+    double square;                              ///< of the rays' vertical component
     const std::vector<Eigen::Vector2f>& moves;  ///< the table's coefficients
 };
 
@@ -134,7 +134,7 @@ VANTAGE_SIMD void sample_row(const Texels& texels, const LensTable& table, const
     }
 }
 
-/// The rows of the photo's level that rows of the pinhole camera's level show.
+/// The rows of the photo's level that are sampled for rows of the pinhole camera's level.
 Texels texels_of_band(const RgbaImage& photo, const LensTable& table, double texel, int first, int last) {
     const Eigen::AlignedBox2d band(Eigen::Vector2d(0, first * texel),
                                    Eigen::Vector2d(table.camera.width, (last + 1) * texel));

@@ -4,8 +4,8 @@
 
 namespace vantage {
 
-/// A level of a photo's pyramid as a pinhole camera of the same intrinsics would have taken it: sampled once,
-/// by Catmull-Rom interpolation. Alpha is 0 where the lens images nothing inside the photo. Throws
+/// A level of a photo's pyramid as a pinhole camera with the same intrinsics would have taken it: resampled
+/// once, by Catmull-Rom interpolation. Alpha is 0 where the lens images nothing inside the photo. Throws
 /// std::invalid_argument unless the photo has the size of that level.
 RgbaImage pinhole_image(const RgbaImage& photo, const LensTable& table, int level);
 

@@ -14,7 +14,7 @@ using package::PointNode;
 constexpr int bits = 21;
 constexpr std::uint64_t mask = (std::uint64_t(1) << bits) - 1;
 
-/// What is wrong with the nodes; empty if nothing is.
+/// The first error in the nodes; empty if they are valid.
 const char* problem(const PointCloud& cloud) {
     std::uint64_t next = 1;
     for (const PointNode& n : cloud.nodes) {
@@ -90,7 +90,7 @@ std::uint32_t finest_node(const std::vector<PointNode>& nodes, std::uint32_t nod
         if (!(children >> octant & 1)) break;
         const std::uint32_t child =
             nodes[node].children + std::uint32_t(std::popcount(children & ((1u << octant) - 1)));
-        if (nodes[child].size >= nodes[node].size) break;  // more points of one place
+        if (nodes[child].size >= nodes[node].size) break;  // more points at the same place
         node = child;
     }
     return node;

@@ -51,7 +51,7 @@ Eigen::AlignedBox3d bounds_from_origin(const package::SceneRecord& s) {
 }
 
 double model_reach(const package::SceneRecord& s, const Pose& pose) {
-    return pose.center().norm() + 2 * bounds_from_origin(s).diagonal().norm();  // spheres around it as well
+    return pose.center().norm() + 2 * bounds_from_origin(s).diagonal().norm();  // and bounding spheres
 }
 
 double seen_distance(const package::PhotoRecord& photo) {
@@ -74,7 +74,7 @@ const char* flaw_of(const package::PhotoRecord& p) {
         return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
     };
     if (std::memchr(p.name, 0, sizeof p.name) == nullptr) return "name is not terminated";
-    const std::string_view name = p.name;  // extract writes a file of this name: no folders
+    const std::string_view name = p.name;  // becomes a file name in extract: no folders
     if (name.empty() || name == "." || name == ".." || name.find('/') != name.npos)
         return "name is not a file name";
     if (p.width == 0 || p.height == 0 || p.width > 1u << 20 || p.height > 1u << 20 || p.levels > 24)

@@ -11,7 +11,7 @@
 namespace vantage {
 namespace {
 
-/// Names in META; numbers in their place if it is not as expected.
+/// The names in META, or numbers if META is not as expected.
 std::vector<std::string> field_names(const PackageReader& package, std::size_t count) {
     std::vector<std::string> names = texts_in(package.meta(), "scalars");
     names.resize(count);

@@ -11,31 +11,31 @@
 
 namespace vantage {
 
-/// What a field that is not stored is measured from, see photo_fields.h.
+/// The quantity of a computed field, see photo_fields.h.
 enum class PhotoMeasure { count, density };
 
 /// A scalar field: a value per vertex of the mesh. Stored `values` are valid as long as the package.
 struct ScalarField {
     std::string name;
-    std::span<const float> values;          ///< empty until measured
-    std::optional<PhotoMeasure> measure{};  ///< if it is not stored
-    double low = 0, high = 0;               ///< of the finite values; 0 if there are none
+    std::span<const float> values;          ///< empty until computed
+    std::optional<PhotoMeasure> measure{};  ///< for computed fields
+    double low = 0, high = 0;               ///< range of the finite values; 0 if there are none
     double least_positive = 0;              ///< 0 if there is none
     std::size_t without = 0;                ///< vertices without a finite value
-    std::array<float, 64> counts{};         ///< of finite values between low and high
+    std::array<float, 64> counts{};         ///< histogram of the finite values between low and high
 };
 
-/// Sets all that follows from the values.
+/// Sets the members that follow from the values.
 void summarize_values(ScalarField& field);
 
-/// Those that the package stores. Empty if the effect is off. Throws Error(damaged) if VSCL does not fit its
-/// counts.
+/// The fields stored in the package. Empty if the effect is off. Throws Error(damaged) if VSCL does not match
+/// its counts.
 std::vector<ScalarField> read_fields(const PackageReader& package);
 
-/// Throws Error(usage) listing the fields if there is none of that name.
+/// Throws Error(usage) listing the fields if there is none with that name.
 int field_named(std::span<const ScalarField> fields, std::string_view name);
 
-/// The values that the ends of a color map stand for.
+/// The values at the ends of a color map.
 struct ValueRange {
     double low = 0, high = 1;
     bool operator==(const ValueRange&) const = default;

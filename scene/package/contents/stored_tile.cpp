@@ -18,7 +18,7 @@ using package::Form;
 
 constexpr std::size_t texel = 4;
 
-/// Spreads texels that fill the inner part, packed, over the tile, whose other texels repeat the part's edge.
+/// Places the packed texels of the inner part in the tile and repeats its edge in the remaining texels.
 void place(std::span<const std::byte> packed, const TilePart& inner, std::span<std::byte> tile) {
     constexpr std::size_t row = texel * tile_size;
     const auto width = texel * std::size_t(inner.width());
@@ -38,7 +38,7 @@ void place(std::span<const std::byte> packed, const TilePart& inner, std::span<s
         std::memcpy(&tile[row * std::size_t(y)], &tile[row * std::size_t(inner.bottom - 1)], row);
 }
 
-/// Where a tile's inner part is in its level.
+/// Position of a tile's inner part in its level.
 codec::PixelRect in_level(const Level& level, std::size_t tile) {
     const TilePart inner = inner_part(level, tile);
     const int x = tile_left(level, tile), y = tile_top(level, tile);
@@ -110,7 +110,7 @@ bool holds_level(const PackageReader& package, const DirectoryEntry& chunk, cons
         case Form::depth:
             return blocks == tiles;
         case Form::cells: {
-            // Reading a tile checks this as well: heads on a server are not fetched for it.
+            // Reading a tile checks this as well, so heads on a server are not fetched for it.
             if (package.remote()) return true;
             const auto grid = codec::cell_grid(package.shared(chunk));
             return grid && fits(*grid, level, blocks);

@@ -23,13 +23,13 @@ inline std::uint64_t number_of_blocks(std::uint64_t file_bytes) {
     return file_bytes / block_bytes + (file_bytes % block_bytes != 0);
 }
 
-/// The blocks that hold these bytes.
+/// The blocks that contain these bytes.
 inline BlockRun blocks_of(ByteRange range) {
     if (range.begin >= range.end) return {};
     return {range.begin / block_bytes, (range.end - 1) / block_bytes + 1};
 }
 
-/// The same for several ranges: in order, and joined where they touch.
+/// The same for several ranges, sorted and merged where they touch.
 inline std::vector<BlockRun> blocks_of(std::span<const ByteRange> ranges) {
     std::vector<BlockRun> runs, joined;
     for (const ByteRange& range : ranges)

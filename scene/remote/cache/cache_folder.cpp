@@ -18,13 +18,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What a crash may leave of writing the origin.
+/// A temporary file that a crash left while the origin was written.
 bool is_unfinished_origin(const fs::path& file) {
     return file.filename().string().starts_with(std::string(cached::origin).append(unfinished_mark));
 }
 
-/// The files of a folder of ours in the order in which they are deleted: the origin, which tells that the
-/// folder is ours, last.
+/// The files in one of our folders in the order of deletion: last the origin, which marks the folder as ours.
 std::vector<fs::path> files_of_ours(const fs::path& folder) {
     std::vector<fs::path> files{folder / cached::table, folder / cached::data};
     std::error_code error;
@@ -55,7 +54,7 @@ bool is_folder(const fs::path& path) {
 
 bool ours(const fs::path& folder) { return is_folder(folder) && begins_like_origin(origin_text(folder)); }
 
-/// True if the folder is empty, but for what a crash left.
+/// True if the folder is empty except for files left by a crash.
 bool unclaimed(const fs::path& folder) {
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
@@ -76,7 +75,7 @@ bool unused(const fs::path& folder) {
 
 struct Usage {
     fs::path folder;
-    std::uint64_t bytes = 0;  ///< of the disk
+    std::uint64_t bytes = 0;  ///< on the disk
     timespec used{};          ///< last time
 };
 
@@ -117,7 +116,7 @@ Descriptor CacheFolder::lock() const {
     return fd;
 }
 
-/// The folder for a URL, which is ours, empty or missing: one that somebody else uses is passed over.
+/// The folder for a URL: ours, empty or missing. Folders that other programs use are skipped.
 fs::path CacheFolder::folder_of(const std::string& url) const {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         fs::path folder = root_ / folder_name(url, seed);

@@ -14,21 +14,22 @@ namespace vantage {
 /// set.
 std::filesystem::path default_remote_cache();
 
-/// The cached files, each in a folder named by the XXH3-128 of its URL. A lock serializes what finds, makes
-/// and deletes them, in all processes. Only folders whose file `origin` is ours are touched, and in them only
-/// files of the names of cached files. The cache must be on a local disk, and may be deleted at any time.
+/// The cached files, each in a folder named by the XXH3-128 of its URL. A lock serializes finding, creating
+/// and deleting them across processes. Only folders whose file `origin` is ours are modified, and in them
+/// only files with the names of cached files. The cache must be on a local disk, and may be deleted at any
+/// time.
 class CacheFolder {
   public:
-    /// Makes the folder if it is missing. Throws Error(storage).
+    /// Creates the folder if it is missing. Throws Error(storage).
     explicit CacheFolder(std::filesystem::path root);
 
     /// The cached file of a URL as shown_url() gives it, or null. Throws Error(storage).
     std::shared_ptr<CachedFile> find(const std::string& url) const;
-    /// The cached file of this version, which is made if there is none, after another version was dropped.
-    /// Throws Error(storage).
+    /// The cached file of this version, created if missing, after deleting any other version. Throws
+    /// Error(storage).
     std::shared_ptr<CachedFile> find_or_make(const Origin& origin) const;
-    /// Deletes the least recently used files that no process has open until all take at most this many bytes
-    /// of the disk. Returns what they take then; files that are open may exceed it.
+    /// Deletes the least recently used files that no process has open until all files use at most this many
+    /// bytes on the disk. Returns the remaining usage, which open files may keep above the limit.
     std::uint64_t prune(std::uint64_t max_bytes) const;
 
   private:

@@ -15,13 +15,12 @@
 
 namespace vantage {
 
-/// Blocks that stay as long as this lives.
+/// Keeps blocks from being freed as long as it lives.
 using Kept = std::shared_ptr<const void>;
 
 /// The names of the files in the folder of a cached file.
 namespace cached {
-inline constexpr const char* origin =
-    "origin";  ///< text_of() where it comes from; tells that the folder is ours
+inline constexpr const char* origin = "origin";         ///< text_of() its origin; marks the folder as ours
 inline constexpr const char* table = "blocks";          ///< BlockTable
 inline constexpr const char* data = "package.vantage";  ///< as large as the original; absent blocks are holes
 }  // namespace cached
@@ -29,13 +28,13 @@ inline constexpr const char* data = "package.vantage";  ///< as large as the ori
 /// The first 64 KiB of the origin in a folder; empty if it is missing, a link or unreadable.
 std::string origin_text(const std::filesystem::path& folder);
 
-/// A file of the cache that is open. While it is, it holds a shared lock (flock) on the data, so that no
-/// process deletes it. If it is replaced by a newer version, it stays readable. Thread-safe.
+/// An open file of the cache. It holds a shared lock (flock) on the data, so that no process deletes it. It
+/// stays readable if it is replaced by a newer version. Thread-safe.
 class CachedFile : public std::enable_shared_from_this<CachedFile> {
   public:
     /// Null if the folder holds no cached file, or a damaged one. Throws Error(storage).
     static std::shared_ptr<CachedFile> open(const std::filesystem::path& folder);
-    /// Makes one in a folder that has none of the files. Throws Error(storage).
+    /// Creates a cached file in a folder that has none of its files. Throws Error(storage).
     static std::shared_ptr<CachedFile> create(const std::filesystem::path& folder, const Origin& origin);
     ~CachedFile();
 
@@ -45,15 +44,16 @@ class CachedFile : public std::enable_shared_from_this<CachedFile> {
 
     BlockTable& table() { return table_; }
     bool present(BlockRun run) const;
-    /// Writes bytes that follow those of the last call, or begin a block, and marks the blocks that become
-    /// complete. The blocks must be kept. Throws Error(storage).
+    /// Writes bytes that continue the last call or begin a block, and marks the completed blocks. The blocks
+    /// must be kept. Throws Error(storage).
     void write(std::uint64_t offset, std::span<const std::byte> bytes);
     /// Waits while another process frees one of the blocks. Throws Error(storage).
     Kept keep(std::vector<BlockRun> runs);
-    /// Frees at least this many bytes of the disk, or all that nobody keeps; least recently used blocks
-    /// first. Returns the number of bytes freed. Throws Error(storage) if the file system has no holes.
+    /// Frees at least this many bytes on the disk, or all blocks that nobody keeps, least recently used
+    /// first. Returns the number of bytes freed. Throws Error(storage) if the file system does not support
+    /// holes.
     std::uint64_t evict(std::uint64_t bytes);
-    /// Bytes that the files take on the disk.
+    /// Bytes that the files use on the disk.
     std::uint64_t disk_bytes() const;
 
   private:
@@ -67,7 +67,7 @@ class CachedFile : public std::enable_shared_from_this<CachedFile> {
     const MappedFile data_;
     BlockTable table_;
     BlockHolds holds_;
-    std::mutex evicting_;  ///< on_disk() moves the position in the file
+    std::mutex evicting_;  ///< on_disk() changes the file position
 };
 
 }  // namespace vantage

@@ -7,14 +7,14 @@
 
 namespace vantage {
 
-/// A file that is open and mapped as a whole, shared with other processes.
+/// An open file, mapped as a whole and shared with other processes.
 class MappedFile {
   public:
     /// Opens a file of exactly this size (bytes); the result is empty if there is none. Links are not
     /// followed. Throws Error(storage).
     static MappedFile open(const std::filesystem::path& path, std::uint64_t size, bool writable);
-    /// Makes a file of zeros, without blocks on the disk unless `reserve`. Throws Error(storage) if it exists
-    /// or the disk is full.
+    /// Creates a file of zeros, without blocks on the disk unless `reserve`. Throws Error(storage) if it
+    /// exists or the disk is full.
     static MappedFile create(const std::filesystem::path& path, std::uint64_t size, bool writable,
                              bool reserve);
     MappedFile() = default;
@@ -26,7 +26,7 @@ class MappedFile {
     std::byte* data() const { return data_; }
     std::uint64_t size() const { return size_; }
     int descriptor() const { return fd_.get(); }
-    /// Bytes that the file takes on the disk.
+    /// Bytes that the file uses on the disk.
     std::uint64_t disk_bytes() const;
 
   private:
