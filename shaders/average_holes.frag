@@ -1,19 +1,19 @@
-// A level of the two pyramids that fill holes, those of the mesh and those of the background, for which the mesh counts little:
-// means of 4x4 texels of the finer one, by a tent and by weight. Square roots of light times weight; weights are at most 1, so
-// that a texel without holes outweighs any number of holes.
+// A level of the two pyramids that fill holes of the mesh and of the background (where the mesh has little
+// weight): tent-filtered weighted means of 4x4 texels of the finer level. Square roots of light times weight;
+// weights are at most 1, so that a texel without holes outweighs any number of holes.
 #include "contract.glsl"
 
 layout(location = 0) out vec4 averaged;
 layout(location = 1) out vec4 averaged_behind;
 layout(binding = finer_unit) uniform sampler2D finer;
 layout(binding = finer_behind_unit) uniform sampler2D finer_behind;
-layout(binding = surface_unit) uniform sampler2D surface;       // of the frame's pixels, which tell where the background is
+layout(binding = surface_unit) uniform sampler2D surface;       // of the frame's pixels; marks the background
 layout(location = fine_uniform) uniform int fine;  // texels of `surface` per side of a pixel
-layout(location = frame_size_uniform) uniform ivec2 size;       // of `finer`, as far as it is used
-layout(location = average_samples_uniform) uniform float samples;  // of the frame's pixels; 0: `finer` is a level
+layout(location = frame_size_uniform) uniform ivec2 size;       // used size of `finer`
+layout(location = average_samples_uniform) uniform float samples;  // per frame pixel; 0: `finer` is a level
 
 void main() {
-    // Of the frame's pixels, 2x2 alone: they are many.
+    // The frame has many pixels, so only 2x2 of them are averaged.
     const float tent[4] = float[](0.25, 0.75, 0.75, 0.25);
     int side = samples > 0.0 ? 2 : 4;
     ivec2 first = 2 * ivec2(gl_FragCoord.xy) - 1;

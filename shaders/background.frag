@@ -1,22 +1,23 @@
-// Photos of the background at pixels that show it: the one that its directions are labeled with, near the cameras those taken
-// there, calm colors where none is to be trusted (docs/method.md). Sums of square roots of light, as in blend.frag.
+// Blends photos at background pixels: the photo with which their directions are labeled, photos taken near
+// the viewer, and the background color (robust mean) where no photo is reliable (docs/method.md). Sums of
+// square roots of light, as in blend.frag.
 #include "photo_color.glsl"
 #include "visible_triangle.glsl"
 
 layout(std430, binding = colors_buffer) readonly buffer Colors { uint colors[]; };
 layout(location = 0) out vec4 accumulated;
 
-// Bits of photos of the pass: of each label; of those nearest to the viewer.
+// Bits of the pass's photos: for each label, and for the photos nearest to the viewer.
 layout(location = label_bits_uniform) uniform uint label_bits[background_labels];
 layout(location = nearest_bits_uniform) uniform uint nearest_bits;
-layout(location = near_distance_uniform) uniform float near_distance;                // farther than this, they show nothing
-layout(location = background_triangles_uniform) uniform uvec2 background_triangles;  // first, and behind the last
+layout(location = near_distance_uniform) uniform float near_distance;                // the nearest photos are not used beyond this
+layout(location = background_triangles_uniform) uniform uvec2 background_triangles;  // first, and one past the last
 layout(location = background_distance_uniform) uniform float background_distance;
-layout(location = viewer_away_uniform) uniform float viewer_away;         // from the nearest camera, in this unit
+layout(location = viewer_away_uniform) uniform float viewer_away;         // from the nearest camera, in units of background_distance
 
-// What the background's vertices say of the pixel.
-vec3 calm = vec3(0.0);    // color, square root of light
-float trust = 0.0;        // in the photo
+// Interpolated from the background's vertices.
+vec3 calm = vec3(0.0);    // background color, square root of light
+float trust = 0.0;        // in the labeled photo
 uvec3 labels = uvec3(0u);  // of the corners
 
 void read_paint() {
@@ -28,11 +29,11 @@ void read_paint() {
     }
 }
 
-// Share of the area around a photo pixel that does not show the mesh, 0 on the mesh itself and on its edge.
+// Fraction of the area around a photo pixel that does not show the mesh; 0 on the mesh and its edge.
 float beyond_mesh(uint photo, vec2 pixel, float lod) {
     float level = max(lod, log2(background_margin * photos[photo].size_weight.x / reference_width)), open = 0.0;
     bool near = false;
-    // First coarsely; finely where that shows some of the mesh, which software renderers then can spare elsewhere.
+    // Coarse first, then fine only if the coarse area contains mesh, which saves time in software renderers.
     do {
         WeightPlace at = weight_place(photo, pixel, level);
         if (at.level < 0) return 0.0;
@@ -52,16 +53,16 @@ float beyond_mesh(uint photo, vec2 pixel, float lod) {
 // A photo of the pass at this pixel, and its weights.
 struct Candidate {
     uint photo;
-    vec3 place;    // in the camera
+    vec3 place;    // in camera space
     vec2 pixel;
-    float label;   // by the label
-    float near;    // for being taken near the viewer
-    float own;     // near its own camera, whose view is the photo
-    float weight;  // all of them
-    float theta;   // angle between the rays of viewer and photo to a near place in this direction
+    float label;   // weight by label
+    float near;    // weight of photos taken near the viewer
+    float own;     // weight near its own camera, where it fills the view
+    float weight;  // sum
+    float theta;   // angle between the viewer's and the photo's rays to a near point in this direction
 };
 
-// Of the first of the photos with these bits.
+// The candidate for the first photo in these bits.
 Candidate candidate_of(uint bits, vec3 seen_near) {
     uint photo = uint(max(findLSB(bits), 0));
     Candidate c = Candidate(photo, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
@@ -81,33 +82,33 @@ Candidate candidate_of(uint bits, vec3 seen_near) {
     return c;
 }
 
-// Share of a photo's color beside the calm one, for a viewer away from all cameras.
+// Fraction of a photo's color versus the background color, for a viewer away from all cameras.
 float sure(float trust) { return 1.0 - smoothstep(calm_from * trust, calm_to * trust, viewer_away); }
 
 bool is_sky() { return distance(surface_position, weight_eye) > sky_distance * background_distance; }
 
 vec3 calmed(vec3 root, float share) {
     vec3 off = (root - calm) / sky_spread;
-    // What stands out from the sky is not infinitely far, and would be doubled.
+    // Objects that stand out from the sky are not infinitely far, and would appear twice.
     if (is_sky()) share /= 1.0 + dot(off, off);
     return max(mix(calm, root, share), vec3(0.0));
 }
 
-// Square root of the color that a photo gives: by its label it continues other photos' colors, and it is calm where it is not to
-// be trusted, but from its own camera.
+// Square root of a photo's color. By label, it is corrected to continue other photos. Unreliable colors fade
+// to the background color, except from the photo's own camera.
 vec3 painted(vec3 root, Candidate c) {
     vec3 labeled = calmed(root + surface_normal, sure(max(trust, 1e-3))), near = calmed(root, sure(1.0));
     return (c.label * labeled + c.near * near + c.own * root) / (c.label + c.near + c.own);
 }
 
-// Bits of the photos of the pass that are in the pixel's labels, and of the nearest.
+// Bits of the pass's photos that match the pixel's labels, and of the nearest photos.
 uint photos_here(bool near) {
     uint here = near ? nearest_bits : 0u;
     for (int i = 0; i < 3; ++i) here |= label_bits[labels[i]];
     return here;
 }
 
-// Adds a photo where it does not show the mesh.
+// Adds a photo's color where it does not show the mesh.
 void show_photo(Candidate c, float share, vec3 along_x, vec3 along_y) {
     Footprint footprint = footprint_of(c.photo, c.place, along_x, along_y);
     float open = beyond_mesh(c.photo, c.pixel, footprint.lod);
@@ -129,14 +130,14 @@ void main() {
     vec3 along_x, along_y, across;
     read_surface(triangle - 1u, along_x, along_y, across);
     read_paint();
-    // The background may be infinitely far; for photos near their own cameras it is taken for near.
+    // The background may be infinitely far; for photos near their own cameras, it is treated as near.
     vec3 away = surface_position - weight_eye;
     vec3 seen_near = weight_eye + away * min(1.0, background_distance / length(away));
     uint here = photos_here(length(away) < near_distance);
     Candidate best[2];
     best[0] = best[1] = Candidate(0u, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
     float third = 0.0;
-    // Loops end at their bottom: software renderers go through a loop's body once more where it ends at the top.
+    // The condition is at the end, because software renderers run a loop once more if it is at the start.
     do {
         Candidate c = candidate_of(here, seen_near);
         if (c.weight > best[0].weight) {
@@ -149,9 +150,9 @@ void main() {
         } else third = max(third, c.weight);
         here &= here - 1u;
     } while (here != 0u);
-    // Less what the third best has, so that photos come and go without a step.
+    // Minus the third-best weight, so that photos appear and disappear gradually.
     third = max(third, negligible * best[0].weight);
-    // A photo does not see the sky where it shows the mesh, though that may be hidden there.
+    // A photo that shows the mesh there does not see the sky, even where the mesh is hidden.
     if (show == show_colors && trust > 0.8 && is_sky()) accumulated = vec4(calm, 1.0) * background_least;
     Candidate c = best[0];
     bool second = best[1].weight > third, more;

@@ -1,15 +1,16 @@
-// One blending pass: weighted average (de Melo 2017, eq. 3.1), unstructured lumigraph (after Buehler et al. 2001) or
-// best photo (Princ 2014, eq. 2.8). TAKES_ONE: the photo of the largest weight gives the color; otherwise square roots of
-// light are summed by weight: where photos disagree, their mean is then the one that looks closest to all of them. BLEND_*: the weight, as in player/render/passes/blend_table.cpp.
+// One blending pass: weighted average (de Melo 2017, eq. 3.1), unstructured lumigraph (after Buehler et al.
+// 2001) or best photo (Princ 2014, eq. 2.8). TAKES_ONE: the photo with the largest weight gives the color;
+// otherwise square roots of light are averaged by weight, which is perceptually closest to all photos where
+// they disagree. BLEND_*: the weight, as in player/render/passes/blend_table.cpp.
 #include "photo_color.glsl"
 
 #ifdef ON_POINTS
-// The surface is that of a point cloud as the frame shows it, read pixel by pixel.
-layout(binding = places_unit) uniform sampler2D places;      // distance along the view's axis, 0: no point; distance of its neighbors
+// The surface is the point cloud as drawn in the frame, read pixel by pixel.
+layout(binding = places_unit) uniform sampler2D places;      // linear depth, 0: no point; spacing of the points
 layout(location = frame_uniform) uniform vec4 frame;         // fx fy cx cy of the view
 layout(location = frame_axes_uniform) uniform mat3 axes;     // right, down and forward
 vec3 surface_position = vec3(0.0), surface_normal = vec3(0.0);
-float apart = 0.0;                                           // of neighboring points
+float apart = 0.0;                                           // distance between neighboring points
 const uint draw_photos = ~0u;
 #elif defined(BY_TRIANGLE)
 #include "visible_triangle.glsl"
@@ -28,7 +29,7 @@ layout(location = 0) out vec4 accumulated;
 
 layout(location = pass_count_uniform) uniform uint pass_count;
 layout(location = eye_uniform) uniform vec3 eye;                        // relative to the origin
-layout(location = view_direction_uniform) uniform vec3 view_direction;  // [P], of the same view: outside the model toward it, inside the camera's own
+layout(location = view_direction_uniform) uniform vec3 view_direction;  // [P], of the same view
 layout(location = switches_uniform) uniform uint switches;              // bits as in contract.glsl
 layout(location = border_width_uniform) uniform float border_width;     // reference pixels at which the border weight is 1
 layout(location = sharpness_uniform) uniform float sharpness;           // radians
@@ -39,24 +40,25 @@ layout(binding = best_so_far_unit) uniform sampler2D best_so_far;
 layout(binding = first_sums_unit) uniform sampler2D first_sums;
 #endif
 
-const float least = 0.001;           // minimum of each weight map: a photo that sees the surface keeps some weight
-const float transient_scale = 0.08;  // square root of linear color: a difference of this much halves the weight
+const float least = 0.001;           // minimum of each weight map, so that a photo that sees the surface keeps some weight
+const float transient_scale = 0.08;  // square root of linear color: this difference halves the weight
 
-// Visibility of a fragment in a photo, from the four depths around its pixel: 1 if it is behind none of them, `beside` if
-// behind some, 0 if behind all.
+// Visibility of a fragment in a photo, from the four depths around its pixel: 1 if it is behind none of them,
+// `beside` if behind some, 0 if behind all of them.
 float seen(uint photo, vec3 p, WeightPlace at) {
     vec3 n = mat3(photos[photo].cam_from_origin) * surface_normal;
     float cosine = max(abs(dot(normalize(n), normalize(p))), least_cosine);
     float texel = float(1 << at.level) * p.z / min(photos[photo].focal_center.x, photos[photo].focal_center.y);
     float slack = max(depth_slack * p.z, texel / cosine);
 #ifdef ON_POINTS
-    slack = max(slack, 2.0 * apart);  // both depths are those of discs, as wide as points are apart
+    slack = max(slack, 2.0 * apart);  // both depths are those of discs as wide as the spacing of the points
 #endif
     vec2 z = depths_at(at);
     return p.z > z.y + slack ? 0.0 : (p.z > z.x + slack ? beside : 1.0);
 }
 
-// Sampling rate by area, relative to the finest of all photos; the weight map holds its log2 in sixths (scene/package/FORMAT.md).
+// Areal sampling rate, relative to the finest of all photos; the weight map holds its log2 in sixths
+// (scene/package/FORMAT.md).
 float density(vec4 weight_maps) {
     return (switches & depth_weight_switch) != 0u ? max(exp2((weight_maps.g * 255.0 - 255.0) / 6.0), 1e-6) : 1.0;
 }
@@ -76,8 +78,8 @@ float own_view(float theta) {
     return (switches & angle_switch) == 0u ? 1.0 : 1.0 + own_factor(theta);
 }
 
-// A photo that has less than a pixel for a sample of the picture counts less, and none counts more for having more than the
-// picture can show.
+// A photo with less than one pixel per sample of the picture has less weight; more pixels than the picture
+// can show do not add weight.
 float sampling(Footprint footprint) {
     return (switches & depth_weight_switch) != 0u ? clamp(footprint.shorter, 0.001, 1.0) : 1.0;
 }
@@ -116,7 +118,7 @@ void main() {
     uint triangle = visible_triangle(ivec2(gl_FragCoord.xy));
     if (triangle == 0u) discard;
     draw_photos = cluster_photos[triangle_clusters[triangle - 1u]];
-#ifndef TAKES_ONE  // the best photo so far is copied from pass to pass
+#ifndef TAKES_ONE  // the best photo so far is passed on from pass to pass
     if (draw_photos == 0u) discard;
 #endif
     vec3 along_x, along_y, facing;
@@ -140,13 +142,13 @@ void main() {
     float chosen_theta = 0.0;
 #endif
     uint left = draw_photos & ((1u << pass_count) - 1u);
-    // It ends at its bottom: software renderers go through a loop's body once more where it ends at the top.
+    // The condition is at the end, because software renderers run a loop once more if it is at the start.
     do {
         if (left == 0u) break;
         uint photo = uint(findLSB(left));
         left &= left - 1u;
 #ifndef ON_POINTS
-        // A photo taken from behind shows the other side of the surface.
+        // A photo taken from behind shows the surface's other side.
         if (dot(facing, photos[photo].center_hull.xyz - surface_position) < 0.0) continue;
 #endif
         vec3 p = (photos[photo].cam_from_origin * vec4(surface_position, 1.0)).xyz;
@@ -173,7 +175,7 @@ void main() {
 #endif
         if (!(w > 0.0)) continue;
 #ifdef TAKES_ONE
-        w = sqrt(sqrt(w));  // compresses 22 orders of magnitude to about 6
+        w = sqrt(sqrt(w));  // compresses 22 orders of magnitude into about 6
         if (w > accumulated.a) {
             accumulated.a = w;
             chosen = int(photo);
@@ -188,7 +190,7 @@ void main() {
         vec3 off = (sqrt(c.rgb) - mean) / transient_scale;
         w /= 1.0 + dot(off, off);
 #endif
-        // When photos are counted, all have the same weight.
+        // For coverage, all photos have the same weight.
         accumulated += show == show_coverage ? vec4(c.a) : vec4(sqrt(c.rgb), 1.0) * w * c.a;
 #endif
     } while (left != 0u);

@@ -3,7 +3,7 @@
 
 layout(location = position_attribute) in vec3 position;
 layout(location = normal_attribute) in vec3 normal;
-layout(location = draw_attribute) in uvec2 of_draw;  // first triangle; one bit per photo of the pass that is drawn
+layout(location = draw_attribute) in uvec2 of_draw;  // first triangle; one bit per photo of the pass to draw
 layout(location = clip_from_origin_uniform) uniform mat4 clip_from_origin;
 
 out vec3 surface_position;
@@ -12,7 +12,7 @@ flat out uint draw_photos;
 invariant gl_Position;
 
 #ifndef PER_FRAGMENT
-// Texture coordinates: per photo a slot with one pair per vertex.
+// Texture coordinates: a slot per photo, with one pair per vertex.
 layout(std430, binding = coordinates_buffer) readonly buffer Coordinates { vec2 coordinates[]; };
 layout(location = vertex_count_uniform) uniform uint vertex_count;
 layout(location = pass_slots_uniform) uniform uint pass_slots[PASS_PHOTOS];
@@ -27,7 +27,7 @@ void main() {
 #ifndef PER_FRAGMENT
     for (uint i = 0u; i < PASS_PHOTOS; ++i) {
         vec2 uv = coordinates[pass_slots[i] * vertex_count + uint(gl_VertexID)];
-        // So far outside the photo that a triangle with one hidden vertex is discarded as a whole, as in [M].
+        // Far enough outside the photo to discard every triangle with a hidden vertex, as in [M].
         coordinate[i] = uv.x < 0.0 ? vec2(-1e6) : uv;
     }
 #endif

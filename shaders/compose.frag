@@ -1,5 +1,5 @@
-// Several objects in one picture: at each pixel, nearer ones over those behind them, in linear light. An object that is not
-// opaque lets those behind its nearest surface through.
+// Composites several objects into one picture, at each pixel nearer ones over farther ones, in linear light.
+// Translucent objects show the objects behind their nearest surface.
 #include "contract.glsl"
 #include "background.glsl"
 #include "srgb.glsl"
@@ -16,7 +16,8 @@ layout(location = compose_plain_background_bottom_uniform) uniform vec3 plain_ba
 layout(location = compose_soft_edges_uniform) uniform float soft_edges;
 layout(location = compose_opacity_uniform) uniform float opacity[MAX_OBJECTS];
 
-// At an outline the samples of the color may be of the object while that of its depth is not: the nearest around it counts.
+// At an outline, color samples may hit the object while the depth sample misses it, so the nearest depth
+// around it is used.
 float distance_of(ivec2 at, int object) {
     float own = texelFetch(depths, ivec3(at, object), 0).r;
     if (own > 0.0) return own;

@@ -1,22 +1,22 @@
-// What the C++ code and the shaders share, written once: valid as GLSL and as C++ (shaders/contract.h includes
-// it). Only constants and structs, whose layouts in blocks and buffers are the same in C++.
+// Shared definitions of C++ code and shaders, valid as GLSL and as C++ (shaders/contract.h includes this
+// file). It contains only constants and structs whose layouts in blocks and buffers are the same in C++.
 
 // Attributes of the model.
 const int position_attribute = 0;
 const int normal_attribute = 1;
 const int color_attribute = 2;
-const int draw_attribute = 3;  // per draw: its first triangle; one bit per photo of the pass that is drawn
-const int value_attribute = 4;  // of the scalar field that is shown; 1, or 0 for a vertex without value
-const int cell_attribute = 0;  // of a point: its cell in the node's cube, 21 bits per axis
+const int draw_attribute = 3;  // per draw: first triangle; one bit per photo of the pass to draw
+const int value_attribute = 4;  // of the displayed scalar field; 1, or 0 for a vertex without a value
+const int cell_attribute = 0;  // per point: cell in the node's cube, 21 bits per axis
 const int cube_attribute = 5;  // per draw: low corner and size of the node's cube
-const int node_attribute = 6;  // per draw: its number among the drawn nodes
-const int texture_attribute = 1;  // of a panel's vertex: its place in the texture; its position and color are as above
-const int points_attribute = 0;   // of a mark: four positions
+const int node_attribute = 6;  // per draw: index among the drawn nodes
+const int texture_attribute = 1;  // per panel vertex: texture coordinates; position and color are as above
+const int points_attribute = 0;   // per mark: four positions
 const int sizes_attribute = 4;
-const int colors_attribute = 5;   // two
+const int colors_attribute = 5;   // per mark: two colors
 const int kind_attribute = 7;
 const int layer_attribute = 8;
-const uint background_bit = 0x80000000u;  // beside the photos' bits: the draw is of the background
+const uint background_bit = 0x80000000u;  // in addition to the photos' bits: draws the background
 
 // Uniform block.
 const int photos_block = 0;
@@ -28,15 +28,15 @@ const int fragments_buffer = 3;
 const int coordinates_buffer = 4;
 const int touched_buffer = 5;
 const int point_sizes_buffer = 6;
-// Of the model, read pixel by pixel: vertices of triangles, three each; positions and normals, three floats each; colors, four
-// bytes each; the cluster of each triangle; the photos' bits of each cluster.
+// The model, read pixel by pixel: three vertices per triangle; positions and normals, three floats each;
+// colors, four bytes each; the cluster of each triangle; the photos' bits of each cluster.
 const int indices_buffer = 7;
 const int positions_buffer = 8;
 const int normals_buffer = 9;
 const int colors_buffer = 10;
 const int triangle_clusters_buffer = 11;
 const int cluster_photos_buffer = 12;
-const int blend_buffers = 8;  // that a blending program reads, at most
+const int blend_buffers = 8;  // maximum number that a blending program reads
 
 // Texture units. Units 0 to 3 hold the photos; 4 and 5 hold the other inputs of a program.
 const int color_tiles_unit = 0;
@@ -53,7 +53,7 @@ const int depth_unit = 8;
 const int transparent_sums_unit = 12;
 const int transmitted_unit = 13;
 const int wire_unit = 14;
-const int places_unit = 6;  // blend on points, or behind them
+const int places_unit = 6;  // blend, for point clouds or surfaces behind them
 const int triangles_unit = 7;  // blend
 const int accumulated_unit = 4;  // show
 const int filled_unit = 5;
@@ -72,7 +72,7 @@ const int eyes_unit = 4;     // stereo
 const int faces_unit = 4;    // panorama
 const int field_unit = 4;    // panel
 const int letters_unit = 5;
-const int shown_picture_unit = 6;  // panel, mark; what hides them is in depth_unit
+const int shown_picture_unit = 6;  // panel, mark; depth_unit has the depth that hides them
 
 // Uniforms of surface and blend.
 const int clip_from_origin_uniform = 0;
@@ -95,28 +95,28 @@ const int background_distance_uniform = 13;
 const int viewer_away_uniform = 31;
 const int field_scale_uniform = 14;
 const int isolines_uniform = 15;
-// Of surface: the kind of light; arrays of EYES.
+// Uniforms of surface: the kind of light; arrays of EYES.
 const int light_uniform = 3;
 const int clip_from_eye_uniform = 5;
 const int surface_eye_uniform = 7;
 const int lamp_uniform = 9;
 const int camera_rows_uniform = 11;
 const int pass_slots_uniform = 16;  // an array, PASS_PHOTOS long
-const int nearness_uniform = 24;    // surface, of what is transparent
+const int nearness_uniform = 24;    // surface, for transparent surfaces
 const int frame_width_uniform = 25;
 const int capacity_uniform = 26;
 const int own_field_share_uniform = 27;
 const int own_light_on_photos_uniform = 28;
 const int own_light_scale_uniform = 29;
 const int section_planes_uniform = 30;  // surface, an array, SECTION long
-const int frame_uniform = 1;  // blend on points
+const int frame_uniform = 1;  // blend, for point clouds
 const int frame_axes_uniform = 14;
 
-// Of blend, resolve, show, average_holes, fill_holes, compose, enlarge, stereo and panorama: pixels of the frame, or texels
-// of the level, that is read. Its texture may be larger.
+// Size in pixels of the frame, or in texels of the level, that blend, resolve, show, average_holes,
+// fill_holes, compose, enlarge, stereo and panorama read. Its texture may be larger.
 const int frame_size_uniform = 29;
-// Of blend, background, resolve, show and average_holes: samples per side of a pixel, each of which has a texel of surface and
-// sums.
+// For blend, background, resolve, show and average_holes: samples per side of a pixel. Each sample has a
+// texel in surface and sums.
 const int fine_uniform = 22;
 
 // Uniforms of resolve.
@@ -144,15 +144,15 @@ const int veils_holes_uniform = 25;
 const int fill_background_uniform = 26;
 const int plain_background_bottom_uniform = 27;
 
-// Several objects in one picture: uniforms of object_depth and of compose; how far away background and what has no
-// surface count, farther than anything.
+// Several objects in one picture: uniforms of object_depth and of compose. The background, and pixels without
+// a surface, count as this far away.
 const int depth_terms_uniform = 0;
 const int objects_uniform = 0;
 const int nearest_shown_uniform = 1;  // nearest_object
 const int compose_flip_uniform = 1;
 const int compose_fill_uniform = 2;
 const int compose_plain_background_uniform = 3;
-const int compose_opacity_uniform = 4;  // one for each object, in the order of the layers
+const int compose_opacity_uniform = 4;  // one per object, in the order of the layers
 const int compose_plain_background_bottom_uniform = 20;
 const int compose_soft_edges_uniform = 21;
 const float background_away = 1e30f;
@@ -163,7 +163,8 @@ const int point_size_uniform = 1;
 const int depth_per_w_uniform = 2;
 const int nearer_uniform = 3;
 
-// A point's number at a pixel, 0 for none: 1 + its place in its node + that node's number among the drawn ones times this.
+// The number of the point at a pixel, 0 for none: 1 + its index in its node + this times the index of the
+// node among the drawn ones.
 const uint points_per_node = 16384u;
 
 // Uniforms of show.
@@ -207,8 +208,8 @@ const uint stereo_checkerboard = 4u;
 const int vignette_lens_uniform = 0;
 const int vignette_uniform = 1;
 
-// Uniforms of panel and mark, beside clip_from_origin_uniform; how much of them remains behind the model, and by what share
-// of its distance the model must be nearer: marks lie on surfaces.
+// Uniforms of panel and mark, in addition to clip_from_origin_uniform; their remaining opacity behind the
+// model, and by what fraction of its distance the model must be nearer, because marks lie on surfaces.
 const int hides_uniform = 1;
 const int hiding_terms_uniform = 2;
 const int hiding_scale_uniform = 3;
@@ -223,7 +224,7 @@ const int nearest_uniform = 8;
 const int picture_decodes_uniform = 9;
 const float share_behind = 0.25f;
 const float hiding_slack = 0.005f;
-// What a panel's triangles are filled with.
+// Fill of a panel's triangles.
 const uint fill_letters = 0u;
 const uint fill_picture = 1u;
 // Kinds of marks.
@@ -256,7 +257,7 @@ const uint border_weight_switch = 4u;
 const uint angle_switch = 8u;
 const uint transient_weight_switch = 16u;
 
-// What the bare surface shows at a pixel, in alpha; 1: the mesh.
+// Kinds of surface in the alpha channel of the bare surface; 1: the mesh.
 const float shows_background = 2.0f;
 const float shows_value = 3.0f;
 const float shows_light = 4.0f;
@@ -268,13 +269,13 @@ const uint light_normals = 3u;
 const float light_ambient = 0.08f;
 const float light_diffuse = 0.8f;
 const float light_specular = 0.12f;
-const float light_gray = 0.3f;  // of a surface that faces the viewer, in linear light
+const float light_gray = 0.3f;  // brightness of a surface that faces the viewer, in linear light
 
 // Transparent surfaces.
-const int max_sorted_fragments = 64;  // of a pixel's sample; those behind them are approximated
+const int max_sorted_fragments = 64;  // per sample; fragments behind them are approximated
 const float bare_gray = 0.47f;         // brightness of a bare white surface that faces the viewer
 
-// What is shown: the photos' colors, one false color per photo, or how many photos see each point.
+// Display modes: the photos' colors, one false color per photo, or the number of photos that see each point.
 const uint show_colors = 0u;
 const uint show_sources = 1u;
 const uint show_coverage = 2u;
@@ -285,83 +286,85 @@ const uint compare_side_by_side = 1u;
 const uint compare_swipe = 2u;
 const uint compare_difference = 3u;
 
-// How two image sets are shown.
+// Comparison of two image sets.
 const uint image_sets_one = 0u;
 const uint image_sets_mixed = 1u;
 const uint image_sets_side_by_side = 2u;
 const uint image_sets_swipe = 3u;
 
-// Tiles: texels per side, of which a border on each side repeats the neighbors.
+// Tiles: texels per side, including a border on each side that repeats the neighbors.
 const int tile_texels = 256;
 const int tile_border_texels = 4;
 const int tile_content_texels = 248;
 const int first_weight_level = 1;  // weight maps and depth have no finer level
-const int lens_cells = 64;       // of a lens table, per side
+const int lens_cells = 64;       // cells of a lens table, per side
 
 // The lumigraph's weight (docs/method.md), computed by shaders/blend.frag and by pipeline/refine.
 const float default_sharpness = 0.07f;  // radians: the angle between rays at which the weight is 1/e
 // Ramps in reference pixels: pixels of a photo scaled to this width.
 const float reference_width = 3072.0f;
-const float frame_ramp = 16.0f;  // from the photo's frame inward, so that it does not show as a seam
+const float frame_ramp = 16.0f;  // from the photo's frame inward, to avoid a seam
 const float frame_least = 0.001f;
 const float edge_ramp = 24.0f;  // from the nearest depth discontinuity, where pose and mesh errors show most
 const float edge_least = 0.2f;  // at a discontinuity itself: other photos may not see the surface at all
 // Within about this angle of a photo's own camera, in radians, the picture becomes that photo (the epipole consistency of
 // Buehler et al. 2001): ramps and weight maps that prefer other photos must not apply there.
 const float own_angle = 0.01f;
-const float own_least = 0.00001f;  // smaller angles count as this one; bounds the factor at 10^6
-// Where all channels of a photo are at least this, in linear light, it is taken for overexposed, gradually: adjusting its
-// exposure must not turn white into gray.
+const float own_least = 0.00001f;  // lower limit of the angle; bounds the factor at 10^6
+// Photos are gradually treated as overexposed where all channels are at least this, in linear light, because
+// exposure correction must not turn white into gray.
 const float overexposed = 0.9f;
-// A photo sees what is behind its depth map by less than this share of the depth, or by one texel of the map along a
-// surface slanted by at most 84 degrees. Where only some of the four depths around the pixel allow it, the photo's pixel may
-// show something nearer instead.
+// A photo sees surfaces behind its depth map by less than this fraction of the depth, or by one texel of the
+// map along a surface slanted by at most 84 degrees. If this holds for only some of the four depths around
+// the pixel, the photo's pixel may show a nearer surface instead.
 const float depth_slack = 0.004f;
 const float least_cosine = 0.1f;
 const float beside = 0.03f;  // the weight in that case
 
-// The background is painted from where a photo shows them for sure.
-const float background_margin = 8.0f;    // reference pixels per texel of the depth that must not show the mesh
-const float background_least = 0.001f;   // the weight next to the mesh: its silhouette is not exact
-// The photo that a direction is labeled with outweighs the nearest ones by this, but falls as the angle between the rays at the
-// background grows: what is near is shown by photos taken near, what is far never depends on the viewer.
+// The background is taken from pixels that certainly show it.
+const float background_margin = 8.0f;    // reference pixels per depth texel that must not show the mesh
+const float background_least = 0.001f;   // the weight next to the mesh, whose silhouette is inexact
+// The photo with which a direction is labeled outweighs the nearest ones by this factor, but less so as the
+// angle between the rays at the background grows: photos taken near the viewer show near objects, while
+// distant ones never depend on the viewer.
 const float label_weight = 2.0f;
 const float background_sharpness = 0.1f;  // radians: the angle at which a weight is 1/e
-const float near_reach = 4.0f;  // farther than this times the cameras' spread, labels decide
+const float near_reach = 4.0f;  // labels decide beyond this times the cameras' spread
 const int nearest_photos = 3;
 const int background_labels = 32;    // 0: none
 const float mesh_behind = 1.0f / 64.0f;  // weight of the mesh's colors for holes of the background
-const float near_ramp = 0.1f;   // share of a photo's width over which the nearest ones fade in from their frame
-const float negligible = 0.3f;  // photos of less than this share of the best one's weight are not shown
-// Seen from where no photo was taken, the background becomes calm: between these distances of the viewer from the nearest camera,
-// times its trust, in units of the distance at which angles are measured.
+const float near_ramp = 0.1f;   // fraction of a photo's width over which the nearest photos fade in from their frame
+const float negligible = 0.3f;  // photos below this fraction of the best photo's weight are not shown
+// Away from all cameras, the background fades to its mean color, between these distances of the viewer from
+// the nearest camera, times its trust, in units of the distance at which angles are measured.
 const float calm_from = 0.5f, calm_to = 1.0f;
-// Farther is sky, times the distance at which angles are measured: a third of the way to its vertices, so that triangles between a
-// hill and the sky have the sky's calm color where they are sky.
+// The background is sky beyond this times the distance at which angles are measured. This is a third of the
+// distance of its vertices, so that triangles between a hill and the sky have the sky's mean color where they
+// show sky.
 const float sky_distance = 700.0f;
-const float sky_spread = 0.15f;     // square root of light: half the weight at this distance from the calm color
+const float sky_spread = 0.15f;     // square root of light: half the weight at this distance from the mean color
 
-const uint not_resident = 0xffffffffu;  // in place of a page's entry
-const int level_count = 12;             // of a photo's pyramid, at most; a multiple of 4
-const int pass_photos = 16;             // of a pass, at most
-const int levels_of_base = 2;           // photos that are shown have the finest of so many coarsest levels
+const uint not_resident = 0xffffffffu;  // instead of a page entry
+const int level_count = 12;             // maximum number of pyramid levels; a multiple of 4
+const int pass_photos = 16;             // maximum number of photos in a pass
+const int levels_of_base = 2;           // displayed photos always have the finest of this many coarsest levels
 
 // One photo of a pass.
 struct Photo {
     mat4 cam_from_origin;
     vec4 focal_center;        // fx fy cx cy, pixels
     vec4 size_weight;         // width, height, number of levels, dynamic weight for this view
-    vec4 center_hull;         // camera center relative to the origin; share of the photo that the model fills
-    vec4 direction;           // corrected viewing direction [P]; index in `pages` of its lens table, -1: it has none
-    vec4 false_color;         // linear; its label in the background, 0: none
+    vec4 center_hull;         // camera center relative to the origin; fraction of the photo that the model fills
+    vec4 direction;           // corrected viewing direction [P]; index in `pages` of its lens table, or -1
+    vec4 false_color;         // linear; background label, 0: none
     vec4 gain;                // factors to the mean photo's exposure, linear light; 2 / diagonal, 1/pixels
-    vec4 vignetting;             // of the lens: ln of its loss, times r^2, r^4, r^6; square of its range (scene/package/contents/lens_table.h)
+    vec4 vignetting;             // ln of the lens's loss, times r^2, r^4, r^6; square of its range (scene/package/contents/lens_table.h)
     uvec4 color_base[level_count / 4];  // index in `pages` of each level's first tile, four levels each
     uvec4 weight_base[level_count / 4];
 };
 
-// A node of a point cloud that is drawn: which of its children are (bit i: the eighth i), the number of the first of these
-// among the drawn nodes, how far its points are apart, and the number of its first vertex.
+// A drawn node of a point cloud: which of its children are drawn (bit i: octant i), the index of the first of
+// them among the drawn nodes, the spacing of its points, and the index of its first vertex.
 struct PointSizes {
     uint children;
     uint first;
@@ -369,8 +372,8 @@ struct PointSizes {
     uint vertex;
 };
 
-// A fragment of a transparent surface: the next one at its pixel, from 1 (0: none); its triangle; its depth; its color in linear
-// light, as half floats, and in the upper half of `blue_alpha` its alpha times 65535.
+// A fragment of a transparent surface: the next one at its pixel, from 1 (0: none); triangle; depth; color in
+// linear light, as half floats, with alpha times 65535 in the upper half of `blue_alpha`.
 struct TransparentFragment {
     uint next;
     uint triangle;

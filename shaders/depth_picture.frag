@@ -1,4 +1,4 @@
-// The depth of a frame, with its first row at the bottom.
+// The depth of a frame, bottom row first.
 #include "contract.glsl"
 
 layout(binding = depth_unit) uniform sampler2D depth;

@@ -1,11 +1,11 @@
-// What a level of the pyramids that fill holes gets from the coarser one: blended behind what it has.
+// Fills a level of the hole-filling pyramids from the coarser one, blended behind its own content.
 #include "contract.glsl"
 
 layout(location = 0) out vec4 filled;
 layout(location = 1) out vec4 filled_behind;
 layout(binding = coarser_unit) uniform sampler2D coarser;
 layout(binding = coarser_behind_unit) uniform sampler2D coarser_behind;
-layout(location = frame_size_uniform) uniform ivec2 size;  // of `coarser`, as far as it is used
+layout(location = frame_size_uniform) uniform ivec2 size;  // used size of `coarser`
 
 vec4 weighted(vec4 c) { return c.a > 0.0 ? vec4(c.rgb / c.a, 1.0) : vec4(0.0); }
 

@@ -1,11 +1,11 @@
-// Whether the model hides what is drawn over a finished picture. Includes nothing; needs contract.glsl.
+// Hides overlays of a finished picture behind the model. Requires contract.glsl, which it does not include.
 layout(binding = depth_unit) uniform sampler2D model_depth;
 layout(location = hides_uniform) uniform bool hides;
 layout(location = hiding_terms_uniform) uniform vec2 terms;  // depth is x + y / z
 layout(location = hiding_scale_uniform) uniform vec2 texels_per_pixel;
-layout(location = hiding_rows_uniform) uniform int rows;  // of a target whose first row is at the bottom; else 0
+layout(location = hiding_rows_uniform) uniform int rows;  // of a target with the bottom row first; else 0
 
-// The share of a fragment's opacity that remains, from the pixel of the target and the distance along the view's axis.
+// The remaining fraction of a fragment's opacity, from the target's pixel and the linear depth.
 float share_shown(vec2 pixel, float z) {
     if (!hides) return 1.0;
     if (rows > 0) pixel.y = float(rows) - pixel.y;

@@ -1,4 +1,4 @@
-// A mark in the scene, over a finished picture: the share of the pixel that it covers, computed from its shape.
+// A mark in the scene, over a finished picture. Its coverage of the pixel is computed from its shape.
 #include "contract.glsl"
 #include "hidden.glsl"
 #include "srgb.glsl"
@@ -16,24 +16,25 @@ layout(location = 0) out vec4 shown;
 layout(binding = shown_picture_unit) uniform sampler2DArray picture;
 layout(location = picture_decodes_uniform) uniform bool decodes;
 
-// The share of a pixel around x that is between two edges; `pixel` in their unit.
+// The fraction of a pixel around x that lies between two edges; `pixel` in their unit.
 float between(float low, float high, float x, float pixel) {
     return clamp((min(high, x + 0.5 * pixel) - max(low, x - 0.5 * pixel)) / pixel, 0.0, 1.0);
 }
 
-// Lengths of a pixel along the unit of each component.
+// Size of a pixel in the unit of each component.
 vec2 pixel_of(vec2 v) { return max(sqrt(dFdx(v) * dFdx(v) + dFdy(v) * dFdy(v)), 1e-30); }
 
 float line_share() {
     if (within.x < 0.0 || within.y <= 0.0) return 0.0;
-    // The width is inverse to z, and thus linear in the picture.
+    // The width is inversely proportional to z, and thus linear in the picture.
     float half_width = mix(line_halves.x, line_halves.y, clamp(on_line.x / max(line_length, 1e-4), 0.0, 1.0));
     half_width = max(half_width, 0.5 * mark_sizes.y);
     float beyond = max(max(-on_line.x, on_line.x - line_length), 0.0);
     return between(-half_width, half_width, length(vec2(beyond, on_line.y)), 1.0);
 }
 
-// Of the rim around the ball's or ring's middle; the slope of the distance from it is taken across the rim.
+// The rim around the center of a ball or ring; the gradient of the distance from it is measured across the
+// rim.
 float rim_share(float low, float high, vec2 x, vec2 y) {
     float far = length(on_plane);
     vec2 out_of = on_plane / max(far, 1e-30);
@@ -55,7 +56,7 @@ void main() {
         shown.a *= rim_share(mark_sizes.x, mark_sizes.y, x, y);
     } else if (mark_kind == mark_ball) {
         float radius = mark_sizes.y, share = min(length(on_plane) / radius, 1.0);
-        shown.rgb *= 0.7 + 0.3 * sqrt(1.0 - share * share);  // it looks round
+        shown.rgb *= 0.7 + 0.3 * sqrt(1.0 - share * share);  // shading that looks round
         shown.a *= rim_share(-radius, radius, x, y);
     } else {
         shown *= picture_color();

@@ -1,4 +1,4 @@
-// A mark in the scene: a quad around what mark.frag draws in it.
+// A mark in the scene: the quad in which mark.frag draws its shape.
 #include "contract.glsl"
 
 layout(location = points_attribute) in vec3 points[4];
@@ -15,13 +15,13 @@ flat out uint mark_kind;
 flat out vec4 mark_sizes;
 flat out float mark_layer;
 flat out float line_length;         // pixels
-noperspective out vec2 within;      // pixels from where other lines continue it
-flat out vec2 line_halves;          // of its width in scene units at both ends, pixels
-noperspective out vec2 on_line;     // pixels along and across it
-out vec2 on_plane;                  // of a ring or ball: scene units, of a picture: 0 to 1 along its sides
+noperspective out vec2 within;      // pixels from the joints with other lines
+flat out vec2 line_halves;          // half the width in scene units at both ends, pixels
+noperspective out vec2 on_line;     // pixels along and across the line
+out vec2 on_plane;                  // ring or ball: scene units; picture: 0 to 1 along its sides
 out vec4 tint;
 
-// A place outside of the frame, for marks that are not seen.
+// A position outside the frame, for invisible marks.
 const vec4 nowhere = vec4(2.0, 2.0, 0.5, 1.0);
 const float margin = 1.5;  // pixels, for smooth edges
 
@@ -30,7 +30,8 @@ float pixel_at(vec3 point) { return max(clip_of(point).w, nearest) / focal; }  /
 
 vec2 pixel_of(vec4 clip) { return clip.xy / clip.w * half_frame; }
 
-// The end `a` of a line to `b`, moved along it to where it is seen; the share of the line that is cut off.
+// The end `a` of the line to `b`, clipped to its visible part; `cut_off`: the fraction of the line clipped
+// off.
 vec4 seen_end(vec4 a, vec4 b, out float cut_off) {
     cut_off = a.w < nearest ? (nearest - a.w) / (b.w - a.w) : 0.0;
     return mix(a, b, cut_off);
@@ -41,8 +42,8 @@ vec2 direction(vec2 from, vec2 to) {
     return far > 1e-4 ? (to - from) / far : vec2(0.0);
 }
 
-// Where lines meet, each ends at the bisector of their directions, so that they neither overlap nor leave a gap. Zero: at a
-// round end, which has none.
+// Where lines meet, each ends at the bisector of their directions, so that they neither overlap nor leave a
+// gap. Zero at a round end, which has no bisector.
 vec2 bisector(vec2 along, vec4 end, vec3 neighbor, bool is_round) {
     vec4 clip = clip_of(neighbor);
     float cut_off;
@@ -63,7 +64,8 @@ vec4 line_corner(vec2 corner) {
     bool at_end = corner.x > 0.0;
     line_halves = 0.5 * sizes.x * focal / vec2(a.w, b.w);
     vec2 reach = max(line_halves, 0.5 * sizes.y) + margin;
-    // What touches the circles around both ends; if one is nearly in the other, a rectangle around both.
+    // The trapezoid tangent to the circles around both ends, or a rectangle if one circle nearly contains the
+    // other.
     float growth = (reach.y - reach.x) / max(line_length, 1e-4), wide = sqrt((1.0 + growth) / max(1.0 - growth, 0.01));
     float far = at_end ? max(line_length + reach.y, reach.x) : min(-reach.x, line_length - reach.y);
     float high = abs(growth) > 0.9 ? max(reach.x, reach.y) : at_end ? reach.y * wide : reach.x / wide;
@@ -75,7 +77,7 @@ vec4 line_corner(vec2 corner) {
     return vec4(pixel / half_frame * z, at_end ? b.z : a.z, z);
 }
 
-// Any direction across one of length 1.
+// A unit vector perpendicular to a direction.
 vec3 across(vec3 direction) {
     return normalize(cross(direction, abs(direction.x) < 0.7 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
 }
@@ -87,7 +89,7 @@ vec4 ring_corner(vec2 corner) {
     return clip_of(points[0] + u * on_plane.x + v * on_plane.y);
 }
 
-// A disc that hides what the ball hides, and touches it all around.
+// A disc with the same outline as the ball, which it touches all around.
 vec4 ball_corner(vec2 corner) {
     vec3 sight = eye - points[0];
     float away = length(sight), pixel = pixel_at(points[0]), radius = max(sizes.x, sizes.y * pixel);

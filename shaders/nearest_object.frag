@@ -1,4 +1,4 @@
-// How near the nearest of several objects is, as the depth `near / z`, with the first row at the top; 0 where there is none.
+// Depth `near / z` of the nearest of several objects, top row first; 0 where there is none.
 #include "contract.glsl"
 
 layout(location = 0) out float depth;

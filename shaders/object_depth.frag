@@ -1,4 +1,4 @@
-// How far away the surface of one of several objects is, in the scene's unit; 0 where it has none.
+// Distance of the surface of one of several objects, in the scene's unit; 0 where it has none.
 #include "contract.glsl"
 
 layout(location = 0) out float distance_along_axis;

@@ -1,5 +1,5 @@
-// A user interface on a plane in the scene, over a finished picture. Its letters are a field of distances to their outlines
-// (Green 2007), so that their edges are one pixel wide at any distance and angle.
+// A user interface on a plane in the scene, over a finished picture. Its letters are stored as a distance
+// field (Green 2007), so that their edges are one pixel wide at any distance and angle.
 #include "contract.glsl"
 #include "hidden.glsl"
 
@@ -8,19 +8,20 @@ in vec2 at;     // in the texture
 in vec4 tint;   // sRGB, straight alpha
 layout(location = 0) out vec4 shown;
 layout(binding = field_unit) uniform sampler2D field;
-layout(binding = letters_unit) uniform sampler2D letters;  // as they are
+layout(binding = letters_unit) uniform sampler2D letters;  // unmodified coverage
 layout(binding = shown_picture_unit) uniform sampler2D picture;
 layout(location = clip_rectangle_uniform) uniform vec4 clip;  // left, top, right, bottom: panel pixels
 layout(location = panel_fill_uniform) uniform uint fill;
 layout(location = spread_uniform) uniform float spread;  // of the field, texels
 
-// Texels in a pixel from which strokes are too thin for distances, and from which on letters are drawn as they are.
+// Texels per pixel at which strokes become too thin for distances, and from which letters are drawn
+// unmodified.
 const float begin_small = 6.0, all_small = 10.0;
 
 float distance_at(vec2 position) { return (2.0 * textureLod(field, position, 0.0).r - 1.0) * spread; }
 
-// How long a pixel is across the outline, in texels. At the middle of a stroke no direction is across it, and the mean of
-// all counts.
+// Size of a pixel across the outline, in texels. In the middle of a stroke, where the gradient vanishes, the
+// mean over all directions is used.
 float pixel_across(vec2 x, vec2 y) {
     vec2 texel = 1.0 / vec2(textureSize(field, 0));
     vec2 slope = 0.5 * vec2(distance_at(at + vec2(texel.x, 0.0)) - distance_at(at - vec2(texel.x, 0.0)),
@@ -30,7 +31,7 @@ float pixel_across(vec2 x, vec2 y) {
     return sqrt(dot(across, across) + (1.0 - dot(slope, slope)) * 0.5 * (dot(x, x) + dot(y, y)));
 }
 
-// The share of the pixel that letters cover. `x`, `y`: texels to the next pixel.
+// The fraction of the pixel covered by letters. `x`, `y`: texels to the next pixel.
 float letter_share(vec2 x, vec2 y) {
     float sharp = clamp(0.5 + distance_at(at) / max(pixel_across(x, y), 1e-6), 0.0, 1.0);
     float pixel = sqrt(max(dot(x, x), dot(y, y)));
@@ -40,7 +41,7 @@ float letter_share(vec2 x, vec2 y) {
     return mix(sharp, mean, min((pixel - begin_small) / (all_small - begin_small), 1.0));
 }
 
-// What the clip rectangle leaves: all inside it, and nothing farther outside than a pixel, so that it has no steps.
+// Opacity within the clip rectangle: 1 inside, falling to 0 one pixel outside, for smooth edges.
 float clip_share() {
     vec2 pixel = max(sqrt(dFdx(place) * dFdx(place) + dFdy(place) * dFdy(place)), 1e-6);
     vec2 outside = max(clip.xy - place, place - clip.zw) / pixel;

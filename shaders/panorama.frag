@@ -1,4 +1,5 @@
-// All directions around an eye, from pictures of parts of them, its faces: longitudes along the rows, latitudes along the columns.
+// An equirectangular panorama around an eye, assembled from the pictures of its faces: longitude along rows,
+// latitude along columns.
 #include "contract.glsl"
 #include "srgb.glsl"
 
@@ -6,8 +7,8 @@ layout(location = 0) out vec4 shown;
 layout(binding = faces_unit) uniform sampler2DArray faces;
 layout(location = frame_size_uniform) uniform ivec2 frame_size;
 layout(location = face_focal_uniform) uniform float focal;  // of a face, pixels
-layout(location = face_overlap_uniform) uniform float overlap;  // of a face with the next ones, a tangent
-layout(location = face_half_uniform) uniform vec2 half_face;  // what it shows alone, as tangents from its middle
+layout(location = face_overlap_uniform) uniform float overlap;  // between neighboring faces, as a tangent
+layout(location = face_half_uniform) uniform vec2 half_face;  // area without overlap, as tangents from its center
 layout(location = face_count_uniform) uniform int face_count;
 layout(location = first_face_uniform) uniform int first_face;
 layout(location = face_from_panorama_uniform) uniform mat3 face_from_panorama[max_faces];
@@ -21,7 +22,7 @@ vec4 light_of(ivec3 texel) {
     return vec4(decode(c.rgb) * c.a, c.a);
 }
 
-// The same between four texels.
+// The same, interpolated between four texels.
 vec4 light_at(vec2 at, int face) {
     ivec2 first = clamp(ivec2(floor(at - 0.5)), ivec2(0), textureSize(faces, 0).xy - 2);
     vec2 share = clamp(at - 0.5 - vec2(first), 0.0, 1.0);
@@ -31,7 +32,7 @@ vec4 light_at(vec2 at, int face) {
     return mix(above, below, share.y);
 }
 
-// Where faces overlap, one fades into the other: each fills holes from what it sees.
+// Overlapping faces are cross-faded, because each fills holes from its own content.
 vec4 seen(vec2 at) {
     float longitude = (at.x / float(frame_size.x) - 0.5) * 2.0 * pi, below = (at.y / float(frame_size.y) - 0.5) * pi;
     vec3 d = vec3(cos(below) * sin(longitude), sin(below), cos(below) * cos(longitude));

@@ -1,7 +1,7 @@
 // The color that a photo gives a sample of the picture.
 #include "photos.glsl"
 
-layout(location = weight_eye_uniform) uniform vec3 weight_eye;  // the viewer relative to the origin, or the eye at which weights were frozen
+layout(location = weight_eye_uniform) uniform vec3 weight_eye;  // the viewer's position relative to the origin, or the eye at which weights were frozen
 layout(location = lod_bias_uniform) uniform float lod_bias;
 layout(location = blend_show_uniform) uniform uint show;
 
@@ -9,34 +9,35 @@ bool inside(uint photo, vec2 pixel) {
     return all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, photos[photo].size_weight.xy));
 }
 
-// Angle in radians between the rays from a point to the viewer and to a photo; accurate for small angles.
+// Angle in radians between the rays from a point to the viewer and to a photo's camera; accurate for small
+// angles.
 float ray_angle(vec3 at, uint photo) {
     vec3 a = normalize(weight_eye - at), b = normalize(photos[photo].center_hull.xyz - at);
     return atan(length(cross(a, b)), dot(a, b));
 }
 
-// Weight, beside those of 1, of a photo near its own camera.
+// Weight of a photo near its own camera, relative to ordinary weights of 1.
 float own_factor(float theta) {
     float r = own_angle / max(theta, own_least);
     return r * r;
 }
 
-// Share in [0, 1] of a photo in its own view: 1 at its camera, 1/2 at `own_angle`.
+// Fraction in [0, 1] of a photo in its own view: 1 at its camera, 1/2 at `own_angle`.
 float own_share(float theta) { return own_angle * own_angle / (own_angle * own_angle + theta * theta); }
 
 // The area of a photo that a sample covers.
 struct Footprint {
-    float lod;      // negative: it is smaller than a photo pixel
-    float shorter;  // its shorter side, photo pixels
+    float lod;      // negative if the sample is smaller than a photo pixel
+    float shorter;  // length of its shorter side, photo pixels
 #ifdef TAPS
-    vec2 longer;  // its longer side, photo pixels
+    vec2 longer;  // vector of its longer side, photo pixels
     int taps;
 #endif
 };
-// Level of detail from the photo pixels along the sample's two sides, by the projection's Jacobian, because dFdx and
-// dFdy are undefined where neighboring fragments have left the loop. A footprint up to 4 times longer than wide (TAPS times with
-// taps) is sampled at the level of its shorter side. 0.02 levels and 0.1 taps absorb rounding: at one photo pixel per
-// sample, only level 0 is read, by one tap.
+// Level of detail from the photo pixels along the sample's two sides, by the projection's Jacobian, because
+// dFdx and dFdy are undefined if neighboring fragments have left the loop. A footprint up to 4 times longer
+// than wide (TAPS times with taps) is sampled at the level of its shorter side. 0.02 levels and 0.1 taps
+// absorb rounding: at one photo pixel per sample, only level 0 is read, by one tap.
 Footprint footprint_of(uint photo, vec3 p, vec3 along_x, vec3 along_y) {
     mat3 R = mat3(photos[photo].cam_from_origin);
     vec3 x = R * along_x, y = R * along_y;
@@ -79,8 +80,8 @@ vec4 filtered(uint photo, vec2 pixel, Footprint f) {
 #endif
 }
 
-// Color in the mean photo's exposure, without the lens's vignetting. What is overexposed does not become darker, except near the
-// photo's own camera, whose exposure the picture has.
+// Color in the mean photo's exposure, with vignetting corrected. Overexposed areas are not darkened, except
+// near the photo's own camera, where the picture has that photo's exposure.
 vec3 refined(uint photo, vec2 pixel, vec3 taken, float theta) {
     vec3 c = taken;
 #ifdef PHOTO_GAIN

@@ -1,9 +1,9 @@
-// The photos of a pass, and access to their pixels, weight maps and depth.
+// The photos of a pass, with access to their pixels, weight maps and depth.
 #include "contract.glsl"
 
-// A block, not a buffer: software renderers read buffers lane by lane.
+// A uniform block, because software renderers read buffers lane by lane.
 layout(std140, binding = photos_block) uniform Photos { Photo photos[pass_photos]; };
-// Per tile: layer in the low 16 bits, above them how far the tile has faded in, 0 to 255; or not_resident.
+// Per tile: layer in the low 16 bits, fade-in progress above, 0 to 255; or not_resident.
 layout(std430, binding = pages_buffer) readonly buffer Pages { uint pages[]; };
 layout(binding = color_tiles_unit) uniform sampler2DArray color_tiles;
 layout(binding = weight_tiles_unit) uniform sampler2DArray weight_tiles;
@@ -12,7 +12,7 @@ layout(binding = depth_tiles_unit) uniform sampler2DArray depth_tiles;
 const float tile_size = float(tile_texels), tile_border = float(tile_border_texels), tile_content = float(tile_content_texels);
 
 #ifdef TRACE_TEXELS
-// One bit per texel of all color layers, then all weight map layers, then all depth layers: set if the picture reads it.
+// One bit per texel, in all layers of color, then of weight maps, then of depth: set if the picture reads it.
 layout(std430, binding = touched_buffer) buffer Touched { uint touched[]; };
 layout(location = first_layers_uniform) uniform uvec2 first_layers;  // of weight maps and of depth
 void touch(uint first_layer, vec3 at) {
@@ -41,11 +41,12 @@ TilePlace tile_place(vec2 size, int level, vec2 texel, uint base) {
 }
 
 #ifdef PHOTO_LENS
-// Where a photo's lens images what a pinhole camera images at a pixel, from the photo's table in `pages` (scene/package/contents/lens_table.h).
+// The photo pixel that corresponds to a pixel of the pinhole camera, from the photo's lens table in `pages`
+// (scene/package/contents/lens_table.h).
 struct LensPlace {
     vec2 pixel;
-    mat2 along;   // derivative by the pinhole camera's pixel
-    bool inside;  // the photo
+    mat2 along;   // derivative with respect to the pinhole camera's pixel
+    bool inside;  // inside the photo
 };
 LensPlace lens_place(uint photo, vec2 pixel) {
     int table = int(photos[photo].direction.w);
@@ -76,8 +77,8 @@ LensPlace lens_place(uint photo, vec2 pixel) {
 }
 #endif
 
-// Linear color at a photo pixel on one level. A tile that is fading in is mixed with the next coarser resident one; behind the
-// coarsest comes the level that every photo has that is shown.
+// Linear color at a photo pixel on one level. A tile that is fading in is mixed with the next coarser
+// resident one, at the latest with the base level that every displayed photo has.
 vec4 color_at_level(uint photo, int level, vec2 pixel) {
     vec2 size = photos[photo].size_weight.xy;
     int levels = int(photos[photo].size_weight.z), next = level;
@@ -132,7 +133,7 @@ WeightPlace weight_place(uint photo, vec2 pixel, float lod) {
 // Angle, depth, border and transient mask.
 vec4 weights_at(WeightPlace at) { return textureLod(weight_tiles, at.coordinate, 0.0); }
 
-// The smallest and the largest of the four depths around a photo pixel; +inf if the photo shows no surface.
+// Minimum and maximum of the four depths around a photo pixel; +inf where the photo shows no surface.
 vec2 depths_at(WeightPlace at) {
     vec4 z = textureGather(depth_tiles, at.coordinate);
     return vec2(min(min(z.x, z.y), min(z.z, z.w)), max(max(z.x, z.y), max(z.z, z.w)));

@@ -7,13 +7,13 @@ layout(location = 0) out vec4 shaded;
 #ifdef PLACED
 flat in vec2 point_place;
 flat in uint point_number;
-layout(location = 1) out vec2 place;   // distance along the view's axis, and how far the points are apart
+layout(location = 1) out vec2 place;   // linear depth, and spacing of the points
 layout(location = 2) out uint number;
 #endif
 
 void main() {
     vec2 off = 2.0 * gl_PointCoord - 1.0;
-    if (point_size > 2.0 && dot(off, off) > 1.0) discard;  // smaller ones are a pixel or two
+    if (point_size > 2.0 && dot(off, off) > 1.0) discard;  // smaller splats are only a pixel or two
     shaded = vec4(point_color, 1.0);
 #ifdef PLACED
     place = point_place;

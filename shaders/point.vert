@@ -8,19 +8,19 @@ layout(location = cube_attribute) in vec4 cube;
 layout(location = node_attribute) in uint node;
 layout(std430, binding = point_sizes_buffer) readonly buffer Nodes { PointSizes nodes[]; };
 layout(location = clip_from_origin_uniform) uniform mat4 clip_from_origin;
-layout(location = point_size_uniform) uniform vec4 size;  // pixels; at depth 1, in pixels; the same, times the spacing; at most
-layout(location = depth_per_w_uniform) uniform float depth_per_w;  // how clip z grows with w
+layout(location = point_size_uniform) uniform vec4 size;  // pixels: constant, at depth 1, at depth 1 per unit of spacing, maximum
+layout(location = depth_per_w_uniform) uniform float depth_per_w;  // derivative of clip z with respect to w
 flat out vec3 point_color;
 flat out float point_size;
 #ifdef PLACED
-layout(location = nearer_uniform) uniform float shift;  // spacings by which points are drawn nearer than they are
+layout(location = nearer_uniform) uniform float shift;  // shift of points toward the viewer, in spacings
 flat out vec2 point_place;
 flat out uint point_number;
 #else
 const float shift = 0.5;
 #endif
 
-// The spacing of the smallest drawn node in whose cube the point is (Schuetz 2016, adaptive point sizes).
+// The spacing of the smallest drawn node that contains the point (Schuetz 2016, adaptive point sizes).
 float spacing(uvec3 cell) {
     uint at = node;
     for (int bit = 20; bit >= 0; --bit) {
@@ -42,7 +42,8 @@ void main() {
     point_number = 1u + node * points_per_node + uint(gl_VertexID) - nodes[node].vertex;
 #endif
     point_size = clamp(size.x + (size.y + size.z * apart) / far, 1.0, size.w);
-    // Half a spacing nearer, on the same pixel: points on a surface of the model are in front of it.
+    // Moved half a spacing nearer at the same pixel, so that points on a surface of the model appear in front
+    // of it.
     float nearer = max(gl_Position.w - shift * apart, 0.5 * gl_Position.w);
     if (gl_Position.w > 0.0)
         gl_Position = vec4(gl_Position.xy * (nearer / gl_Position.w),

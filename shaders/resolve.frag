@@ -1,26 +1,27 @@
-// Turns the sums of the drawn samples of each pixel into colors and adds them to the pixel's samples, each with weight 1. A sample
-// without weight is a hole, whatever its color; with a background, holes that are to be filled have a small weight.
+// Converts the sums of each pixel's drawn samples into colors and adds these to the pixel's samples, each
+// with weight 1. A sample without weight is a hole, whatever its color; with a background, holes to be filled
+// have a small weight.
 #include "contract.glsl"
 #include "background.glsl"
 
 layout(location = 0) out vec4 accumulated;
 layout(binding = sums_unit) uniform sampler2D sums;
 layout(binding = surface_unit) uniform sampler2D surface;
-layout(binding = before_unit) uniform sampler2D before;         // the picture of the photos that these replace, holes transparent
-layout(location = progress_uniform) uniform float progress;     // share of these photos; 1: `before` does not count
-layout(location = takes_one_uniform) uniform bool takes_one;    // the sums of the mesh already hold a color
+layout(binding = before_unit) uniform sampler2D before;         // picture from the replaced photos, with transparent holes
+layout(location = progress_uniform) uniform float progress;     // fraction of the new photos; 1: `before` is ignored
+layout(location = takes_one_uniform) uniform bool takes_one;    // the mesh's sums already hold a color
 layout(location = fill_uniform) uniform bool fill;              // shade holes, and fill the background
 layout(location = plain_background_uniform) uniform vec3 plain_background;  // linear, at the top
 layout(location = plain_background_bottom_uniform) uniform vec3 plain_background_bottom;
-layout(location = fill_background_uniform) uniform bool fill_background;  // if `fill`; else the background stays transparent
-layout(location = max_uniform) uniform float most;             // coverage: number of photos with the brightest color; else 0
-layout(location = exposure_uniform) uniform vec3 exposure;      // exposure of the view, relative to the mean photo's
+layout(location = fill_background_uniform) uniform bool fill_background;  // with `fill`; otherwise the background stays transparent
+layout(location = max_uniform) uniform float most;             // for coverage: number of photos shown in the brightest color; otherwise 0
+layout(location = exposure_uniform) uniform vec3 exposure;      // of the view, relative to the mean photo's
 layout(location = vignetting_uniform) uniform vec3 vignetting;        // of the view's lens: ln, times r^2, r^4, r^6
-layout(location = frame_size_uniform) uniform ivec2 frame_size;  // in samples, as all coordinates here
+layout(location = frame_size_uniform) uniform ivec2 frame_size;  // in samples, like all coordinates here
 layout(location = fine_uniform) uniform int fine;
 layout(location = lens_uniform) uniform vec3 lens;              // principal point, pixels; 2 / diagonal, 1/pixels
 
-// Dark blue through green to yellow, after viridis (van der Walt and Smith 2015), in linear light.
+// From dark blue through green to yellow, after viridis (van der Walt and Smith 2015), in linear light.
 vec3 count_color(float share) {
     const vec3 stops[5] = vec3[](vec3(0.058, 0.0, 0.089), vec3(0.042, 0.084, 0.258), vec3(0.014, 0.279, 0.262),
                                  vec3(0.114, 0.584, 0.119), vec3(0.983, 0.799, 0.019));
@@ -30,17 +31,17 @@ vec3 count_color(float share) {
 }
 
 #ifdef BACKGROUND
-layout(location = background_light_uniform) uniform float background_light;  // factor of their light
+layout(location = background_light_uniform) uniform float background_light;  // factor of the background's light
 layout(location = hole_weight_uniform) uniform float hole_weight;
 layout(location = plain_background_weight_uniform) uniform float plain_background_weight;
 #endif
 
 #ifdef SCALAR_FIELD
-layout(location = field_share_uniform) uniform float field_share;  // of the field's color, beside the photos'
+layout(location = field_share_uniform) uniform float field_share;  // fraction of the field's color, versus the photos'
 #endif
 
 #ifdef LIGHT
-layout(location = light_on_photos_uniform) uniform bool light_on_photos;  // times the photos; else alone
+layout(location = light_on_photos_uniform) uniform bool light_on_photos;  // multiplied by the photos; otherwise alone
 layout(location = light_scale_uniform) uniform float light_scale;
 #endif
 
@@ -49,17 +50,17 @@ layout(binding = points_unit) uniform sampler2D points;
 layout(binding = depth_unit) uniform sampler2D depth;
 layout(location = shows_points_uniform) uniform bool shows_points;
 layout(location = points_alone_uniform) uniform bool points_alone;  // without the model
-layout(location = photos_on_points_uniform) uniform bool photos_on_points;  // where there are photos, else the points' own colors
-layout(location = eye_dome_uniform) uniform vec4 eye_dome;  // depth is x + y / z; its z: strength; w: distance of neighbors, px
+layout(location = photos_on_points_uniform) uniform bool photos_on_points;  // otherwise the points' own colors
+layout(location = eye_dome_uniform) uniform vec4 eye_dome;  // x, y: depth is x + y / z; z: strength; w: distance of neighbors, px
 
-// log2 of the depth; background and the background count as infinitely far.
+// log2 of the depth; the background counts as infinitely far.
 float log_depth(ivec2 at) {
     ivec2 inside = clamp(at, ivec2(0), frame_size - 1);
     float d = texelFetch(depth, inside, 0).r;
     return d < 1e-12 ? 100.0 : log2(max(eye_dome.y / max(d - eye_dome.x, 1e-30), 1e-30));
 }
 
-// Eye-dome lighting (Boucheny 2009): what lies behind its neighbors is darker.
+// Eye-dome lighting (Boucheny 2009): points behind their neighbors are darker.
 float shade(ivec2 at) {
     const vec2 around[8] = vec2[](vec2(1.0, 0.0), vec2(-1.0, 0.0), vec2(0.0, 1.0), vec2(0.0, -1.0), vec2(0.7, 0.7),
                                   vec2(-0.7, 0.7), vec2(0.7, -0.7), vec2(-0.7, -0.7));
@@ -71,14 +72,14 @@ float shade(ivec2 at) {
 #endif
 
 #ifdef TRANSPARENCY
-layout(location = 1) out vec4 veil;   // over holes that are filled later: light, and its share
-layout(location = 2) out vec4 clean;  // what they are filled from: the samples without transparent surfaces
+layout(location = 1) out vec4 veil;   // over holes that are filled later: light, and its opacity
+layout(location = 2) out vec4 clean;  // source of the filling: the samples without transparent surfaces
 layout(binding = transparent_sums_unit) uniform sampler2D transparent_sums;
 layout(binding = transmitted_unit) uniform sampler2D transmitted;
 layout(location = shows_transparent_uniform) uniform bool shows_transparent;
 layout(location = veils_holes_uniform) uniform bool veils_holes;
 
-// Light that transparent surfaces add, and the share of the light behind them that they let through.
+// Light added by transparent surfaces, and the fraction of the light behind them that they transmit.
 vec4 in_front(vec4 front, vec4 behind) { return vec4(front.rgb + front.a * behind.rgb, front.a * behind.a); }
 
 // Weighted blended transparency (McGuire and Bavoil 2013).
@@ -94,9 +95,10 @@ layout(std430, binding = fragment_heads_buffer) buffer Heads {
 };
 layout(std430, binding = fragments_buffer) readonly buffer Fragments { TransparentFragment fragments[]; };
 
-const float one_plane = 2e-6;  // share of their depth by which fragments of triangles in one plane may differ
+const float one_plane = 2e-6;  // relative depth difference of fragments from coplanar triangles
 
-// Nearer ones first; of triangles in one plane, whose depths may differ by rounding, the one with the lower number.
+// Nearer fragments first; for coplanar triangles, whose depths may differ by rounding, the lower number
+// first.
 bool nearer(uint a, uint b) {
     float of_a = fragments[a].depth, of_b = fragments[b].depth;
     if (abs(of_a - of_b) > one_plane * max(of_a, of_b)) return of_a > of_b;
@@ -109,7 +111,8 @@ vec4 color_of(uint f) {
                 float(fragments[f].blue_alpha >> 16) / 65535.0);
 }
 
-// The pixel's list, the nearest fragments sorted (Yang et al. 2010), the others as a weighted mean behind them.
+// Composites the pixel's list: the nearest fragments sorted (Yang et al. 2010), the others as a weighted mean
+// behind them.
 vec4 sorted_layers(uint first) {
     uint order[max_sorted_fragments];
     order[0] = 0u;  // some compilers warn otherwise
@@ -175,7 +178,7 @@ vec3 exposed(vec3 c, ivec2 at) {
     return c * exposure * exp(-r2 * (vignetting.x + r2 * (vignetting.y + r2 * vignetting.z)));
 }
 
-// Both pictures, in square roots of light as everywhere; the one that is not a hole, if only one is.
+// Mixes both pictures in square roots of light, as everywhere; if only one is a hole, takes the other.
 vec4 mixed(vec4 replaced, vec4 c) {
     if (!(replaced.a > 0.0)) return c;
     if (!(c.a > 0.0)) return replaced;
@@ -186,7 +189,7 @@ vec4 mixed(vec4 replaced, vec4 c) {
 #ifdef WIREFRAME
 layout(binding = wire_unit) uniform usampler2D triangles;
 
-// Whether another triangle is right of the pixel's or below it.
+// Whether the pixel to the right or below shows another triangle.
 bool at_edge(ivec2 at) {
     uint own = texelFetch(triangles, at, 0).r;
     ivec2 last = frame_size - 1;
@@ -250,7 +253,8 @@ vec4 sample_at(ivec2 at) {
         if (hole) color = vec4(exposed(bare.rgb, at), 1.0);
         color.rgb *= background_light;
     }
-    // Where the background has no photo, its calm color is as good as the colors around, but for narrow gaps.
+    // Where the background has no photo, its mean color is as good as the surrounding colors, except in
+    // narrow gaps.
     if (hole) color *= bare.a == shows_background ? min(8.0 * hole_weight, 1.0) : bare.a > 0.0 ? hole_weight : plain_background_weight;
 #endif
 #ifdef TRANSPARENCY
@@ -259,7 +263,7 @@ vec4 sample_at(ivec2 at) {
     if (shows_transparent) {
         vec4 layers = transparent_layers(at);
         if (hole && veils_holes) {
-            // Over the part of the sample that is filled later, and over its own color.
+            // Transparent surfaces over the part of the sample that is filled later, and over its own color.
             veil = (1.0 - color.a) * vec4(layers.rgb, 1.0 - layers.a);
             color.rgb = color.a * layers.rgb + layers.a * color.rgb;
         } else color = vec4(layers.rgb + layers.a * color.rgb, 1.0 - layers.a + layers.a * color.a);

@@ -8,19 +8,19 @@ layout(location = 0) out vec4 shown;
 layout(binding = accumulated_unit) uniform sampler2D accumulated;
 layout(location = frame_size_uniform) uniform ivec2 frame_size;
 layout(location = samples_uniform) uniform float samples;
-layout(location = flip_uniform) uniform bool flip;        // for a window, whose first row is at the bottom
+layout(location = flip_uniform) uniform bool flip;        // for a window, which has the bottom row first
 layout(location = compare_uniform) uniform uint compare;
-layout(location = swipe_uniform) uniform float swipe;     // share of the width
+layout(location = swipe_uniform) uniform float swipe;     // fraction of the width
 layout(location = photo_from_frame_uniform) uniform mat3 photo_from_frame;  // pixels, homogeneous
-layout(location = lod_uniform) uniform float lod;         // of the photo
+layout(location = lod_uniform) uniform float lod;         // level of detail of the photo
 layout(location = soft_edges_uniform) uniform float soft_edges;
 layout(location = show_plain_background_uniform) uniform vec3 plain_background;  // linear, at the top
 layout(location = show_plain_background_bottom_uniform) uniform vec3 plain_background_bottom;
-layout(location = edges_opaque_uniform) uniform bool edges_opaque;  // fade into the background, else into nothing
+layout(location = edges_opaque_uniform) uniform bool edges_opaque;  // fade into the background, otherwise to transparent
 #ifdef BACKGROUND
 layout(binding = filled_unit) uniform sampler2D filled;   // square roots of light at half the size
 layout(binding = filled_behind_unit) uniform sampler2D filled_behind;  // in the background
-layout(binding = shown_surface_unit) uniform sampler2D surface;  // tells where the background is
+layout(binding = shown_surface_unit) uniform sampler2D surface;  // marks the background
 layout(location = fine_uniform) uniform int fine;  // its texels per side of a pixel
 layout(location = fills_uniform) uniform bool fills;      // show `filled` in place of holes
 #endif
@@ -29,7 +29,7 @@ layout(location = fills_uniform) uniform bool fills;      // show `filled` in pl
 layout(binding = veil_unit) uniform sampler2D veil;  // transparent surfaces over samples that are holes
 layout(location = veils_uniform) uniform bool veils;
 
-// Mean over the holes of a pixel, of whose samples `share` are none: light, and its share.
+// Mean veil over the holes of a pixel; `share`: fraction of samples without holes.
 vec4 veil_of(ivec2 at, float share) {
     vec4 v = veils ? texelFetch(veil, at, 0) / (samples * max(1.0 - share, 1e-3)) : vec4(0.0);
     return v / max(v.a, 1.0);
@@ -50,7 +50,7 @@ vec4 photo_at(vec2 frame_pixel) {
     return inside ? color_at(0u, pixel, lod) : vec4(0.0);
 }
 
-// Mean of a pixel's samples; alpha: the share of them that is no hole.
+// Mean of a pixel's samples; alpha: fraction of samples without holes.
 vec4 shown_color(vec4 a, ivec2 at, bool fills) {
 #ifdef BACKGROUND
     float share = a.a / samples;
@@ -84,10 +84,10 @@ vec4 shown_color(vec4 a, ivec2 at, bool fills) {
 #ifdef IMAGE_SETS
 layout(binding = other_unit) uniform sampler2D other;          // samples of the other image set
 layout(location = image_sets_uniform) uniform uint image_sets;
-layout(location = image_set_share_uniform) uniform float image_set_share;  // of the other image set; of the width: where it begins
+layout(location = image_set_share_uniform) uniform float image_set_share;  // weight of the other image set, or its start as a fraction of the width
 layout(location = other_fills_uniform) uniform bool other_fills;
 
-// Both, in square roots of light as everywhere; what is a hole in one fades.
+// Mixes both in square roots of light, as everywhere; holes of either fade.
 vec4 mixed(vec4 a, vec4 b, float share) {
     float alpha = mix(a.a, b.a, share);
     if (!(alpha > 0.0)) return vec4(0.0);

@@ -1,4 +1,4 @@
-// The pictures of two eyes, left and right, in one.
+// Combines the pictures of the left and the right eye into one.
 #include "contract.glsl"
 #include "srgb.glsl"
 
@@ -6,10 +6,10 @@ layout(location = 0) out vec4 shown;
 layout(binding = eyes_unit) uniform sampler2DArray eyes;
 layout(location = frame_size_uniform) uniform ivec2 frame_size;
 layout(location = stereo_mode_uniform) uniform uint mode;
-layout(location = stereo_flip_uniform) uniform bool flip;  // for a window, whose first row is at the bottom
+layout(location = stereo_flip_uniform) uniform bool flip;  // for a window, which has the bottom row first
 
-// For red and cyan glasses: least squares in the colors that each eye sees through them (Dubois, "A projection method
-// to generate anaglyph stereo images", 2001); by columns.
+// For red-cyan glasses: least squares of the colors that each eye sees through them (Dubois, "A projection
+// method to generate anaglyph stereo images", 2001); column-major.
 const mat3 of_left = mat3(0.456, -0.040, -0.015, 0.500, -0.038, -0.021, 0.176, -0.016, -0.005);
 const mat3 of_right = mat3(-0.043, 0.378, -0.072, -0.088, 0.734, -0.113, -0.002, -0.018, 1.226);
 
@@ -33,6 +33,6 @@ void main() {
         right = int(at.y >= eye.y);
         at.y -= right * eye.y;
     }
-    // The last row or column of an odd number belongs to neither eye.
+    // With an odd number of rows or columns, the last one belongs to neither eye.
     shown = all(lessThan(at, eye)) ? texelFetch(eyes, ivec3(at, right), 0) : vec4(0.0, 0.0, 0.0, 1.0);
 }

@@ -1,5 +1,6 @@
-// Lambertian shading with a lamp at the viewer, in linear light; with the mesh's own colors if the scene has the effect.
-// The background has their quiet color, what has a value in the scalar field that is shown its color in the color map.
+// Lambertian shading with a lamp at the viewer, in linear light, with the mesh's own colors if the effect is
+// on. The background has its robust mean color, and areas with a value in the displayed scalar field have its
+// color in the color map.
 #ifndef EYES
 #define EYES 1
 #endif
@@ -21,7 +22,7 @@ flat in uint draw_bits;
 #include "transparent.glsl"
 #else
 layout(location = 0) out vec4 shaded;  // alpha: 1, shows_background or shows_value
-layout(location = 1) out uint triangle;  // its number plus 1; 0: none
+layout(location = 1) out uint triangle;  // triangle number plus 1; 0: none
 #endif
 #if EYES == 2
 flat in int eye_number;
@@ -33,17 +34,17 @@ layout(location = surface_eye_uniform) uniform vec3 eye[EYES];
 #ifdef SCALAR_FIELD
 in vec2 surface_value;
 layout(binding = color_map_unit) uniform sampler2D color_map;
-layout(location = field_scale_uniform) uniform vec3 field_scale;  // value at the map's begin; 1 / (end - begin), 0: no field;
-                                                                  // not 0: of logarithms
+layout(location = field_scale_uniform) uniform vec3 field_scale;  // value at the start of the map; 1 / (end - start), 0: no field;
+                                                                  // not 0: logarithmic
 layout(location = isolines_uniform) uniform float isolines;       // intervals between lines; 0: no lines
 
-// Alpha 0: no value.
+// Alpha is 0 without a value.
 vec4 field_color() {
     bool logarithmic = field_scale.z != 0.0;
     float v = logarithmic ? log(max(surface_value.x, 1e-38)) : surface_value.x;
     float t = (v - field_scale.x) * field_scale.y, lines = t * isolines;
-    float pixels = abs(fract(lines - 0.5) - 0.5) / max(fwidth(lines), 1e-6);  // to the nearest line
-    bool known = surface_value.y > 0.9999 && (surface_value.x > 0.0 || !logarithmic);  // of all corners
+    float pixels = abs(fract(lines - 0.5) - 0.5) / max(fwidth(lines), 1e-6);  // distance to the nearest line
+    bool known = surface_value.y > 0.9999 && (surface_value.x > 0.0 || !logarithmic);  // all corners have values
     if (field_scale.y == 0.0 || !known) return vec4(0.0);
     vec3 color = texture(color_map, vec2((clamp(t, 0.0, 1.0) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
     bool inside = t > -1e-4 && t < 1.0001;
@@ -55,10 +56,10 @@ vec4 field_color() {
 layout(location = lamp_uniform) uniform vec4 lamp[EYES];      // direction to the raking light; 1 / the brightness of a surface that
                                                               // faces the viewer
 layout(location = light_uniform) uniform uint light_kind;     // light_lamp, light_raking or light_normals
-layout(location = camera_rows_uniform) uniform mat3 camera[EYES];  // from the scene's axes: right, down, forward
+layout(location = camera_rows_uniform) uniform mat3 camera[EYES];  // rows in the scene's axes: right, down, forward
 
-// The brightness that Phong's model (1975) gives a matt surface, relative to one that faces the viewer; or the normal in the
-// viewer's axes (right, up, toward the viewer), as a color.
+// The brightness of a matte surface by Phong's model (1975), relative to one that faces the viewer; or the
+// normal in the viewer's axes (right, up, toward the viewer), as a color.
 vec3 lit(vec3 n, vec3 v) {
     if (dot(n, v) < 0.0) n = -n;
     if (light_kind == light_normals) {
@@ -68,12 +69,12 @@ vec3 lit(vec3 n, vec3 v) {
     vec3 l = light_kind == light_lamp ? v : lamp[eye_number].xyz;
     float facing = max(dot(n, l), 0.0);
     float glint = facing > 0.0 ? pow(max(dot(reflect(-l, n), v), 0.0), 24.0) : 0.0;
-    return vec3(min((light_ambient + light_diffuse * facing + light_specular * glint) * lamp[eye_number].w, 3.0));  // white on gray
+    return vec3(min((light_ambient + light_diffuse * facing + light_specular * glint) * lamp[eye_number].w, 3.0));  // white relative to gray
 }
 #endif
 
 #ifdef TRANSPARENT
-// The surface's own color where it faces the viewer, darker aslant as the bare surface is; lit and colored by a field as the
+// The color of a transparent surface: its own facing the viewer, darker aslant like the bare surface; lit and colored like the
 // opaque surface with its photos.
 vec3 own_color(vec3 n, vec3 v) {
     vec3 base = decode(max(surface_color.rgb, vec3(0.0))), color = base * (0.12 + 0.35 * abs(dot(n, v))) / bare_gray;

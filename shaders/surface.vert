@@ -1,5 +1,5 @@
-// The bare model: depth and triangles for the blending passes, and plain shading for holes. FLAT: an even gray, for frames in
-// motion. With EYES 2, instances are the eyes, each with its layer.
+// The bare model: depth and triangles for the blending passes, and plain shading for holes. FLAT: uniform
+// gray, for frames in motion. With EYES 2, each instance is an eye with its own layer.
 #ifndef EYES
 #define EYES 1
 #endif
@@ -29,7 +29,7 @@ out vec3 surface_normal;
 #endif
 flat out uint draw_first;
 #ifdef SECTION
-layout(location = section_planes_uniform) uniform vec4 section_planes[SECTION];  // negative in front of them
+layout(location = section_planes_uniform) uniform vec4 section_planes[SECTION];  // negative in front of a plane
 out float gl_ClipDistance[SECTION];
 #endif
 #ifdef BACKGROUND

@@ -1,9 +1,9 @@
-// Where fragments of transparent surfaces go: with FRAGMENT_LISTS into a list per pixel, and what finds no room there, or without
-// it everything, into weighted sums.
+// Stores fragments of transparent surfaces: with FRAGMENT_LISTS, in a list per pixel, with weighted sums for
+// fragments that do not fit; otherwise, only in weighted sums.
 #ifdef FRAGMENT_LISTS
-layout(early_fragment_tests) in;  // what lies behind the opaque surface takes no room
+layout(early_fragment_tests) in;  // fragments behind the opaque surface are not stored
 layout(std430, binding = fragment_heads_buffer) buffer Heads {
-    uint stored;  // fragments that asked for room
+    uint stored;  // fragments that requested space
     uint deep;    // fragments behind the sorted ones, counted by resolve
     uint heads[]; // per pixel: its first fragment, from 1
 };
@@ -13,18 +13,19 @@ layout(location = capacity_uniform) uniform uint capacity;
 #endif
 layout(location = 0) out vec4 weighted;    // summed
 layout(location = 1) out float absorbed;   // multiplies what is transmitted by 1 - this
-layout(location = nearness_uniform) uniform vec2 nearness;  // place in the depth range: x + y * distance, 0 to 1
+layout(location = nearness_uniform) uniform vec2 nearness;  // position in the depth range: x + y * distance, 0 to 1
 layout(location = own_field_share_uniform) uniform float field_share;
 layout(location = own_light_on_photos_uniform) uniform bool light_on_photos;
 layout(location = own_light_scale_uniform) uniform float light_scale;
 
-// Toward the viewer's axis if the vector has no direction.
+// Falls back to the viewer's axis if the vector has no direction.
 vec3 unit(vec3 v) {
     float length2 = dot(v, v);
     return length2 > 0.0 && length2 < 1e38 ? v * inversesqrt(length2) : vec3(0.0, 0.0, 1.0);
 }
 
-// The weight of McGuire and Bavoil (2013, equation 9), by the place in the depth range in place of 1/200 units.
+// The weight of McGuire and Bavoil (2013, equation 9), with the position in the depth range instead of 1/200
+// units.
 float weight() {
     float z = clamp(nearness.x + nearness.y / gl_FragCoord.w, 0.0, 1.0);
     return clamp(0.03 / (1e-5 + z * z * z * z), 0.01, 3000.0);

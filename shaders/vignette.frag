@@ -1,8 +1,8 @@
-// Darkens a picture beside its middle, the middle of the lens.
+// Darkens a picture away from the center of the lens.
 #include "contract.glsl"
 
 layout(location = 0) out vec4 shade;
-layout(location = vignette_lens_uniform) uniform vec4 lens;  // middle and focal lengths, pixels; rows as the target's
+layout(location = vignette_lens_uniform) uniform vec4 lens;  // center and focal lengths, pixels; rows as in the target
 layout(location = vignette_uniform) uniform float strength;  // above 0, up to 1
 
 void main() {
