@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing (Debian 12, Ubuntu 24.04) and builds into build/: the two programs and their manual, for demo.sh;
-# or targets, for test.sh: suite (the default set of tests) or all (also benchmarks).
+# Installs missing packages (Debian 12, Ubuntu 24.04) and builds in build/: the two programs and their manual,
+# for demo.sh; or targets, for test.sh: suite (the default set of tests) or all (also benchmarks).
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -15,7 +15,7 @@ packages=(g++ cmake ninja-build pkg-config ca-certificates gettext
 # Since glibc 2.39, the window's languages need a locale besides C.
 grep -q '^ID=ubuntu' /etc/os-release && packages+=(language-pack-en-base)
 tests=OFF targets=(vantage vantage-player manual)
-# Tests that were configured before stay so.
+# Keeps tests enabled if they were before.
 grep -qs '^BUILD_TESTING:BOOL=ON' build/CMakeCache.txt && tests=ON
 if (($#)); then
   tests=ON targets=("$@")
@@ -34,5 +34,5 @@ if ((${#missing[@]})); then
   DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 fi
 cmake -S . -B build -G Ninja -DBUILD_TESTING="$tests" >/dev/null
-# Not Ninja's two jobs more: on two cores, they take 5 % longer together.
+# Ninja's default of two jobs more takes 5 % longer on two cores.
 cmake --build build --parallel "$(nproc)" --target "${targets[@]}"

@@ -1,6 +1,6 @@
-# What `cmake --install` copies, below any prefix, in two components: vantage and vantage-player. The programs find
-# their files relative to themselves (pipeline/run/config_files.cpp, pipeline/photos/image_files.cpp).
-set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # programs and manual suffice, tests and benchmarks need not be built
+# Installation below any prefix, in two components: vantage and vantage-player. The programs find their files
+# relative to themselves (pipeline/run/config_files.cpp, pipeline/photos/image_files.cpp).
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # only the programs and the manual must be built
 set(manual ${CMAKE_BINARY_DIR}/manual)
 
 install(TARGETS vantage RUNTIME DESTINATION bin COMPONENT vantage)
@@ -22,12 +22,12 @@ foreach(program vantage vantage-player)
   install(FILES LICENSE DESTINATION share/doc/${program} RENAME copyright COMPONENT ${program})
 endforeach()
 
-# The documents keep their places to each other, so that their links lead somewhere.
+# The documents keep their relative places, so that links between them work.
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION share/doc/vantage COMPONENT vantage)
 install(FILES scene/package/FORMAT.md DESTINATION share/doc/vantage/scene/package COMPONENT vantage)
 install(DIRECTORY docs data DESTINATION share/doc/vantage COMPONENT vantage)
 
-# Two Debian packages, by `cpack -G DEB` in the build folder.
+# `cpack -G DEB` in the build folder makes two Debian packages.
 set(CPACK_COMPONENTS_ALL vantage vantage-player)
 set(CPACK_PACKAGE_CONTACT "Vantage maintainers <maintainers@example.org>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -52,7 +52,7 @@ photos on the model for the current viewpoint. Nothing is baked into a
 texture, so no detail of the photos is lost. It needs OpenGL 4.5, in hardware
 or by Mesa's software renderer.")
 set(CPACK_DEBIAN_VANTAGE-PLAYER_PACKAGE_NAME vantage-player)
-# Loaded while it runs, so that no program header tells.
+# Loaded at run time, so no program header lists them.
 set(CPACK_DEBIAN_VANTAGE-PLAYER_PACKAGE_DEPENDS "libegl1, libgl1")
 set(CPACK_DEBIAN_VANTAGE-PLAYER_PACKAGE_RECOMMENDS "fonts-dejavu-core, libgl1-mesa-dri, shared-mime-info")
 set(CPACK_DEBIAN_VANTAGE-PLAYER_PACKAGE_SUGGESTS vantage)

@@ -1,4 +1,4 @@
-# The manual pages of the programs and their completion by shells, made from what they print with --describe.
+# Manual pages and shell completions of the programs, made from the output of --describe.
 add_executable(vantage-manual ${CMAKE_CURRENT_LIST_DIR}/write_manual.cpp)
 target_link_libraries(vantage-manual PRIVATE vantage_base_cli)
 

@@ -15,7 +15,7 @@ endfunction()
 
 # vantage_module(FOLDER [USES folder...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...] [SOURCES file...] [LOOPS file...])
 #
-# Makes a library of a folder, named vantage_ and its path with _ for / (player/plan: vantage_player_plan). Its sources
+# Makes a library from a folder, named vantage_ and its path with _ for / (player/plan: vantage_player_plan). Its sources
 # see its own headers and those of the modules it uses, directly or through another, and no others: the source folder is
 # linked into an include directory of the module's own, and the repository root is on no module's include path. An include
 # against the order of dependencies does not compile.
@@ -26,7 +26,7 @@ endfunction()
 #   LOOPS              sources with loops over every pixel. -O2 does not vectorize them, and neither does -O3 if comparisons may
 #                      trap or square roots set errno. The results are the same. Vectors are passed between inlined functions
 #                      only, so that it does not matter how calls pass them.
-# The global property vantage_modules has a line for each, with the modules that it uses.
+# The global property vantage_modules has a line for each module, with the modules that it uses.
 # All sources of a module are compiled as one, which saves most of the build's time (-DCMAKE_UNITY_BUILD=OFF: one by one).
 function(vantage_module folder)
   cmake_parse_arguments(MODULE "" "" "USES;LIBRARIES;PRIVATE_LIBRARIES;SOURCES;LOOPS" ${ARGN})

@@ -1,5 +1,5 @@
-// Headers that nearly every source includes, parsed once for all modules. Sources still include what they use,
-// so that the build also works with -DVANTAGE_PRECOMPILE=OFF.
+// Headers that nearly every source includes, parsed once for all modules. Sources still include what they
+// use, so that the build also works with -DVANTAGE_PRECOMPILE=OFF.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>

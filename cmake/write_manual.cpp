@@ -1,5 +1,5 @@
-// Writes the manual pages of programs and their completion by bash and zsh, into the folders man1, bash and
-// zsh of FOLDER. Each FILE is the line that a program prints with --describe.
+// Writes manual pages and bash and zsh completions of programs into the folders man1, bash and zsh of FOLDER.
+// Each FILE holds the line that a program prints with --describe.
 #include <fstream>
 #include <iostream>
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Whether the repository keeps its form. usage: check_structure.py SOURCE BUILD/modules.txt
+"""Checks the structure of the repository. usage: check_structure.py SOURCE BUILD/modules.txt
 
-Folders at the top, files per folder, lines per source, parameters per function, names that occur twice, modules and their drawing,
-mutations that apply.
+Top-level folders, files per folder, lines per source, parameters per function, duplicate names, modules and their diagram, and
+whether the mutations apply.
 The limits are those of docs/CONTRIBUTING.md."""
 import collections
 import pathlib
@@ -18,10 +18,10 @@ PROGRAMS = {"base", "pipeline", "player", "scene"}
 
 
 def parameters(text):
-    """(name, count) of each function that is declared or defined, by the commas of its outermost level; 0 for callbacks of OpenGL."""
+    """(name, parameter count) of each function declared or defined, from top-level commas; 0 for OpenGL callbacks."""
     text = re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S)
     text = re.sub(r'R"\(.*?\)"|"(\\.|[^"\\\n])*"', '""', text, flags=re.S)
-    # A type and a name at the beginning of a line, then parameters up to what follows a declaration.
+    # A type and a name at the beginning of a line, then parameters, up to the token after a declaration.
     for m in re.finditer(r"^[ \t]*(?:[\w:<>,&*\[\] ]+[&*\s])?([A-Za-z_]\w*)\(", text, flags=re.M):
         depth, angle, commas, at = 1, 0, 0, m.end()
         empty = True

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Draws sentences at random from all that the project says: documents, help, messages, labels, comments.
+"""Draws random sentences from all texts of the project: documents, help, messages, labels, comments.
 
-    sample_sentences.py COUNT SEED     from the repository's folder; prints PLACE: SENTENCE
+    sample_sentences.py COUNT SEED     run from the root of the repository; prints PLACE: SENTENCE
 
-To judge the language as a native reader would, see docs/CONTRIBUTING.md, "Language".
+For reviews of the language, see docs/CONTRIBUTING.md, "Language".
 """
 import random
 import re
@@ -12,7 +12,7 @@ import sys
 
 
 def sentences(text):
-    """With at least four words; a list item or a table cell is one."""
+    """Sentences of at least four words; a list item or a table cell counts as one."""
     text = re.sub(r'\s+', ' ', text).strip()
     for s in re.split(r'(?<=[.!?:;])\s+(?=[A-Z`*"(])', text):
         if len(re.findall(r"[A-Za-z']{2,}", s)) >= 4:
