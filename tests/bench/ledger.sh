@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Measures, in ratios of one run, what people wait for, and appends a line for the current commit to
-# docs/records/ledger.csv. Prints what is worse by a tenth than the best of the last ten lines. For a quiet
-# machine. Usage: tests/bench/ledger.sh [--build FOLDER] [--datasets FOLDER] [--records FILE] [--suite]
+# Measures the times that users wait for, as ratios within one run, and appends a line for the current commit
+# to docs/records/ledger.csv. Prints values that are worse by a tenth than the best of the last ten lines. For
+# an idle machine.
+# Usage: tests/bench/ledger.sh [--build FOLDER] [--datasets FOLDER] [--records FILE] [--suite]
 #   --suite  also times the default tests over the build, from scratch (a quarter of an hour)
 set -euo pipefail
 source=$(cd "$(dirname "$0")/../.." && pwd)
@@ -20,10 +21,10 @@ ninja -C "$build" vantage vantage-player ledger-floor ledger-window ledger-draws
 work=$(mktemp -d /dev/shm/ledger.XXXXXX)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
-export XDG_CACHE_HOME=$work/cache  # so that a machine's history does not count
+export XDG_CACHE_HOME=$work/cache  # to ignore the machine's history
 names=() values=()
 
-best() { printf '%s\n' "$@" | sort -g | head -1; }  # of several: what else the machine does only adds
+best() { printf '%s\n' "$@" | sort -g | head -1; }  # minimum, because other load only adds time
 ratio() { awk -v a="$1" -v b="$2" 'BEGIN { if (b > 0) printf "%.3f", a / b }'; }
 record() { names+=("$1") values+=("$2") && printf '%-24s %s\n' "$1" "$2"; }
 seconds() { local TIMEFORMAT=%R && { time "$@" >/dev/null 2>&1; } 2>&1; }
@@ -42,7 +43,7 @@ preparing() {
     record "prepare $name" "$(ratio "$(best "${took[@]}")" "$(best "${least[@]}")")"
     record "bytes $name" "$(ratio "$(stat -c %s "$name.vantage")" "$(cat "$scan"/images/* | wc -c)")"
 }
-# the first picture over that of an empty window
+# first picture over that of an empty window
 first_picture() {
     local shown=() empty=()
     for _ in 1 2 3 4 5 6; do
@@ -57,7 +58,7 @@ summary() { python3 -c 'import json, sys; print(json.load(open("bench/summary.js
 for name in sceaux fountain-P11 head; do
     if [ -d "$datasets/$name" ]; then preparing "$datasets/$name" $name; else record "prepare $name" "" && record "bytes $name" ""; fi
 done
-# a synthetic scene with other photos
+# a synthetic scene with another number and size of photos
 with_photos() { sed "/^\[photos\]/,/^\[/{s/^count = .*/count = $2/;s/^width = .*/width = $3/;s/^height = .*/height = $4/}" "$source/data/$1.toml"; }
 with_photos demo 40 1400 1050 >demo40.toml
 "$vantage" synth demo40.toml -o demo40.scan >/dev/null 2>&1
@@ -98,7 +99,7 @@ header=commit$(printf ',%s' "${names[@]}")
 [ -f "$records" ] && [ "$(head -1 "$records")" = "$header" ] || { [ -f "$records" ] && mv "$records" "$records.old"; echo "$header" >"$records"; }
 commit=$(git -C "$source" rev-parse --short=9 HEAD)
 git -C "$source" diff --quiet HEAD -- || commit+=+
-# Lower is better everywhere. An entry that was not measured is empty.
+# Lower is always better. Entries that were not measured are empty.
 awk -F, -v line="$commit$(printf ',%s' "${values[@]}")" '
     NR == 1 { for (i = 2; i <= NF; ++i) name[i] = $i; next }
     { row[++rows] = $0 }
@@ -114,6 +115,6 @@ awk -F, -v line="$commit$(printf ',%s' "${values[@]}")" '
                 printf "worse: %s %s, %s in %s\n", name[i], now[i], best[i], of[i]
                 found = 1
             }
-        if (!found) print "nothing is worse by a tenth than the best of the last ten"
+        if (!found) print "no value is worse by a tenth than the best of the last ten"
     }' "$records"
 echo "$commit$(printf ',%s' "${values[@]}")" >>"$records"

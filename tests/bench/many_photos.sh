@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# The cost of preparing 10 to 1000 photos of one scene, whose exposures differ: time and memory in all, beside what prepare
-# expects before the first photo on a machine without history; and what it takes to make them agree: computing the evidence,
-# which prepare always does; fitting and judging gains; and, up to 320 photos, registering all cameras, which has to be forced
-# because the scene does not need it. Writes many_photos.tsv and many_photos.svg into FOLDER, where the scenes are kept for
-# reuse. 1000 photos need 35 GB there.
+# The cost of preparing 10 to 1000 photos of one scene with varying exposure: total time and memory, compared
+# with the estimate before the first photo on a machine without history; and the cost of making the photos
+# agree: computing the evidence, which prepare always does; fitting and validating gains; and, up to 320
+# photos, refining all poses, which must be forced because the scene does not need it. Writes many_photos.tsv
+# and many_photos.svg into FOLDER, where the scenes are kept for reuse. 1000 photos need 35 GB there.
 # usage: many_photos.sh VANTAGE FOLDER [PHOTOS...]
 set -euo pipefail
 vantage=$1
@@ -17,7 +17,7 @@ demo=$(dirname "$0")/../../data/demo.toml
 seconds() {  # seconds TRACE SPANS: total duration of the spans in the trace
   tr '{' '\n' <"$1" | grep -oP "\"dur\":[0-9.]+,\"name\":\"($2)\"" | awk -F'[:,]' '{ s += $2 } END { printf "%.2f", s / 1e6 }'
 }
-prepare() {  # prepare SCENE OPTIONS...: what it prints, in printed
+prepare() {  # prepare SCENE OPTIONS...: sets `printed` to the output
   local scene=$1
   shift
   rm -rf "$folder/package"* "$XDG_CACHE_HOME"

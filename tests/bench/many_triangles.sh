@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Time and memory of `prepare` for 0.16 to 20 million triangles on two photos of 800x600 pixels, from near, where the mesh fills
-# them, and from 20 times as far, where hundreds of triangles share a pixel; in all, of vertex visibility alone, and as estimated
-# before the first photo on a machine without history. Writes many_triangles.tsv and many_triangles.svg into FOLDER.
+# Time and memory of `prepare` for 0.16 to 20 million triangles and two photos of 800x600 pixels, from near,
+# where the mesh fills them, and from 20 times as far, where hundreds of triangles share a pixel: total,
+# vertex visibility alone, and estimate before the first photo on a machine without history. Writes
+# many_triangles.tsv and many_triangles.svg into FOLDER.
 # usage: many_triangles.sh VANTAGE FOLDER [MILLIONS...]
 set -euo pipefail
 vantage=$1
@@ -57,7 +58,7 @@ PYTHON
 seconds() {  # seconds TRACE SPAN: total duration of the spans in the trace
   tr '{' '\n' <"$1" | grep -oP "\"dur\":[0-9.]+,\"name\":\"$2\"" | awk -F'[:,]' '{ s += $2 } END { printf "%.2f", s / 1e6 }'
 }
-prepare() {  # prepare SCENE: in all, estimated, visibility, in seconds; memory and its estimate in MB
+prepare() {  # prepare SCENE: total, estimated and visibility seconds; memory and its estimate in MB
   rm -rf "$folder/package"* "$XDG_CACHE_HOME"
   local printed
   printed=$("$vantage" prepare "$1" -o "$folder/package.vantage" --progress none --no-report --trace "$folder/trace.json")

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Measures the player on a machine with a graphics card, from the archive that tests/bench/pack_for_card.sh makes, without a network:
-# its tests, frames at rest and in motion in each mode at three sizes, for one eye and two, and pictures without a display. Writes
-# one file. Usage:
+# Measures the player on a machine with a graphics card, offline, from the archive made by
+# tests/bench/pack_for_card.sh: its tests, frames at rest and in motion in each mode at three sizes, for one
+# eye and two, and pictures without a display. Writes one file. Usage:
 #   ./on_card.sh [--quick] [RESULTS]
 #   --quick  few frames at one size, to try the script
 set -uo pipefail
@@ -18,7 +18,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work" ${lent:-}' EXIT
 cd "$work" || exit 1
 [ -e "$here/bin" ] || LD_LIBRARY_PATH=$here "$here/xz" -dc "$here/packed.tar.xz" | tar -C "$here" -x || exit 1
-# The machine's libraries come first: its driver may need newer ones than those packed.
+# The machine's libraries take precedence, because its driver may need newer ones than those in the archive.
 export LD_LIBRARY_PATH=${LD_LIBRARY_PATH:+$LD_LIBRARY_PATH:}/lib/x86_64-linux-gnu:/lib64:$here/lib XDG_CACHE_HOME=$work/cache
 player=$here/bin/vantage-player
 : >"$results"
@@ -44,9 +44,9 @@ bench() {  # name, options
 
 note "commit $(cat "$here/commit"), $(date -u +%F), $(nproc) cores,$(grep -m 1 'model name' /proc/cpuinfo | cut -d : -f 2)"
 command -v nvidia-smi >/dev/null && note "$(nvidia-smi --query-gpu=name,driver_version --format=csv,noheader)"
-font=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf  # where the player looks for it
+font=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf  # where the player expects it
 [ -e $font ] || { install -D "$here/DejaVuSans.ttf" $font && lent=$font; } ||
-    { note "no $font: tests that need it are left out" && without=-PanelPass.TinyTextIsAsBrightAsItShouldBe; }
+    { note "no $font: tests that need it are skipped" && without=-PanelPass.TinyTextIsAsBrightAsItShouldBe; }
 VANTAGE_DEBUG_GL=1 run "tests of the player" "$here/bin/player_tests" --gtest_brief=1 --gtest_filter="${without:-*}"
 note "$(grep -E '^\[  (PASSED|SKIPPED|FAILED)|Failure|^needs|C\+\+ exception' out.txt | head -n 30)"
 run "prepare the demo" "$here/bin/vantage" prepare "$here/demo.scan" -o demo.vantage --no-report || exit 1
@@ -59,7 +59,7 @@ done
 eyes=(--size "$eye" --stereo side-by-side --paths orbit)
 bench "two eyes of $eye, 90 per second" "${eyes[@]}" --modes adaptive --fps 90 --path-frames $frames
 bench "two eyes of $eye, in full" "${eyes[@]}" --modes stream,resident --path-frames $((frames / 3))
-export VANTAGE_DEBUG_GL=1  # from here on, the driver's messages about errors end a program
+export VANTAGE_DEBUG_GL=1  # from here on, error messages of the driver terminate programs
 run "bench in each mode, driver's messages on" "$player" bench demo.vantage --size "${sizes[0]}" --path-frames $((frames / 10 + 2)) \
     --repeats 1 --modes stream,resident,whole,adaptive -o bench --force
 for scale in 0.35 1; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Packs what tests/bench/on_card.sh needs on a machine that has a graphics card, its driver and nothing else: programs, libraries,
-# a font and a scan. At most 60 MiB. Usage: tests/bench/pack_for_card.sh [--build FOLDER] [ARCHIVE]
+# Packs the files for tests/bench/on_card.sh on a machine with only a graphics card and its driver: programs,
+# libraries, a font and a scan. At most 60 MiB. Usage: tests/bench/pack_for_card.sh [--build FOLDER] [ARCHIVE]
 set -euo pipefail
 source=$(cd "$(dirname "$0")/../.." && pwd)
 build=$source/build archive=for-card.tar
@@ -19,18 +19,20 @@ programs=("$build/pipeline/vantage" "$build/player/vantage-player" "$build/tests
 cp "${programs[@]}" "$packed/bin"
 strip "$packed"/bin/*
 path_of() { ldconfig -p | awk -v name="$1" '$1 == name { print $NF; exit }'; }
-# Not the C library: that is the machine's. OpenGL's libraries, which libepoxy loads, are not part of every driver.
+# Not the C library, which must be the machine's. OpenGL's libraries, which libepoxy loads, are missing from
+# some drivers.
 {
     ldd "${programs[@]}" | awk '$3 ~ /^\// { print $3 }'
     for name in libEGL.so.1 libOpenGL.so.0; do path_of $name; done
 } | sort -u | grep -Ev '/(ld-linux|libc|libm|libpthread|libdl|librt|libresolv)[-._]' | xargs -I{} cp -L {} "$packed/lib"
 strip --strip-unneeded "$packed"/lib/* 2>/dev/null || true
 cp /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "$packed"
-# Photos are made here: OpenImageIO, which writes them, brings 200 more libraries, too large for the archive.
+# Photos are generated here, because OpenImageIO, which writes them, needs 200 more libraries, too large for
+# the archive.
 "$build/pipeline/vantage" synth "$source/data/demo.toml" -o "$packed/demo.scan" >/dev/null 2>&1
 rm -r "$packed/demo.scan/truth"
 git -C "$source" describe --always --dirty >"$packed/commit"
-# With xz, which a bare Debian does not have.
+# Includes xz, which a minimal Debian lacks.
 tar -C "$packed" -cJf "$card/packed.tar.xz" .
 cp -L "$(command -v xz)" "$(path_of liblzma.so.5)" "$source/tests/bench/on_card.sh" "$card"
 tar -C "$work" -cf "$archive" for-card

@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Name, longest, views, photos, repeats, points.
+// Columns: name, longest, views, photos, repeats, points.
 const Effort efforts[] = {
     {"smoke", 200, 2, 2, 1, 2000}, {"short", 400, 2, 2, 2, 20000}, {"full", 640, 2, 3, 3, 200000}};
 
@@ -45,7 +45,7 @@ fs::path datasets() {
     return root ? root : "../shared/datasets";
 }
 
-/// The default inputs of a set: synthetic scenes, and the real scans that are present.
+/// The default inputs of a set: synthetic scenes, and any real scans that are available.
 std::vector<fs::path> default_inputs(const std::string& set) {
     const fs::path data = fs::path(VANTAGE_SOURCE_DIR) / "data";
     if (set == "smoke") return {data / "tiny.toml"};
@@ -89,7 +89,7 @@ void run_job(Log& log, const std::string& key, const Sweep& sweep, const BenchSc
     log.add(key, ms / 1000, found);
 }
 
-/// Prints one line per job; its name appears while it is being measured.
+/// Prints one line per job; its name appears when its measurement starts.
 void run_scene(const RunOptions& o, const Effort& effort, const BenchScene& scene, Log& log) {
     for (const Sweep& sweep : sweeps()) {
         if (!wanted(o, sweep.name)) continue;

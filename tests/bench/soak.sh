@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The player flies at random for MINUTES (default 30) over a package larger than its memory budget, while the file is
-# damaged in place, restored and replaced. Writes frames.csv, soak.svg (frame time and memory over time) and soak.txt
-# (summary) into FOLDER. Exits with the player's code if it is not 0.
+# The player flies randomly for MINUTES (default 30) over a package larger than its memory budget, while the
+# file is damaged in place, restored and replaced. Writes frames.csv, soak.svg (frame time and memory over
+# time) and soak.txt (summary) into FOLDER. Exits with the player's code if it is not 0.
 # usage: soak.sh PLAYER PACKAGE FOLDER [MINUTES [PLAYER-OPTIONS...]]
 set -euo pipefail
 player=$1
@@ -14,7 +14,7 @@ shown=$folder/shown.vantage opened=$folder/opened.vantage
 rm -f "$shown" "$opened"
 trap 'rm -f "$shown" "$opened"' EXIT
 cp "$valid" "$shown"
-ln "$shown" "$opened"  # keeps the file that the player has opened reachable after it is replaced
+ln "$shown" "$opened"  # keeps the player's open file accessible after it is replaced
 bytes=$(stat -c %s "$valid")
 
 "$player" bench "$shown" --paths flight --modes stream --repeats 1 --minutes "$minutes" --warm \

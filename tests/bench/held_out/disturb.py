@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Makes a scene for outside_gain.py from a dataset, with one thing wrong that is known exactly.
+"""Makes a scene for outside_gain.py from a dataset, with one known disturbance.
 
     disturb.py DATASET KIND OUT --kit KIT
 
-DATASET: images/, sparse/ (COLMAP text, PINHOLE) and mesh.ply. KIT: folder of the measuring kit, for its dataset.py.
-Photos are reduced; all lengths in px are of the reduced photos. OUT/scan is what `vantage prepare` gets, OUT/truth has the
-photos and cameras to compare with. The same arguments give the same files.
+DATASET: images/, sparse/ (COLMAP text, PINHOLE) and mesh.ply. KIT: folder of the measurement kit, for its dataset.py.
+Photos are downscaled; all lengths in px refer to the downscaled photos. OUT/scan is the input of `vantage prepare`, OUT/truth has the
+reference photos and cameras. The same arguments give the same files.
 
 KIND:
-  plain       only reduced
-  cameras     each camera off by 1 to 3 px in a random direction, half by turning and half by moving
+  plain       only downscaled
+  cameras     each camera off by 1 to 3 px in a random direction, half by rotation and half by translation
   slightly    each camera off by 0.5 to 1 px
   camera      one camera off by 4 px
   exposure    each photo +-0.3 stops, and each of its channels +-0.1 stops
@@ -30,7 +30,7 @@ def rotation(axis_angle):
 
 
 def quaternion(R):
-    """w x y z of a rotation matrix."""
+    """Quaternion w x y z of a rotation matrix."""
     axis_angle = cv2.Rodrigues(R)[0].ravel()
     angle = np.linalg.norm(axis_angle)
     axis = axis_angle / angle if angle > 0 else axis_angle
@@ -48,13 +48,13 @@ def encoded(light):
 
 
 class Scene:
-    """Photos by name, cameras of the kit, and a mesh, all in memory."""
+    """Photos by name, the kit's cameras, and a mesh, all in memory."""
 
     def __init__(self, data, mesh, long_side):
         self.photos, self.cameras, self.V, self.F = {}, data.cameras, mesh.V.copy(), mesh.F
         for name, c in self.cameras.items():
             scale = min(1, long_side / max(c.w, c.h))
-            w, h = (4 * round(scale * n / 4) for n in (c.w, c.h))  # even, so that half of it is exact
+            w, h = (4 * round(scale * n / 4) for n in (c.w, c.h))  # so that half the size is exact
             self.photos[name] = cv2.resize(data.photo(name), (w, h), interpolation=cv2.INTER_AREA)
             c.fx, c.cx, c.fy, c.cy, c.w, c.h = c.fx * w / c.w, c.cx * w / c.w, c.fy * h / c.h, c.cy * h / c.h, w, h
 
@@ -78,7 +78,7 @@ class Scene:
                 f.write(self.V.astype('<f4').tobytes() + faces.tobytes())
 
     def size(self):
-        """Diagonal of the box around the middle 90 % of the vertices."""
+        """Diagonal of the bounding box of the central 90 % of the vertices."""
         return np.linalg.norm(np.subtract(*np.percentile(self.V, [95, 5], axis=0)))
 
     def depth(self, camera):
@@ -116,7 +116,7 @@ def darken_corners(scene):
 
 
 def paint_figure(photo, random):
-    """A body and a head, striped and mottled, two fifths of the photo's height."""
+    """A striped and mottled figure with body and head, two fifths of the photo's height."""
     h, w = photo.shape[:2]
     x, y, tall = int(random.uniform(0.2, 0.8) * w), int(random.uniform(0.35, 0.7) * h), int(0.4 * h)
     mask = np.zeros((h, w), np.uint8)
@@ -159,8 +159,8 @@ def main():
     parser.add_argument('dataset')
     parser.add_argument('kind')
     parser.add_argument('out')
-    parser.add_argument('--kit', required=True, help='folder of the measuring kit')
-    parser.add_argument('--max-photo-size', type=int, default=768, help='long side of the reduced photos in px')
+    parser.add_argument('--kit', required=True, help='folder of the measurement kit')
+    parser.add_argument('--max-photo-size', type=int, default=768, help='long side of the downscaled photos in px')
     parser.add_argument('--seed', type=int, default=1)
     a = parser.parse_args()
     sys.path.insert(0, a.kit)

@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
-"""Compares the decisions of `vantage prepare` about its four joint effects with what they are worth from outside.
+"""Compares the decisions of `vantage prepare` about its four joint effects with independently measured gains.
 
     outside_gain.py SCENE... --build BUILD --kit KIT [--every 2] [--results FOLDER]
 
-SCENE: folder made by disturb.py, with scan/ and truth/. The validate's gain, its error and the decision come from preparing
-all of the scan. The gain from outside: each photo in turn is held out wholly, so that nothing but its camera is known, and
+SCENE: folder made by disturb.py, with scan/ and truth/. The validation gain, its error and the decision come from preparing
+the whole scan. For the gain from outside, each photo in turn is held out completely, so that only its camera is known, and
 its view is rendered with the effect off and on, the other effects as decided. Both pictures are compared with the true
 photo by the kit (compare.py: PSNR after the best gain per channel, on the pixels that all variants color). Errors are
 standard errors of the mean over the photos.
 
-The held-out photo has its TRUE camera, the others have those of the scan: a wrong camera of the held-out photo itself would
+The held-out photo has its TRUE camera, the others have those of the scan: a wrong camera of the held-out photo would
 hide what pose_refinement does to the others. Where pose_refinement was decided on, it is decided again for the rest of the photos,
-and forced if it is then off; elsewhere "on" is what `--effect pose-refinement=on` does.
+and forced if it is then off; otherwise "on" means `--effect pose-refinement=on`.
 
 A decision is right if the effect is on when the gain from outside is above 0.05 dB and off when it is below -0.05 dB."""
 import argparse
@@ -42,7 +42,7 @@ class Programs:
         self.compare = os.path.join(kit, 'compare.py')
 
     def prepare(self, scan, package, cameras=None, choices=None, hold_out=None):
-        """Prepares the scan and returns the effects from `vantage info`, by name."""
+        """Prepares the scan and returns the package's effects, by name."""
         command = [self.vantage, 'prepare', '--mesh', scan + '/mesh.ply', '--photos', scan + '/images',
                    '--cameras', cameras or scan + '/sparse', '-o', package, '--no-report', '--progress', 'none']
         if choices:
@@ -58,7 +58,7 @@ class Programs:
              '%s/%s.png' % (folder, name)])
 
     def scores(self, truth, folders, name):
-        """PSNR after gains of each folder's picture, by label."""
+        """PSNR of each folder's picture after gains, by label."""
         renders = [x for label, folder in folders.items() for x in ('--renders', label + '=' + folder)]
         out = json.loads(run([sys.executable, self.compare, '--reference', truth, '--names', name, '--scale', '0.5', '--json',
                               *renders]))
@@ -66,7 +66,7 @@ class Programs:
 
 
 def cameras_with_true_one(scene, name, folder):
-    """Copies the scan's cameras, with the true pose of one photo. Returns the folder."""
+    """Copies the scan's cameras, but with the true pose of one photo. Returns the folder."""
     def poses(which):
         with open(os.path.join(scene, which, 'sparse', 'images.txt')) as f:
             return [line.rstrip('\n') for line in f if line.strip()]
@@ -85,11 +85,11 @@ def applied(effects, effect):
 
 
 def gains_of_photo(programs, scene, name, decided, work):
-    """What each effect is worth to a photo that is held out, in dB."""
+    """The gain of each effect for a held-out photo, in dB."""
     shutil.rmtree(work, ignore_errors=True)
     scan, package = os.path.join(scene, 'scan'), os.path.join(work, 'p.vantage')
     cameras = cameras_with_true_one(scene, name, os.path.join(work, 'sparse'))
-    registering = ['auto', 'on'] if decided['pose_refinement'] else ['on']  # the choices that are left to try
+    registering = ['auto', 'on'] if decided['pose_refinement'] else ['on']  # remaining choices to try
 
     def prepare(on):
         while True:
@@ -103,7 +103,7 @@ def gains_of_photo(programs, scene, name, decided, work):
 
     base, folders = prepare(decided), {'base': os.path.join(work, 'base')}
     programs.render(package, name, folders['base'])
-    for effect in ['exposure', 'vignetting', 'transients', 'pose_refinement']:  # until the last one, prepare keeps the cameras
+    for effect in ['exposure', 'vignetting', 'transients', 'pose_refinement']:  # pose refinement last: the others keep the cameras
         effects = prepare({**decided, effect: not decided[effect]})
         if applied(effects, effect) != applied(base, effect):
             folders[effect] = os.path.join(work, effect)
@@ -113,7 +113,7 @@ def gains_of_photo(programs, scene, name, decided, work):
 
 
 def measure(programs, scene, every, work):
-    """The judgment of each effect and the gains of the held-out photos."""
+    """The validation of each effect and the gains of the held-out photos."""
     effects = programs.prepare(os.path.join(scene, 'scan'), os.path.join(work, 'full.vantage'))
     decided = {e: effects[e]['on'] for e in EFFECTS}
     names = sorted(os.path.splitext(f)[0] for f in os.listdir(os.path.join(scene, 'truth', 'images')))[::every]
@@ -123,7 +123,7 @@ def measure(programs, scene, every, work):
 
 
 def judgment(effect):
-    """The validate's gain and its error. A pose_refinement that was refused has them only in the evidence, the last attempt last."""
+    """The validation gain and its error. For a rejected pose refinement, only the evidence has them, with the last attempt last."""
     if effect['validated']:
         return '%+.2f ± %.2f dB' % (effect['validated']['gain'], effect['validated']['error'])
     found = re.findall(r'held-out photos (gain|lose) ([0-9.]+) dB \(standard error ([0-9.]+)', effect['evidence'])
@@ -144,14 +144,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('scenes', nargs='+', metavar='SCENE')
     parser.add_argument('--build', required=True, help='build folder of Vantage')
-    parser.add_argument('--kit', required=True, help='folder of the measuring kit')
-    parser.add_argument('--every', type=int, default=1, help='hold out only every n-th photo')
+    parser.add_argument('--kit', required=True, help='folder of the measurement kit')
+    parser.add_argument('--every', type=int, default=1, help='hold out only every nth photo')
     parser.add_argument('--results', default='held_out_results',
                         help='folder for one JSON file per scene; those there are not measured again')
     a = parser.parse_args()
     os.makedirs(a.results, exist_ok=True)
     programs, work = Programs(a.build, a.kit), os.path.join(a.results, 'work')
-    print("| scene | effect | validate's gain | decision | gain from outside | right? |\n|---|---|---|---|---|---|")
+    print("| scene | effect | validation gain | decision | gain from outside | right? |\n|---|---|---|---|---|---|")
     for scene in a.scenes:
         name = os.path.basename(os.path.normpath(scene))
         stored = os.path.join(a.results, name + '.json')

@@ -1,5 +1,5 @@
-// The least that a first picture can cost: a window of OpenGL 4.5, cleared and shown once. Prints the
-// milliseconds from the process's start.
+// Lower bound for the time of a first picture: a window with OpenGL 4.5, cleared and shown once. Prints the
+// milliseconds since the start of the process.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <epoxy/gl.h>

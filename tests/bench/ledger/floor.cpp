@@ -1,5 +1,5 @@
-// The least that preparing photos can cost on this machine: decodes every JPEG of a folder once and writes as
-// many bytes as the package has, on all cores. Prints the seconds.
+// Lower bound for the time to prepare photos on this machine: decodes every JPEG of a folder once and writes
+// as many bytes as the package has, on all cores. Prints the seconds.
 #include <turbojpeg.h>
 
 #include <atomic>

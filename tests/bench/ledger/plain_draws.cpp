@@ -1,5 +1,5 @@
-// The least that a frame of several photos can cost: a package's model drawn as often, each time with one
-// texture, blended. Prints the milliseconds per frame, median of 30.
+// Lower bound for the time of a frame with several photos: draws a package's model once per photo, each time
+// with one texture, blended. Prints the milliseconds per frame, median of 30.
 #include <epoxy/gl.h>
 
 #include <algorithm>

@@ -21,7 +21,7 @@ Picture gray_picture(const std::vector<std::uint8_t>& gray, int width, int heigh
 /// Resized by nearest neighbor.
 Picture enlarged(const Picture& picture, int width, int height);
 
-/// Saves that part as `folder`/`name`.jpg, transparent pixels in magenta. Throws Error(storage).
+/// Saves that part as `folder`/`name`.jpg, with transparent pixels in magenta. Throws Error(storage).
 Exhibit keep_exhibit(const std::filesystem::path& folder, const std::string& name, const std::string& caption,
                      const Picture& picture, const Window& window);
 

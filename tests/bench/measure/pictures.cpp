@@ -25,7 +25,7 @@ std::vector<bool> both(std::vector<bool> a, const std::vector<bool>& b) {
     return a;
 }
 
-/// Draws frames of one view as a window does, waiting for each to finish.
+/// Draws frames of one view like a window, waiting for each to finish.
 class Frames {
   public:
     Frames(Renderer& renderer, const TrueView& view, const PictureSetting& s)
@@ -39,7 +39,7 @@ class Frames {
         renderer.resources().trials = s.trials;
     }
     FrameReport draw() const {
-        // Milliseconds instead of seconds, so that no photo is still fading in.
+        // Milliseconds passed as seconds, so that no photo is still fading in.
         const double now =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
                 .count();
@@ -58,13 +58,13 @@ class Frames {
     FlightTarget target_;
 };
 
-/// PSNR of a picture against the exact one, without gains, where both are colored.
+/// PSNR of a picture against the exact one, without gains, in pixels that both color.
 double psnr_against(const Picture& exact, const Picture& picture, const TrueView& view) {
     const auto scored = both(both(scored_pixels(exact, 0), scored_pixels(picture, 0)), view.seeable);
     return std::min(psnr_cap, score(exact, picture, scored).psnr);
 }
 
-/// The exact setting to compare a curve with, from the same curve if possible; settings.size() if none.
+/// The exact setting with which to compare a curve, from the same curve if possible; settings.size() if none.
 std::size_t exact_of(std::span<const PictureSetting> settings, const std::string& curve) {
     std::size_t found = settings.size();
     for (std::size_t i = settings.size(); i-- > 0;)
@@ -154,7 +154,7 @@ void settle(Renderer& renderer, const TrueView& view, const PictureSetting& s) {
 double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& s) {
     settle(renderer, view, s);
     const Frames frames(renderer, view, s);
-    // Samples are drawn one after another, and each costs as much as the first.
+    // Samples are drawn successively, and all cost the same.
     return milliseconds([&] { frames.draw(); }) * (s.timed_whole ? s.side * s.side : 1);
 }
 

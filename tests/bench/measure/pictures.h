@@ -11,28 +11,28 @@
 
 namespace vantage::bench {
 
-/// A point of a curve that is measured by rendering pictures.
+/// A point on a curve that is measured by rendering pictures.
 struct PictureSetting {
     std::string curve, setting;
     bool exact = false, chosen = false;
     RenderSettings settings;
-    int side = 2;  ///< samples along the side of a pixel, in pictures that are compared with the truth
-    bool timed_whole = false;               ///< time a frame with all samples instead of one
-    bool timed = true;                      ///< measure frame times; false if they are known not to differ
-    bool whole_frame = false;               ///< measure psnr_frame, too
-    double photos = 1;                      ///< fraction of the allowed photos to use, evenly spread
+    int side = 2;              ///< samples along a pixel's side in pictures that are compared with the truth
+    bool timed_whole = false;  ///< time a frame with all samples instead of one
+    bool timed = true;         ///< measure frame times; false if they are known not to differ
+    bool whole_frame = false;  ///< also measure psnr_frame
+    double photos = 1;         ///< fraction of the allowed photos to use, evenly spread
     std::map<std::string, double> known{};  ///< metrics given by the setting itself
     RenderTrials trials{};
 };
 
-/// Errors of a scene's views against the truth over the seeable pixels; means over the views.
+/// Mean errors of a scene's views against the truth, over visible pixels.
 struct PictureErrors {
     double psnr = 0, ssim = 0, worst = 0;  ///< as in PictureScore, after gains
-    double uncolored = 0;                  ///< percent of the seeable pixels
+    double uncolored = 0;                  ///< percent of the visible pixels
 };
 PictureErrors picture_errors(std::span<const TrueView> views, std::span<const Picture> pictures);
 
-/// Mean PSNR over the whole frame after gains; holes are as shown.
+/// Mean PSNR over the whole frame after gains, with holes as displayed.
 double frame_psnr(std::span<const TrueView> views, std::span<const Picture> pictures);
 
 /// Renders all views of a scene with these settings.
@@ -51,7 +51,7 @@ std::vector<Measurement> measure_pictures(const std::filesystem::path& package, 
                                           const Effort& effort, std::span<const PictureSetting> settings,
                                           const std::filesystem::path& folder, const std::string& tag);
 
-/// Enough to hold whole packages.
+/// Large enough for whole packages.
 MemoryBudget ample_memory();
 
 }  // namespace vantage::bench

@@ -11,7 +11,7 @@ namespace vantage::bench {
 struct PrepareCost {
     double seconds = 0;  ///< wall
     double memory_bytes =
-        0;  ///< peak as it reports itself; the system's figure for a child includes its parent's
+        0;  ///< peak as reported by the program; the system's value for a child includes its parent's
 };
 
 /// Runs `vantage prepare FOLDER -o PACKAGE OPTIONS...` as its own process. If it fails, throws Error(input)
@@ -20,8 +20,8 @@ PrepareCost run_prepare(const std::filesystem::path& folder, const std::filesyst
                         const std::vector<std::string>& options);
 
 /// Prepares a package with these options and measures one setting on it: the values of measure_pictures()
-/// plus package_bytes, prepare_s and memory_bytes. There is no psnr_exact and no
-/// exhibit of the truth, because there is no other setting to compare with.
+/// plus package_bytes, prepare_s and memory_bytes, but without psnr_exact and an exhibit of the truth,
+/// because there is no other setting for comparison.
 Measurement measure_prepared(const BenchScene& scene, const Effort& effort,
                              const std::vector<std::string>& options, const PictureSetting& setting,
                              const std::filesystem::path& folder, const std::string& tag);

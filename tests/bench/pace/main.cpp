@@ -1,4 +1,4 @@
-// pace-bench: how the frames of a motion are paced against simulated loads. Prints a table and draws curves.
+// pace-bench: measures frame pacing in motion under simulated loads. Prints a table and draws curves.
 #include <cstdio>
 #include <string>
 

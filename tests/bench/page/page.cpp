@@ -150,7 +150,7 @@ void write_defaults(std::ostream& out, const PageContent& page) {
     out << "</tbody></table></div></section>\n";
 }
 
-/// Lists what is not on the page.
+/// Lists measurements that are missing from the page.
 void write_rest(std::ostream& out, const PageContent& page, std::size_t rows) {
     std::string unmeasured;
     for (const SweepPart& part : page.sweeps) {

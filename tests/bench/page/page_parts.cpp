@@ -1,4 +1,4 @@
-// The parts of the page's sections: plots, tables of rows, exhibits, verdicts.
+// Parts of the page's sections: plots, tables of rows, exhibits, verdicts.
 #include "tests/bench/page/page_parts.h"
 
 #include <algorithm>
@@ -24,8 +24,8 @@ namespace {
 
 constexpr std::size_t long_table = 16, many_exhibits = 12, few_exhibits = 6;
 
-/// The numbers of one column: all with the decimal places that give the largest 4 significant digits, unless
-/// the smallest would lose too many.
+/// Formats the numbers of one column: all with the decimal places that give the largest 4 significant digits,
+/// unless the smallest would lose too many.
 struct Column {
     const Metric* metric;
     Scale scale;

@@ -22,7 +22,7 @@ struct SweepPart {
     std::vector<ScenePart> scenes;  ///< empty if it was not measured
 };
 
-/// The data from which all parts of a page are made.
+/// The data of all parts of a page.
 struct PageContent {
     const PageInput& input;
     std::filesystem::path folder;

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Both parts of a polygon that a plane cuts. Corners within `thick` of the plane belong to both.
+/// Splits a polygon by a plane. Corners within `thick` of the plane belong to both parts.
 std::pair<PaintedPolygon, PaintedPolygon> split(const PaintedPolygon& p, const std::vector<double>& side,
                                                 double thick) {
     std::pair<PaintedPolygon, PaintedPolygon> out{{{}, p.triangle}, {{}, p.triangle}};
@@ -29,7 +29,7 @@ std::pair<PaintedPolygon, PaintedPolygon> split(const PaintedPolygon& p, const s
     return out;
 }
 
-/// The triangles that have an area, in random order.
+/// The non-degenerate triangles, in random order.
 std::vector<PaintedPolygon> shuffled(std::span<const BspTree::Triangle> triangles, std::uint32_t seed) {
     std::vector<PaintedPolygon> out;
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
@@ -48,11 +48,11 @@ double extent_of(std::span<const BspTree::Triangle> triangles) {
     return extent;
 }
 
-/// Polygons on both sides of a plane.
+/// The polygons on both sides of a plane.
 struct Sides {
     std::vector<PaintedPolygon> in_plane, front, behind;
     std::size_t cut = 0;
-    bool complete = true;  ///< none was left whole for lack of room
+    bool complete = true;  ///< false if splitting stopped at the limit
 };
 
 Sides divided(std::vector<PaintedPolygon> polygons, const Vector3d& normal, double offset, double thick,
@@ -117,7 +117,7 @@ void BspTree::back_to_front(const Vector3d& eye,
                             const std::function<void(const PaintedPolygon&)>& paint) const {
     struct Visit {
         std::uint32_t node;
-        bool plane;  ///< paint what is in its plane; else visit its far side first
+        bool plane;  ///< paint the polygons in its plane; otherwise visit its far side first
     };
     std::vector<Visit> todo;
     if (!nodes_.empty()) todo.push_back({0, false});

@@ -16,20 +16,20 @@ struct PaintedPolygon {
     std::uint32_t triangle;
 };
 
-/// The painter's algorithm over a binary space partition (Fuchs, Kedem and Naylor 1980) as the reference [V]
-/// has it: planes of triangles divide space, triangles that a plane cuts are split by a Sutherland-Hodgman
-/// clipper that keeps both sides, and planes are thick, so that a corner next to one is not cut off.
+/// The painter's algorithm over a binary space partition (Fuchs, Kedem and Naylor 1980) as in the reference
+/// [V]: planes of triangles divide space, triangles that cross a plane are split by a Sutherland-Hodgman
+/// clipper that keeps both sides, and planes are thick, so that corners near a plane are not cut off.
 class BspTree {
   public:
     using Triangle = std::array<Eigen::Vector3d, 3>;
-    /// Planes are taken in random order. Degenerate triangles are skipped. Stops splitting when there are
-    /// `most` polygons: then complete() is false and the order is not right.
+    /// Planes are used in random order. Degenerate triangles are skipped. Stops splitting at `most` polygons;
+    /// complete() is then false and the order is wrong.
     explicit BspTree(std::span<const Triangle> triangles, std::uint32_t seed = 1,
                      std::size_t most = std::numeric_limits<std::size_t>::max());
 
     std::size_t polygons() const { return polygons_; }
     bool complete() const { return complete_; }
-    /// Calls `paint` for each polygon, those farther from `eye` first. Of polygons in one plane, the triangle
+    /// Calls `paint` for each polygon, farthest from `eye` first. Among polygons in one plane, the triangle
     /// with the lowest number is painted last.
     void back_to_front(const Eigen::Vector3d& eye,
                        const std::function<void(const PaintedPolygon&)>& paint) const;

@@ -47,7 +47,8 @@ std::optional<TransparentLayers::Fragment> TransparentLayers::at(const View& vie
     const double z = 1 / scaled.sum();
     const Vector3d shares = scaled * z;
     if (edge) {
-        // From a share to the distance from its edge in the picture, for a triangle in front of the viewer.
+        // Converts a weight to the distance from its edge in the picture, for a triangle in front of the
+        // viewer.
         Vector2d at[3];
         for (int i = 0; i < 3; ++i) at[i] = corners.col(i).head<2>() / corners(2, i);
         const double area =

@@ -11,26 +11,26 @@
 
 namespace vantage {
 
-/// The transparent triangles of a package in double precision: what a player shows of them, computed pixel by
-/// pixel.
+/// The transparent triangles of a package, rendered pixel by pixel in double precision, as the player should
+/// show them.
 class TransparentLayers {
   public:
     explicit TransparentLayers(const PackageReader& package);
 
     struct Fragment {
-        double z;                ///< distance along the view's axis
-        std::uint32_t triangle;  ///< of the package
+        double z;                ///< linear depth
+        std::uint32_t triangle;  ///< index in the package
         Eigen::Vector3d color;   ///< linear light, shaded
         double alpha;
     };
     struct Pixel {
         std::vector<Fragment> fragments;
-        bool edge = false;  ///< a triangle's edge is so near that rounding decides
+        bool edge = false;  ///< so near a triangle's edge that rounding decides
     };
-    /// The fragments at the pixels' centers, row by row, in the order of triangles.
+    /// The fragments at the pixel centers, row by row, in the order of triangles.
     std::vector<Pixel> fragments(const View& view) const;
 
-    /// Where a pixel's center shows the plane of a triangle; nothing if it does not meet the triangle.
+    /// The fragment of a triangle at a pixel's center; empty if the triangle does not cover it.
     std::optional<Fragment> at(const View& view, std::uint32_t triangle, const Eigen::Vector2d& pixel,
                                double* edge = nullptr) const;
 
@@ -39,14 +39,14 @@ class TransparentLayers {
     std::vector<std::array<Eigen::Vector3d, 3>> triangles() const;
 
   private:
-    std::uint32_t first_;  ///< transparent triangle
+    std::uint32_t first_;  ///< first transparent triangle
     std::vector<Eigen::Vector3d> positions_, normals_;
     std::vector<std::array<double, 4>> colors_;  ///< sRGB and alpha, 0 to 1
     std::vector<std::uint32_t> indices_;
 };
 
-/// Sorts fragments by distance, those of equal distance by triangle (the lowest number is nearest), and
-/// blends them over `behind`: linear light, and the share of the pixel that is not empty.
+/// Sorts fragments by distance, then by triangle (the lowest number is nearest), and blends them over
+/// `behind`: linear light and coverage.
 Eigen::Vector4d blended(std::vector<TransparentLayers::Fragment> fragments, Eigen::Vector4d behind);
 
 }  // namespace vantage

@@ -11,7 +11,7 @@ namespace vantage::bench {
 namespace {
 
 constexpr double padding = 0.07;
-constexpr double least = 1e-100, most = 1e100;  // ranges beyond would overflow
+constexpr double least = 1e-100, most = 1e100;  // larger ranges would overflow
 
 std::string with_places(double value, int places) {
     char text[64];
@@ -54,7 +54,7 @@ std::vector<Axis::Tick> log_ticks(double low, double high) {
     return out;
 }
 
-/// Values within 1e-4 of each other are drawn as one, since ticks between them would need many digits.
+/// Values within 1e-4 of each other are drawn as one, because ticks between them would need many digits.
 void set_even_range(Axis& axis, double low, double high) {
     const double size = std::max(std::abs(low), std::abs(high)), middle = low / 2 + high / 2;
     const bool positive = low >= 0;

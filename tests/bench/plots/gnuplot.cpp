@@ -53,7 +53,7 @@ struct KeyEntry {
     std::size_t curve;
 };
 
-/// A plot with all positions computed, in pixels, y down.
+/// A plot with all positions in pixels, y down.
 struct Layout {
     const PlotSpec& plot;
     Axis x, y;
@@ -149,9 +149,8 @@ void add_segments(const Layout& l, const std::vector<Spot>& path, Obstacles& o) 
 
 double radius(const PlotPoint& p) { return p.chosen ? 7.5 : 5.5; }
 
-/// Label requests of all drawn points, in order. Ranks: 0 for chosen and exact points, and for points that
-/// are not muted on a plot with muted curves, 1 for the extremes along each axis, 2 for the front, 3 for the
-/// rest.
+/// Label requests for all drawn points, in order. Ranks: 0 for chosen and exact points, and for unmuted
+/// points on a plot with muted curves; 1 for the extremes along each axis; 2 for the front; 3 for the rest.
 std::vector<LabelRequest> label_requests(const Layout& l) {
     std::vector<LabelRequest> out;
     const bool plain_background = std::ranges::any_of(l.plot.curves, &PlotCurve::muted);

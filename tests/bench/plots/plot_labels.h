@@ -21,7 +21,7 @@ struct LabelRequest {
     Spot point;
     std::string text;
     double radius = 5.5;  ///< of the point's mark
-    int rank = 0;         ///< lowest placed first; 0 may cover another point's mark
+    int rank = 0;         ///< lowest is placed first; 0 may cover another point's mark
 };
 struct Mark {
     Spot at;
@@ -41,7 +41,7 @@ struct LabelPlace {
     enum Anchor { left, center, right } anchor = left;
 };
 
-/// The place of each text; none if every place is outside the area or taken.
+/// The position of each text; none if every position is outside the area or taken.
 std::vector<std::optional<LabelPlace>> place_labels(const std::vector<LabelRequest>& requests,
                                                     const Obstacles& obstacles, double font_size);
 

@@ -3,8 +3,8 @@
 
 namespace vantage::bench {
 
-/// The SVG that gnuplot draws by a script of its commands. Throws Error(input) if gnuplot is missing or
-/// fails, Error(storage) if the script cannot be written.
+/// The SVG that gnuplot draws from a script. Throws Error(input) if gnuplot is missing or fails,
+/// Error(storage) if the script cannot be written.
 std::string drawn_by_gnuplot(const std::string& script);
 
 }  // namespace vantage::bench

@@ -3,7 +3,7 @@
 
 namespace vantage::bench {
 
-/// Turns an SVG document of gnuplot into an element for HTML, as wide as its container: drops the prolog,
+/// Converts an SVG document from gnuplot into an HTML element as wide as its container: drops the prolog,
 /// titles (browsers show them as tooltips) and empty groups, prefixes all ids and references to them with
 /// `prefix`, and appends `last` to the content. Empty if the document is not a complete SVG.
 std::string inline_svg(const std::string& document, const std::string& prefix, const std::string& title,

@@ -18,11 +18,11 @@ struct Tradeoff {
 /// good on both axes and better on one). Equal points are all included.
 std::vector<std::size_t> front(std::span<const Tradeoff> points);
 
-/// Of the points that cost no more than point `i`, the one with the least error, and of equals the cheapest.
-/// None if point `i` has a non-finite value or does not exist.
+/// Among the points that cost no more than point `i`, the one with the smallest error; the cheapest of
+/// equals. None if point `i` has a non-finite value or does not exist.
 std::optional<std::size_t> best_within_cost(std::span<const Tradeoff> points, std::size_t i);
 
-/// Two metrics of each row, negated where more is better; NaN if a row lacks the metric or it is non-finite.
+/// Two metrics of each row, negated if higher is better; NaN if a row lacks the metric or it is non-finite.
 /// Throws std::out_of_range for an unknown metric.
 std::vector<Tradeoff> tradeoffs(std::span<const Measurement> rows, const std::string& cost,
                                 const std::string& error);

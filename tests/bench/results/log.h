@@ -11,8 +11,8 @@ namespace vantage::bench {
 /// The completed jobs, appended to a file as each one ends, so that an interrupted run can resume.
 class Log {
   public:
-    /// Resumes the log if its recorded `run` is the same, and starts a new one otherwise. A partly written
-    /// last line is dropped. Throws Error(storage).
+    /// Resumes the log if its recorded `run` is the same, otherwise starts a new one. Drops an incomplete
+    /// last line. Throws Error(storage).
     Log(const std::filesystem::path& file, const std::string& run);
 
     bool holds(const std::string& job) const { return seconds_.contains(job); }
@@ -20,7 +20,7 @@ class Log {
     void add(const std::string& job, double seconds, const std::vector<Measurement>& measurements);
 
     std::size_t jobs() const { return seconds_.size(); }
-    /// Total of all jobs.
+    /// Total seconds of all jobs.
     double seconds() const;
     const std::vector<Measurement>& measurements() const { return measurements_; }
 

@@ -10,7 +10,7 @@ namespace {
 using Kind = Metric::Kind;
 constexpr double same = 0.002, timed = 0.25;
 
-// PSNR and SSIM compare with the truth after exposure is matched; percentages are of the pixels or points
+// PSNR and SSIM compare with the truth after matching exposure; percentages refer to the pixels or points
 // that could be right.
 constexpr Metric table[] = {
     {"psnr", "PSNR", "dB", Kind::error, false, same},

@@ -22,7 +22,7 @@ std::span<const Metric> metrics();
 /// Throws std::out_of_range for an unknown metric.
 const Metric& metric(const std::string& name);
 
-/// dB; the PSNR of equal pictures, and the most that is stored.
+/// PSNR of equal pictures in dB, and the maximum stored.
 constexpr double psnr_cap = 100;
 
 /// A part of a picture, to illustrate the numbers.
@@ -31,23 +31,23 @@ struct Exhibit {
     std::string file;  ///< JPEG, relative to the output folder
 };
 
-/// One point of a curve: the cost and the error of one setting of a knob.
+/// One point of a curve: the cost and the error of one value of a setting.
 struct Measurement {
     std::string sweep;    ///< "border"
     std::string scene;    ///< "sceaux"
     std::string curve;    ///< the fixed settings along a line: "weight maps at 1/2"
-    std::string setting;  ///< of the knob at this point: "jfa^2"
-    bool exact = false;   ///< the exact end of the knob
+    std::string setting;  ///< value at this point: "jfa^2"
+    bool exact = false;   ///< the exact value of the setting
     bool chosen = false;  ///< the default of the program
     std::map<std::string, double> values;
     std::vector<Exhibit> exhibits;
 };
 
-/// The row's value of that metric; none if it lacks one, or if it is not finite.
+/// The row's value of that metric; none if it is missing or not finite.
 std::optional<double> finite_value(const Measurement& row, const std::string& metric);
 
 nlohmann::json to_json(const Measurement& m);
-/// Curves and settings that have been renamed get their present names. Throws nlohmann::json::exception.
+/// Renamed curves and settings get their current names. Throws nlohmann::json::exception.
 Measurement measurement(const nlohmann::json& json);
 
 }  // namespace vantage::bench

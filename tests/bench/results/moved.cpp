@@ -22,7 +22,7 @@ Rows by_name(std::span<const Measurement> rows) {
     return out;
 }
 
-/// Calls use(now, before, metric) for each finite value of the earlier run whose row is in both runs.
+/// Calls use(now, before, metric) for each finite value of the earlier run if its row is in both runs.
 template <class Use>
 void each_pair(const Rows& now, const Rows& before, const Use& use) {
     for (const auto& [key, row] : now) {
@@ -33,8 +33,8 @@ void each_pair(const Rows& now, const Rows& before, const Use& use) {
     }
 }
 
-/// In multiples of the noise: by ratio for times, since machines differ in speed by a factor, and otherwise
-/// by the difference relative to the larger value.
+/// The change in multiples of the noise: as a ratio for times, because machines differ in speed by a factor,
+/// otherwise as the difference relative to the larger value.
 double change(const Metric& m, double now, double before) {
     const double larger = std::max(std::abs(now), std::abs(before));
     if (std::abs(now - before) < 1e-9) return 0;
@@ -66,7 +66,7 @@ double machine_drift(const Rows& now, const Rows& before, std::size_t& times) {
     return times < 5 ? 1 : quantile(ratios, 0.5);
 }
 
-/// Rows that are only in `some`. If `other` has no row of a sweep on a scene, that is listed as one entry.
+/// Rows that are only in `some`. If `other` has no rows of a sweep on a scene, they are listed as one entry.
 std::vector<std::string> only_in(const Rows& some, const Rows& other) {
     std::set<Part> parts, listed;
     for (const auto& [key, row] : other) parts.insert(part(*row));

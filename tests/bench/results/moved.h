@@ -10,12 +10,12 @@ namespace vantage::bench {
 
 /// A value that differs from its value in an earlier run by more than the noise of its metric.
 struct Moved {
-    const Measurement* row;  ///< as it is now
+    const Measurement* row;  ///< current row
     const Metric* metric;
     double before;              ///< times are multiplied by the drift
     std::optional<double> now;  ///< none if it is no longer measured, or non-finite
-    double by;                  ///< in multiples of the noise, at most 1e6 either way; positive is worse
-    double weight;              ///< 0 to 1; below 1 for values under 1 % of the largest of the sweep
+    double by;                  ///< change in multiples of the noise, limited to 1e6; positive is worse
+    double weight;              ///< 0 to 1; below 1 for values under 1 % of the sweep's largest
 };
 
 /// The differences between two runs; points into the rows of the later one.

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a product exists and was made from the sources with this stamp, which is stored beside it.
+/// Whether a product exists and was made from sources with this stamp, which is stored beside it.
 bool made_from(const fs::path& product, const std::string& stamp) {
     std::ifstream in(product.string() + ".from");
     return fs::exists(product) && std::string(std::istreambuf_iterator<char>(in), {}) == stamp;
@@ -66,7 +66,7 @@ void synthesize_once(const SynthSpec& spec, const fs::path& input, const fs::pat
 void prepare_once(const fs::path& folder, const fs::path& package) {
     const std::string stamp = stamp_of(folder);
     if (made_from(package, stamp)) return;
-    // Raw tiles are the exact end, and what is measured here is taken from them.
+    // Raw tiles are exact, so the measurements use them.
     PrepareSettings settings;
     settings.effects[Effect::compact] = EffectChoice::off;
     prepare(read_scene(discover(folder)), settings, package, [](const Progress&) {});
@@ -79,7 +79,7 @@ struct PhotoCamera {
     Eigen::Vector3d eye;
 };
 
-/// The pixels whose surface faces one of the photos and is visible in it.
+/// The pixels whose surface faces a photo and is visible in it.
 std::vector<bool> seeable_pixels(const PackageReader& package, const RayScene& rays, const View& view,
                                  const std::vector<std::uint32_t>& photos) {
     const auto positions = package.records<Eigen::Vector3f>(package::Type::positions);
@@ -120,7 +120,7 @@ int level_for(const Effort& effort, int width, int height) {
     return level;
 }
 
-/// A window at the center of a frame, within the effort's size limit: what a viewer close up sees.
+/// A window at the center of a frame, within the effort's size limit, like a close-up view.
 Intrinsics middle_of(const Intrinsics& k, const Effort& effort) {
     const int w = std::min(k.width, effort.longest), h = std::min(k.height, effort.longest * 2 / 3);
     return {w, h, k.fx, k.fy, k.cx - (k.width - w) / 2, k.cy - (k.height - h) / 2};

@@ -19,7 +19,7 @@ struct Effort {
     std::size_t views;   ///< reference views per scene
     std::size_t photos;  ///< per scene, in sweeps whose time grows with them
     int repeats;         ///< of each timing
-    std::size_t points;  ///< on the surface, in sweeps that sample geometry
+    std::size_t points;  ///< number of surface points, in sweeps that sample geometry
 };
 
 /// A view with a reference picture.
@@ -27,16 +27,16 @@ struct TrueView {
     std::string name;
     View view;                          ///< relative to the package's origin
     Picture truth;                      ///< the photo itself, or the ray-cast picture
-    std::vector<std::uint32_t> photos;  ///< that may be blended: all but the one held out
-    std::vector<bool> seeable;  ///< per pixel: shows surface that one of `photos` sees, by ray casting
-    std::string held_out;       ///< the photo that `truth` is; empty if none
+    std::vector<std::uint32_t> photos;  ///< photos that may be blended: all but the one held out
+    std::vector<bool> seeable;  ///< per pixel: shows a surface that one of `photos` sees, by ray casting
+    std::string held_out;       ///< the photo used as `truth`, or empty
 };
 
 /// A scene to measure on: its input files, and its package as `vantage prepare` writes it by default.
 struct BenchScene {
     std::string name;
     std::filesystem::path folder;   ///< mesh, cameras, photos
-    std::optional<SynthSpec> spec;  ///< if synthetic, so that any view can be ray-cast
+    std::optional<SynthSpec> spec;  ///< for a synthetic scene, of which any view can be ray-cast
     std::filesystem::path package;
     std::vector<TrueView> views;
 };

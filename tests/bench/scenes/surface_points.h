@@ -21,7 +21,7 @@ std::vector<SurfacePoint> surface_points(std::span<const Eigen::Vector3f> positi
 /// The corners of a triangle, one per column.
 Eigen::Matrix3d corners(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices,
                         std::size_t triangle);
-/// Normal on the side from which the corners run counterclockwise; its length is twice the area.
+/// Normal toward the side from which the corners run counterclockwise; its length is twice the area.
 Eigen::Vector3d area_vector(const Eigen::Matrix3d& corners);
 
 }  // namespace vantage::bench

@@ -10,7 +10,7 @@
 
 namespace vantage::bench {
 
-/// Measurements made together, so that values to be compared are timed close to each other. An interrupted
+/// Measurements that are made together, so that compared values are timed close to each other. An interrupted
 /// job starts over.
 struct Job {
     std::string name;  ///< unique within a sweep of a scene
@@ -24,7 +24,7 @@ struct Plot {
     bool log_x = true, log_y = false;
 };
 
-/// The measurements over one knob, or over several that interact.
+/// The measurements over one setting, or over several that interact.
 struct Sweep {
     const char* name;
     const char* title;
@@ -35,7 +35,7 @@ struct Sweep {
     /// The jobs on a scene; none if the sweep does not apply to it. Exhibits are written to `folder`.
     std::vector<Job> (*jobs)(const BenchScene& scene, const Effort& effort,
                              const std::filesystem::path& folder);
-    bool apart = false;  ///< each curve is a knob of its own; curves are not compared with each other
+    bool apart = false;  ///< each curve is a separate setting; curves are not compared with each other
 };
 std::span<const Sweep> sweeps();
 

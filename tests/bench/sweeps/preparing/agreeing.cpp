@@ -1,4 +1,4 @@
-// How much photos are made to agree before they are blended, and what that costs.
+// Gain and cost of the corrections that make photos agree before blending.
 #include <array>
 
 #include "tests/bench/measure/pictures.h"
@@ -48,7 +48,7 @@ const Sweep agreeing_sweep{
     "Making photos agree",
     "What do color agreement, camera pose refinement and transient masks gain, and what do they cost?",
     "the held-out photo, or the ray-cast picture",
-    "not applicable; the exact setting registers cameras regardless of the evidence",
+    "not applicable; the exact setting refines poses regardless of the evidence",
     {{"prepare_s", "psnr"}, {"prepare_s", "ssim"}},
     jobs};
 

@@ -1,4 +1,4 @@
-// Texture coordinates: stored per vertex and interpolated, or computed per fragment.
+// Texture coordinates, stored per vertex and interpolated, or computed per fragment.
 #include <meshoptimizer.h>
 
 #include <Eigen/Geometry>
@@ -157,7 +157,7 @@ void add(const BenchModel& model, const Triangles& triangles, const Camera& came
             return project(camera.intrinsics, camera.cam_from_world, p);
         };
         const auto here = at(c * s.weights), p = at(c.col(0)), q = at(c.col(1)), r = at(c.col(2));
-        if (!here || !p || !q || !r) continue;  // its corners are in front, so only rounding can do this
+        if (!here || !p || !q || !r) continue;  // its corners are in front, so only rounding can cause this
         const Eigen::Vector2d e = q->pixel - p->pixel, f = r->pixel - p->pixel;
         triangle_px.push_back(float(std::sqrt(std::abs(e.x() * f.y() - e.y() * f.x()) / 2)));
         const auto* i = &shown[3 * s.triangle];

@@ -1,4 +1,4 @@
-// A photo's depth map: the size, bit depth and tolerance needed to classify points as visible or hidden.
+// Size, bit depth and tolerance of depth maps needed to classify points as visible or hidden.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ namespace {
 
 enum class Bits { float32, unorm24, unorm16, half16 };
 
-/// How far a point may lie behind the depths around it: a fraction of its depth, the footprint of the map's
+/// How far a point may lie behind the surrounding depths: a fraction of its depth, the footprint of the map's
 /// pixel along the slope, or the larger of the two as in shaders/blend.frag.
 struct Tolerance {
     float share;
@@ -38,7 +38,7 @@ struct Setting {
     Bits bits;
     Tolerance tolerance;
     bool chosen = false;
-    bool ray = false;  ///< no map: the exact end
+    bool ray = false;  ///< no map, exact
     bool shown = false;
 };
 constexpr const char *sizes = "size (float, player's tolerance)",
@@ -100,7 +100,7 @@ std::vector<float> stored(const std::vector<float>& z, Bits how) {
     std::vector<float> out = z;
     for (float& d : out) {
         if (!std::isfinite(d)) continue;
-        if (how == Bits::half16)  // relative to the farthest, to be independent of the scene's unit
+        if (how == Bits::half16)  // relative to the farthest depth, independent of the scene's unit
             d = farthest * float(Eigen::half(d / farthest));
         else if (step > 0)
             d = float(double(nearest) + step * std::round((double(d) - double(nearest)) / step));
@@ -115,7 +115,7 @@ struct TestPoint {
     bool seen;               ///< according to a ray from the photo
 };
 
-/// As `seen` in shaders/blend.frag.
+/// Like `seen` in shaders/blend.frag.
 bool seen(const Map& map, const Tolerance& tolerance, const TestPoint& point) {
     const Eigen::Vector3f p = map.R * point.position.cast<float>() + map.t;
     const int x = int(std::floor(map.fx * p.x() / p.z() + map.cx - 0.5f)),
@@ -134,8 +134,8 @@ bool seen(const Map& map, const Tolerance& tolerance, const TestPoint& point) {
     return p.z() <= farthest + slack;
 }
 
-/// A third of a pixel's footprint, as in vertex_coordinates(), as a fraction of the distance: hits closer to
-/// the point than that are on its own surface.
+/// A third of a pixel's footprint, as in vertex_coordinates(), as a fraction of the distance. Hits closer to
+/// the point than this lie on its own surface.
 double near_enough(const Intrinsics& k) { return 0.3 / std::max(k.fx, k.fy); }
 
 bool seen_from_photo(const RayScene& rays, const Camera& camera, const Eigen::Vector3d& point) {
@@ -143,12 +143,12 @@ bool seen_from_photo(const RayScene& rays, const Camera& camera, const Eigen::Ve
     return !rays.occluded(eye, point - eye, 0, 1 - near_enough(camera.intrinsics));
 }
 
-/// The exact end: the same line, traced from the other end.
+/// The exact method: the same line, traced from the other end.
 bool sees_photo(const RayScene& rays, const Camera& camera, const Eigen::Vector3d& point) {
     return !rays.occluded(point, camera.cam_from_world.center() - point, near_enough(camera.intrinsics), 1);
 }
 
-/// A point of the mesh, if it faces the photo and lies in its frame.
+/// A point of the mesh if it faces the photo and lies in its frame.
 std::optional<TestPoint> test_point(const BenchModel& model, const RayScene& rays, const Camera& camera,
                                     const SurfacePoint& place) {
     const Eigen::Matrix3d c = corners(model.positions(), model.indices(), place.triangle);
@@ -282,7 +282,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
         if (!here.empty()) add(model, *rays, camera, effort.repeats, here, results);
     }
     if (points == 0) return {};
-    // Rays need no map, but a tree over the model, whose cost all photos share.
+    // Rays need no map, but a tree over the model, whose cost is shared by all photos.
     results.back().photo_ms = {tree_ms / double(model.scene().photos.size())};
     std::vector<Measurement> out = listed(results, points);
     for (std::size_t s = 0; s < out.size(); ++s) {

@@ -1,4 +1,4 @@
-// The gain from more photos, or from photos with more pixels.
+// Gain from more photos, or from photos with more pixels.
 #include <fmt/format.h>
 
 #include <algorithm>

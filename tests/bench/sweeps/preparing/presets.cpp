@@ -1,4 +1,4 @@
-// The presets of configs/ among other combinations of settings: preparation, bytes and frame times.
+// Compares the presets in configs/ with other combinations of settings: preparation, bytes and frame times.
 #include <fmt/format.h>
 
 #include "base/values/quantile.h"
@@ -32,7 +32,7 @@ std::vector<Candidate> candidates(bool full) {
     return out;
 }
 
-/// In turn, so that drift of the machine affects all candidates equally.
+/// Interleaved, so that drift of the machine affects all candidates equally.
 std::vector<PrepareCost> prepare_all(const BenchScene& scene, const std::vector<Candidate>& all,
                                      int repeats) {
     std::vector<std::vector<double>> seconds(all.size());

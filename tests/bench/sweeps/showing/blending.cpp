@@ -1,4 +1,4 @@
-// How photos are blended: mode, number, sharpness, and photos per pass.
+// Blending of photos: mode, number, sharpness, and photos per pass.
 #include <fmt/format.h>
 
 #include "tests/bench/measure/pictures.h"

@@ -1,4 +1,4 @@
-// How a photo's pixels are sampled: between levels, on slanted surfaces, sharpness, samples per pixel.
+// Sampling of a photo's pixels: between levels, on slanted surfaces, sharpness, samples per pixel.
 #include <fmt/format.h>
 
 #include "tests/bench/measure/pictures.h"

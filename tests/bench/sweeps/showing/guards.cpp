@@ -1,4 +1,4 @@
-// What validation of files, lenses and pictures costs.
+// Cost of checking files, lenses and pictures.
 #include <cstring>
 
 #include "base/gl/context.h"
@@ -31,7 +31,7 @@ std::vector<Measurement> compare(const char* curve, const char* metric, int repe
     return out;
 }
 
-/// Copies from the page cache into memory, as tiles are streamed.
+/// Copies from the page cache into memory, like streamed tiles.
 std::vector<Measurement> tiles(const BenchScene& scene, const Effort& effort) {
     const PackageReader package(scene.package);
     const package::DirectoryEntry* chunk = package.find(Type::tiles, 0, 0);

@@ -1,4 +1,4 @@
-// What is loaded before the first picture: thumbnails only, coarser levels, everything.
+// Amount of data loaded before the first picture: thumbnails only, coarser levels, everything.
 #include <fmt/format.h>
 
 #include "base/gl/context.h"
@@ -53,7 +53,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
     });
     std::vector<Measurement> out;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        // A new renderer each time: otherwise tiles loaded by another setting would be shown.
+        // A new renderer for each setting, so that it does not show tiles loaded for another.
         const PackageReader package(scene.package);
         const gl::HeadlessContext context;
         Renderer renderer(package, ample_memory());

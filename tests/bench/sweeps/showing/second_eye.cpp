@@ -1,4 +1,4 @@
-// What the second eye costs, by the way in which the bare surface is drawn for both.
+// Cost of the second eye, for different ways of drawing the bare surface for both.
 #include <deque>
 #include <span>
 #include <vector>
@@ -16,7 +16,7 @@
 namespace vantage::bench {
 namespace {
 
-constexpr int rounds = 10;  ///< of each repeat: the differences are small
+constexpr int rounds = 10;  ///< per repeat, because the differences are small
 
 struct EyesSetting {
     const char* name;

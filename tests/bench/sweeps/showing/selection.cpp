@@ -1,4 +1,4 @@
-// Which photos are blended: how they are chosen, and whether the choice has hysteresis.
+// Selection of the photos to blend: method and hysteresis.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
     return measure_pictures(scene.package, scene, effort, settings(), folder, "selection");
 }
 
-/// Changes of the choice per frame along a path, and the cost of planning.
+/// Changes of the selection per frame along a path, and the cost of planning.
 Measurement fly(const PlanScene& scene, const CameraPath& path, PlanSettings settings, const char* name,
                 bool remembers, const TrueView& from) {
     std::vector<std::uint32_t> former;

@@ -1,4 +1,4 @@
-// Pictures for two eyes: photos chosen once for both, or for each by itself.
+// Stereo pictures: photos selected once for both eyes, or separately for each.
 #include <fmt/format.h>
 
 #include "base/gl/context.h"
@@ -31,7 +31,8 @@ RenderSettings render_settings_of(const PairSetting& s) {
     return out;
 }
 
-/// A viewer at a reference view, whose right eye is beside it; what is seen is where both eyes converge.
+/// A viewer with the left eye at a reference view and the right eye beside it; both converge on the scene's
+/// center.
 std::vector<View> eyes_at(const View& view, const PlanScene& scene) {
     const Eyes eyes{.share = 1.0 / 30};
     std::vector<View> out = eye_views(view, eyes, looked_at(view, scene));
@@ -42,7 +43,7 @@ std::vector<View> eyes_at(const View& view, const PlanScene& scene) {
     return out;
 }
 
-/// Draws frames for two eyes as a headset does, one sample per pixel.
+/// Draws frames for two eyes like a headset, with one sample per pixel.
 class EyePairs {
   public:
     explicit EyePairs(const PackageReader& package)

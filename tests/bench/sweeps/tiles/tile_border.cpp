@@ -1,4 +1,4 @@
-// How far tiles overlap their neighbors.
+// Overlap of tiles with their neighbors.
 #include <array>
 #include <random>
 
@@ -26,7 +26,7 @@ Cut cut_all(const Picture& image, int border) {
     return out;
 }
 
-/// Bilinear sample of all four channels, clamped at the edges of the image.
+/// Samples all four channels bilinearly, clamped at the edges of the image.
 std::array<double, 4> bilinear(const Picture& image, double x, double y) {
     const double fx = std::floor(x - 0.5), fy = std::floor(y - 0.5), s = x - 0.5 - fx, t = y - 0.5 - fy;
     const auto at = [&](int i, int j) {

@@ -205,7 +205,7 @@ double upload_ms(const Format& f, const Coded& coded, const std::vector<Tile>& r
            double(raw.size());
 }
 
-/// The tile with the largest error of those entirely inside their photo; the first if there is none.
+/// The tile with the largest error among those entirely inside their photo, or the first if there is none.
 std::size_t worst_tile(const Format& f, const Coded& coded, const std::vector<Tile>& tiles) {
     Bytes tile(tile_bytes);
     std::size_t worst = 0;

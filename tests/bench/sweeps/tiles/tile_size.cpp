@@ -57,7 +57,7 @@ Surface surface(const PackageReader& package) {
 
 /// Marks the blocks that a trilinear sample of the photo reads.
 void mark(const Source& source, const SurfaceSample& sample, const Eigen::Vector2d& pixel, Blocks& out) {
-    // As footprint_of() and color_at() in the shaders.
+    // Like footprint_of() and color_at() in the shaders.
     const double lod =
         std::clamp(level_of_detail(sample, source.k, source.pose) - 0.02, 0.0, double(source.levels - 1));
     for (int l = int(lod); l <= int(std::ceil(lod)); ++l) {
@@ -139,7 +139,7 @@ std::vector<Bytes> cut_some(const Picture& image, int size) {
     return out;
 }
 
-// The first has no border: the blocks shown, as if they could be read individually.
+// The first size has no border: the visible blocks, as if they could be read individually.
 constexpr int tile_sizes[] = {block_size, 64, 128, 256, 512, 1024};
 
 /// Milliseconds to upload a tile of each size.
