@@ -12,14 +12,15 @@ using Eigen::Vector3d;
 
 constexpr double frame = 1.0 / 90;
 
-/// Pointing from a place in the room, `up` radians above the level, `left` radians to the left of ahead.
+/// A pose that points from a position in the room, `up` radians above the horizontal, `left` radians to the
+/// left of straight ahead.
 RoomPose aiming(const Vector3d& at, double up, double left = 0) {
     return {Eigen::Quaterniond(Eigen::AngleAxisd(left, Vector3d::UnitY()) *
                                Eigen::AngleAxisd(up, Vector3d::UnitX())),
             at};
 }
 
-/// A room that is not at the scene's origin, ten scene units per meter, z up.
+/// A room away from the scene's origin, with ten scene units per meter, z up.
 class LocomotionTest : public testing::Test {
   protected:
     LocomotionTest() {
@@ -30,7 +31,7 @@ class LocomotionTest : public testing::Test {
             hand.has_stick = true;
             hand.aim = hand.grip = aiming({0.2, 1.2, -0.3}, 0);
         }
-        step();  // the sticks are in the middle
+        step();  // the sticks are centered
     }
     void step(int frames = 1) {
         for (int i = 0; i < frames; ++i) continue_locomotion(w, hands, free, head, frame, surface);
@@ -78,7 +79,7 @@ TEST_F(LocomotionTest, TeleportsToWhereAThrownStoneWouldFall) {
     EXPECT_EQ(eye(), in_scene(w.stance, head.at)) << "not yet";
     const double rise = speed * std::sin(up);
     const double seconds = (rise + std::sqrt(rise * rise + 2 * g * height)) / g;
-    const double away = 0.3 + speed * std::cos(up) * seconds;  // ahead of the room's middle, meters
+    const double away = 0.3 + speed * std::cos(up) * seconds;  // meters ahead of the room's center
     stick(right_hand, 0, 0);
     const Vector3d middle = w.stance.at;
     step();
@@ -203,7 +204,7 @@ TEST_F(LocomotionTest, PressThatBeganOnAPanelDoesNotTeleport) {
     free = {FreeHand{false, false}, FreeHand{false, false}};
     hands[right_hand].select = true;
     step();
-    free = {};  // it slid off the panel
+    free = {};  // the ray left the panel
     step();
     EXPECT_FALSE(w.aiming);
     hands[right_hand].select = false;
@@ -229,14 +230,14 @@ TEST_F(LocomotionTest, HandThatIsLostWhileAimingGoesNowhere) {
 TEST_F(LocomotionTest, StickThatIsPushedAlreadyDoesNothingUntilItIsLetGo) {
     surface = floor_at(0);
     const Stance before = w.stance;
-    free[right_hand].move = false;  // it scrolls a list
+    free[right_hand].move = false;  // the stick scrolls a list
     stick(right_hand, 0, 1);
     step();
-    free = {};  // the ray slid off
+    free = {};  // the ray left the panel
     step();
     EXPECT_FALSE(w.aiming);
     stick(left_hand, 0, 1);  // flies
-    hands[right_hand] = {};  // the other controller falls asleep
+    hands[right_hand] = {};  // the other controller goes to sleep
     step();
     EXPECT_FALSE(w.aiming);
     stick(left_hand, 0, 0);
@@ -255,13 +256,13 @@ TEST_F(LocomotionTest, TurnWhileAHandHoldsTheSceneStays) {
     step(3);
     EXPECT_NEAR(std::acos(before.dot(ahead())), std::numbers::pi / 6, 1e-9);
     const Vector3d there = eye();
-    w.stance = moved(w.stance, {3, 2, 1});  // sent elsewhere
+    w.stance = moved(w.stance, {3, 2, 1});  // moved by a command
     step(3);
     EXPECT_LT((eye() - there - Vector3d(3, 2, 1)).norm(), 1e-9);
 }
 
 TEST_F(LocomotionTest, CeilingIsNoPlaceToStand) {
-    // Seen from either side, as a mesh is.
+    // Visible from either side, like a mesh.
     surface = [](const Vector3d& from, const Vector3d& to) -> std::optional<SurfacePoint> {
         for (const double z : {20.0, 0.0}) {
             if ((from.z() - z) * (to.z() - z) > 0 || from.z() == to.z()) continue;

@@ -15,7 +15,7 @@
 
 namespace vantage {
 
-/// The menu of a headset without one.
+/// The headset menu, tested without a headset.
 class MenuAlone {
   public:
     explicit MenuAlone(const std::filesystem::path& file, double unit_meters = 0)
@@ -28,7 +28,7 @@ class MenuAlone {
         locomotion.usual_scale = locomotion.stance.scale = unit_meters > 0 ? 1 / unit_meters : 1;
         session.window.keyboard = session.window.panels.measure = false;
         scene_.renderer.draw(view_of(session.viewpoint.camera, 32, 24), session.settings, {}, {},
-                             0);  // menus follow a frame
+                             0);  // menus need a previous frame
         frames(3);
     }
     void frames(int count, const PanelPointer& pointer = {}) {
@@ -49,7 +49,7 @@ class MenuAlone {
         frames(2, {at});
     }
     void press(const std::string& name) { press(place(name)); }
-    /// Of the controls that are on the panel, places that a ray can hit.
+    /// Positions that a ray can hit, for the controls on the panel.
     std::vector<std::pair<std::string, Eigen::Vector2d>> places() {
         std::vector<std::pair<std::string, Eigen::Vector2d>> out;
         for (const Controls::Place& p : interface_.controls().places()) {

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A menu in front of somebody, and two hands that point into the distance.
+/// A menu in front of the user, and two hands that point into the distance.
 class PointingAtTheMenu : public testing::Test {
   protected:
     PointingAtTheMenu() {
@@ -62,7 +62,7 @@ TEST_F(PointingAtTheMenu, SliderIsHeldBesideTheMenuUntilItIsLetGo) {
     step();
     EXPECT_TRUE(pointer.pointer.pressed);
     at_pixel(right_hand, 2000, 300);
-    at_pixel(left_hand, 100, 100);  // the other hand does not take it away
+    at_pixel(left_hand, 100, 100);  // the other hand does not take over
     step();
     EXPECT_TRUE(pointer.pointer.pressed);
     EXPECT_EQ(pointer.hand, right_hand);

@@ -17,7 +17,7 @@ RoomPose looking(const Vector3d& at, double left, double up = 0) {
             at};
 }
 
-/// Turned, moved and scaled, with a scene whose up is not an axis.
+/// A rotated, moved and scaled stance in a scene whose up direction is not an axis.
 Stance some_stance() {
     return standing(looking({0.3, 1.6, -0.2}, 0.7), {12, -3, 4}, {2, 5, 1}, Vector3d(1, 2, 5).normalized(),
                     40);
@@ -86,7 +86,7 @@ TEST(Stance, WhatTwoHandsHoldStaysInBothWhenTheyTurnMoveAndSpread) {
     const Stance s = some_stance();
     const Vector3d left(-0.2, 1.2, -0.4), right(0.3, 1.2, -0.6);
     const Hold hold{s, {left, right}, 2};
-    // Both hands moved by a turn about up, a scaling and a shift.
+    // Both hands are moved by a rotation about up, a scaling and a translation.
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.9, Vector3d::UnitY()).toRotationMatrix();
     const auto moved_hand = [&](const Vector3d& p) -> Vector3d {
         return 1.7 * (turn * p) + Vector3d(0.1, -0.3, 0.2);

@@ -6,13 +6,13 @@
 
 namespace test_runtime {
 
-/// Ends the call if the path is neither XR_NULL_PATH nor one of the action.
+/// Ends the call unless the path is XR_NULL_PATH or belongs to the action.
 void check_subaction(const Action& action, XrPath path);
 
-/// The pose of the hand that a pose action has, in the stage; none while it is not active.
+/// The hand pose of a pose action, in the stage; none while the hand is inactive.
 std::optional<XrPosef> action_pose(XrSession session, const ActionSpace& space, const Moment& moment);
 
-/// The paths that an action is bound to by the session's interaction profile, of one subaction or of all.
+/// The paths to which the session's interaction profile binds an action, for one subaction or for all.
 std::vector<std::string> sources_of(const Session& session, XrAction action, XrPath subaction);
 
 }  // namespace test_runtime

@@ -1,5 +1,5 @@
 #pragma once
-// The functions of OpenXR, by the names that the specification has for them (runtime.cpp).
+// Implementations of the OpenXR functions, which runtime.cpp maps to their names in the specification.
 #include <openxr/openxr.h>
 
 struct XrGraphicsRequirementsOpenGLKHR;

@@ -3,7 +3,7 @@
 #define XR_USE_PLATFORM_EGL
 #include "tests/openxr/graphics.h"
 
-// Those of epoxy come before OpenXR's, which needs their types.
+// Epoxy's headers must precede OpenXR's, which use their types.
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <epoxy/glx.h>
@@ -16,7 +16,7 @@
 namespace test_runtime {
 namespace {
 
-/// How the program wants texels packed, which is put back when reading is done.
+/// Saves the program's pixel pack settings and restores them after reading.
 class PackState {
   public:
     PackState() {
@@ -57,14 +57,14 @@ void check_version() {
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
     require(major > 4 || (major == 4 && minor >= 5), XR_ERROR_GRAPHICS_DEVICE_INVALID,
-            "the context is of an older OpenGL than required");
+            "the context has an older OpenGL than required");
 }
 
 GraphicsContext context_in(const Instance& instance, const XrSessionCreateInfo& info) {
     if (const void* next = next_of_type(info.next, XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR)) {
         const auto& glx = *static_cast<const XrGraphicsBindingOpenGLXlibKHR*>(next);
         require(glx.xDisplay && glx.glxContext && glx.glxDrawable && glx.glxFBConfig,
-                XR_ERROR_GRAPHICS_DEVICE_INVALID, "the graphics binding is not complete");
+                XR_ERROR_GRAPHICS_DEVICE_INVALID, "the graphics binding is incomplete");
         return {Platform::glx, glx.glxContext};
     }
     const void* const next = next_of_type(info.next, XR_TYPE_GRAPHICS_BINDING_EGL_MNDX);
@@ -73,7 +73,7 @@ GraphicsContext context_in(const Instance& instance, const XrSessionCreateInfo& 
             "XR_MNDX_egl_enable is not enabled");
     const auto& egl = *static_cast<const XrGraphicsBindingEGLMNDX*>(next);
     require(egl.getProcAddress && egl.display && egl.context, XR_ERROR_GRAPHICS_DEVICE_INVALID,
-            "the graphics binding is not complete");
+            "the graphics binding is incomplete");
     return {Platform::egl, egl.context};
 }
 
@@ -114,7 +114,7 @@ bool check_graphics(const Session& session) {
     for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
         char number[16];
         std::snprintf(number, sizeof number, "0x%04x", error);
-        breach("there was an OpenGL error before, " + std::string(number));
+        breach("there was an earlier OpenGL error, " + std::string(number));
     }
     return true;
 }

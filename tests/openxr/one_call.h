@@ -3,7 +3,7 @@
 
 namespace test_runtime {
 
-/// Held by the call that is being executed, except while it waits.
+/// Held by the executing call, except while it waits.
 std::mutex& one_call();
 
 }  // namespace test_runtime

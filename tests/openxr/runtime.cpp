@@ -1,5 +1,5 @@
-// An OpenXR runtime without a headset, for tests: it does what a scenario says (scenario.h), keeps what a
-// program draws, and records each call that breaks the specification (record.h). Select it with
+// An OpenXR runtime without a headset, for tests. It plays a scenario (scenario.h), saves the pictures that a
+// program draws, and records each call that violates the specification (record.h). Select it with
 // XR_RUNTIME_JSON, the path of its manifest.
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ struct Name {
     constexpr Name(const char (&t)[n]) { std::copy_n(t, n, text); }
 };
 
-/// What the program calls: `function`, alone, with its failures as results.
+/// Entry point for the program: runs `function` exclusively and returns failures as results.
 template <Name name, auto function>
 struct Call;
 template <Name name, class... Arguments, XrResult (*function)(Arguments...)>
@@ -50,7 +50,7 @@ struct Function {
     const char* extension = nullptr;
 };
 
-/// `Type`: what the specification declares, which the compiler compares with ours.
+/// `Type`: the declaration in the specification, which the compiler compares with ours.
 template <class Type, Name name, auto function>
 Function entry(bool needs_instance = true, const char* extension = nullptr) {
     const Type call = &Call<name, function>::call;
@@ -156,8 +156,7 @@ std::mutex& one_call() {
 
 }  // namespace test_runtime
 
-// How a loader and a runtime agree on versions; the header of the loader is not installed with those of
-// OpenXR.
+// Version negotiation between loader and runtime. The loader's header is not installed with OpenXR's headers.
 extern "C" {
 
 struct XrNegotiateLoaderInfo {

@@ -72,7 +72,7 @@ std::vector<T> values_of(const json& names, const Named<T> (&table)[n]) {
     return out;
 }
 
-/// Misspelled fields would be ignored otherwise, and a test pass without testing.
+/// Otherwise, misspelled fields would be ignored, and a test would pass without testing anything.
 void check_fields(const json& object, const std::set<std::string>& known) {
     for (const auto& [name, value] : object.items())
         if (!known.contains(name)) throw std::runtime_error("unknown field \"" + name + "\"");
@@ -82,7 +82,7 @@ XrVector3f vector_of(const json& j) {
     return {j.at(0).get<float>(), j.at(1).get<float>(), j.at(2).get<float>()};
 }
 
-/// The fields that are there, over `pose`.
+/// Overrides `pose` with the fields that are present.
 XrPosef pose_of(const json& j, XrPosef pose = identity_pose) {
     if (j.contains("position")) pose.position = vector_of(j["position"]);
     if (j.contains("orientation")) {
@@ -200,7 +200,7 @@ Event event_of(const json& j) {
     check_fields(j, {"frame", "state", "then", "recenter", "lose", "unavailable", "late", "should_render",
                      "untracked", "rate", "events_lost", "profile_changed", "fail"});
     if (j.size() - j.count("frame") - j.count("then") - j.count("unavailable") != 1)
-        throw std::runtime_error("an event is not one thing that happens: " + j.dump());
+        throw std::runtime_error("an entry is not exactly one event: " + j.dump());
     return {j.value("frame", 0), happening(j)};
 }
 
@@ -261,7 +261,7 @@ Scenario read_scenario() {
         std::ifstream file(path);
         return scenario_of(json::parse(file));
     } catch (const std::exception& e) {
-        std::fprintf(stderr, "The scenario %s is not understood: %s\n", path, e.what());
+        std::fprintf(stderr, "The scenario %s is invalid: %s\n", path, e.what());
         std::abort();
     }
 }

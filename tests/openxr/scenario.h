@@ -1,6 +1,7 @@
 #pragma once
 // clang-format off
-// What the simulated headset is and does: a JSON file named by VANTAGE_TEST_XR. Every field is optional.
+// Properties and behavior of the simulated headset: a JSON file named by VANTAGE_TEST_XR. Every field is
+// optional.
 //
 // {
 //   "rate": 90,                       refresh rate in Hz
@@ -10,45 +11,45 @@
 //   "extensions": ["XR_KHR_opengl_enable", "XR_KHR_composition_layer_depth"],
 //   "formats": ["GL_SRGB8_ALPHA8", "GL_RGBA16F", "GL_RGBA8", "GL_DEPTH_COMPONENT32F", "GL_DEPTH_COMPONENT24"],
 //   "blend_modes": ["opaque"],        also "additive" and "alpha_blend"
-//   "spaces": ["local", "stage"],     the view space is always there
-//   "stage": [3, 2.5],                width and depth in meters; null: there are no bounds
+//   "spaces": ["local", "stage"],     the view space is always available
+//   "stage": [3, 2.5],                width and depth in meters; null: no bounds
 //   "create_instance": RESULT, "get_system": RESULT, "create_session": RESULT,
 //                                     forced results: "XR_ERROR_..." always, or {"result": "XR_ERROR_...",
 //                                     "times": 3} for the first calls only
-//   "profile": "/interaction_profiles/oculus/touch_controller",         null: there are no controllers
+//   "profile": "/interaction_profiles/oculus/touch_controller",         null: no controllers
 //   "head": [{"frame": 0, "position": [0, 1.6, 0], "orientation": [0, 0, 0, 1]}, ...],
 //                                     in the stage, held until the next entry
 //   "hands": [{"frame": 10, "hand": "right", "active": true, "aim": POSE, "grip": POSE,
 //              "inputs": {"/input/trigger/value": 1, "/input/thumbstick": [0, 1]}}, ...],
-//                                     in the stage; what an entry leaves out stays as it was. A hand is not
-//                                     there before its first entry
+//                                     in the stage; omitted fields keep their values. A hand does not exist
+//                                     before its first entry
 //   "events": [{"frame": 20, EVENT}, ...],
 //   "states": "usual",                IDLE and READY at once; SYNCHRONIZED, VISIBLE and FOCUSED with the first
-//                                     three frames of a session. "manual": only those that events ask for
-//   "end": 100,                       at this frame STOPPING; IDLE and EXITING follow xrEndSession
+//                                     three frames of a session. "manual": only those set by events
+//   "end": 100,                       STOPPING at this frame; IDLE and EXITING follow xrEndSession
 //   "save": [10, 20],                 frames whose pictures are saved
-//   "real_time": false                true: xrWaitFrame sleeps, and frames that the program misses are counted;
-//                                     false: each frame takes one period of a clock of its own
+//   "real_time": false                true: xrWaitFrame sleeps, and missed frames are counted;
+//                                     false: each frame takes one period of a simulated clock
 //   "careless": false                 true: calls that may draw leave an OpenGL error, as some runtimes do
 // }
 //
-// POSE is {"position": [x, y, z], "orientation": [x, y, z, w]}; both are optional.
-// Frames are counted by xrWaitFrame from 1, over the whole process; what is given for a frame happens when
-// xrWaitFrame is called for it, and for frame 0, when the runtime is loaded. An EVENT is one of
-//   "state": "synchronized", "visible", "focused"      with the states between
-//   "state": "stopping", "then": "ready"               after xrEndSession IDLE and READY again, or EXITING
+// POSE is {"position": [x, y, z], "orientation": [x, y, z, w]}; both are optional. Frames are counted by
+// xrWaitFrame from 1, over the whole process; entries for a frame take effect when xrWaitFrame is called for
+// it, or for frame 0, when the runtime is loaded. An EVENT is one of
+//   "state": "synchronized", "visible", "focused"      through the states in between
+//   "state": "stopping", "then": "ready"               IDLE and READY again after xrEndSession, or EXITING
 //   "recenter": POSE                                   the new origin of the local space, given in the old one
 //   "lose": "session"                                  until xrDestroySession
-//   "lose": "instance", "unavailable": 2               until xrDestroyInstance, after which so many calls of
+//   "lose": "instance", "unavailable": 2               until xrDestroyInstance, after which this many calls of
 //                                                      xrCreateInstance return XR_ERROR_RUNTIME_UNAVAILABLE
-//   "late": 3                                          so many periods are skipped
+//   "late": 3                                          this many periods are skipped
 //   "should_render": false
-//   "untracked": true                                  nothing is located
+//   "untracked": true                                  no poses are available
 //   "rate": 72
 //   "events_lost": 5
 //   "profile_changed": "/interaction_profiles/..."     or null; takes effect with the next xrSyncActions
 //   "fail": {"call": "xrEndFrame", "result": "XR_ERROR_RUNTIME_FAILURE", "times": 1}
-//                                                      the next such calls; any result, also XR_TIMEOUT_EXPIRED
+//                                                      the next such calls; any result, including XR_TIMEOUT_EXPIRED
 // clang-format on
 #include <array>
 #include <map>
@@ -68,11 +69,11 @@ struct Eye {
     XrPosef pose;  ///< in the head
 };
 
-/// A result that calls return whatever they are given.
+/// A result that calls return regardless of their arguments.
 struct ForcedResult {
     std::string call;
     XrResult result;
-    int times;  ///< how often; -1: always
+    int times;  ///< number of calls; -1: all
 };
 
 struct HeadEntry {
@@ -80,7 +81,7 @@ struct HeadEntry {
     XrPosef pose;
 };
 
-/// A boolean or a number is in x.
+/// x holds a boolean or a number.
 using Input = XrVector2f;
 
 struct HandEntry {
@@ -147,7 +148,7 @@ struct Scenario {
     bool real_time, careless;
 };
 
-/// From the file named by the environment. Ends the process with a message if that is not understood.
+/// Reads the file named by the environment. Ends the process with a message if it is invalid.
 Scenario read_scenario();
 
 std::string format_name(int64_t format);

@@ -1,5 +1,5 @@
 #pragma once
-// Where things are and what they do, as the scenario tells, frame by frame.
+// The simulated state of headset and controllers, updated frame by frame from the scenario.
 #include <array>
 #include <deque>
 #include <map>
@@ -27,7 +27,7 @@ struct Moment {
     bool untracked;
 };
 
-/// Of the local space, in the stage.
+/// Origin of the local space, in the stage.
 struct Origin {
     XrTime since;
     XrPosef pose;
@@ -41,29 +41,29 @@ struct World {
     bool should_render = true;
     std::optional<std::string> profile;
     Moment now;
-    std::deque<Moment> moments;  ///< the latest frames; a program may still ask for the one before
+    std::deque<Moment> moments;  ///< the latest frames; a program may still query the previous one
     std::vector<Origin> local_origins;
     std::vector<ForcedResult> forced;
 };
 
-/// Of the process.
+/// The global state.
 World& world();
 
-/// In real time, the frames before a session were not missed.
+/// Starts the clock with a session, so that earlier frames do not count as missed in real time.
 void start_clock();
-/// Goes to the next frame and its time. Returns the number of periods skipped.
+/// Advances to the next frame and its time. Returns the number of skipped periods.
 int go_to_next_frame();
-/// What the scenario has for the frame where the world is.
+/// Applies the scenario's entries for the current frame.
 void play_frame();
 
-/// What the world is, at that time, by the frames so far.
+/// The state at a time, from the frames so far.
 const Moment& moment_at(XrTime time);
 XrPosef local_origin_at(XrTime time);
 
-/// Nanoseconds of the clock that display times are in. In real time, of the computer.
+/// Current time on the clock of display times, nanoseconds; the computer's clock in real time.
 XrTime current_time();
 
-/// What the scenario says that this call returns, and that it has done so once more.
+/// The result that the scenario forces for this call, if any. Counts the use.
 std::optional<XrResult> take_forced_result(const std::string& call);
 
 }  // namespace test_runtime

@@ -16,7 +16,7 @@ void check_name(const std::string& name) {
                "the name \"" + name + "\" has characters that names cannot have");
 }
 
-/// Of an action or a set, that its names differ from those of the others.
+/// Checks that the names of an action or a set differ from those of the others.
 template <class Named>
 void check_difference(const Named& added, const Named& other) {
     if (added.name == other.name) breach(XR_ERROR_NAME_DUPLICATED, "there is \"" + added.name + "\" already");
@@ -30,7 +30,7 @@ void check_subactions(const Instance& instance, const std::vector<XrPath>& paths
     for (std::size_t i = 0; i < paths.size(); ++i) {
         const std::string& text = path_text(instance, paths[i]);
         if (std::find(known.begin(), known.end(), text) == known.end())
-            breach(XR_ERROR_PATH_UNSUPPORTED, text + " is no top level path of a user");
+            breach(XR_ERROR_PATH_UNSUPPORTED, text + " is not a top level user path");
         if (std::find(paths.begin(), paths.begin() + std::ptrdiff_t(i), paths[i]) !=
             paths.begin() + std::ptrdiff_t(i))
             breach(XR_ERROR_PATH_UNSUPPORTED, text + " is given twice");
@@ -49,7 +49,7 @@ SuggestedBinding checked_binding(XrInstance handle, const std::string& profile,
                                  const XrActionSuggestedBinding& binding) {
     const Action& action = action_of(binding.action);
     const ActionSet& set = action_set_of(action.set);
-    require(set.instance == handle, XR_ERROR_HANDLE_INVALID, "the action is of another instance");
+    require(set.instance == handle, XR_ERROR_HANDLE_INVALID, "the action belongs to another instance");
     require(!set.attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the action's set has been attached");
     const std::string& path = path_text(instance_of(handle), binding.binding);
     if (!has_component(profile, path)) breach(XR_ERROR_PATH_UNSUPPORTED, profile + " has no " + path);
@@ -63,7 +63,7 @@ SuggestedBinding checked_binding(XrInstance handle, const std::string& profile,
 XrResult create_action_set(XrInstance handle, const XrActionSetCreateInfo* info, XrActionSet* out) {
     instance_of(handle);
     check_struct(info, XR_TYPE_ACTION_SET_CREATE_INFO);
-    require(out, XR_ERROR_VALIDATION_FAILURE, "there is no place for the action set");
+    require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the action set is null");
     const ActionSet set{
         handle,
         checked_text(info->actionSetName, XR_MAX_ACTION_SET_NAME_SIZE, XR_ERROR_NAME_INVALID, "the name"),
@@ -87,7 +87,7 @@ XrResult destroy_action_set(XrActionSet handle) {
 XrResult create_action(XrActionSet handle, const XrActionCreateInfo* info, XrAction* out) {
     const ActionSet& set = action_set_of(handle);
     check_struct(info, XR_TYPE_ACTION_CREATE_INFO);
-    require(out, XR_ERROR_VALIDATION_FAILURE, "there is no place for the action");
+    require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the action is null");
     require(!set.attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the action set has been attached");
     Action action{handle,
                   checked_text(info->actionName, XR_MAX_ACTION_NAME_SIZE, XR_ERROR_NAME_INVALID, "the name"),
@@ -101,7 +101,7 @@ XrResult create_action(XrActionSet handle, const XrActionCreateInfo* info, XrAct
                                   XR_ACTION_TYPE_VECTOR2F_INPUT, XR_ACTION_TYPE_POSE_INPUT,
                                   XR_ACTION_TYPE_VIBRATION_OUTPUT};
     require(std::find(types.begin(), types.end(), action.type) != types.end(), XR_ERROR_VALIDATION_FAILURE,
-            "there is no such type of action");
+            "the action type is unknown");
     require(info->countSubactionPaths == 0 || info->subactionPaths, XR_ERROR_VALIDATION_FAILURE,
             "the subaction paths are missing");
     if (info->countSubactionPaths > 0)
@@ -143,7 +143,7 @@ XrResult attach_action_sets(XrSession handle, const XrSessionActionSetsAttachInf
     const std::vector<XrActionSet> sets(info->actionSets, info->actionSets + info->countActionSets);
     for (const XrActionSet set : sets)
         require(action_set_of(set).instance == session.instance, XR_ERROR_HANDLE_INVALID,
-                "an action set is of another instance");
+                "an action set belongs to another instance");
     for (const XrActionSet set : sets) action_set_of(set).attached = true;
     for (auto& [action_handle, action] : handles().actions) action.states.clear();
     session.attached = sets;

@@ -9,19 +9,18 @@
 
 namespace test_runtime {
 
-/// Ends a call with a result. Thrown only within the runtime: what the program calls catches it
-/// (runtime.cpp).
+/// Ends a call with a result. Thrown only within the runtime, whose entry points catch it (runtime.cpp).
 struct Ended {
     XrResult result;
 };
 
-/// The function that the program has called on this thread.
+/// Name of the function that the program has called on this thread.
 void set_current_call(const char* name);
 const char* current_call();
 
-/// Records that the program breaks the specification. The call goes on.
+/// Records a violation of the specification by the program. The call continues.
 void breach(std::string_view what);
-/// The call ends with what a runtime returns for this.
+/// Records a violation and ends the call with the result that a runtime returns for it.
 [[noreturn]] void breach(XrResult error, std::string_view what);
 inline void require(bool holds, XrResult error, std::string_view what) {
     if (!holds) breach(error, what);
@@ -29,19 +28,19 @@ inline void require(bool holds, XrResult error, std::string_view what) {
 
 using Types = std::initializer_list<XrStructureType>;
 
-/// Of a structure that the program passes: that it is there, of this type, and followed by known ones only.
+/// Checks that a structure passed by the program exists, has this type, and is followed only by known ones.
 void check_struct(const void* value, XrStructureType type, Types known_next = {});
-/// The same of several, with the size of one.
+/// The same for an array of structures; `size`: of one.
 void check_structs(const void* values, std::size_t size, std::size_t count, XrStructureType type,
                    Types known_next = {});
 
-/// The structure of this type among those that follow; null if there is none.
+/// The structure of this type in the `next` chain; null if there is none.
 const void* next_of_type(const void* next, XrStructureType type);
 
-/// A text in an array of fixed size: that it ends, and is not empty.
+/// A text in an array of fixed size; checks that it is terminated and not empty.
 std::string checked_text(const char* text, std::size_t size, XrResult error, const char* what);
 
-/// Sets the count, and whether values are asked for, for which there must be room.
+/// Sets the count, and returns whether values are requested; the capacity must then suffice.
 bool asks_for_values(uint32_t capacity, uint32_t* count, const void* out, std::size_t available);
 
 template <class T>
@@ -51,7 +50,7 @@ XrResult fill(uint32_t capacity, uint32_t* count, T* out, const std::vector<T>& 
 }
 XrResult fill(uint32_t capacity, uint32_t* count, char* out, const std::string& text);
 
-/// Each of `n` structures that the program provides with its type is filled by `write`.
+/// Fills `n` structures, whose type the program has set, by `write`.
 template <class T, class Write>
 XrResult fill_structs(uint32_t capacity, uint32_t* count, T* out, std::size_t n, XrStructureType type,
                       Write write) {

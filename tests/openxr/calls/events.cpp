@@ -10,7 +10,7 @@
 namespace test_runtime {
 namespace {
 
-/// From the farthest from the user to the nearest.
+/// States of a running session, in order.
 constexpr std::array way = {XR_SESSION_STATE_STOPPING, XR_SESSION_STATE_SYNCHRONIZED,
                             XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED};
 
@@ -24,7 +24,7 @@ std::string state_name(XrSessionState state) {
     return "?";
 }
 
-/// Carries out one event of the scenario. There is one instance and one session at most.
+/// Carries out one event of the scenario. There is at most one instance and one session.
 struct Happening {
     World& world;
 
@@ -66,7 +66,7 @@ struct Happening {
             instance.loss = Loss::untold;
         }
     }
-    void operator()(Delay) const {}  // of the time of the frame, which is known before its events
+    void operator()(Delay) const {}  // affects the time of the frame, which is set before its events
     void operator()(Rate) const {}
     void operator()(Rendering rendering) const { world.should_render = rendering.wanted; }
     void operator()(Tracking tracking) const { world.now.untracked = tracking.lost; }
@@ -91,7 +91,7 @@ void set_state(XrSession handle, XrSessionState state) {
 
 void walk_to(XrSession handle, XrSessionState state) {
     const Session& session = *handles().sessions.find(handle);
-    // Nothing leads back from STOPPING, and to it, what is READY goes at once.
+    // STOPPING is final, and READY can change to it directly.
     if (session.state == XR_SESSION_STATE_STOPPING) return;
     if (session.state == XR_SESSION_STATE_READY && state == XR_SESSION_STATE_STOPPING)
         return set_state(handle, state);
@@ -107,7 +107,7 @@ void happen(World& world, const Event& event) { std::visit(Happening{world}, eve
 void note(const std::string& what) { record_event(world().frame, what); }
 
 XrResult poll_event(XrInstance handle, XrEventDataBuffer* out) {
-    // A lost instance still has to say so.
+    // A lost instance must still report its loss.
     Instance& instance = live(handles().instances, handle);
     if (instance.events.empty()) instance_of(handle);
     check_struct(out, XR_TYPE_EVENT_DATA_BUFFER);

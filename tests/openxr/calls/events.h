@@ -13,15 +13,15 @@ void send(Instance& instance, const EventData& event) {
     instance.events.push_back(buffer);
 }
 
-/// Changes the state of a session and tells the program.
+/// Changes the state of a session and notifies the program.
 void set_state(XrSession handle, XrSessionState state);
-/// With the states between, for a session that is running.
+/// Changes the state of a running session through all states in between.
 void walk_to(XrSession handle, XrSessionState state);
 
-/// What an event of the scenario does at the frame where the world is.
+/// Carries out an event of the scenario in the current frame.
 void happen(World& world, const Event& event);
 
-/// Writes a line to the record of events.
+/// Writes a line to events.txt.
 void note(const std::string& what);
 
 }  // namespace test_runtime

@@ -5,7 +5,7 @@
 //     "rect": [x, y, width, height], "array_index": 0, "image": 2, "format": "GL_SRGB8_ALPHA8",
 //     "depth": null or {"rect": ..., "array_index": ..., "image": ..., "format": ..., "min": 0, "max": 1,
 //                       "near": 0.1, "far": "infinite" or a number}}, ...]}, ...]}
-// "skipped": periods before this frame in which none was shown. A quad layer has the fields of a view, but
+// "skipped": number of periods without a frame before this one. A quad layer has the fields of a view, but
 // "size" instead of "fov" and "depth".
 #include <chrono>
 #include <condition_variable>
@@ -29,13 +29,13 @@ std::condition_variable_any& frame_begun() {
     return condition;
 }
 
-/// Another thread may be about to begin the frame before. A program with one thread would wait forever.
+/// Another thread may be about to begin the previous frame. A single-threaded program would wait forever.
 void wait_until_begun(XrSession handle) {
     const bool begun = frame_begun().wait_for(one_call(), 1s, [&] {
         const Session* const session = handles().sessions.find(handle);
         return !session || !session->waited;
     });
-    require(begun, XR_ERROR_CALL_ORDER_INVALID, "the frame waited for before has not begun");
+    require(begun, XR_ERROR_CALL_ORDER_INVALID, "the previous frame has not begun");
 }
 
 void sleep_until(XrTime time) {
@@ -45,7 +45,7 @@ void sleep_until(XrTime time) {
     one_call().lock();
 }
 
-/// As a session comes up, it is seen by the user in the second frame, and has the input from the third.
+/// Starts a session up: it becomes visible in the second frame and receives input from the third.
 void come_up(XrSession handle, int frame_of_session) {
     constexpr XrSessionState states[] = {XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE,
                                          XR_SESSION_STATE_FOCUSED};

@@ -3,7 +3,8 @@
 namespace test_runtime {
 namespace {
 
-/// Ends the call if the object is lost. To be told so is no breach, to go on after that is one.
+/// Ends the call if the object is lost. The first such call is permitted, since it reports the loss; later
+/// ones are violations.
 void check_loss(Loss& loss, XrResult error, const char* what) {
     if (loss == Loss::none) return;
     if (loss == Loss::told) breach(error, what);
@@ -14,20 +15,22 @@ void check_loss(Loss& loss, XrResult error, const char* what) {
 }  // namespace
 
 Handles& handles() {
-    static Handles& all = *new Handles;  // outlives what the program does while it exits
+    static Handles& all = *new Handles;  // outlives calls of the program during exit
     return all;
 }
 
 Instance& instance_of(XrInstance handle) {
     Instance& instance = live(handles().instances, handle);
-    check_loss(instance.loss, XR_ERROR_INSTANCE_LOST, "the instance is lost, as the program was told before");
+    check_loss(instance.loss, XR_ERROR_INSTANCE_LOST,
+               "the instance is lost, as already reported to the program");
     return instance;
 }
 
 Session& session_of(XrSession handle) {
     Session& session = live(handles().sessions, handle);
     instance_of(session.instance);
-    check_loss(session.loss, XR_ERROR_SESSION_LOST, "the session is lost, as the program was told before");
+    check_loss(session.loss, XR_ERROR_SESSION_LOST,
+               "the session is lost, as already reported to the program");
     return session;
 }
 
@@ -68,7 +71,7 @@ bool has_extension(XrSession session, const char* name) {
 const std::string& path_text(const Instance& instance, XrPath path) {
     const uint64_t index = path - instance.first_path;
     require(path >= instance.first_path && index < instance.paths.size(), XR_ERROR_PATH_INVALID,
-            "the path is not of this instance");
+            "the path does not belong to this instance");
     return instance.paths[index];
 }
 

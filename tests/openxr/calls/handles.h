@@ -1,5 +1,5 @@
 #pragma once
-// What the handles of the program stand for, and whether they may be used.
+// The objects behind the program's handles, and checks for their use.
 #include <deque>
 #include <map>
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace test_runtime {
 
-/// Objects by handle. No handle is used twice, so that one of a destroyed object is found out.
+/// Objects by handle. Handles are never reused, so that handles of destroyed objects are detected.
 template <class Handle, class Object>
 class Table {
   public:
@@ -40,7 +40,7 @@ class Table {
     std::map<Handle, Object> objects_;
 };
 
-/// Whether there is a loss, and whether the program was told by the result of a call.
+/// Whether an object is lost, and whether the result of a call has told the program.
 enum class Loss { none, untold, told };
 
 struct SuggestedBinding {
@@ -50,17 +50,17 @@ struct SuggestedBinding {
 
 struct Instance {
     std::set<std::string> extensions;
-    bool knows_requirements = false;  ///< of graphics
+    bool knows_requirements = false;  ///< the graphics requirements
     std::deque<XrEventDataBuffer> events;
     std::vector<std::string> paths;
-    uint64_t first_path;  ///< differs between instances, so that a path of another one is found out
+    uint64_t first_path;  ///< differs between instances, to detect paths of another one
     std::map<std::string, std::vector<SuggestedBinding>> suggested;  ///< by interaction profile
     Loss loss = Loss::none;
 };
 
 enum class Platform { glx, egl };
 
-/// What the program draws with.
+/// The program's graphics context.
 struct GraphicsContext {
     Platform platform;
     void* context;
@@ -71,7 +71,7 @@ struct Frame {
     XrTime time;
     XrDuration period;
     bool should_render;
-    int skipped;  ///< periods before it
+    int skipped;  ///< number of skipped periods before it
 };
 
 struct Session {
@@ -80,10 +80,10 @@ struct Session {
     XrSessionState state = XR_SESSION_STATE_UNKNOWN;
     bool running = false, ready_again = false;
     int frames = 0;                      ///< since xrBeginSession
-    std::optional<Frame> waited, begun;  ///< by xrWaitFrame and not xrBeginFrame; by that and not xrEndFrame
+    std::optional<Frame> waited, begun;  ///< waited for but not begun; begun but not ended
     std::vector<XrActionSet> attached;
     std::set<std::pair<XrActionSet, XrPath>>
-        active;  ///< with their subaction paths, by the latest xrSyncActions
+        active;  ///< with their subaction paths, from the latest xrSyncActions
     std::optional<std::string> profile;
     Loss loss = Loss::none;
 };
@@ -99,7 +99,7 @@ struct ActionSpace {
 struct Space {
     XrSession session;
     std::variant<ReferenceSpace, ActionSpace> of;
-    XrPosef pose;  ///< in that
+    XrPosef pose;  ///< in `of`
 };
 
 struct Swapchain {
@@ -107,9 +107,9 @@ struct Swapchain {
     XrSwapchainCreateInfo info;
     std::vector<uint32_t> textures;
     uint32_t next = 0;
-    std::deque<uint32_t> acquired;  ///< of which the first may have been waited for
+    std::deque<uint32_t> acquired;  ///< the first may have been waited for
     bool waited = false;
-    std::optional<uint32_t> released;  ///< the latest
+    std::optional<uint32_t> released;  ///< latest released image
 };
 
 struct ActionSet {
@@ -119,7 +119,7 @@ struct ActionSet {
     bool attached = false;
 };
 
-/// The state of an action for one subaction path, by the latest xrSyncActions.
+/// The state of an action for one subaction path, from the latest xrSyncActions.
 struct ActionState {
     Input value{};
     bool active = false, changed = false;
@@ -132,7 +132,7 @@ struct Action {
     std::string name, localized_name;
     XrActionType type;
     std::vector<XrPath> subactions;
-    std::map<XrPath, ActionState> states;  ///< by subaction path, and by XR_NULL_PATH
+    std::map<XrPath, ActionState> states;  ///< by subaction path or XR_NULL_PATH
 };
 
 struct Handles {
@@ -142,13 +142,13 @@ struct Handles {
     Table<XrSwapchain, Swapchain> swapchains;
     Table<XrActionSet, ActionSet> action_sets;
     Table<XrAction, Action> actions;
-    int unavailable = 0;  ///< calls of xrCreateInstance that fail
+    int unavailable = 0;  ///< number of xrCreateInstance calls that will fail
 };
 
-/// Of the process: the story of a scenario goes on when a lost instance is replaced.
+/// Global, because a scenario continues when a lost instance is replaced.
 Handles& handles();
 
-/// What a handle stands for. The call ends if there is nothing or it is lost.
+/// The object of a handle. Ends the call if there is none or it is lost.
 Instance& instance_of(XrInstance handle);
 Session& session_of(XrSession handle);
 Session& running_session(XrSession handle);
@@ -157,17 +157,17 @@ Swapchain& swapchain_of(XrSwapchain handle);
 ActionSet& action_set_of(XrActionSet handle);
 Action& action_of(XrAction handle);
 
-/// What a handle stands for, even if it is lost: it may still be destroyed.
+/// The object of a handle, even if it is lost, because it may still be destroyed.
 template <class Handle, class Object>
 Object& live(Table<Handle, Object>& table, Handle handle) {
     Object* const found = table.find(handle);
-    require(found, XR_ERROR_HANDLE_INVALID, "the handle is not of a live object");
+    require(found, XR_ERROR_HANDLE_INVALID, "the handle has no live object");
     return *found;
 }
 
 bool has_extension(XrSession session, const char* name);
 
-/// The text of a path of this instance; the call ends if it is none.
+/// The text of a path of this instance. Ends the call if the path is invalid.
 const std::string& path_text(const Instance& instance, XrPath path);
 XrPath path_of(Instance& instance, const std::string& text);
 

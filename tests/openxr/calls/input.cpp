@@ -20,8 +20,8 @@ void check_attached(const Session& session, XrActionSet set) {
             "the action set is not attached to the session");
 }
 
-/// The controllers' own profile if the program knows it, or the simple one, which all controllers can be used
-/// as.
+/// The controllers' own profile if the program supports it, otherwise the simple profile, which works with
+/// all controllers.
 std::optional<std::string> profile_in_use(const Instance& instance) {
     const std::optional<std::string>& own = world().profile;
     if (!own || instance.suggested.contains(*own)) return own;
@@ -39,7 +39,7 @@ void update_profile(XrSession handle, Session& session) {
                                                         nullptr, handle});
 }
 
-/// Whether the set is active for the hand of this path.
+/// Whether the action set is active for the hand of this path.
 bool is_active(const Session& session, XrActionSet set, const std::string& source) {
     const Instance& instance = instance_of(session.instance);
     return std::any_of(session.active.begin(), session.active.end(), [&](const auto& active) {
@@ -48,7 +48,7 @@ bool is_active(const Session& session, XrActionSet set, const std::string& sourc
     });
 }
 
-/// Whether an active action set of a higher priority uses this path.
+/// Whether an active action set with a higher priority uses this path.
 bool is_taken(const Session& session, const std::string& source, uint32_t priority) {
     const Instance& instance = instance_of(session.instance);
     const auto& bindings = instance.suggested.at(*session.profile);
@@ -64,7 +64,7 @@ std::optional<Input> stated_input(const Hand& hand, const std::string& component
     return found == hand.inputs.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// As stated, or one coordinate of a stick that is, or what an input without a component stands for.
+/// The stated input, or one coordinate of a stated stick, or the default component of an input.
 Input input_of(const Hand& hand, const std::string& component) {
     if (const auto stated = stated_input(hand, component)) return *stated;
     const std::string parent = component.substr(0, component.rfind('/'));
@@ -78,7 +78,7 @@ Input input_of(const Hand& hand, const std::string& component) {
 
 float length(const Input& input) { return std::hypot(input.x, input.y); }
 
-/// Of an action of a hand or of both, the strongest of its inputs.
+/// The state of an action for one hand or both, from its strongest input.
 ActionState current_state(const Session& session, XrAction handle, const Action& action, XrPath subaction) {
     ActionState out;
     const uint32_t priority = action_set_of(action.set).priority;
@@ -133,13 +133,13 @@ const ActionState& state_of(XrSession handle, const XrActionStateGetInfo* info, 
     const Session& session = session_of(handle);
     check_struct(info, XR_TYPE_ACTION_STATE_GET_INFO);
     Action& action = action_of(info->action);
-    require(action.type == type, XR_ERROR_ACTION_TYPE_MISMATCH, "the action is of another type");
+    require(action.type == type, XR_ERROR_ACTION_TYPE_MISMATCH, "the action has another type");
     check_attached(session, action.set);
     check_subaction(action, info->subactionPath);
     return action.states[info->subactionPath];
 }
 
-/// What the structures of all types of actions have.
+/// Sets the common members of the state structures of all action types.
 template <class State>
 XrResult set_state_of(State* out, const ActionState& state) {
     out->changedSinceLastSync = state.changed;
@@ -152,7 +152,7 @@ const Action& haptic_action(const Session& session, const XrHapticActionInfo* in
     check_struct(info, XR_TYPE_HAPTIC_ACTION_INFO);
     const Action& action = action_of(info->action);
     require(action.type == XR_ACTION_TYPE_VIBRATION_OUTPUT, XR_ERROR_ACTION_TYPE_MISMATCH,
-            "the action is no vibration");
+            "the action is not a vibration output");
     check_attached(session, action.set);
     check_subaction(action, info->subactionPath);
     return action;
@@ -219,7 +219,7 @@ XrResult get_current_profile(XrSession handle, XrPath user, XrInteractionProfile
     check_struct(out, XR_TYPE_INTERACTION_PROFILE_STATE);
     require(!session.attached.empty(), XR_ERROR_ACTIONSET_NOT_ATTACHED, "no action sets are attached");
     const std::string text = path_text(instance, user);
-    require(is_user(text), XR_ERROR_PATH_UNSUPPORTED, "the path is no top level path of a user");
+    require(is_user(text), XR_ERROR_PATH_UNSUPPORTED, "the path is not a top level user path");
     const bool is_hand = hand_of(text) < world().now.hands.size();
     out->interactionProfile = is_hand && session.profile ? path_of(instance, *session.profile) : XR_NULL_PATH;
     return XR_SUCCESS;
@@ -271,7 +271,7 @@ XrResult get_source_name(XrSession handle, const XrInputSourceLocalizedNameGetIn
     require(!session.attached.empty(), XR_ERROR_ACTIONSET_NOT_ATTACHED, "no action sets are attached");
     constexpr XrInputSourceLocalizedNameFlags known = 7;
     require(info->whichComponents != 0 && (info->whichComponents & ~known) == 0, XR_ERROR_VALIDATION_FAILURE,
-            "no parts of the name are asked for, or unknown ones");
+            "no components of the name are requested, or unknown ones");
     const std::string source = path_text(instance_of(session.instance), info->sourcePath);
     const std::pair<XrInputSourceLocalizedNameFlags, std::string> parts[] = {
         {XR_INPUT_SOURCE_LOCALIZED_NAME_USER_PATH_BIT, hand_of(source) == 0 ? "Left Hand" : "Right Hand"},

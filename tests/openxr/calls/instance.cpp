@@ -12,7 +12,7 @@
 namespace test_runtime {
 namespace {
 
-constexpr const char* layer_error = "the runtime is asked for an API layer";
+constexpr const char* layer_error = "an API layer is requested from the runtime";
 
 template <std::size_t n>
 void set_text(char (&out)[n], const std::string& text) {
@@ -44,7 +44,7 @@ bool is_path_character(char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.' || c == '/';
 }
 
-/// Levels of lowercase names, of which none consists of dots only.
+/// Whether a path consists of levels with lowercase names, none of which contains only dots.
 bool is_well_formed(const std::string& path) {
     if (path.size() < 2 || path.size() >= XR_MAX_PATH_LENGTH || path[0] != '/' || path.back() == '/')
         return false;
@@ -72,13 +72,13 @@ XrResult enumerate_instance_extensions(const char* layer, uint32_t capacity, uin
 
 XrResult create_instance(const XrInstanceCreateInfo* info, XrInstance* out) {
     check_struct(info, XR_TYPE_INSTANCE_CREATE_INFO);
-    require(out, XR_ERROR_VALIDATION_FAILURE, "there is no place for the instance");
-    require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "there are no such flags");
+    require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the instance is null");
+    require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "the flags are unknown");
     check_application(info->applicationInfo);
     require(info->enabledApiLayerCount == 0, XR_ERROR_API_LAYER_NOT_PRESENT, layer_error);
     Instance instance{};
     instance.extensions = checked_extensions(*info);
-    require(handles().instances.empty(), XR_ERROR_LIMIT_REACHED, "there is an instance already");
+    require(handles().instances.empty(), XR_ERROR_LIMIT_REACHED, "an instance already exists");
     if (handles().unavailable > 0) {
         --handles().unavailable;
         return XR_ERROR_RUNTIME_UNAVAILABLE;
@@ -113,21 +113,21 @@ XrResult get_instance_properties(XrInstance handle, XrInstanceProperties* out) {
 
 XrResult result_to_string(XrInstance handle, XrResult result, char* out) {
     live(handles().instances, handle);
-    require(out, XR_ERROR_VALIDATION_FAILURE, "there is no place for the text");
+    require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the text is null");
     out[result_name(result).copy(out, XR_MAX_RESULT_STRING_SIZE - 1)] = '\0';
     return XR_SUCCESS;
 }
 
 XrResult structure_type_to_string(XrInstance handle, XrStructureType type, char* out) {
     live(handles().instances, handle);
-    require(out, XR_ERROR_VALIDATION_FAILURE, "there is no place for the text");
+    require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the text is null");
     out[type_name(type).copy(out, XR_MAX_STRUCTURE_NAME_SIZE - 1)] = '\0';
     return XR_SUCCESS;
 }
 
 XrResult string_to_path(XrInstance handle, const char* text, XrPath* out) {
     Instance& instance = instance_of(handle);
-    require(text && out, XR_ERROR_VALIDATION_FAILURE, "there is no text or no place for the path");
+    require(text && out, XR_ERROR_VALIDATION_FAILURE, "the text or the output for the path is null");
     if (!is_well_formed(text))
         breach(XR_ERROR_PATH_FORMAT_INVALID, "\"" + std::string(text) + "\" is not a well formed path");
     *out = path_of(instance, text);

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What is checked: of which session, and its name for messages.
+/// The layer being checked: its session, and its name for messages.
 struct Part {
     XrSession session;
     std::string name;
@@ -43,7 +43,7 @@ const char* space_name(const Space& space) {
 const char* checked_space(const Part& part, XrSpace handle) {
     const Space* const space = handles().spaces.find(handle);
     part.require(space && space->session == part.session, XR_ERROR_HANDLE_INVALID,
-                 "the space is not a live one of this session");
+                 "the space is not a live space of this session");
     return space_name(*space);
 }
 
@@ -51,7 +51,7 @@ void check_flags(const Part& part, XrCompositionLayerFlags flags) {
     constexpr XrCompositionLayerFlags known = XR_COMPOSITION_LAYER_CORRECT_CHROMATIC_ABERRATION_BIT |
                                               XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT |
                                               XR_COMPOSITION_LAYER_UNPREMULTIPLIED_ALPHA_BIT;
-    part.require((flags & ~known) == 0, XR_ERROR_VALIDATION_FAILURE, "there are no such flags");
+    part.require((flags & ~known) == 0, XR_ERROR_VALIDATION_FAILURE, "the flags are unknown");
 }
 
 bool contains(const XrSwapchainCreateInfo& image, const XrRect2Di& rect) {
@@ -64,7 +64,7 @@ bool contains(const XrSwapchainCreateInfo& image, const XrRect2Di& rect) {
 json checked_image(const Part& part, const XrSwapchainSubImage& image, bool depth) {
     const Swapchain* const swapchain = handles().swapchains.find(image.swapchain);
     part.require(swapchain && swapchain->session == part.session, XR_ERROR_HANDLE_INVALID,
-                 "the swapchain is not a live one of this session");
+                 "the swapchain is not a live swapchain of this session");
     part.require(contains(swapchain->info, image.imageRect), XR_ERROR_SWAPCHAIN_RECT_INVALID,
                  "the image rectangle exceeds the swapchain, or is empty");
     part.require(image.imageArrayIndex < swapchain->info.arraySize, XR_ERROR_VALIDATION_FAILURE,
@@ -91,13 +91,13 @@ json checked_depth(const Part& part, const XrCompositionLayerDepthInfoKHR& info)
     part.require(has_extension(part.session, XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME),
                  XR_ERROR_VALIDATION_FAILURE, "XR_KHR_composition_layer_depth is not enabled");
     const bool in_range = info.minDepth >= 0 && info.minDepth < info.maxDepth && info.maxDepth <= 1;
-    part.require(in_range, XR_ERROR_VALIDATION_FAILURE, "the depth range is not one within 0 to 1");
+    part.require(in_range, XR_ERROR_VALIDATION_FAILURE, "the depth range is not within 0 to 1");
     part.require(info.nearZ != info.farZ && info.nearZ >= 0 && info.farZ >= 0, XR_ERROR_VALIDATION_FAILURE,
-                 "the near and far distances are equal, or negative, or no numbers");
+                 "the near and far distances are equal, negative or not numbers");
     json out = checked_image({part.session, part.name + " depth"}, info.subImage, true);
     out["min"] = info.minDepth;
     out["max"] = info.maxDepth;
-    // JSON has no infinity.
+    // JSON cannot represent infinity.
     out["near"] = std::isfinite(info.nearZ) ? json(info.nearZ) : json("infinite");
     out["far"] = std::isfinite(info.farZ) ? json(info.farZ) : json("infinite");
     return out;
@@ -128,7 +128,8 @@ json checked_projection(const Part& part, const XrCompositionLayerProjection& la
     check_flags(part, layer.layerFlags);
     json out = {
         {"type", "projection"}, {"space", checked_space(part, layer.space)}, {"flags", layer.layerFlags}};
-    part.require(layer.viewCount == 2 && layer.views, XR_ERROR_VALIDATION_FAILURE, "there are not two views");
+    part.require(layer.viewCount == 2 && layer.views, XR_ERROR_VALIDATION_FAILURE,
+                 "the number of views is not two");
     views.resize(layer.viewCount);
     for (uint32_t i = 0; i < layer.viewCount; ++i)
         out["views"].push_back(
@@ -140,7 +141,7 @@ json checked_quad(const Part& part, const XrCompositionLayerQuad& layer) {
     check_struct(&layer, XR_TYPE_COMPOSITION_LAYER_QUAD);
     check_flags(part, layer.layerFlags);
     part.require(layer.eyeVisibility <= XR_EYE_VISIBILITY_RIGHT, XR_ERROR_VALIDATION_FAILURE,
-                 "there is no such eye visibility");
+                 "the eye visibility is unknown");
     part.require(is_valid(layer.pose), XR_ERROR_POSE_INVALID, "the pose is not valid");
     part.require(layer.size.width > 0 && layer.size.height > 0, XR_ERROR_VALIDATION_FAILURE,
                  "it has no size");

@@ -12,11 +12,11 @@ struct SubmittedView {
 };
 
 struct SubmittedLayers {
-    nlohmann::json record = nlohmann::json::array();  ///< as frames.jsonl has it
+    nlohmann::json record = nlohmann::json::array();  ///< as in frames.jsonl
     std::vector<SubmittedView> views;                 ///< of the first projection layer
 };
 
-/// The layers of a frame. The call ends if one of them is not valid.
+/// Checks the layers of a frame. Ends the call if one of them is invalid.
 SubmittedLayers checked_layers(XrSession session, const XrFrameEndInfo& info);
 
 }  // namespace test_runtime

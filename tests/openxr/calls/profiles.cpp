@@ -138,7 +138,7 @@ bool is_on(Side side, std::size_t hand) {
     return side == Side::both || (side == Side::left ? hand == 0 : hand == 1);
 }
 
-/// Those that the path names: one, or all below it.
+/// The components named by the path: one, or all below it.
 std::vector<Component> named_by(const std::string& profile_name, const std::string& path) {
     const Profile* const profile = find(profile_name);
     const std::size_t hand = hand_of(path);

@@ -1,5 +1,5 @@
 #pragma once
-// The interaction profiles of the specification: what controllers have.
+// The interaction profiles of the specification, with the inputs of controllers.
 #include <openxr/openxr.h>
 
 #include <string>
@@ -10,8 +10,9 @@ bool is_known_profile(const std::string& profile);
 /// Empty if none is needed.
 std::string extension_of_profile(const std::string& profile);
 
-/// Of a path like /user/hand/left/input/trigger/value, or /user/hand/left/input/trigger for any of its
-/// components: whether the controller has it, and whether an action of this type can be bound to it.
+/// Whether the controller has a path such as /user/hand/left/input/trigger/value, or
+/// /user/hand/left/input/trigger for any of its components, and whether an action of this type can be bound
+/// to it.
 bool has_component(const std::string& profile, const std::string& path);
 bool suits_action(const std::string& profile, const std::string& path, XrActionType type);
 

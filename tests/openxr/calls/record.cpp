@@ -17,14 +17,14 @@ const std::filesystem::path& folder() {
         const std::filesystem::path path(name ? name : "");
         if (!path.empty()) {
             std::filesystem::create_directories(path);
-            std::ofstream(path / "violations.txt", std::ios::app);  // empty, if there are none
+            std::ofstream(path / "violations.txt", std::ios::app);  // empty if there are none
         }
         return path;
     }();
     return path;
 }
 
-/// Opened and closed for each line: nothing is lost if the program crashes.
+/// Opened and closed for each line, so that nothing is lost if the program crashes.
 void append(const char* file, const std::string& line) {
     if (!folder().empty()) std::ofstream(folder() / file, std::ios::app) << line << '\n';
 }

@@ -17,7 +17,7 @@ std::vector<XrSession> sessions_of(XrInstance instance) {
 
 void end_all_of(XrSession handle) {
     const Session& session = *handles().sessions.find(handle);
-    const bool current = is_current(session.graphics);  // else the textures go with the context
+    const bool current = is_current(session.graphics);  // otherwise the textures are deleted with the context
     handles().swapchains.erase_if([&](const Swapchain& swapchain) {
         if (swapchain.session == handle && current) delete_textures(swapchain.textures);
         return swapchain.session == handle;
@@ -31,15 +31,15 @@ XrResult create_session(XrInstance handle, const XrSessionCreateInfo* info, XrSe
     const Instance& instance = instance_of(handle);
     check_struct(info, XR_TYPE_SESSION_CREATE_INFO,
                  {XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR, XR_TYPE_GRAPHICS_BINDING_EGL_MNDX});
-    require(out, XR_ERROR_VALIDATION_FAILURE, "there is no place for the session");
-    require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "there are no such flags");
+    require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the session is null");
+    require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "the flags are unknown");
     check_system(info->systemId);
     require(instance.extensions.contains(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME), XR_ERROR_VALIDATION_FAILURE,
             "XR_KHR_opengl_enable is not enabled");
     require(instance.knows_requirements, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING,
             "xrGetOpenGLGraphicsRequirementsKHR was not called before");
     const GraphicsContext graphics = checked_context(instance, *info);
-    require(handles().sessions.empty(), XR_ERROR_LIMIT_REACHED, "there is a session already");
+    require(handles().sessions.empty(), XR_ERROR_LIMIT_REACHED, "a session already exists");
     Session session{};
     session.instance = handle;
     session.graphics = graphics;

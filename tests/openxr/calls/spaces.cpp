@@ -13,7 +13,7 @@ constexpr XrSpaceLocationFlags located =
     XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
     XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
 
-/// What nobody may use: it is found out where it is used.
+/// An invalid pose, which makes any use of it noticeable.
 constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 constexpr XrPosef no_pose = {{no_number, no_number, no_number, no_number}, {no_number, no_number, no_number}};
 
@@ -32,7 +32,7 @@ void check_pose(const XrPosef& pose) {
     require(is_valid(pose), XR_ERROR_POSE_INVALID, "the pose is not valid");
 }
 
-/// In the stage; none while it is not tracked.
+/// Pose in the stage; none while untracked.
 std::optional<XrPosef> reference_pose(XrReferenceSpaceType type, XrTime time) {
     const Moment& moment = moment_at(time);
     if (moment.untracked) return {};
@@ -40,7 +40,7 @@ std::optional<XrPosef> reference_pose(XrReferenceSpaceType type, XrTime time) {
     return type == XR_REFERENCE_SPACE_TYPE_LOCAL ? local_origin_at(time) : identity_pose;
 }
 
-/// In the stage; none while it is not tracked.
+/// Pose in the stage; none while untracked.
 std::optional<XrPosef> stage_pose(const Space& space, XrTime time) {
     const auto* const reference = std::get_if<ReferenceSpace>(&space.of);
     const std::optional<XrPosef> origin =
@@ -67,7 +67,7 @@ XrResult enumerate_reference_spaces(XrSession handle, uint32_t capacity, uint32_
 XrResult create_reference_space(XrSession handle, const XrReferenceSpaceCreateInfo* info, XrSpace* out) {
     session_of(handle);
     check_struct(info, XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
-    require(out, XR_ERROR_VALIDATION_FAILURE, "there is no place for the space");
+    require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the space is null");
     check_offered(info->referenceSpaceType);
     check_pose(info->poseInReferenceSpace);
     *out =
@@ -78,7 +78,7 @@ XrResult create_reference_space(XrSession handle, const XrReferenceSpaceCreateIn
 XrResult get_bounds(XrSession handle, XrReferenceSpaceType type, XrExtent2Df* out) {
     session_of(handle);
     check_offered(type);
-    require(out, XR_ERROR_VALIDATION_FAILURE, "there is no place for the bounds");
+    require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the bounds is null");
     const std::optional<XrExtent2Df>& stage = world().scenario.stage;
     const bool known = stage && type == XR_REFERENCE_SPACE_TYPE_STAGE;
     *out = known ? *stage : XrExtent2Df{0, 0};
@@ -88,7 +88,7 @@ XrResult get_bounds(XrSession handle, XrReferenceSpaceType type, XrExtent2Df* ou
 XrResult create_action_space(XrSession handle, const XrActionSpaceCreateInfo* info, XrSpace* out) {
     session_of(handle);
     check_struct(info, XR_TYPE_ACTION_SPACE_CREATE_INFO);
-    require(out, XR_ERROR_VALIDATION_FAILURE, "there is no place for the space");
+    require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the space is null");
     const Action& action = action_of(info->action);
     require(action.type == XR_ACTION_TYPE_POSE_INPUT, XR_ERROR_ACTION_TYPE_MISMATCH,
             "the action is not a pose");
@@ -101,7 +101,8 @@ XrResult create_action_space(XrSession handle, const XrActionSpaceCreateInfo* in
 
 XrResult locate_space(XrSpace handle, XrSpace base_handle, XrTime time, XrSpaceLocation* out) {
     const Space &space = space_of(handle), &base = space_of(base_handle);
-    require(space.session == base.session, XR_ERROR_HANDLE_INVALID, "the spaces are of different sessions");
+    require(space.session == base.session, XR_ERROR_HANDLE_INVALID,
+            "the spaces belong to different sessions");
     check_struct(out, XR_TYPE_SPACE_LOCATION, {XR_TYPE_SPACE_VELOCITY});
     check_time(time);
     const std::optional<XrPosef> pose = relative_pose(space, base, time);
@@ -126,10 +127,10 @@ XrResult locate_views(XrSession handle, const XrViewLocateInfo* info, XrViewStat
     check_view_configuration(info->viewConfigurationType);
     check_time(info->displayTime);
     const Space& base = space_of(info->space);
-    require(base.session == handle, XR_ERROR_HANDLE_INVALID, "the space is of another session");
+    require(base.session == handle, XR_ERROR_HANDLE_INVALID, "the space belongs to another session");
     const Space head{handle, ReferenceSpace{XR_REFERENCE_SPACE_TYPE_VIEW}, identity_pose};
     const std::optional<XrPosef> pose = relative_pose(head, base, info->displayTime);
-    state->viewStateFlags = pose ? located : 0;  // they have the bits of a space's location
+    state->viewStateFlags = pose ? located : 0;  // same bits as in a space location
     const std::array<Eye, 2>& eyes = world().scenario.eyes;
     return fill_structs(capacity, count, out, eyes.size(), XR_TYPE_VIEW, [&](XrView& view, std::size_t i) {
         view.pose = pose ? composed(*pose, eyes[i].pose) : no_pose;

@@ -15,9 +15,9 @@ void check_size(const XrSwapchainCreateInfo& info) {
                 info.height <= max_swapchain_side,
             XR_ERROR_VALIDATION_FAILURE, "the size is not between 1 and the largest supported");
     require(info.arraySize > 0 && info.mipCount > 0 && info.sampleCount > 0, XR_ERROR_VALIDATION_FAILURE,
-            "the array, the mip levels or the samples are none");
+            "there are no array layers, mip levels or samples");
     require(info.faceCount == 1 || info.faceCount == 6, XR_ERROR_VALIDATION_FAILURE,
-            "there are neither 1 nor 6 faces");
+            "the number of faces is neither 1 nor 6");
     require(info.faceCount == 1 && info.sampleCount == 1, XR_ERROR_FEATURE_UNSUPPORTED,
             "cubes and multisampling are not supported");
 }
@@ -28,7 +28,7 @@ void check_use(const XrSwapchainCreateInfo& info) {
             XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, "the format is not among those of the session");
     require((info.createFlags & ~XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT) == 0, XR_ERROR_FEATURE_UNSUPPORTED,
             "a flag is not supported");
-    constexpr XrSwapchainUsageFlags known = 0x7f;  // all of the core
+    constexpr XrSwapchainUsageFlags known = 0x7f;  // all flags of the core specification
     require((info.usageFlags & ~known) == 0, XR_ERROR_FEATURE_UNSUPPORTED, "a usage is not supported");
     const XrSwapchainUsageFlags other = is_depth(info.format)
                                             ? XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT
@@ -51,7 +51,7 @@ XrResult enumerate_swapchain_formats(XrSession handle, uint32_t capacity, uint32
 XrResult create_swapchain(XrSession handle, const XrSwapchainCreateInfo* info, XrSwapchain* out) {
     const Session& session = session_of(handle);
     check_struct(info, XR_TYPE_SWAPCHAIN_CREATE_INFO);
-    require(out, XR_ERROR_VALIDATION_FAILURE, "there is no place for the swapchain");
+    require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the swapchain is null");
     check_size(*info);
     check_use(*info);
     if (!check_graphics(session)) return XR_ERROR_RUNTIME_FAILURE;
@@ -83,7 +83,7 @@ XrResult enumerate_swapchain_images(XrSwapchain handle, uint32_t capacity, uint3
 XrResult acquire_image(XrSwapchain handle, const XrSwapchainImageAcquireInfo* info, uint32_t* index) {
     Swapchain& swapchain = swapchain_of(handle);
     if (info) check_struct(info, XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO);
-    require(index, XR_ERROR_VALIDATION_FAILURE, "there is no place for the index");
+    require(index, XR_ERROR_VALIDATION_FAILURE, "the output for the index is null");
     require(swapchain.acquired.size() < swapchain.textures.size(), XR_ERROR_CALL_ORDER_INVALID,
             "all images are acquired");
     require(!is_static(swapchain) || !swapchain.released, XR_ERROR_CALL_ORDER_INVALID,
@@ -99,7 +99,7 @@ XrResult wait_image(XrSwapchain handle, const XrSwapchainImageWaitInfo* info) {
     Swapchain& swapchain = swapchain_of(handle);
     check_struct(info, XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO);
     require(info->timeout >= 0, XR_ERROR_VALIDATION_FAILURE, "the timeout is negative");
-    require(!swapchain.waited, XR_ERROR_CALL_ORDER_INVALID, "the image waited for before is not released");
+    require(!swapchain.waited, XR_ERROR_CALL_ORDER_INVALID, "the previous image is not released");
     require(!swapchain.acquired.empty(), XR_ERROR_CALL_ORDER_INVALID, "no image is acquired");
     swapchain.waited = true;
     return XR_SUCCESS;

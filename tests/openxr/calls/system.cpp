@@ -12,7 +12,7 @@ constexpr XrSystemId the_system = 1;
 }  // namespace
 
 void check_system(XrSystemId system) {
-    require(system == the_system, XR_ERROR_SYSTEM_INVALID, "there is no such system");
+    require(system == the_system, XR_ERROR_SYSTEM_INVALID, "the system does not exist");
 }
 
 void check_view_configuration(XrViewConfigurationType type) {
@@ -23,7 +23,7 @@ void check_view_configuration(XrViewConfigurationType type) {
 XrResult get_system(XrInstance handle, const XrSystemGetInfo* info, XrSystemId* out) {
     instance_of(handle);
     check_struct(info, XR_TYPE_SYSTEM_GET_INFO);
-    require(out, XR_ERROR_VALIDATION_FAILURE, "there is no place for the system");
+    require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the system is null");
     require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY, XR_ERROR_FORM_FACTOR_UNSUPPORTED,
             "the only form factor is a head mounted display");
     *out = the_system;
