@@ -27,7 +27,7 @@ Cells lay_out_cells(const JpegHeader& header, size_t blocks) {
                          .count = {mcus / header.interval, divided_up(mcu_rows, rows)},
                          .rows = rows,
                          .mcu_rows = mcu_rows};
-    require(cells.count.w * cells.count.h == blocks, "there are not as many blocks as cells");
+    require(cells.count.w * cells.count.h == blocks, "the numbers of blocks and cells differ");
     return cells;
 }
 
@@ -39,7 +39,7 @@ Bytes segment_of(const Cells& cells, const Chunk& chunk, uint64_t mcu_row, uint6
     return slice(cell, at, number_at<uint16_t>(cell, 2 * (mcu_row % cells.rows)));
 }
 
-// The first and last of the units that a range touches, with a margin for the chroma to interpolate.
+// The first and last unit that a range touches, with a margin for chroma interpolation.
 std::pair<uint64_t, uint64_t> touched(uint64_t begin, uint64_t length, uint64_t margin, uint64_t end,
                                       uint64_t unit) {
     return {(begin - std::min(begin, margin)) / unit, (std::min(begin + length + margin, end) - 1) / unit};
@@ -48,7 +48,7 @@ std::pair<uint64_t, uint64_t> touched(uint64_t begin, uint64_t length, uint64_t 
 Buffer decode_cells(const Chunk& chunk, Size level, Area area) {
     const JpegHeader header = read_jpeg_header(chunk.shared);
     require(header.size.w == level.w && header.size.h == level.h,
-            "a photo's JPEG does not have its level's size");
+            "a photo's JPEG does not have the size of its level");
     const Cells cells = lay_out_cells(header, chunk.blocks.size());
     const auto [left, right] = touched(area.x, area.w, header.mcu.w / 4, level.w, cells.cell.w);
     const auto [top, bottom] = touched(area.y, area.h, header.mcu.h / 4, level.h, header.mcu.h);
@@ -70,7 +70,7 @@ Buffer decode_cells(const Chunk& chunk, Size level, Area area) {
 
 int median(int a, int b, int c) { return std::max(std::min(a, b), std::min(std::max(a, b), c)); }
 
-// Replaces folded differences by the values.
+// Replaces folded differences with values.
 void unfold(std::vector<int>& values, uint64_t width, int modulus) {
     for (size_t i = 0; i < values.size(); ++i) {
         const bool has_left = i % width > 0, has_above = i >= width;
@@ -97,14 +97,14 @@ Buffer decode_planes(Bytes block, Area area) {
             unfold(values, area.w, 256);
         for (size_t i = 0; i < n; ++i) texels[4 * i + channel] = static_cast<uint8_t>(values[i]);
     }
-    require(at == content.size(), "bytes follow the planes");
+    require(at == content.size(), "there are bytes after the planes");
     return texels;
 }
 
 Buffer decode_depth(Bytes block, Area area) {
     const uint64_t n = area.w * area.h;
     const Buffer content = unzip(block, 4 + 2 * n, false);
-    require(content.size() == 4 + 2 * n, "there are not as many depths as texels");
+    require(content.size() == 4 + 2 * n, "the numbers of depths and texels differ");
     std::vector<int> values(n);
     for (size_t i = 0; i < n; ++i) values[i] = content[4 + i] | content[4 + n + i] << 8;
     unfold(values, area.w, 1 << 16);
@@ -115,7 +115,7 @@ Buffer decode_depth(Bytes block, Area area) {
         const uint64_t q = values[i] == 0
                                ? infinity
                                : number_at<uint32_t>(content, 0) + static_cast<uint64_t>(values[i]) - 1;
-        require(q <= infinity, "a depth is not a number");
+        require(q <= infinity, "a depth is NaN");
         for (size_t k = 0; k < 4; ++k) texels[4 * i + k] = static_cast<uint8_t>(q << 12 >> 8 * k);
     }
     return texels;

@@ -1,8 +1,8 @@
 // independent_reader COMPACT RAW
 //
-// Reads two packages of one scene with nothing but what scene/package/FORMAT.md says, to prove that the text
-// is sufficient: it shares no line with the project. RAW is COMPACT after `vantage repack COMPACT -o RAW
-// --tiles raw`, so what the chunks of COMPACT decode to must be found there byte for byte.
+// Reads two packages of one scene with code written only from scene/package/FORMAT.md, sharing no line with
+// the project, to prove that the document is sufficient. RAW is COMPACT after `vantage repack COMPACT -o RAW
+// --tiles raw`, so it must contain the decoded chunks of COMPACT byte for byte.
 
 #include <algorithm>
 #include <cstdint>
@@ -81,7 +81,7 @@ void compare_thumbnail(const Entry& compact, const Entry& raw, Bytes photos, Tal
     const Size size = size_in_photo_record(photos, compact.photo, 208);
     const Chunk chunk = open_chunk(compact);
     require(compact.form == 2 && chunk.blocks.size() == 1, "not one JPEG");
-    require(expected.size() == 4 * size.w * size.h, "a raw thumbnail does not have its size");
+    require(expected.size() == 4 * size.w * size.h, "a raw thumbnail has a wrong size");
     compare(decode_jpeg_block(chunk.shared, chunk.blocks[0], {0, 0, size.w, size.h}), expected, tally);
 }
 
@@ -94,11 +94,11 @@ void compare_tiles(const Entry& compact, const Entry& raw, Bytes photos, Tally& 
     const std::set<std::pair<std::string, uint32_t>> forms = {{"TILE", 0}, {"TILE", 2}, {"TILE", 3},
                                                               {"TILE", 4}, {"MASK", 0}, {"MASK", 4},
                                                               {"DPTH", 0}, {"DPTH", 5}};
-    require(forms.contains({compact.type, compact.form}), "this type has no such form");
+    require(forms.contains({compact.type, compact.form}), "this type does not support this form");
 
     const Chunk chunk = open_chunk(compact), expected = open_chunk(raw);
-    require(raw.form == 0 && expected.blocks.size() == n, "there are not as many raw blocks as tiles");
-    require(compact.form == 3 || chunk.blocks.size() == n, "there are not as many blocks as tiles");
+    require(raw.form == 0 && expected.blocks.size() == n, "the numbers of raw blocks and tiles differ");
+    require(compact.form == 3 || chunk.blocks.size() == n, "the numbers of blocks and tiles differ");
     for (const uint64_t tile : std::set<uint64_t>{0, n / 2, n - 1})
         compare(decode_tile(compact, chunk, level, tile), expected.blocks[tile], tally);
 }

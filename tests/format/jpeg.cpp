@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <csetjmp>
-#include <cstdio>  // before jpeglib.h, which lacks it
+#include <cstdio>  // must precede jpeglib.h, which requires it
 #include <stdexcept>
 #include <string>
 
@@ -21,7 +21,7 @@ void read_frame_header(Bytes bytes, size_t at, JpegHeader& header) {
     header.size_at = at + 5;
     header.size = {read_big_endian(bytes, at + 7), read_big_endian(bytes, at + 5)};
     const size_t components = slice(bytes, at + 9, 1)[0];
-    if (components == 1) return;  // then an MCU is one block, whatever the sampling
+    if (components == 1) return;  // an MCU is then one block, whatever the sampling factors
     for (size_t i = 0; i < components; ++i) {
         const uint64_t sampling = slice(bytes, at + 10 + 3 * i, 3)[1];
         header.mcu = {std::max(header.mcu.w, 8 * (sampling >> 4)),
@@ -44,7 +44,7 @@ JpegHeader read_jpeg_header(Bytes bytes) {
         if (marker == 0xffdd) header.interval = read_big_endian(bytes, at + 4);
         at += 2 + length;
     }
-    require(header.size_at > 0 && marker == 0xffda, "a JPEG's header lacks something");
+    require(header.size_at > 0 && marker == 0xffda, "a JPEG's header is incomplete");
     return header;
 }
 
@@ -90,7 +90,7 @@ bool decode_rows(JpegDecoder& decoder, Bytes file, Size size, uint8_t* rgb) {
 }  // namespace
 
 Buffer decode_jpeg(Bytes file, Size size, Area area) {
-    require(area.x + area.w <= size.w && area.y + area.h <= size.h, "an area is outside its JPEG");
+    require(area.x + area.w <= size.w && area.y + area.h <= size.h, "an area lies outside its JPEG");
     Buffer rgb(3 * size.w * size.h);
     JpegDecoder decoder;
     decoder.info.err = jpeg_std_error(&decoder.errors);

@@ -1,7 +1,7 @@
 #pragma once
 #include "package_bytes.h"
 
-// JPEG files that are put together from the parts of chunks.
+// JPEG files assembled from parts of chunks.
 namespace independent {
 
 struct Size {
@@ -13,17 +13,17 @@ struct Area {
 };
 
 struct JpegHeader {
-    size_t size_at = 0;  // of the height in SOF0, which the width follows
+    size_t size_at = 0;  // offset of the height in SOF0, followed by the width
     Size size = {0, 0}, mcu = {8, 8};
     uint64_t interval = 0;
 };
 
 JpegHeader read_jpeg_header(Bytes bytes);
 
-// A JPEG's beginning, with another size.
+// Copies a JPEG header with another size.
 Buffer with_size(Bytes shared, const JpegHeader& header, Size size);
 
-// An area of a JPEG, as RGBA.
+// Decodes an area of a JPEG to RGBA.
 Buffer decode_jpeg(Bytes file, Size size, Area area);
 
 }  // namespace independent

@@ -22,7 +22,7 @@ void require(bool condition, const std::string& what) {
 
 Bytes slice(Bytes bytes, uint64_t offset, uint64_t length) {
     require(offset <= bytes.size() && length <= bytes.size() - offset,
-            "something extends outside what contains it");
+            "a range extends beyond its container");
     return bytes.subspan(offset, length);
 }
 
@@ -54,7 +54,7 @@ Entry read_entry(Bytes file, Bytes bytes) {
                          .checksum = number_at<uint64_t>(bytes, 48),
                          .bytes = slice(file, offset, number_at<uint64_t>(bytes, 24))};
     const auto letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
-    require(std::ranges::all_of(entry.type, letter), "a type is not of letters");
+    require(std::ranges::all_of(entry.type, letter), "a type does not consist of letters");
     require(offset % (entry.form == 0 ? 4096 : 8) == 0, "a chunk is not aligned");
     return entry;
 }
@@ -65,9 +65,9 @@ Package read_package(const char* path) try {
     const Bytes file = map_file(path), header = slice(file, 0, 64);
     const std::string_view magic = "VANTAGE\n";
     require(std::equal(magic.begin(), magic.end(), header.begin()), "not a finished package");
-    require(number_at<uint32_t>(header, 8) == 8, "not of version 8");
+    require(number_at<uint32_t>(header, 8) == 8, "not format version 8");
     require(number_at<uint64_t>(header, 56) == checksum(header.first(56)), "the header is damaged");
-    require(number_at<uint64_t>(header, 24) == file.size(), "the file does not have its size");
+    require(number_at<uint64_t>(header, 24) == file.size(), "the file does not have the stated size");
     const Bytes directory =
         slice(file, number_at<uint64_t>(header, 16), uint64_t{64} * number_at<uint32_t>(header, 12));
     require(number_at<uint64_t>(header, 32) == checksum(directory), "the directory is damaged");
@@ -83,7 +83,7 @@ Package read_package(const char* path) try {
 
 const Entry& chunk_of(const Package& package, const std::string& type, uint32_t photo, uint32_t level) {
     const auto found = package.find({type, photo, level});
-    require(found != package.end(), "there is no such chunk of type " + type);
+    require(found != package.end(), "there is no matching chunk of type " + type);
     return found->second;
 }
 
@@ -104,7 +104,7 @@ Chunk open_chunk(const Entry& entry) {
         chunk.blocks.push_back(slice(behind, begin, end - begin));
         require(number_at<uint64_t>(table, 8 * i) == checksum(chunk.blocks.back()), "a block is damaged");
     }
-    require(end == behind.size(), "there are bytes that belong to no block");
+    require(end == behind.size(), "there are bytes outside the blocks");
     chunk.shared = chunk.head.subspan(table.size());
     return chunk;
 }
@@ -114,7 +114,7 @@ Buffer unzip(Bytes bytes, uint64_t most, bool padded) {
     require(!ZSTD_isError(length) && length <= bytes.size(), "not a zstd frame");
     const Bytes rest = bytes.subspan(length);
     require(std::ranges::count(rest, 0) == std::ssize(rest) && (padded || rest.empty()),
-            "bytes follow a frame");
+            "there are bytes after a frame");
     Buffer content(most);
     const size_t written = ZSTD_decompress(content.data(), content.size(), bytes.data(), length);
     require(!ZSTD_isError(written), "a zstd frame is damaged or too long");
@@ -127,10 +127,10 @@ Buffer read_content(const Entry& entry) {
     require(entry.form <= 1 && head.size() == entry.bytes.size(), "a chunk should have no blocks");
     if (entry.form == 0) return Buffer(head.begin(), head.end());
     const auto length = number_at<uint64_t>(head, 0);
-    // Before memory is taken for it.
-    require(length / 32 <= head.size(), "a content is too long for its chunk");
+    // Checked before memory is allocated for it.
+    require(length / 32 <= head.size(), "a chunk's content is too long");
     Buffer content = unzip(head.subspan(8), length, true);
-    require(content.size() == length, "a content does not have its length");
+    require(content.size() == length, "a chunk's content does not have its stated length");
     return content;
 }
 

@@ -7,13 +7,13 @@
 #include <tuple>
 #include <vector>
 
-// A package by the first part of scene/package/FORMAT.md: header, directory, chunks.
+// A package as in the first part of scene/package/FORMAT.md: header, directory, chunks.
 namespace independent {
 
 using Bytes = std::span<const uint8_t>;
 using Buffer = std::vector<uint8_t>;
 
-// Throws what is wrong.
+// Throws an error with this message unless the condition holds.
 void require(bool condition, const std::string& what);
 
 Bytes slice(Bytes bytes, uint64_t offset, uint64_t length);
@@ -47,13 +47,13 @@ Package read_package(const char* path);
 
 const Entry& chunk_of(const Package& package, const std::string& type, uint32_t photo, uint32_t level);
 
-// Checks the checksums, too.
+// Also verifies the checksums.
 Chunk open_chunk(const Entry& entry);
 
-// A zstd frame of at most so many bytes; `padded`: zeros may follow it.
+// The content of a zstd frame, at most `most` bytes; `padded`: zeros may follow it.
 Buffer unzip(Bytes bytes, uint64_t most, bool padded);
 
-// Of a chunk without blocks.
+// The content of a chunk without blocks.
 Buffer read_content(const Entry& entry);
 
 }  // namespace independent

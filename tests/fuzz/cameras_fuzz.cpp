@@ -1,4 +1,4 @@
-// Cameras of one format: one file, or the two files of a folder, divided by a line of "----". If the format
+// Cameras of one format: one file, or the two files of a folder, separated by a line of "----". If the format
 // has two forms, a leading zero byte selects the first.
 #include <algorithm>
 #include <set>
@@ -49,11 +49,11 @@ int read_cameras_of(const std::vector<CameraFormat>& formats, const std::uint8_t
 }  // namespace
 
 #ifdef FUZZ_CORPUS
-/// A format's corpus has its name, in small letters.
+/// The corpus of a format has its name, in lower case.
 TEST(Fuzz, cameras) {
     std::set<std::string> names;
     for (const CameraFormat& f : camera_formats()) names.insert(f.name);
-    names.erase("Bundler");  // has a target of its own
+    names.erase("Bundler");  // has its own target
     for (const std::string& name : names) {
         std::string folder = name;
         std::ranges::transform(folder, folder.begin(),

@@ -1,6 +1,6 @@
-// Coded tiles and photos: a byte that chooses the decoder, width and height, then what to decode. Checks that
-// what a JPEG is divided into can be put together again. Pictures are small, because large ones take their
-// time in code that does not depend on their content.
+// Coded tiles and photos: a byte that selects the decoder, width and height, then the data. Checks that a
+// divided JPEG can be reassembled. Pictures are small, because large ones spend their time in code that does
+// not depend on their content.
 #include <turbojpeg.h>
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// A command's settings and the specification of a synthetic scene, both TOML. Checks that accepted numbers
-// are within their bounds.
+// Settings of a command and specifications of synthetic scenes, both TOML. Checks that accepted numbers are
+// within their bounds.
 #include <cstdlib>
 
 #include "base/text/error.h"

@@ -1,5 +1,5 @@
-// What a server answers to a request for a range, and the description of a cached file: two bytes that choose
-// the range, then lines of headers. Checks what an answer that is accepted promises.
+// Responses to range requests, and descriptions of cached files: two bytes that select the range, then header
+// lines. Checks the guarantees of accepted responses.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

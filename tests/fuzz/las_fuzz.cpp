@@ -1,4 +1,4 @@
-// LAS point clouds. Checks that colors fit the points and that no more points come out than the file can
+// LAS point clouds. Checks that colors match the points and that there are no more points than the file can
 // hold.
 #include <cstdlib>
 

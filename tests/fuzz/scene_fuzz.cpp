@@ -1,5 +1,5 @@
-// Scene files. Checks that accepted numbers are within their bounds and that what is written back is read as
-// the same objects.
+// Scene files. Checks that accepted numbers are within their bounds and that objects are unchanged after
+// writing and reading.
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
@@ -26,7 +26,7 @@ bool same(const SceneObject& a, const SceneObject& b) {
     return a.name == b.name && a.placement == b.placement && a.shown == b.shown && a.opacity == b.opacity;
 }
 
-/// Empty if the file is refused.
+/// Empty if the file is rejected.
 std::optional<std::vector<SceneObject>> accepted(const std::filesystem::path& file, SceneUse use) {
     try {
         return read_scene_file(file, use);

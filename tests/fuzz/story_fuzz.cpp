@@ -1,5 +1,5 @@
-// Stories. Checks that accepted numbers are finite, that references can be looked for, and that what is
-// written back is read as the same story.
+// Stories. Checks that accepted numbers are finite, that references can be checked, and that a story is
+// unchanged after writing and reading.
 #include <cmath>
 #include <cstdlib>
 #include <optional>

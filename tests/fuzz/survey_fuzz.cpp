@@ -1,4 +1,4 @@
-// Files of measurements. Checks that errors are Errors, and that values are finite.
+// Measurement files. Checks that errors are of type Error, and that values are finite.
 #include <cmath>
 #include <cstdlib>
 #include <string>

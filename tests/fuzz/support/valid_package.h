@@ -18,7 +18,7 @@
 
 namespace vantage::fuzz {
 
-/// A tetrahedron around the scene, of which the photo sees a part.
+/// A tetrahedron around the scene, partly visible in the photo.
 inline BackgroundContent valid_background() {
     BackgroundContent s;
     s.positions = {{0, 0, 9}, {9, 0, -9}, {-9, 9, -9}, {-9, -9, -9}};
@@ -46,9 +46,9 @@ inline std::vector<package::PointNode> valid_nodes() {
     return {root, low, high};
 }
 
-/// Two triangles in a cluster, a transparent one in another, background, a cloud, two image sets, and one
-/// photo of 40 x 30 pixels that sees the first two. Contains only the data that a player reads;
-/// fix_checksums() computes the checksums of heads, directory and header.
+/// A package with two triangles in a cluster, a transparent one in another, background, a cloud, two image
+/// sets, and one photo of 40 x 30 pixels that sees the first two. Contains only the data that the player
+/// reads; fix_checksums() computes the checksums of heads, directory and header.
 class ValidPackage {
   public:
     ValidPackage() {
@@ -152,7 +152,7 @@ class ValidPackage {
     }
 };
 
-/// Recomputes the checksums of heads, directory and header, if the bytes they cover are within the file.
+/// Recomputes the checksums of heads, directory and header if the bytes that they cover are within the file.
 inline void fix_checksums(std::vector<std::uint8_t>& b) {
     package::Header h;
     std::memcpy(&h, b.data(), sizeof h);
