@@ -35,7 +35,7 @@ void use_poses_without(const PackageReader& package, std::uint32_t photo,
         damaged("REGI: has " + std::to_string(given.size()) + " records, expected one per photo, " +
                 std::to_string(records.size()));
     if (!is_pose(given[photo]))
-        damaged("REGI: the pose given for photo " + std::to_string(photo) + " is not finite");
+        damaged("REGI: the input pose of photo " + std::to_string(photo) + " is not finite");
     use_pose(given[photo], records[photo]);
     for (const auto& r : package.records<package::LeaveOneOutPoseRecord>(Type::pose_refinement_without,
                                                                      package::scene_wide, false)) {

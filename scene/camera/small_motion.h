@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// A small similarity: rotation about the middle (rad), translation (units of `size`), ln scale.
+/// A small similarity: rotation about the center (rad), translation (units of `size`), ln scale.
 using SmallMotion = Eigen::Matrix<double, 7, 1>;
 /// The center and the unit of length of small motions.
 struct MotionFrame {

@@ -16,9 +16,9 @@ void seal_header(package::Header& header);
 bool is_valid(const package::Header& header);
 
 /// Reads and checks the header and the directory, and fetches them again from a server if the local copy is
-/// damaged. They stay readable as long as `held`. An unfinished package is accepted only with `part_too`; its
-/// torn entries are skipped, because entries are written one by one. Throws Error(damaged), and Error(input)
-/// if bytes cannot be fetched.
+/// damaged. They stay readable as long as `held` lives. An unfinished package is accepted only with
+/// `part_too`; its torn entries are skipped, because entries are written one by one. Throws Error(damaged),
+/// and Error(input) if bytes cannot be fetched.
 std::vector<package::DirectoryEntry> read_directory(PackageSource& source, bool part_too,
                                                     std::vector<Held>& held);
 

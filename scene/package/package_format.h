@@ -144,7 +144,7 @@ struct PackedPoint {
     std::uint8_t color[4];
 };
 inline constexpr std::uint32_t point_block = 32768;  ///< points per block of PNTS
-inline constexpr std::uint32_t point_node = 16384;   ///< points per node, at most
+inline constexpr std::uint32_t point_node = 16384;   ///< maximum number of points per node
 
 /// A cube of the octree over a point cloud, and the points that it adds to those of its ancestors. Together
 /// they are about `spacing` apart; its descendants add the points between them. Nodes are stored in
@@ -203,7 +203,7 @@ struct LeaveOneOutPoseRecord {
     std::uint32_t photo;    ///< photo of the camera
     double R[9], t[3];      ///< like PhotoRecord's
 };
-/// Maximum number of leave-one-out poses stored per photo.
+/// Maximum number of leave-one-out poses stored per held-out photo.
 inline constexpr std::size_t poses_without_photo = 24;
 
 /// Maximum number of pairs measured and stored per photo.

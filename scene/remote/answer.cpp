@@ -50,7 +50,7 @@ std::string words(ByteRange range) {
 }
 
 std::string status_flaw(const Answer& answer, ByteRange asked) {
-    std::string text = "the server answers " + std::to_string(answer.status);
+    std::string text = "the server responds with " + std::to_string(answer.status);
     if (answer.status == 403) text += " (forbidden)";
     if (answer.status == 404) text += " (not found)";
     text += " to a request for " + words(asked) + ", expected 206";
@@ -88,9 +88,9 @@ std::string refusal(const Answer& answer, ByteRange asked, const Origin* known) 
 
 std::string range_flaw(const Answer& answer, ByteRange asked, const Origin* known) {
     const std::string expected = ", expected " + words(asked);
-    if (answer.content_range_text.empty()) return "the answer has no Content-Range" + expected;
+    if (answer.content_range_text.empty()) return "the response has no Content-Range" + expected;
     if (!answer.content_range || !answer.content_range->bytes || !answer.content_range->total)
-        return "the answer has an invalid Content-Range " + quoted(answer.content_range_text) + expected +
+        return "the response has an invalid Content-Range " + quoted(answer.content_range_text) + expected +
                " and the size of the file";
     const std::uint64_t total = *answer.content_range->total;
     if (std::string flaw = total_flaw(total, known); !flaw.empty()) return flaw;
@@ -132,12 +132,13 @@ void take_header_line(Answer& answer, std::string_view line) {
 std::string flaw_of(const Answer& answer, ByteRange asked, const Origin* known) {
     if (answer.status != 206) return refusal(answer, asked, known);
     if (!answer.content_encoding.empty() && !same_word(answer.content_encoding, "identity"))
-        return "the answer has the Content-Encoding " + quoted(answer.content_encoding) +
+        return "the response has the Content-Encoding " + quoted(answer.content_encoding) +
                ", expected identity";
     if (std::string flaw = range_flaw(answer, asked, known); !flaw.empty()) return flaw;
     if (known) return version_flaw(answer, *known);
     if (answer.etag.empty() && answer.last_modified.empty())
-        return "the answer has neither a strong ETag nor Last-Modified, by which a change of the file would "
+        return "the response has neither a strong ETag nor Last-Modified, by which a change of the file "
+               "would "
                "be "
                "recognized";
     return {};

@@ -117,8 +117,8 @@ std::size_t on_header(char* data, std::size_t, std::size_t size, void* active) {
         a.answered = false;
         take_header_line(a.answer, line);
         if (a.answer.header_bytes > max_header_bytes) {
-            a.fault =
-                a.failure("the headers of the answer exceed " + std::to_string(max_header_bytes) + " bytes");
+            a.fault = a.failure("the headers of the response exceed " + std::to_string(max_header_bytes) +
+                                " bytes");
             return false;
         }
         return line.find_first_not_of("\r\n") != std::string_view::npos || headers_end(a);
@@ -132,7 +132,7 @@ std::size_t on_body(char* data, std::size_t, std::size_t size, void* active) {
         if (!a.answered || a.request->cancelled()) return false;
         if (size > range.size() - a.received) {
             a.fault = a.failure("the server sends more than the " + std::to_string(a.asked.size()) +
-                                " bytes that were asked for");
+                                " bytes requested");
             return false;
         }
         a.request->store(range.begin + a.received, std::as_bytes(std::span(data, size)));
@@ -185,9 +185,9 @@ Reason reason_of(const Active& a, CURLcode code, const TransferOptions& options)
 
 std::optional<Failure> failure_of(const Active& a, CURLcode code, const TransferOptions& options) {
     if (a.fault) return a.fault;
-    if (code == CURLE_OK && !a.answered) return a.failure("the answer has no headers");
+    if (code == CURLE_OK && !a.answered) return a.failure("the response has no headers");
     if (code == CURLE_OK && a.received == a.request->range().size()) return {};
-    Reason reason{"the body of the answer is too short; " + a.progress(), true};
+    Reason reason{"the body of the response is too short; " + a.progress(), true};
     if (code != CURLE_OK) reason = reason_of(a, code, options);
     Failure failure = a.failure(reason.text);
     failure.transient = failure.unreachable = reason.transient;

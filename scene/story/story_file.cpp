@@ -149,7 +149,7 @@ template <class Item>
 void expect_different(const std::vector<Item>& items, const LocatedJson& at) {
     std::set<std::string> ids;
     for (std::size_t i = 0; i < items.size(); ++i)
-        if (!ids.insert(items[i].id).second) at.items(items.size())[i].at("id").fail("an id of its own");
+        if (!ids.insert(items[i].id).second) at.items(items.size())[i].at("id").fail("a unique id");
 }
 
 Story read_top(const LocatedJson& at) {
@@ -317,7 +317,8 @@ void write_story(const fs::path& file, const Story& story) {
     std::string text;
     try {
         text = story_text(story);
-        if (parse_story(text, "story").story != story) throw Error(Exit::input, "is not read back as it is");
+        if (parse_story(text, "story").story != story)
+            throw Error(Exit::input, "changes when it is read back");
     } catch (const std::exception& e) {  // including texts that are not UTF-8
         throw Error(Exit::usage, file.string() + ": cannot be saved: " + e.what());
     }

@@ -14,7 +14,7 @@ namespace vantage {
 /// The quantity of a computed field, see photo_fields.h.
 enum class PhotoMeasure { count, density };
 
-/// A scalar field: a value per vertex of the mesh. Stored `values` are valid as long as the package.
+/// A scalar field: a value per vertex of the mesh. Stored `values` are valid as long as the package lives.
 struct ScalarField {
     std::string name;
     std::span<const float> values;          ///< empty until computed

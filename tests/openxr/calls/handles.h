@@ -148,7 +148,7 @@ struct Handles {
 /// Global, because a scenario continues when a lost instance is replaced.
 Handles& handles();
 
-/// The object of a handle. Ends the call if there is none or it is lost.
+/// The object of a handle. Ends the call if the object does not exist or is lost.
 Instance& instance_of(XrInstance handle);
 Session& session_of(XrSession handle);
 Session& running_session(XrSession handle);

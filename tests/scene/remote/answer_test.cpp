@@ -39,7 +39,7 @@ TEST(Answer, HasNoWeakETag) { EXPECT_EQ(answer_of({"HTTP/1.1 206 X", "ETag: W/\"
 TEST(Answer, IsReportedInOneShortLine) {
     const Answer answer = answer_of({"HTTP/1.1 206 X", "Content-Encoding: a\x1b[2J\rb"});
     EXPECT_EQ(flaw_of(answer, {0, 1}, nullptr),
-              "the answer has the Content-Encoding 'a?[2J?b', expected identity");
+              "the response has the Content-Encoding 'a?[2J?b', expected identity");
     const std::string encoding = "Content-Encoding: " + std::string(10'000, 'x');
     EXPECT_LT(flaw_of(answer_of({"HTTP/1.1 206 X", encoding.c_str()}), {0, 1}, nullptr).size(), 200);
 }

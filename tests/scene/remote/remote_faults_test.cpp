@@ -51,16 +51,17 @@ TEST_F(RemoteFaults, AnswerWithTheWholeFileIsNotDownloaded) {
         while (sent < std::uint64_t(1) << 30 && asked.send(chunk)) sent += chunk.size();
         return false;
     });
-    EXPECT_EQ(error,
-              "the server answers 200 to a request for bytes 0 to 65535, expected 206; it must support range "
-              "requests");
+    EXPECT_EQ(
+        error,
+        "the server responds with 200 to a request for bytes 0 to 65535, expected 206; it must support range "
+        "requests");
     EXPECT_LT(sent, 64u << 20);  // the connection's buffers
 }
 
 TEST_F(RemoteFaults, RefusalsAreReportedWithTheirCode) {
-    for (const auto& [status, text] : {std::pair("404 Not Found", "the server answers 404 (not found)"),
-                                       std::pair("403 Forbidden", "the server answers 403 (forbidden)"),
-                                       std::pair("500 Oops", "the server answers 500 to")}) {
+    for (const auto& [status, text] : {std::pair("404 Not Found", "the server responds with 404 (not found)"),
+                                       std::pair("403 Forbidden", "the server responds with 403 (forbidden)"),
+                                       std::pair("500 Oops", "the server responds with 500 to")}) {
         std::atomic<int> requests = 0;
         const std::string error = opening_error([&, status = status](const Asked& asked) {
             ++requests;
@@ -90,16 +91,17 @@ TEST_F(RemoteFaults, WrongRangeIsReported) {
               "the server sends bytes 1 to 65536, expected bytes 0 to 65535");
     EXPECT_EQ(opening_error(range("bytes 0-65534/" + size)),
               "the server sends bytes 0 to 65534, expected bytes 0 to 65535");
-    EXPECT_EQ(opening_error(range("bytes 0-65535/*")),
-              "the answer has an invalid Content-Range 'bytes 0-65535/*', expected bytes 0 to 65535 and the "
-              "size of "
-              "the file");
+    EXPECT_EQ(
+        opening_error(range("bytes 0-65535/*")),
+        "the response has an invalid Content-Range 'bytes 0-65535/*', expected bytes 0 to 65535 and the "
+        "size of "
+        "the file");
     EXPECT_EQ(
         opening_error(range("bytes 0-65535/65535")),
-        "the answer has an invalid Content-Range 'bytes 0-65535/65535', expected bytes 0 to 65535 and the "
+        "the response has an invalid Content-Range 'bytes 0-65535/65535', expected bytes 0 to 65535 and the "
         "size of the file");
     EXPECT_EQ(opening_error(changed([](Reply& r, const Asked&) { r.content_range = ""; })),
-              "the answer has no Content-Range, expected bytes 0 to 65535");
+              "the response has no Content-Range, expected bytes 0 to 65535");
     EXPECT_EQ(opening_error(range("bytes 0-65535/9223372036854775807")),
               "the server states a size of 9223372036854775807 bytes, expected at most 1099511627776");
     EXPECT_EQ(fetching_error(range("bytes 0-131071/" + size)),
@@ -138,7 +140,7 @@ TEST_F(RemoteFaults, ValidatorThatChangesIsReported) {
 
 TEST_F(RemoteFaults, ServerWithoutValidatorsIsRefused) {
     const std::string expected =
-        "the answer has neither a strong ETag nor Last-Modified, by which a change of the file would be "
+        "the response has neither a strong ETag nor Last-Modified, by which a change of the file would be "
         "recognized";
     EXPECT_EQ(opening_error(changed([](Reply& r, const Asked&) { r.etag = ""; })), expected);
     EXPECT_EQ(opening_error(changed([](Reply& r, const Asked&) { r.etag = "ETag: W/\"one\"\r\n"; })),
@@ -147,7 +149,7 @@ TEST_F(RemoteFaults, ServerWithoutValidatorsIsRefused) {
 
 TEST_F(RemoteFaults, EncodedBodyIsRefused) {
     EXPECT_EQ(opening_error(changed([](Reply& r, const Asked&) { r.other = "Content-Encoding: gzip\r\n"; })),
-              "the answer has the Content-Encoding 'gzip', expected identity");
+              "the response has the Content-Encoding 'gzip', expected identity");
 }
 
 TEST_F(RemoteFaults, EmptyFileIsRefused) {
@@ -174,7 +176,7 @@ TEST_F(RemoteFaults, LongerBodyIsRefusedAndNothingBeyondItIsStored) {
         }
         return false;
     };
-    EXPECT_EQ(opening_error(endless), "the server sends more than the 65536 bytes that were asked for");
+    EXPECT_EQ(opening_error(endless), "the server sends more than the 65536 bytes requested");
     FaultServer server(
         [&](const Asked& asked) { return asked.number == 0 ? answer_well(asked, content) : endless(asked); });
     RemoteFile file(server.url("/other"), options);
@@ -191,7 +193,7 @@ TEST_F(RemoteFaults, ShorterBodyIsReportedAfterThreeTries) {
         reply.content_length = "Transfer-Encoding: chunked\r\n";
         return asked.send(reply.text() + "3\r\n" + content.substr(asked.range.begin, 3) + "\r\n0\r\n\r\n");
     });
-    EXPECT_EQ(error, "the body of the answer is too short; 9 of 131072 bytes had arrived");
+    EXPECT_EQ(error, "the body of the response is too short; 9 of 131072 bytes had arrived");
     EXPECT_EQ(tries, 3);
 }
 
@@ -262,7 +264,7 @@ TEST_F(RemoteFaults, EndlessHeadersAreRefused) {
                   }
                   return false;
               }),
-              "the headers of the answer exceed 65536 bytes");
+              "the headers of the response exceed 65536 bytes");
 }
 
 TEST_F(RemoteFaults, RedirectsAreFollowedButNotForever) {

@@ -136,7 +136,7 @@ TEST_F(StoryFile, ErrorsNameThePlaceWhatWasFoundAndWhatWasExpected) {
     EXPECT_EQ(error_with(R"("notes": [{"id": "a"}, {"id": "b", "anchor": [0, "1", 2]}])"),
               "notes[1].anchor[1]: found \"1\", expected a number from -1e+12 to 1e+12");
     EXPECT_EQ(error_with(R"("notes": [{"id": "a"}, {"id": "a"}])"),
-              "notes[1].id: found \"a\", expected an id of its own");
+              "notes[1].id: found \"a\", expected a unique id");
     EXPECT_EQ(error_with(R"("notes": [{"id": "the clock"}])"),
               "notes[0].id: found \"the clock\", expected an id of letters, digits, '-', '_' and '.'");
     EXPECT_EQ(error_with(R"("tours": [{"id": "a", "stops": [{"fly": 1}]}])"),
