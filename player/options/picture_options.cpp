@@ -19,6 +19,12 @@ void add_samples_option(const Command& c, PictureOptions& o) {
               "samples per side of a pixel (default 2; 1 from a photo's own camera at full size)");
 }
 
+void add_legend_option(const Command& c, PictureOptions& o) {
+    c.choice("--legend", o.legend, {{"auto", true}, {"off", false}},
+             "of a scalar field: auto (drawn into pictures that are large enough, except panoramas and "
+             "stereo), off");
+}
+
 void add_picture_options(const Command& c, PictureOptions& o) {
     c.real("--scale", o.scale, 0.001, 8, "size of the picture relative to the photo's");
     c.flag("--panorama", o.panorama,

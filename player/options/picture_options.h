@@ -12,10 +12,12 @@ struct PictureOptions {
     double scale = 1;
     bool panorama = false;  ///< of all directions
     int samples = 0;        ///< per side of a pixel; 0: depends on what is shown
+    bool legend = true;     ///< of a scalar field, in pictures that are large enough
 };
 void add_view_option(const Command& command, PictureOptions& options);
 void add_path_option(const Command& command, PictureOptions& options, const std::string& help);
 void add_samples_option(const Command& command, PictureOptions& options);
+void add_legend_option(const Command& command, PictureOptions& options);
 /// --scale and --panorama.
 void add_picture_options(const Command& command, PictureOptions& options);
 

@@ -20,6 +20,7 @@
 #include "player/composition/stereo_picture.h"
 #include "player/options/tiles_not_shown.h"
 #include "player/pictures/picture_file.h"
+#include "player/pictures/picture_legend.h"
 #include "player/render/picture.h"
 #include "player/survey/survey.h"
 #include "player/view/shots.h"
@@ -108,12 +109,18 @@ Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader
                                 });
 }
 
+/// Null if none is.
+const ScalarField* shown_field(const Renderer& renderer, const RenderSettings& settings) {
+    const int index = settings.field.index;
+    return index < 0 ? nullptr : &renderer.resources().fields.all()[std::size_t(index)];
+}
+
 /// What the ends of the color map stand for, if a field was shown.
 void print_legend(const Renderer& renderer, const RenderSettings& settings) {
-    if (settings.field.index < 0) return;
-    const ScalarField& field = renderer.resources().fields.all()[std::size_t(settings.field.index)];
-    const auto [map, range] = field_legend(field, settings.field);
-    std::fprintf(text_output(), "field %s  %g to %g, %s%s\n", field.name.c_str(), range.low, range.high,
+    const ScalarField* const field = shown_field(renderer, settings);
+    if (!field) return;
+    const auto [map, range] = field_legend(*field, settings.field);
+    std::fprintf(text_output(), "field %s  %g to %g, %s%s\n", field->name.c_str(), range.low, range.high,
                  name_of(map), settings.field.logarithmic ? ", logarithmic" : "");
 }
 
@@ -154,7 +161,11 @@ int run_render(const PackageReader& package, const ShowOptions& options,
         const auto start = std::chrono::steady_clock::now();
         if (shot.image_set && !options.blending.image_sets.given())
             settings.image_sets.shown = *shot.image_set;
-        const Picture picture = picture_of_shot(shot);
+        Picture picture = picture_of_shot(shot);
+        const double colored = colored_share(picture);
+        if (o.legend && !o.panorama && options.stereo.mode == StereoMode::off)
+            if (const ScalarField* field = shown_field(renderer, settings))
+                draw_legend(picture, *field, settings.field);
         if (i == 0) print_legend(renderer, settings);
         if (file.has_parent_path()) make_folder(file.parent_path());
         write_picture(file, picture, options);
@@ -162,8 +173,7 @@ int run_render(const PackageReader& package, const ShowOptions& options,
         const FrameReport& r = picture.report;
         lacking.add(r);
         std::fprintf(text_output(), "%s  %dx%d%s  %.3f %% colored  %.2f s\n", file.c_str(), picture.width,
-                     picture.height, o.panorama ? "" : consisted_of(r).c_str(), 100 * colored_share(picture),
-                     s);
+                     picture.height, o.panorama ? "" : consisted_of(r).c_str(), 100 * colored, s);
         results()["pictures"].push_back({{"file", file.string()},
                                          {"width", picture.width},
                                          {"height", picture.height},
@@ -171,7 +181,7 @@ int run_render(const PackageReader& package, const ShowOptions& options,
                                          {"passes", r.passes},
                                          {"tiles", r.tiles},
                                          {"tiles_missing", r.tiles_missing},
-                                         {"colored", colored_share(picture)},
+                                         {"colored", colored},
                                          {"seconds", s}});
         if (r.fragments_approximated > 0)
             std::fprintf(

@@ -18,6 +18,7 @@
 #include "player/pictures/flight_frames.h"
 #include "player/pictures/frame_files.h"
 #include "player/pictures/picture_file.h"
+#include "player/pictures/picture_legend.h"
 #include "player/pictures/video_encoder.h"
 #include "player/render/picture.h"
 #include "player/tour/story_background.h"
@@ -72,6 +73,7 @@ class Frames {
         settings_.points = point_settings(o.points);
         if (story.background) settings_.plain_background = plain_background_of(*story.background);
         // Of few photos, which ones changes from frame to frame: they fade, as in the window.
+        legend_ = o.pictures.legend && settings_.field.index >= 0 && stereo_.mode == StereoMode::off;
         settings_.loading = settings_.photos == 0 ? Loading::complete : Loading::repeatable;
     }
     /// `now`: seconds since the first frame.
@@ -80,10 +82,13 @@ class Frames {
         const std::vector<View> eyes = views_of(stereo_, view, (camera.target - camera.eye).norm());
         if (settings_.loading == Loading::repeatable && !settled_) settle(eyes, now);
         settled_ = true;
-        return take_picture(objects_, pair_, stereo_.mode, eyes, {settings_, photos_, side_, now});
+        Picture out = take_picture(objects_, pair_, stereo_.mode, eyes, {settings_, photos_, side_, now});
+        if (legend_) draw_legend(out, renderer_.resources().fields.all()[shown_field()], settings_.field);
+        return out;
     }
 
   private:
+    std::size_t shown_field() const { return std::size_t(settings_.field.index); }
     /// Draws the first frame until nothing fades.
     void settle(std::span<const View> eyes, double now) {
         constexpr int most = 60;
@@ -102,7 +107,7 @@ class Frames {
     std::vector<std::uint32_t> photos_;
     RenderSettings settings_;
     int side_;
-    bool settled_ = false;
+    bool settled_ = false, legend_ = false;
 };
 
 /// Renders all frames to the output. Returns what they lack.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/text/translation.h"
 #include "player/render/passes/blend_table.h"
 #include "scene/package/package_reader.h"
 
@@ -35,6 +36,13 @@ FieldLegend field_legend(const ScalarField& field, const FieldSettings& s) {
     const ColorMap map = chosen_map(s.map, whole.low, whole.high);
     if (s.range) return {map, *s.range};
     return {map, whole_range(field, map == ColorMap::coolwarm && !s.logarithmic, s.logarithmic)};
+}
+
+const char* unit_of(const ScalarField& field) {
+    if (field.name.starts_with("deviation-from-")) return marked("input units");  // by prepare
+    if (!field.measure) return nullptr;
+    return *field.measure == PhotoMeasure::count ? marked("photos that see the surface")
+                                                 : marked("pixels per input unit, of the finest photo");
 }
 
 PlainBackground plain_background_of(const package::SceneRecord& scene) {

@@ -63,6 +63,9 @@ struct FieldLegend {
 };
 FieldLegend field_legend(const ScalarField& field, const FieldSettings& settings);
 
+/// What a field's values are in, to be translated; null if that is only known to its file.
+const char* unit_of(const ScalarField& field);
+
 /// How transparent surfaces are blended: sorted at each pixel, or by weighted sums.
 enum class Transparency { exact, approximate, off, count };
 

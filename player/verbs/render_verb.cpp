@@ -23,6 +23,7 @@ void add_render(const Command& program) {
     add_output_options(c, o->output);
     add_picture_options(c, o->pictures);
     add_samples_option(c, o->pictures);
+    add_legend_option(c, o->pictures);
     add_scene_options(c, *o);
     add_stereo_options(c, o->stereo);
     c.common({"--help", "--help-all", "--photo", "--view", "--path", "--output", "--size", "--scale",

@@ -23,6 +23,7 @@ void add_video(const Command& program) {
     add_view_option(c, o->pictures);
     add_output_options(c, o->output);
     add_samples_option(c, o->pictures);
+    add_legend_option(c, o->pictures);
     add_scene_options(c, *o);
     add_stereo_options(c, o->stereo);
     c.common({"--help", "--help-all", "--turntable", "--arc", "--tour", "--path", "--seconds", "--frame-rate",

@@ -32,13 +32,6 @@ std::optional<double> value_under_pointer(const Renderer& renderer, const Scalar
     return value_at_pixel(renderer.scene(), field.values, triangle - 1, seen.view, at);
 }
 
-/// Null for a stored field, whose unit is that of its file.
-const char* unit_of(const ScalarField& field) {
-    if (!field.measure) return nullptr;
-    return *field.measure == PhotoMeasure::count ? tr("photos that see the surface")
-                                                 : tr("pixels per input unit, of the finest photo");
-}
-
 double place(double value, const FieldSettings& s, const ValueRange& range) {
     const auto scaled = [&](double v) { return s.logarithmic ? std::log(std::max(v, 1e-300)) : v; };
     return (scaled(value) - scaled(range.low)) / (scaled(range.high) - scaled(range.low));
@@ -117,7 +110,7 @@ void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, cons
     const ScalarField& field = fields[std::size_t(s.index)];
     const std::optional<double> value = value_under_pointer(renderer, field, view);
     legend(field, s, value);
-    if (const char* unit = unit_of(field)) ImGui::TextDisabled("%s", unit);
+    if (const char* unit = unit_of(field)) ImGui::TextDisabled("%s", tr(unit));
     if (value)
         ImGui::Text(tr("under the pointer: %.5g"), *value);
     else
