@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <clocale>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -15,6 +16,7 @@ namespace vantage {
 namespace {
 
 constexpr const char* domain = "vantage";
+constexpr char context_end = '\4';  ///< as in catalogs of gettext
 
 /// bin/../share/locale in an installation or a build folder.
 std::filesystem::path catalogs() {
@@ -41,7 +43,22 @@ void use_locale_with_languages() {
 
 }  // namespace
 
-const char* tr(const char* text) { return *text ? ::dgettext(domain, text) : text; }
+const char* without_context(const char* text) {
+    const char* const end = std::strchr(text, context_end);
+    return end ? end + 1 : text;
+}
+
+const char* tr(const char* text) {
+    if (!*text) return text;
+    const char* const translated = ::dgettext(domain, text);
+    return translated == text ? without_context(text) : translated;
+}
+
+const char* tr_in(const char* context, const char* text) {
+    const std::string key = std::string(context) + context_end + text;
+    const char* const translated = ::dgettext(domain, key.c_str());
+    return translated == key.c_str() ? text : translated;
+}
 
 const char* tr_count(const char* one, const char* several, std::size_t count) {
     return ::dngettext(domain, one, several, count);

@@ -9,9 +9,16 @@ namespace vantage {
 
 /// Marks a text for the catalogs; it is translated where it is shown.
 constexpr const char* marked(const char* text) { return text; }
+/// Marks a text with several senses: the context tells them apart in the catalogs and is not shown.
+#define MARKED_IN(context, text) context "\004" text
+/// The text behind the context, if it has one.
+const char* without_context(const char* text);
 
-/// Translates a text, or returns it unchanged if there is no translation. Valid until the language changes.
+/// Translates a text, or returns it unchanged but without its context if there is no translation. Valid until
+/// the language changes.
 [[gnu::format_arg(1)]] const char* tr(const char* text);
+/// Translates a text in a context.
+[[gnu::format_arg(2)]] const char* tr_in(const char* context, const char* text);
 /// The translated singular or plural, by the language's rules.
 [[gnu::format_arg(1), gnu::format_arg(2)]] const char* tr_count(const char* one, const char* several,
                                                                 std::size_t count);

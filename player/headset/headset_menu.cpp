@@ -28,9 +28,10 @@ namespace {
 constexpr float pages_width = 190;
 
 constexpr std::array<const char*, std::size_t(MenuPage::count)> page_names{
-    marked("Move"),          marked("Photos"),      marked("Picture"),    marked("Blending"),
-    marked("Scalar fields"), marked("Point cloud"), marked("Image sets"), marked("Objects"),
-    marked("Cut"),           marked("Measure"),     marked("Story"),      marked("Status")};
+    MARKED_IN("page", "Move"), marked("Photos"),        marked("Picture"),
+    marked("Blending"),        marked("Scalar fields"), marked("Point cloud"),
+    marked("Image sets"),      marked("Objects"),       marked("Cut"),
+    marked("Measure"),         marked("Story"),         marked("Status")};
 
 bool has_page(MenuPage page, const MenuContent& m) {
     const PlanScene& scene = m.scene.plan();
@@ -64,7 +65,7 @@ void page_buttons(Controls& c, const MenuContent& m) {
         ImGui::PushID("page");
         const std::string name = shown_name(page_names[i]);
         if (ImGui::Button(name.c_str(), ImVec2(-1, 0))) m.page = MenuPage(i);
-        c.note((std::string("Page ") + page_names[i]).c_str());
+        c.note((std::string("Page ") + without_context(page_names[i])).c_str());
         ImGui::PopID();
         if (chosen) ImGui::PopStyleColor();
     }

@@ -5,8 +5,9 @@
 namespace vantage {
 
 /// Units of length as a list shows them, in the order of Unit.
-inline constexpr const char* unit_texts[] = {marked("unknown"), marked("m"),  marked("cm"),
-                                             marked("mm"),      marked("ft"), marked("in")};
+inline constexpr const char* unit_texts[] = {MARKED_IN("unit", "unknown"), MARKED_IN("unit", "m"),
+                                             MARKED_IN("unit", "cm"),      MARKED_IN("unit", "mm"),
+                                             MARKED_IN("unit", "ft"),      MARKED_IN("unit", "in")};
 static_assert(sizeof unit_texts / sizeof *unit_texts == std::size_t(Unit::count));
 
 }  // namespace vantage

@@ -33,12 +33,17 @@ constexpr std::array<MeasureRow, std::size_t(Measure::count)> measure_rows{{{"po
                                                                             {"height", 2, 2}}};
 const MeasureRow& row_of(Measure m) { return measure_rows[std::size_t(m)]; }
 
-/// Units of lengths and areas, as they are shown.
+/// Units of lengths and areas.
 struct Named {
     const char *length, *area;
 };
 constexpr std::array<Named, std::size_t(Unit::count)> names{
-    {{"units", "units²"}, {"m", "m²"}, {"cm", "cm²"}, {"mm", "mm²"}, {"ft", "ft²"}, {"in", "in²"}}};
+    {{MARKED_IN("unit", "units"), MARKED_IN("unit", "units²")},
+     {MARKED_IN("unit", "m"), MARKED_IN("unit", "m²")},
+     {MARKED_IN("unit", "cm"), MARKED_IN("unit", "cm²")},
+     {MARKED_IN("unit", "mm"), MARKED_IN("unit", "mm²")},
+     {MARKED_IN("unit", "ft"), MARKED_IN("unit", "ft²")},
+     {MARKED_IN("unit", "in"), MARKED_IN("unit", "in²")}}};
 
 /// A quantity and how it changes as each point moves, in input units.
 struct Derived {
@@ -168,7 +173,7 @@ void scale_by(Measured& m, const Scale& scale, int dimension) {
 
 std::string length_text(double input_units, const Scale& scale) {
     return number_text(input_units * shown_length(scale)) + " " +
-           names[std::size_t(shown_unit(scale))].length;
+           tr(names[std::size_t(shown_unit(scale))].length);
 }
 
 std::string note_of(const Measurement& m, const Scale& scale, const Vector3d& up, double off_plane) {
@@ -237,7 +242,7 @@ Measured evaluate(const Measurement& m, const Scale& scale, const Vector3d& up) 
         if (out.uncertainty) *out.uncertainty *= degrees;
     } else {
         const bool is_area = m.measure == Measure::area;
-        out.unit = is_area ? named.area : named.length;
+        out.unit = without_context(is_area ? named.area : named.length);
         scale_by(out, scale, is_area ? 2 : 1);
     }
     if (!is_finite(out)) return {.note = tr("no value: the points are too far apart")};
@@ -259,7 +264,7 @@ std::string coordinates_text(const SurveyPoint& p) {
 std::string text_of(const Measured& m) {
     if (!m.value) return m.note;
     const std::string unit =
-        *m.unit ? std::string(m.unit) == "°" ? m.unit : std::string(" ") + tr(m.unit) : "";
+        *m.unit ? std::string(m.unit) == "°" ? m.unit : std::string(" ") + tr_in("unit", m.unit) : "";
     if (!m.uncertainty) return number_text(*m.value) + unit;
     return number_text(*m.value, *m.uncertainty) + " ± " + uncertainty_text(*m.uncertainty) + unit;
 }

@@ -19,7 +19,7 @@ void OrthophotoWriter::attend(Session& s, const PackageReader& package, double n
     program_.reset();
     s.orthophoto.writing = false;
     say(s.message,
-        ended->well ? formatted(tr("%s written to %s"), tr("orthophoto"), file_.c_str())
+        ended->well ? formatted(tr("%s written to %s"), tr_in("written", "orthophoto"), file_.c_str())
                     : file_ + ": " + ended->says,
         now);
 }

@@ -82,7 +82,8 @@ void ShownScene::frame(int width, int height, double now) {
     if (s.settings.points.pick) pick(view);
     picture_.show(shown, now);
     while (take<SaveScreenshot>(s.window.commands))
-        write_numbered(s.message, scene_.package().path().stem().string(), ".png", tr("screenshot"), now,
+        write_numbered(s.message, scene_.package().path().stem().string(), ".png",
+                       tr_in("written", "screenshot"), now,
                        [&](const std::string& file) { save_frame(file, width, height); });
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     picture_.end_frame(now);

@@ -78,10 +78,10 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
 }
 
 void photo_controls(Controls& c, RenderSettings& r, const Renderer& renderer) {
-    static const char* const choices[] = {marked("cover the view"), marked("nearest")};
+    static const char* const choices[] = {marked("cover the view"), MARKED_IN("photos", "nearest")};
     choice(c, "Select by", r.choice, choices);
     c.explain("Which photos are blended: those that cover the view together, or those nearest to you.");
-    c.slider("Photos", &r.photos, 1, std::max(1, int(renderer.scene().photos.size())));
+    c.slider(MARKED_IN("number", "Photos"), &r.photos, 1, std::max(1, int(renderer.scene().photos.size())));
     c.explain("How many photos are blended. More photos take more time.");
     c.slider("Per pass", &r.photos_per_pass, 1, max_photos_per_pass);
     c.explain("How many photos are drawn at once. Does not change the picture.");

@@ -10,8 +10,8 @@
 namespace vantage {
 
 std::string shown_name(const char* name) {
-    const char* translated = tr(name);
-    return translated == name ? name : std::string(translated) + "###" + name;
+    const std::string translated = tr(name), plain = without_context(name);
+    return translated == plain ? plain : translated + "###" + plain;
 }
 
 void Controls::begin_frame() {
@@ -21,6 +21,7 @@ void Controls::begin_frame() {
 }
 
 void Controls::note(const char* name) {
+    name = without_context(name);
     const char* recorded = std::strstr(name, "##");
     places_.push_back({recorded ? recorded + 2 : name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
 }
@@ -71,7 +72,7 @@ std::string Controls::name_beside(const char* name) const {
         ImGui::GetContentRegionAvail().x - ImGui::CalcItemWidth() - ImGui::GetStyle().ItemInnerSpacing.x;
     if (!width_fixed_ || ImGui::CalcTextSize(tr(name), nullptr, true).x <= room) return shown_name(name);
     ImGui::TextUnformatted(tr(name));
-    return std::string("##") + name;
+    return std::string("##") + without_context(name);
 }
 
 bool Controls::slider(const char* name, int* value, int low, int high) {
@@ -126,7 +127,7 @@ bool Controls::icon_button(const char* name, Icon icon, bool lit, bool with_labe
     const ImVec2 low = ImGui::GetCursorScreenPos(), size = icon_button_size(name, with_label),
                  high(low.x + size.x, low.y + size.y);
     const bool pressed = ImGui::InvisibleButton(name, size);
-    note((std::string("Bar ") + name).c_str());
+    note((std::string("Bar ") + without_context(name)).c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (ImGui::IsItemActive() || ImGui::IsItemHovered() || lit)
         list.AddRectFilled(low, high,

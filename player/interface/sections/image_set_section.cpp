@@ -22,7 +22,7 @@ void show_image_set(ImageSetSettings& b, std::uint32_t image_set) {
 /// The second image set, and how it is shown.
 void second_image_set(Controls& c, RenderSettings& settings, const PlanScene& scene) {
     ImageSetSettings& b = settings.image_sets;
-    std::vector<const char*> names{tr("none")};
+    std::vector<const char*> names{tr_in("image set", "none")};
     std::vector<std::uint32_t> image_sets;
     int chosen = 0;
     for (std::uint32_t i = 0; i < scene.image_sets.size(); ++i) {

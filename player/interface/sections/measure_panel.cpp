@@ -225,7 +225,7 @@ void MeasurePanel::content(Controls& c, Session& s, double now) {
 
 void MeasurePanel::choice_of_measure(Controls& c, bool keyboard) {
     int measure = int(next_.measure);
-    if (c.choice("Measure", &measure, measures, int(std::size(measures)))) {
+    if (c.choice(MARKED_IN("quantity", "Measure"), &measure, measures, int(std::size(measures)))) {
         next_.measure = Measure(measure);
         next_.points.clear();
     }
@@ -270,7 +270,7 @@ void MeasurePanel::scale_section(Controls& c) {
     ImGui::EndDisabled();
     if (scale.length != 1)
         ImGui::TextDisabled(tr("a unit of the model is %s %s"), number_text(scale.length).c_str(),
-                            name_of(scale.unit));
+                            tr_in("unit", name_of(scale.unit)));
     ImGui::TextDisabled(tr("up is %s"), direction_text(survey_.up).c_str());
     c.explain(
         "Heights are measured along it: the axis of the input that is nearest to the photos' mean up "

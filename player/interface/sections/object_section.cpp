@@ -23,15 +23,17 @@ bool placement_sliders(Controls& c, ObjectSet& objects, std::size_t object, doub
     constexpr const char* axes[] = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
         const std::string move = std::string("Move ") + axes[axis];
-        changed |= c.slider(of(o, std::string(tr("Move")) + " " + axes[axis], move + " of").c_str(),
-                            &p.move[axis], -2 * size, 2 * size, "%.3f");
+        changed |=
+            c.slider(of(o, std::string(tr_in("object", "Move")) + " " + axes[axis], move + " of").c_str(),
+                     &p.move[axis], -2 * size, 2 * size, "%.3f");
     }
     for (int axis = 0; axis < 3; ++axis) {
         const std::string turn = std::string("Turn ") + axes[axis];
-        changed |= c.slider(of(o, std::string(tr("Turn")) + " " + axes[axis], turn + " of").c_str(),
-                            &p.turn[axis], -180, 180, "%.1f deg");
+        changed |=
+            c.slider(of(o, std::string(tr_in("object", "Turn")) + " " + axes[axis], turn + " of").c_str(),
+                     &p.turn[axis], -180, 180, "%.1f deg");
     }
-    changed |= c.slider(of(o, tr("Scale"), "Scale of").c_str(), &p.scale, 0.01, 100, "%.3f",
+    changed |= c.slider(of(o, tr_in("object", "Scale"), "Scale of").c_str(), &p.scale, 0.01, 100, "%.3f",
                         ImGuiSliderFlags_Logarithmic);
     if (changed) objects.place(object, p);
     return changed;

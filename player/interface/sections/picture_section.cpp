@@ -28,7 +28,7 @@ void light_controls(Controls& c, Session& s) {
     LightSettings& l = s.settings.light;
     static const char* const lights[] = {marked("the photos' own"), marked("lamp at the viewer"),
                                          marked("raking light"), marked("normals")};
-    choice(c, "Light", l.light, lights);
+    choice(c, MARKED_IN("setting", "Light"), l.light, lights);
     c.explain("Light on the bare surface shows its shape.");
     if (l.light == Light::lamp || l.light == Light::raking) {
         c.checkbox("On the photos", &l.on_photos);
@@ -49,9 +49,9 @@ void light_controls(Controls& c, Session& s) {
 void comparison_controls(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
     ImGui::BeginDisabled(renderer.scene().photos.empty());
-    static const char* const compares[] = {marked("nothing"), marked("side by side"), marked("swipe"),
-                                           marked("difference")};
-    choice(c, "Compare", r.compare, compares);
+    static const char* const compares[] = {MARKED_IN("comparison", "nothing"), marked("side by side"),
+                                           marked("swipe"), marked("difference")};
+    choice(c, MARKED_IN("setting", "Compare"), r.compare, compares);
     ImGui::EndDisabled();
     c.explain("Compares the model with the photo you flew to last. Drag the line in the picture.");
     if (r.compare != Compare::nothing) r.image_sets.how = ImageSetView::mix;  // one comparison at a time
@@ -59,8 +59,9 @@ void comparison_controls(Controls& c, Session& s, const Renderer& renderer) {
 
 void stereo_controls(Controls& c, Session& s) {
     StereoSettings& stereo = s.stereo;
-    static const char* const modes[] = {marked("off"), marked("side by side"), marked("above each other"),
-                                        marked("red and cyan glasses"), marked("checkerboard")};
+    static const char* const modes[] = {MARKED_IN("stereo", "off"), marked("side by side"),
+                                        marked("above each other"), marked("red and cyan glasses"),
+                                        marked("checkerboard")};
     choice(c, "Two eyes", stereo.mode, modes);
     c.explain("Pictures for the left and the right eye, for 3D displays and glasses.");
     if (stereo.mode == StereoMode::off) return;
@@ -79,12 +80,16 @@ void picture_content(Controls& c, Session& s, const Renderer& renderer) {
     c.explain("The photos, or false colors: the photo that counts most, or how many photos see each point.");
     exposure_controls(c, s, renderer);
     if (renderer.scene().has_background()) {
-        static const char* const background[] = {marked("shown"), marked("dimmed"), marked("hidden")};
+        static const char* const background[] = {MARKED_IN("background", "shown"),
+                                                 MARKED_IN("background", "dimmed"),
+                                                 MARKED_IN("background", "hidden")};
         choice(c, "Background", r.background, background);
         c.explain("What the photos show beside the mesh.");
     }
     if (renderer.scene().has_transparency()) {
-        static const char* const transparent[] = {marked("exact"), marked("approximate"), marked("hidden")};
+        static const char* const transparent[] = {MARKED_IN("transparency", "exact"),
+                                                  MARKED_IN("transparency", "approximate"),
+                                                  MARKED_IN("transparency", "hidden")};
         choice(c, "Transparency", r.transparency, transparent);
         c.explain("Glass: sorted at each pixel, blended by weights (faster), or hidden.");
     }

@@ -33,7 +33,8 @@ void controls(Controls& c, Session& session, const Renderer& renderer) {
     PointSettings& p = session.settings.points;
     const bool only = points_only(renderer.package().scene());
     if (!only) {
-        static const char* const shown[] = {marked("with the model"), marked("alone"), marked("hidden")};
+        static const char* const shown[] = {MARKED_IN("points", "with the model"),
+                                            MARKED_IN("points", "alone"), MARKED_IN("points", "hidden")};
         int choice = !p.show ? 2 : p.alone ? 1 : 0;
         if (c.choice("Points", &choice, shown, int(std::size(shown))))
             p.show = choice < 2, p.alone = choice == 1;

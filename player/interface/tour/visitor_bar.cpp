@@ -23,11 +23,11 @@ struct Tool {
 };
 constexpr Tool tools[] = {
     {marked("Home"), Icon::home, marked("Back to the first view (H)")},
-    {marked("Photos"), Icon::photos,
+    {MARKED_IN("tool", "Photos"), Icon::photos,
      marked("Show or hide the photos; click on one to see what it shows (F4)")},
-    {marked("Compare"), Icon::compare,
+    {MARKED_IN("tool", "Compare"), Icon::compare,
      marked("Fly to the photo that is closest, and compare the model with it (C)")},
-    {marked("Light"), Icon::light, marked("Move a lamp over the surface, to see its shape")},
+    {MARKED_IN("tool", "Light"), Icon::light, marked("Move a lamp over the surface, to see its shape")},
     {marked("Help"), Icon::help, marked("What mouse and keys do (F1)")},
     {marked("Full screen"), Icon::full_screen, marked("The whole screen, or a window again (F11)")},
     {marked("Expert"), Icon::expert, marked("All settings (Tab)")}};

@@ -23,10 +23,10 @@ AskedFiles::~AskedFiles() {
 void AskedFiles::attend(Session& s, const PackageReader& package, const ObjectSet& objects, double now) {
     while (const auto command = take_one_of<SaveTable, SaveScene, SaveCut>(s.window.commands)) {
         if (const auto* const table = std::get_if<SaveTable>(&*command))
-            add(package.path().stem().string() + "-measurements", ".csv", tr("measurements"),
+            add(package.path().stem().string() + "-measurements", ".csv", tr_in("written", "measurements"),
                 [csv = table->csv](const std::string& file) { replace_file(file, csv); });
         else if (std::holds_alternative<SaveScene>(*command))
-            add("scene", ".toml", tr("scene"),
+            add("scene", ".toml", tr_in("written", "scene"),
                 [all = objects.objects()](const std::string& file) { write_scene_file(file, all); });
         else
             add_cut(section_lines(objects.meshes(), s.settings.sections), package);
@@ -40,7 +40,7 @@ void AskedFiles::attend(Session& s, const PackageReader& package, const ObjectSe
 
 void AskedFiles::add_cut(std::vector<SectionLine> lines, const PackageReader& package) {
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
-    const std::string what = formatted(tr("%zu lines"), lines.size());
+    const std::string what = formatted(tr_in("written", "%zu lines"), lines.size());
     add(package.path().stem().string() + "-cut", ".dxf", what,
         [lines = std::move(lines), origin](const std::string& file) {
             replace_file(file, section_dxf(lines, origin));

@@ -35,6 +35,10 @@ TEST(Translation, OfWhatNoCatalogHasIsTheTextItself) {
     use_language("tlh");
     EXPECT_STREQ(tr("no catalog has this"), "no catalog has this");
     EXPECT_STREQ(tr(""), "");
+    EXPECT_STREQ(tr(MARKED_IN("of no catalog", "in")), "in");
+    EXPECT_STREQ(tr_in("of no catalog", "in"), "in");
+    EXPECT_STREQ(without_context(MARKED_IN("unit", "in")), "in");
+    EXPECT_STREQ(without_context("in"), "in");
     EXPECT_STREQ(tr_count("one %zu", "several %zu", 1), "one %zu");
     EXPECT_STREQ(tr_count("one %zu", "several %zu", 0), "several %zu");
 }
