@@ -10,6 +10,7 @@
 #include <span>
 
 #include "base/text/formatted.h"
+#include "base/text/localized.h"
 #include "base/text/translation.h"
 #include "base/values/principal_axes.h"
 #include "player/survey/number_text.h"
@@ -262,11 +263,13 @@ std::string coordinates_text(const SurveyPoint& p) {
 }
 
 std::string text_of(const Measured& m) {
-    if (!m.value) return m.note;
+    if (!m.value) return localized_numbers(m.note);
     const std::string unit =
         *m.unit ? std::string(m.unit) == "°" ? m.unit : std::string(" ") + tr_in("unit", m.unit) : "";
-    if (!m.uncertainty) return number_text(*m.value) + unit;
-    return number_text(*m.value, *m.uncertainty) + " ± " + uncertainty_text(*m.uncertainty) + unit;
+    if (!m.uncertainty) return localized_numbers(number_text(*m.value)) + unit;
+    return localized_numbers(number_text(*m.value, *m.uncertainty) + " ± " +
+                             uncertainty_text(*m.uncertainty)) +
+           unit;
 }
 
 }  // namespace vantage

@@ -57,8 +57,8 @@ Measured evaluate(const Measurement& measurement, const Scale& scale, const Eige
 
 /// "x 1.253   y 0.004   z 12.480", with as many digits as the uncertainty allows.
 std::string coordinates_text(const SurveyPoint& point);
-/// "2.014 ± 0.003 m", with as many digits as the uncertainty allows, six without it; the note if there is no
-/// value.
+/// "2.014 ± 0.003 m" as the window shows it, with as many digits as the uncertainty allows, six without it;
+/// the note if there is no value.
 std::string text_of(const Measured& measured);
 
 }  // namespace vantage

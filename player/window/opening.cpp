@@ -12,8 +12,8 @@
 #include <string>
 
 #include "base/gl/object.h"
-#include "base/text/formatted.h"
 #include "base/text/is_url.h"
+#include "base/text/localized.h"
 #include "base/text/translation.h"
 #include "scene/remote/remote_package.h"
 
@@ -35,7 +35,7 @@ void draw_progress(GLFWwindow* window, const std::string& name, const Progress& 
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
     ImGui::Text(tr("Opening %s"), name.c_str());
     const std::string text =
-        p.of > 0 ? formatted(tr("%.1f of %.1f MB, %.0f kB/s"), p.bytes / 1e6, p.of / 1e6, p.per_second / 1e3)
+        p.of > 0 ? localized(tr("%.1f of %.1f MB, %.0f kB/s"), p.bytes / 1e6, p.of / 1e6, p.per_second / 1e3)
                  : tr("waiting for the server");
     ImGui::ProgressBar(p.of > 0 ? float(std::min(1.0, p.bytes / p.of)) : 0, ImVec2(360, 0), text.c_str());
     ImGui::TextDisabled("%s", tr("Esc stops"));

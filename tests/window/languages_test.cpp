@@ -1,8 +1,12 @@
 // Texts and numbers of the window in the languages that have a catalog.
+#include <imgui.h>
+
+#include <regex>
 #include <set>
 
 #include "base/text/translation.h"
 #include "player/interface/unit_texts.h"
+#include "tests/window/shown_text.h"
 #include "tests/window/window_test.h"
 
 using namespace vantage;
@@ -47,5 +51,59 @@ TEST_F(WindowLanguages, ControlsAreKnownWithoutContexts) {
         for (const Controls::Place& p : w.controls.places()) EXPECT_EQ(p.name.find('\4'), p.name.npos);
         w.choose("Light", "raking light");
         EXPECT_EQ(w.session.settings.light.light, Light::raking);
+    }
+}
+
+TEST_F(WindowLanguages, NumbersHaveTheDecimalSeparatorOfTheLanguage) {
+    const std::regex with_point("[0-9]\\.[0-9]"), with_comma("[0-9],[0-9]");
+    for (const char* language : {"en", "de", "fr"}) {
+        HeadlessWindow w(package_of(WindowScene::garden), in(language));
+        w.session.settings.field.index = 0;
+        w.session.settings.light.light = Light::raking;
+        w.session.cut.on = true;
+        w.session.stereo.mode = StereoMode::checkerboard;
+        Panels& p = w.session.window.panels;
+        p.expert = p.picture = p.photo_list = p.cut = p.orthophoto = p.status = p.objects = p.fields =
+            p.points = p.blending = p.measure = true;
+        w.resize(1200, 4000);
+        w.frames(3);
+        w.point_at(w.place("Section Status") + Eigen::Vector2d(0, 30)), w.frames(3);  // the curve of frames
+        const std::string text = shown_text();
+        std::smatch found;
+        const bool english = std::string(language) == "en";
+        EXPECT_TRUE(std::regex_search(text, english ? with_point : with_comma)) << text;
+        EXPECT_FALSE(std::regex_search(text, found, english ? with_comma : with_point))
+            << language << ": " << found.prefix().str().substr(found.prefix().length() - 40) << found.str();
+    }
+}
+
+TEST_F(WindowLanguages, NumbersAreTypedWithAPointOrAComma) {
+    for (const char* language : {"en", "de"}) {
+        HeadlessWindow w(package_of(WindowScene::tiny), in(language));
+        w.resize(1200, 4000);
+        Panels& p = w.session.window.panels;
+        p.expert = p.picture = p.orthophoto = p.blending = true;
+        w.frames(3);
+        const double& pixel = w.session.orthophoto.pixel;
+        w.fill_in("Size of a pixel", "0,05");
+        EXPECT_EQ(pixel, 0.05) << language;
+        w.fill_in("Size of a pixel", "0.06");
+        EXPECT_EQ(pixel, 0.06) << language;
+        for (const auto& [typed, value] :
+             {std::pair{"2,5", 2.5}, std::pair{"3.25", 3.25}, std::pair{"99", 10.0}}) {
+            w.hold_control(true);
+            w.press("Flying speed");
+            w.hold_control(false);
+            w.frames(5);
+            EXPECT_TRUE(ImGui::GetIO().WantTextInput) << language;
+            w.key(GLFW_KEY_A, KeyPress::With::control);
+            w.type(typed);
+            w.key(GLFW_KEY_ENTER);
+            w.frames(8);
+            EXPECT_EQ(w.session.steering.flying_speed, value) << language;
+            EXPECT_FALSE(ImGui::GetIO().WantTextInput) << language;
+        }
+        w.press("Flying speed", 0.2);
+        EXPECT_LT(w.session.steering.flying_speed, 10) << "a slider again";
     }
 }

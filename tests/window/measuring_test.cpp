@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <regex>
 
 #include "player/survey/survey_file.h"
+#include "tests/window/shown_text.h"
 #include "tests/window/window_test.h"
 
 using namespace vantage;
@@ -171,6 +173,13 @@ TEST_F(WindowMeasures, AreNamedInTheLanguageOfTheWindow) {
         click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
         value(w, 1);
         EXPECT_EQ(survey().measurements.at(0).name, name);
+        const std::regex shown("1,[0-9]+ ± 0,[0-9]+ (Einheiten|unités)");
+        EXPECT_TRUE(std::regex_search(shown_text(), shown)) << shown_text();
+        w.press("Export table");
+        const std::string table = written(w, dir / "one-measurements-0001.csv", "distance");
+        const std::regex with_points("distance,1\\.[0-9]+,0\\.[0-9]+,units,\"[^\"]* z 1\\.6 ");
+        EXPECT_TRUE(std::regex_search(table, with_points)) << table;
+        std::filesystem::remove(dir / "one-measurements-0001.csv");
     }
 }
 

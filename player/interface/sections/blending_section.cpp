@@ -85,7 +85,7 @@ void photo_controls(Controls& c, RenderSettings& r, const Renderer& renderer) {
     c.explain("How many photos are blended. More photos take more time.");
     c.slider("Per pass", &r.photos_per_pass, 1, max_photos_per_pass);
     c.explain("How many photos are drawn at once. Does not change the picture.");
-    c.slider("Angle limit", &r.angle_limit, 10.0, 180.0, "%.0f deg");
+    c.slider("Angle limit", &r.angle_limit, 10.0, 180.0, "%.0f°");
     c.explain("Leaves out photos that look in a direction further than this from yours.");
     static const char* const coordinates[] = {marked("as the scene asks"), marked("per vertex"),
                                               marked("per fragment")};

@@ -1,10 +1,15 @@
 #include "player/interface/sections/controls.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <optional>
+#include <string_view>
 
 #include "base/files/replace_file.h"
+#include "base/text/localized.h"
 #include "base/text/translation.h"
 
 namespace vantage {
@@ -13,6 +18,53 @@ std::string shown_name(const char* name) {
     const std::string translated = tr(name), plain = without_context(name);
     return translated == plain ? plain : translated + "###" + plain;
 }
+
+namespace {
+
+/// ImGui writes values with a point: where the language has another separator, they are written here.
+bool localized_slider(const std::string& label, double* value, const std::array<double, 2>& range,
+                      const char* format, ImGuiSliderFlags flags) {
+    const bool as_imgui_does = decimal_separator() == std::string_view(".");
+    const ImVec2 low = ImGui::GetCursorScreenPos(),
+                 high(low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight());
+    if (!as_imgui_does) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
+    const bool changed =
+        ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, value, &range[0], &range[1], format,
+                            flags | ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+    if (as_imgui_does) return changed;
+    ImGui::PopStyleColor();
+    const std::string text = localized(format, *value), name = label.substr(0, label.find("##"));
+    const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float beside = (high.x - low.x - ImGui::CalcTextSize(text.c_str()).x) / 2;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(low, high, true);
+    list.AddText(ImVec2(low.x + std::max(0.0f, beside), low.y + style.FramePadding.y), color, text.c_str());
+    list.PopClipRect();
+    list.AddText(ImVec2(high.x + style.ItemInnerSpacing.x, low.y + style.FramePadding.y), color,
+                 name.c_str());
+    return changed;
+}
+
+/// Whether a letter is to be left out (1) of what is typed.
+int only_numbers(ImGuiInputTextCallbackData* data) {
+    return data->EventChar > 127 || !std::strchr("0123456789.,+-eE", int(data->EventChar));
+}
+
+bool number_field(const std::string& label, double* value, const char* format) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%s", localized(format, *value).c_str());
+    if (!ImGui::InputText(label.c_str(), text.data(), text.size(),
+                          ImGuiInputTextFlags_CallbackCharFilter | ImGuiInputTextFlags_AutoSelectAll,
+                          only_numbers))
+        return false;
+    const std::optional<double> typed = typed_number(text.data());
+    const bool changed = typed && *typed != *value;
+    if (changed) *value = *typed;
+    return changed;
+}
+
+}  // namespace
 
 void Controls::begin_frame() {
     places_.clear();
@@ -84,8 +136,35 @@ bool Controls::slider(const char* name, int* value, int low, int high) {
 
 bool Controls::slider(const char* name, double* value, double low, double high, const char* format,
                       ImGuiSliderFlags flags) {
-    const bool changed = ImGui::SliderScalar(name_beside(name).c_str(), ImGuiDataType_Double, value, &low,
-                                             &high, format, flags | ImGuiSliderFlags_AlwaysClamp);
+    const std::string label = name_beside(name);
+    const ImGuiID id = ImGui::GetID(label.c_str());
+    bool changed = false;
+    if (typed_.id == id) {
+        changed = type(label, value, format);
+        *value = changed ? std::clamp(*value, low, high) : *value;
+    } else {
+        changed = localized_slider(label, value, {low, high}, format, flags);
+        if (ImGui::IsItemClicked() && ImGui::GetIO().KeyCtrl) typed_ = {id, Typed::frames_to_begin};
+    }
+    note(name);
+    return changed;
+}
+
+/// In place of ImGui's own text field of sliders, which only takes points.
+bool Controls::type(const std::string& label, double* value, const char* format) {
+    if (typed_.begins == Typed::frames_to_begin) ImGui::SetKeyboardFocusHere();
+    ImGui::PushID("typed");
+    const bool changed = number_field(label, value, format);
+    ImGui::PopID();
+    if (ImGui::IsItemActive())
+        typed_.begins = 0;
+    else if (typed_.begins-- <= 0)
+        typed_ = {};
+    return changed;
+}
+
+bool Controls::number(const char* name, double* value, const char* format) {
+    const bool changed = number_field(shown_name(name), value, format);
     note(name);
     return changed;
 }

@@ -43,8 +43,11 @@ class Controls {
     bool checkbox(const char* name, bool* value);
     bool radio(const char* name, int* value, int choice);
     bool slider(const char* name, int* value, int low, int high);
+    /// With the decimal separator of the language. Ctrl and a click make it a number().
     bool slider(const char* name, double* value, double low, double high, const char* format = "%.2f",
                 ImGuiSliderFlags flags = 0);
+    /// A text field for a number, which takes a point as well as a comma.
+    bool number(const char* name, double* value, const char* format);
     /// A list of names that are not translated, as those of files.
     bool combo(const char* name, int* value, const char* const names[], int count);
     /// A list of texts that are.
@@ -67,10 +70,18 @@ class Controls {
     void set_width_fixed(bool fixed) { width_fixed_ = fixed; }
 
   private:
+    /// The slider whose value is being typed.
+    struct Typed {
+        static constexpr int frames_to_begin = 4;
+        ImGuiID id = 0;
+        int begins = 0;  ///< frames in which the text field may still become active
+    };
+    bool type(const std::string& label, double* value, const char* format);
     bool list(const char* name, int* value, const char* const names[], int count,
               const char* (*in_language)(const char*));
     std::string name_beside(const char* name) const;
     std::vector<Place> places_;
+    Typed typed_;
     bool closes_menus_ = false, width_fixed_ = false;
     long frame_ = 0;
 };

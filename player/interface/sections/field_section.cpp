@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "base/text/formatted.h"
+#include "base/text/localized.h"
 #include "base/text/translation.h"
 #include "player/interface/overlays/seen_triangle.h"
 #include "player/interface/overlays/value_at_pixel.h"
@@ -72,8 +72,8 @@ void legend(const ScalarField& field, const FieldSettings& s, std::optional<doub
     }
     list.PopClipRect();
     ImGui::Dummy(ImVec2(width, histogram_height() + legend_height()));
-    ImGui::TextUnformatted(formatted("%.5g", range.low).c_str());
-    const std::string text = formatted("%.5g", range.high);
+    ImGui::TextUnformatted(localized("%.5g", range.low).c_str());
+    const std::string text = localized("%.5g", range.high);
     ImGui::SameLine(width + ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(text.c_str()).x);
     ImGui::TextUnformatted(text.c_str());
 }
@@ -112,7 +112,7 @@ void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, cons
     legend(field, s, value);
     if (const char* unit = unit_of(field)) ImGui::TextDisabled("%s", tr(unit));
     if (value)
-        ImGui::Text(tr("under the pointer: %.5g"), *value);
+        ImGui::TextUnformatted(localized(tr("under the pointer: %.5g"), *value).c_str());
     else
         ImGui::TextDisabled("%s", tr("under the pointer: no value"));
     static const char* const maps[] = {marked("automatic"), marked("viridis"), marked("magma"),
@@ -126,8 +126,9 @@ void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, cons
     c.explain("Colors by the logarithm. Values of zero and less have none.");
     range_sliders(c, field, s);
     if (field.without > 0)
-        ImGui::TextDisabled(tr("%.1f %% of the vertices have no value"),
-                            100 * double(field.without) / double(field.values.size()));
+        ImGui::TextDisabled("%s", localized(tr("%.1f %% of the vertices have no value"),
+                                            100 * double(field.without) / double(field.values.size()))
+                                      .c_str());
 }
 
 }  // namespace vantage

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/text/error.h"
+#include "base/text/localized.h"
 #include "base/text/translation.h"
 #include "player/interface/docked.h"
 #include "player/interface/keys.h"
@@ -243,9 +244,10 @@ void MeasurePanel::choice_of_measure(Controls& c, bool keyboard) {
 void MeasurePanel::under_pointer(Controls& c) const {
     ImGui::Separator();
     ImGui::TextDisabled("%s", tr("Under the pointer, in the input's coordinates"));
-    ImGui::TextUnformatted(under_ ? coordinates_text(*under_).c_str() : tr("no surface"));
+    ImGui::TextUnformatted(under_ ? localized_numbers(coordinates_text(*under_)).c_str() : tr("no surface"));
     if (under_ && under_->uncertainty)
-        ImGui::TextDisabled(tr("± %s, a pixel of %s"), uncertainty_text(*under_->uncertainty).c_str(),
+        ImGui::TextDisabled(tr("± %s, a pixel of %s"),
+                            localized_numbers(uncertainty_text(*under_->uncertainty)).c_str(),
                             under_->photo.c_str());
     else
         ImGui::TextDisabled("%s", under_ ? tr("uncertainty unknown: no photo sees it") : " ");
@@ -269,9 +271,10 @@ void MeasurePanel::scale_section(Controls& c) {
     }
     ImGui::EndDisabled();
     if (scale.length != 1)
-        ImGui::TextDisabled(tr("a unit of the model is %s %s"), number_text(scale.length).c_str(),
+        ImGui::TextDisabled(tr("a unit of the model is %s %s"),
+                            localized_numbers(number_text(scale.length)).c_str(),
                             tr_in("unit", name_of(scale.unit)));
-    ImGui::TextDisabled(tr("up is %s"), direction_text(survey_.up).c_str());
+    ImGui::TextDisabled(tr("up is %s"), localized_numbers(direction_text(survey_.up)).c_str());
     c.explain(
         "Heights are measured along it: the axis of the input that is nearest to the photos' mean up "
         "direction, or that direction if none is near.");
@@ -309,7 +312,7 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
     ImGui::Separator();
     if (!values_[at].note.empty() && survey_.measurements[at].measure != Measure::point) {
         ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
-        ImGui::TextDisabled("%s", values_[at].note.c_str());
+        ImGui::TextDisabled("%s", localized_numbers(values_[at].note).c_str());
         ImGui::PopTextWrapPos();
     }
     if (s.window.keyboard) {
@@ -325,8 +328,7 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
     }
     const bool deleted = c.button("Delete");
     if (s.window.keyboard && survey_.measurements[at].measure == Measure::distance) {
-        ImGui::InputDouble(shown_name("Known length").c_str(), &known_length_);
-        c.note("Known length");
+        c.number("Known length", &known_length_, "%.6f");
         c.explain(
             "The true length of this distance, in the model's unit, or in m if that is unknown. Sets the "
             "scale of all measurements.");

@@ -31,7 +31,7 @@ bool placement_sliders(Controls& c, ObjectSet& objects, std::size_t object, doub
         const std::string turn = std::string("Turn ") + axes[axis];
         changed |=
             c.slider(of(o, std::string(tr_in("object", "Turn")) + " " + axes[axis], turn + " of").c_str(),
-                     &p.turn[axis], -180, 180, "%.1f deg");
+                     &p.turn[axis], -180, 180, "%.1f°");
     }
     changed |= c.slider(of(o, tr_in("object", "Scale"), "Scale of").c_str(), &p.scale, 0.01, 100, "%.3f",
                         ImGuiSliderFlags_Logarithmic);

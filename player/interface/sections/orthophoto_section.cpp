@@ -44,8 +44,7 @@ void orthophoto_section(Controls& c, Session& s, const PackageReader& package) {
     c.explain("The side of the model that the picture shows, at right angles and true to scale.");
     const Eigen::Vector2d size = size_on(plane_option(o.plane, s.viewpoint.camera), package);
     if (o.pixel <= 0 || o.plane != before) o.pixel = fitting_pixel(size.maxCoeff());
-    ImGui::InputDouble(shown_name("Size of a pixel").c_str(), &o.pixel, 0, 0, "%.6g");
-    c.note("Size of a pixel");
+    c.number("Size of a pixel", &o.pixel, "%.6g");
     c.explain("In the model's unit.");
     const double least = std::max(size.maxCoeff() / longest_side, 1e-12);
     o.pixel = std::isfinite(o.pixel) ? std::clamp(o.pixel, least, std::max(least, size.maxCoeff())) : least;

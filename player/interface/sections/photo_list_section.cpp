@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "base/text/formatted.h"
+#include "base/text/localized.h"
 #include "base/text/lower_case.h"
 #include "base/text/translation.h"
 #include "player/interface/sections/columns.h"
@@ -51,11 +51,11 @@ std::string remark(const PhotoList& list, const package::PhotoRecord& photo, std
     const auto at = std::ranges::find(list.showing, number, &Footprint::photo);
     if (!photo.levels) return tr("skipped");
     if (list.by_point && list.point && at != list.showing.end())
-        return formatted(tr("pixels of %.3g"), at->size);
+        return localized(tr("pixels of %.3g"), at->size);
     const auto error = error_of(list, number);
-    return formatted(tr("%.0f %%, %+.1f stops"), 100 * photo.visible_vertices,
+    return localized(tr("%.0f %%, %+.1f stops"), 100 * photo.visible_vertices,
                      -std::log2(std::max(photo.gain[1], 1e-9))) +
-           (error ? formatted(tr(", %.1f px"), *error) : "");
+           (error ? localized(tr(", %.1f px"), *error) : "");
 }
 
 void row(Controls& c, Session& s, const PlanScene& scene, std::uint32_t photo, double now) {

@@ -40,9 +40,9 @@ void light_controls(Controls& c, Session& s) {
         c.checkbox("Follows pointer", &s.lamp_follows);
         c.explain("The lamp is where the pointer is over the picture: low near its edges.");
     }
-    if (c.slider("Lamp azimuth", &l.azimuth, 0.0, 360.0, "%.0f deg")) s.lamp_follows = false;
+    if (c.slider("Lamp azimuth", &l.azimuth, 0.0, 360.0, "%.0f°")) s.lamp_follows = false;
     c.explain("0: from the right, 90: from above.");
-    if (c.slider("Lamp height", &l.elevation, 1.0, 90.0, "%.0f deg")) s.lamp_follows = false;
+    if (c.slider("Lamp height", &l.elevation, 1.0, 90.0, "%.0f°")) s.lamp_follows = false;
     c.explain("Over the plane of the picture: the lower, the longer the shadows.");
 }
 

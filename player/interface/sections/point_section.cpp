@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 
+#include "base/text/localized.h"
 #include "base/text/translation.h"
 #include "scene/package/contents/point_cloud.h"
 
@@ -20,7 +21,7 @@ void under_pointer(const Renderer& renderer) {
     ImGui::TextDisabled("%s", shown ? tr("under the pointer:") : tr("under the pointer: no point"));
     for (int axis = 0; axis < 3; ++axis)
         if (shown)
-            ImGui::Text("%c  %.10g", "xyz"[axis], p -> position[axis]);
+            ImGui::TextUnformatted(localized("%c  %.10g", "xyz"[axis], p -> position[axis]).c_str());
         else
             ImGui::TextDisabled(" ");
     if (shown)

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "base/text/formatted.h"
+#include "base/text/localized.h"
 #include "base/text/translation.h"
 
 namespace vantage {
@@ -13,9 +13,27 @@ namespace {
 
 constexpr float MiB = 1024 * 1024;
 
+void line(const std::string& text) { ImGui::TextUnformatted(text.c_str()); }
+
+/// The time under the pointer is shown here: ImGui would write it with a point.
+void frame_curve(const DrawnFrames& frames) {
+    const float highest = *std::ranges::max_element(frames.ms);
+    ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, 1);
+    ImGui::BeginDisabled();
+    ImGui::PlotLines("##frames", frames.ms.data(), int(frames.ms.size()), 0, "", 0,
+                     std::max(1.0f, highest * 1.1f), ImVec2(-1, 4 * ImGui::GetFontSize()));
+    ImGui::EndDisabled();
+    ImGui::PopStyleVar();
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const float low = ImGui::GetItemRectMin().x, wide = ImGui::GetItemRectSize().x,
+                share = std::clamp((ImGui::GetIO().MousePos.x - low) / wide, 0.0f, 1.0f);
+    const auto at = std::min(std::size_t(share * float(frames.ms.size())), frames.ms.size() - 1);
+    ImGui::SetTooltip("%s", localized("%.1f ms", double(frames.ms[at])).c_str());
+}
+
 /// Noted under its English name.
 void budget_bar(Controls& c, const char* name, double held, double budget) {
-    const std::string text = formatted(tr("%.0f of %.0f MiB"), held / double(MiB), budget / double(MiB));
+    const std::string text = localized(tr("%.0f of %.0f MiB"), held / double(MiB), budget / double(MiB));
     ImGui::ProgressBar(float(budget > 0 ? held / budget : 0), ImVec2(-4 * ImGui::GetFontSize(), 0),
                        text.c_str());
     c.note(name);
@@ -27,8 +45,8 @@ void budget_bar(Controls& c, const char* name, double held, double budget) {
 void transfer_lines(const Renderer& renderer) {
     const auto traffic = renderer.package().traffic();
     if (!traffic) return;
-    ImGui::Text(tr("network %.0f kB/s, %.1f MB; cache %.1f MB"), traffic->bytes_per_second / 1e3,
-                double(traffic->bytes_received) / 1e6, double(traffic->bytes_from_cache) / 1e6);
+    line(localized(tr("network %.0f kB/s, %.1f MB; cache %.1f MB"), traffic->bytes_per_second / 1e3,
+                   double(traffic->bytes_received) / 1e6, double(traffic->bytes_from_cache) / 1e6));
     if (const std::string failure = renderer.resources().failure(); !failure.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 0.5f, 0.4f, 1));
         ImGui::TextWrapped("%s", failure.c_str());
@@ -42,24 +60,22 @@ void transfer_lines(const Renderer& renderer) {
 
 void status_section(Controls& c, const DrawnFrames& frames, const Renderer& renderer,
                     std::uint64_t graphics_budget) {
-    const float highest = *std::ranges::max_element(frames.ms);
-    ImGui::PlotLines("##frames", frames.ms.data(), int(frames.ms.size()), 0, "", 0,
-                     std::max(1.0f, highest * 1.1f), ImVec2(-1, 4 * ImGui::GetFontSize()));
+    frame_curve(frames);
     const FrameStatistics& f = frames.statistics;
-    ImGui::Text(tr("%.1f ms per frame, median %.1f"), f.mean, f.median);
-    ImGui::Text(tr("99 %% below %.1f, 99.9 %% below %.1f"), f.p99, f.p999);
+    line(localized(tr("%.1f ms per frame, median %.1f"), f.mean, f.median));
+    line(localized(tr("99 %% below %.1f, 99.9 %% below %.1f"), f.p99, f.p999));
     if (frames.pace.scale < 1)
-        ImGui::Text(tr("in motion: %.0f %% of the resolution%s"), 100 * frames.pace.scale,
-                    frames.pace.reduced ? tr(", fewer photos") : "");
+        line(localized(tr("in motion: %.0f %% of the resolution%s"), 100 * frames.pace.scale,
+                       frames.pace.reduced ? tr(", fewer photos") : ""));
     const FrameReport& r = frames.report;
     ImGui::Text(tr("%zu photos in %zu passes, %zu draws"), r.photos, r.passes, r.draws);
-    ImGui::Text(tr("%zu tiles, %zu to come; %.1f MiB uploaded"), r.tiles, r.tiles_to_come,
-                double(r.uploaded) / double(MiB));
+    line(localized(tr("%zu tiles, %zu to come; %.1f MiB uploaded"), r.tiles, r.tiles_to_come,
+                   double(r.uploaded) / double(MiB)));
     if (renderer.scene().has_transparency())
         ImGui::Text(tr("%zu transparent fragments, %zu approximated"), r.fragments, r.fragments_approximated);
     const Residency& held = renderer.resources().store.residency();
-    ImGui::Text(tr("graphics memory: %.0f of %.0f MiB"), double(gl::memory_held()) / double(MiB),
-                double(graphics_budget) / double(MiB));
+    line(localized(tr("graphics memory: %.0f of %.0f MiB"), double(gl::memory_held()) / double(MiB),
+                   double(graphics_budget) / double(MiB)));
     budget_bar(c, marked("tiles"), double(held.color_held() + 2 * held.weight_maps_held()) * 256 * 1024,
                double(held.layout().bytes()));
     transfer_lines(renderer);

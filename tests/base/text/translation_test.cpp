@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/text/formatted.h"
+#include "base/text/localized.h"
 
 using namespace vantage;
 
@@ -47,4 +48,22 @@ TEST(Formatted, IsWhatPrintfPrints) {
     EXPECT_EQ(formatted("%s of %zu %%", "part", std::size_t(3)), "part of 3 %");
     EXPECT_EQ(formatted("%s", std::string(5000, 'x').c_str()), std::string(5000, 'x'));
     EXPECT_EQ(formatted("%s", ""), "");
+}
+
+TEST(Localized, IsWhatPrintfPrintsInEnglish) {
+    use_language("");
+    EXPECT_EQ(localized("%s of %5.2f %%, %zu, %+.1e", "1.5", 2.25, std::size_t(3), 0.5),
+              "1.5 of  2.25 %, 3, +5.0e-01");
+    EXPECT_EQ(localized("100 %%"), "100 %");
+    EXPECT_EQ(localized("%.*f%c", 3, 1.5, 'm'), "1.500m");
+    EXPECT_EQ(localized_numbers("x 1.5, IMG.2.jpg"), "x 1.5, IMG.2.jpg");
+}
+
+TEST(TypedNumber, HasAPointOrAComma) {
+    EXPECT_EQ(typed_number(" 1.25 "), 1.25);
+    EXPECT_EQ(typed_number("-1,25"), -1.25);
+    EXPECT_EQ(typed_number("+3"), 3);
+    EXPECT_EQ(typed_number("1e-3"), 1e-3);
+    for (const char* none : {"", " ", "1.234,5", "1,2,3", "m", "1 m", "inf", "nan"})
+        EXPECT_FALSE(typed_number(none)) << none;
 }
