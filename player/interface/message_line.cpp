@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace vantage {
@@ -18,7 +19,9 @@ void message_line(Controls& c, Message& message, const Area& free, double now) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PushTextWrapPos(std::max(12 * em, std::min(60 * em, float(free.width) - 4 * em)));
     ImGui::TextUnformatted(message.text.c_str());
+    ImGui::PopTextWrapPos();
     c.note("Message");
     ImGui::End();
 }

@@ -4,6 +4,7 @@
 #include "base/text/formatted.h"
 #include "base/text/translation.h"
 #include "player/interface/sections/orthophoto_section.h"
+#include "player/interface/state/failure_text.h"
 #include "player/window/input/numbered_file.h"
 #include "scene/package/contents/image_sets.h"
 
@@ -20,8 +21,12 @@ void OrthophotoWriter::attend(Session& s, const PackageReader& package, double n
     s.orthophoto.writing = false;
     say(s.message,
         ended->well ? formatted(tr("%s written to %s"), tr_in("written", "orthophoto"), file_.c_str())
-                    : file_ + ": " + ended->says,
+                    : failure_text(cannot_write(), ended->says),
         now);
+}
+
+std::string OrthophotoWriter::cannot_write() const {
+    return formatted(tr("%s cannot be written."), file_.c_str());
 }
 
 void OrthophotoWriter::start(Session& s, const PackageReader& package, double now) {
@@ -41,7 +46,7 @@ void OrthophotoWriter::start(Session& s, const PackageReader& package, double no
         s.orthophoto.writing = true;
         say(s.message, formatted(tr("the orthophoto is being written to %s"), file_.c_str()), now);
     } catch (const Error& e) {
-        say(s.message, e.what(), now);
+        say(s.message, failure_text(cannot_write(), e), now);
     }
 }
 

@@ -14,6 +14,7 @@ class OrthophotoWriter {
     bool writes() const { return program_.has_value(); }
 
   private:
+    std::string cannot_write() const;
     void start(Session& session, const PackageReader& package, double now);
     std::optional<ChildProgram> program_;
     std::string file_;

@@ -17,8 +17,10 @@
 #include "base/files/process_time.h"
 #include "base/gl/context.h"
 #include "base/text/error.h"
+#include "base/text/formatted.h"
 #include "base/text/is_url.h"
 #include "base/text/translation.h"
+#include "player/interface/state/failure_text.h"
 #include "player/window/glfw_window.h"
 #include "player/window/input/input.h"
 #include "player/window/new_frame.h"
@@ -88,13 +90,18 @@ Requested open_requested(GlfwWindow& window, const std::string& file, const Memo
     return Requested{file, std::move(objects), std::move(package), now};
 }
 
+std::string cannot_open(const std::string& file) {
+    return formatted(tr("%s cannot be opened."), std::filesystem::path(file).filename().c_str());
+}
+
 /// Opens a package; empty, with a message, if it cannot be shown.
 std::optional<Requested> requested(GlfwWindow& window, Session& session, const std::string& file,
                                    const MemoryOptions& memory, double now) {
     try {
         return open_requested(window, file, memory, now);
     } catch (const Error& e) {
-        say(session.message, e.what(), glfwGetTime());  // a server may have taken its time
+        say(session.message, failure_text(cannot_open(file), e),
+            glfwGetTime());  // a server may have taken its time
         return {};
     }
 }
@@ -103,12 +110,12 @@ std::optional<Requested> requested(GlfwWindow& window, Session& session, const s
 std::optional<Requested> ask_for_package(GlfwWindow& window, WindowState& state, Controls& controls,
                                          const ShowOptions& o, std::span<const std::string> recent) {
     glfwSetWindowTitle(window.get(), "Vantage");
-    for (std::string trouble;;) try {
-            const std::string file = start_page(window, state, controls, recent, trouble, o.window.controls);
+    for (std::string trouble, file;;) try {
+            file = start_page(window, state, controls, recent, trouble, o.window.controls);
             if (file.empty()) return {};
             return open_requested(window, file, o.memory, glfwGetTime());
         } catch (const Error& e) {
-            trouble = e.what();
+            trouble = failure_text(cannot_open(file), e);
         }
 }
 

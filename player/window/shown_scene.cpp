@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/text/error.h"
+#include "base/text/formatted.h"
 #include "base/text/translation.h"
 #include "player/interface/help_panel.h"
 #include "player/interface/menu_bar.h"
@@ -20,6 +21,7 @@
 #include "player/interface/sections/object_section.h"
 #include "player/interface/sections/photo_list_section.h"
 #include "player/interface/sidebar.h"
+#include "player/interface/state/failure_text.h"
 #include "player/interface/tour/visitor_bar.h"
 #include "player/view/camera_path.h"
 #include "player/window/input/numbered_file.h"
@@ -62,7 +64,7 @@ std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
             return attract_loop(scene_.active.story, session_.viewpoint.home, scene_.active.axes,
                                 scene_.active.file.string());
         } catch (const Error& e) {  // the rest of the story can be shown
-            say(session_.message, e.what(), 0);
+            say(session_.message, failure_text(tr("The tour cannot be played."), e), 0);
             return {};
         }
     std::vector<Navigation> stops =
@@ -235,7 +237,11 @@ void ShownScene::add_objects(double now) {
             s.window.panels.objects = true;
             picture_.refine_again();
         } catch (const Error& e) {
-            say(s.message, e.what(), now);
+            say(s.message,
+                failure_text(formatted(tr("%s cannot be added."),
+                                       std::filesystem::path(added->file).filename().c_str()),
+                             e),
+                now);
         }
 }
 

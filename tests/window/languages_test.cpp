@@ -1,10 +1,13 @@
 // Texts and numbers of the window in the languages that have a catalog.
 #include <imgui.h>
 
+#include <fstream>
 #include <regex>
 #include <set>
 
+#include "base/text/formatted.h"
 #include "base/text/translation.h"
+#include "player/interface/state/failure_text.h"
 #include "player/interface/unit_texts.h"
 #include "tests/window/shown_text.h"
 #include "tests/window/window_test.h"
@@ -106,4 +109,30 @@ TEST_F(WindowLanguages, NumbersAreTypedWithAPointOrAComma) {
         w.press("Flying speed", 0.2);
         EXPECT_LT(w.session.steering.flying_speed, 10) << "a slider again";
     }
+}
+
+TEST_F(WindowLanguages, WhatFailsIsSaidInTheLanguage) {
+    use_language("de");
+    EXPECT_EQ(failure_text(formatted(tr("%s cannot be opened."), "a.vantage"),
+                           Error(Exit::damaged, "a.vantage: is truncated")),
+              "a.vantage lässt sich nicht öffnen. Die Datei ist beschädigt oder von anderer Art.\n"
+              "a.vantage: is truncated");
+    const std::filesystem::path cut = dir / "cut.vantage";
+    std::ofstream(cut) << slurp(package_of(WindowScene::tiny)).substr(0, 3000);
+    HeadlessWindow w(copy_of(WindowScene::tiny), in("fr"));
+    w.session.window.commands.push_back(AddObject{cut.string()});
+    w.frames(4);
+    EXPECT_TRUE(w.session.message.text.starts_with("Impossible d’ajouter cut.vantage. Le fichier"))
+        << w.session.message.text;
+    EXPECT_NE(shown_text().find("Impossible"), std::string::npos) << shown_text();
+    std::ofstream(dir / "one.measurements.json") << "{";
+    w.key(GLFW_KEY_M);
+    EXPECT_TRUE(w.session.message.text.starts_with("Impossible de lire les mesures. "))
+        << w.session.message.text;
+    w.key(GLFW_KEY_M);
+    w.resize(500, 700);
+    const Controls::Place* const message = w.find("Message");
+    ASSERT_TRUE(message);
+    EXPECT_GE(message->low.x, 0) << "a long message has several lines";
+    EXPECT_LE(message->high.x, 500);
 }

@@ -13,6 +13,7 @@
 #include "player/interface/docked.h"
 #include "player/interface/keys.h"
 #include "player/interface/overlays/measure_overlay.h"
+#include "player/interface/state/failure_text.h"
 #include "player/interface/unit_texts.h"
 #include "player/survey/number_text.h"
 
@@ -70,7 +71,7 @@ void MeasurePanel::begin(Session& s, double now) {
     try {
         survey_ = file_.read(Survey{.up = survey_.up});
     } catch (const Error& e) {
-        say(s.message, e.what(), now);
+        say(s.message, failure_text(tr("Measurements cannot be read."), e), now);
     }
     selected_.reset();
     evaluate_all();
@@ -83,7 +84,8 @@ void MeasurePanel::evaluate_all() {
 }
 
 bool MeasurePanel::attend(Session& s, double now) {
-    if (const std::string trouble = file_.take_trouble(); !trouble.empty()) say(s.message, trouble, now);
+    if (const std::string trouble = file_.take_trouble(); !trouble.empty())
+        say(s.message, failure_text(tr("Measurements are not saved."), trouble), now);
     if (!s.window.panels.measure) {
         active_ = false;
         next_.points.clear();

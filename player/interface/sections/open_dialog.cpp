@@ -11,6 +11,7 @@
 #include "base/text/lower_extension.h"
 #include "base/text/translation.h"
 #include "player/interface/keys.h"
+#include "player/interface/state/failure_text.h"
 #include "scene/story/scene_file.h"
 
 namespace vantage {
@@ -43,7 +44,7 @@ void OpenDialog::list(const std::filesystem::path& folder) {
     std::ranges::sort(entries_, {},
                       [](const Entry& e) { return std::tuple(!e.folder, lower_case(e.label), e.label); });
     if (folder_.has_relative_path()) entries_.insert(entries_.begin(), {"../", folder_.parent_path(), true});
-    trouble_ = error ? error.message() : "";
+    trouble_ = error ? failure_text(tr("The folder cannot be read."), error.message()) : "";
     selected_ = entries_.size();
     typed_[0] = 0;
     ++texts_;

@@ -7,6 +7,7 @@
 
 #include "base/text/localized.h"
 #include "base/text/translation.h"
+#include "player/interface/state/failure_text.h"
 
 namespace vantage {
 namespace {
@@ -49,7 +50,7 @@ void transfer_lines(const Renderer& renderer) {
                    double(traffic->bytes_received) / 1e6, double(traffic->bytes_from_cache) / 1e6));
     if (const std::string failure = renderer.resources().failure(); !failure.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 0.5f, 0.4f, 1));
-        ImGui::TextWrapped("%s", failure.c_str());
+        ImGui::TextWrapped("%s", failure_text(tr("Parts of the scene cannot be loaded."), failure).c_str());
         ImGui::PopStyleColor();
     } else if (traffic->offline) {
         ImGui::TextUnformatted(tr("the server cannot be reached: shown from the cache"));

@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// What is said to the user, in one line.
+/// What is said to the user, in a line or two.
 struct Message {
     std::string text;    ///< empty: nothing
     double until = 0;    ///< seconds, at least

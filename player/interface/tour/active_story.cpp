@@ -7,6 +7,7 @@
 
 #include "base/text/error.h"
 #include "base/text/translation.h"
+#include "player/interface/state/failure_text.h"
 #include "scene/story/story_file.h"
 
 namespace vantage {
@@ -34,9 +35,10 @@ ActiveStory active_story(const std::filesystem::path& package, const InputAxes& 
         ReadStory read = read_story(active.file);
         active.on_disk = text_on_disk(active.file);
         active.story = std::move(read.story);
-        if (!read.unknown.empty()) active.trouble = read.unknown.front();
+        if (!read.unknown.empty())
+            active.trouble = failure_text(tr("The story cannot be edited."), read.unknown.front());
     } catch (const Error& e) {
-        active.trouble = e.what();
+        active.trouble = failure_text(tr("The story cannot be read."), e);
     }
     if (active.language.empty()) active.language = active.story.language;
     return active;
@@ -58,7 +60,7 @@ void play_tour(ActiveStory& active, Session& s, std::size_t tour, double now) {
         active.playing = ActiveStory::Playing{tour, now};
         active.open.reset();
     } catch (const Error& e) {
-        say(s.message, e.what(), now);
+        say(s.message, failure_text(tr("The tour cannot be played."), e), now);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "base/text/error.h"
 #include "base/text/formatted.h"
 #include "base/text/translation.h"
+#include "player/interface/state/failure_text.h"
 
 namespace vantage {
 namespace {
@@ -150,7 +151,7 @@ void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View&
             save(active);
             say(s.message, formatted(tr("written to %s"), active.file.c_str()), now);
         } catch (const Error& e) {
-            say(s.message, e.what(), now);
+            say(s.message, failure_text(tr("The story is not saved."), e), now);
         }
     ImGui::EndDisabled();
     ImGui::EndDisabled();

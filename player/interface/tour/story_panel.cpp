@@ -10,6 +10,7 @@
 #include "base/text/formatted.h"
 #include "base/text/translation.h"
 #include "player/interface/docked.h"
+#include "player/interface/state/failure_text.h"
 
 namespace vantage {
 namespace {
@@ -81,7 +82,7 @@ void note_content(Controls& c, ActiveStory& active, NotePicture& picture, Viewpo
                      ImVec2(scale * float(picture.width()), scale * float(picture.height())));
         c.note("Picture of the note");
     } else if (!picture.trouble().empty()) {
-        ImGui::TextWrapped("%s", picture.trouble().c_str());
+        ImGui::TextWrapped("%s", failure_text(tr("The picture cannot be shown."), picture.trouble()).c_str());
     }
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room.x);
     ImGui::TextUnformatted(text_in(active.story, note.text, active.language).c_str());

@@ -50,8 +50,8 @@ void AskedFiles::add_cut(std::vector<SectionLine> lines, const PackageReader& pa
 void AskedFiles::add(const std::string& stem, const char* extension, const std::string& what,
                      std::function<void(const std::string& file)> write) {
     // Translated here: translations belong to this thread.
-    jobs_.push_back([=, write = std::move(write), done = std::string(tr("%s written to %s"))] {
-        return written_numbered(stem, extension, what, done, write);
+    jobs_.push_back([=, write = std::move(write), texts = WrittenTexts{what}] {
+        return written_numbered(stem, extension, texts, write);
     });
 }
 

@@ -4,7 +4,7 @@
 
 #include "base/text/error.h"
 #include "base/text/formatted.h"
-#include "base/text/translation.h"
+#include "player/interface/state/failure_text.h"
 
 namespace vantage {
 
@@ -16,21 +16,20 @@ std::string free_name(const std::string& stem, const char* extension) {
     }
 }
 
-std::string written_numbered(const std::string& stem, const char* extension, const std::string& what,
-                             const std::string& done,
+std::string written_numbered(const std::string& stem, const char* extension, const WrittenTexts& texts,
                              const std::function<void(const std::string& file)>& write) {
+    const std::string file = free_name(stem, extension);
     try {
-        const std::string file = free_name(stem, extension);
         write(file);
-        return formatted(done.c_str(), what.c_str(), file.c_str());
+        return formatted(texts.done.c_str(), texts.what.c_str(), file.c_str());
     } catch (const Error& e) {
-        return e.what();
+        return failure_text(formatted(texts.failed.c_str(), file.c_str()), std::string(e.what()));
     }
 }
 
 void write_numbered(Message& message, const std::string& stem, const char* extension, const std::string& what,
                     double now, const std::function<void(const std::string& file)>& write) {
-    say(message, written_numbered(stem, extension, what, tr("%s written to %s"), write), now);
+    say(message, written_numbered(stem, extension, {what}, write), now);
 }
 
 }  // namespace vantage

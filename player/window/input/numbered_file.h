@@ -2,14 +2,20 @@
 #include <functional>
 #include <string>
 
+#include "base/text/translation.h"
 #include "player/interface/state/message.h"
 
 namespace vantage {
 
+/// What is written, and what is said then, in the language of the window.
+struct WrittenTexts {
+    std::string what;
+    std::string done = tr("%s written to %s"), failed = tr("%s cannot be written.");
+};
+
 /// Writes to the file free_name(stem, extension); `extension` with its dot. Returns `done` with WHAT and FILE
-/// for its two %s, or why `write` threw an Error. May be called by any thread.
-std::string written_numbered(const std::string& stem, const char* extension, const std::string& what,
-                             const std::string& done,
+/// for its two %s, or `failed` with FILE, and why `write` threw an Error. May be called by any thread.
+std::string written_numbered(const std::string& stem, const char* extension, const WrittenTexts& texts,
                              const std::function<void(const std::string& file)>& write);
 /// Says that, with "WHAT written to FILE".
 void write_numbered(Message& message, const std::string& stem, const char* extension, const std::string& what,

@@ -7,6 +7,7 @@
 
 #include "base/text/error.h"
 #include "base/text/translation.h"
+#include "player/interface/state/failure_text.h"
 
 namespace vantage {
 namespace {
@@ -39,7 +40,7 @@ void SystemChooser::attend(UserCommands& commands, Message& message, const std::
         try {
             if (!program_) ask(program, folder);
         } catch (const Error& e) {
-            say(message, e.what(), now);
+            say(message, failure_text(tr("The dialog cannot be opened."), e), now);
         }
     }
     const auto ended = program_ ? program_->ended() : std::nullopt;

@@ -4,6 +4,7 @@
 
 #include "base/text/error.h"
 #include "base/text/translation.h"
+#include "player/interface/state/failure_text.h"
 #include "player/view/camera_path.h"
 #include "player/view/shots.h"
 
@@ -41,7 +42,7 @@ void paste(Session& s, const std::string& text, const PackageReader& package, do
         to.aspect = s.viewpoint.camera.aspect;
         start_flight(s.viewpoint, to, now, 0.7);
     } catch (const Error& e) {
-        say(s.message, e.what(), now);
+        say(s.message, failure_text(tr("The clipboard has no view of this scene."), e), now);
     }
 }
 
