@@ -61,7 +61,7 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
     const float em = ImGui::GetFontSize(), height = 4.6f * em;
     begin_docked("##photos", area, ImVec2(0.5f * em, 0.5f * em),
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_HorizontalScrollbar |
-                     ImGuiWindowFlags_NoScrollWithMouse);
+                     ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing);
     // Not during a flight, nor under the pointer: a target must not move while it is being clicked.
     if (ranked_at_ < 0 ||
         (now - ranked_at_ > ranking_seconds && !s.viewpoint.flight && !ImGui::IsWindowHovered())) {

@@ -12,6 +12,7 @@
 #include "base/gl/context.h"
 #include "base/text/error.h"
 #include "base/text/translation.h"
+#include "player/interface/keyboard_navigation.h"
 #include "player/interface/keys.h"
 #include "player/interface/style.h"
 #include "player/window/new_frame.h"
@@ -84,6 +85,7 @@ GlfwWindow::GlfwWindow(FrameSize size, const std::string& title, bool debug) {
     if (debug) gl::watch_errors();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
+    navigate_by_keyboard();
     set_style(text_scale_);
     touch_screen_.emplace(window_);
     watch_events();  // first: ImGui calls the callbacks that it finds

@@ -49,6 +49,12 @@ void new_frame(const PointerState& mouse, const UserInput& input) {
 
 void point_before_wheel(GLFWwindow*) {}
 
+/// Enter, which newer versions take for Space where no text is typed.
+bool uses_marked(const KeyPress& p) {
+    const ImGuiIO& io = ImGui::GetIO();
+    return io.NavVisible && !io.WantTextInput && (p.key == GLFW_KEY_ENTER || p.key == GLFW_KEY_KP_ENTER);
+}
+
 void new_frame(const PointerState& mouse, const UserInput& input) {
     ImGuiIO& io = ImGui::GetIO();
     const PointerState p = input.pointer.value_or(mouse);
@@ -58,8 +64,8 @@ void new_frame(const PointerState& mouse, const UserInput& input) {
     std::vector<int> tapped;
     for (const KeyPress& p : input.keys) {
         io.KeyCtrl |= p.with == KeyPress::With::control;
-        if (p.key >= 0 && p.key < int(std::size(down)) && !std::exchange(down[p.key], true))
-            tapped.push_back(p.key);
+        const int key = uses_marked(p) ? GLFW_KEY_SPACE : p.key;
+        if (key >= 0 && key < int(std::size(down)) && !std::exchange(down[key], true)) tapped.push_back(key);
     }
     ImGui::NewFrame();
     for (const int key : tapped) down[key] = false;

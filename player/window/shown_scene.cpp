@@ -12,6 +12,7 @@
 #include "base/text/formatted.h"
 #include "base/text/translation.h"
 #include "player/interface/help_panel.h"
+#include "player/interface/keyboard_navigation.h"
 #include "player/interface/menu_bar.h"
 #include "player/interface/message_line.h"
 #include "player/interface/overlays/comparison.h"
@@ -182,6 +183,7 @@ void ShownScene::interface(const View& view, double now) {
     drop_dialog(controls_, s.window.commands, dropped_);
     message_line(controls_, s.message, s.window.free, now);
     s.window.menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    note_navigation(s.window);
 }
 
 /// Cuts the model as the session says, and draws where it is cut.

@@ -9,6 +9,7 @@
 
 #include "base/gl/context.h"
 #include "base/text/translation.h"
+#include "player/interface/keyboard_navigation.h"
 #include "player/interface/style.h"
 #include "player/render/timing/pace.h"
 #include "player/window/input/input.h"
@@ -25,11 +26,17 @@ struct ImGuiKeyOf {
     int glfw;
 };
 /// Keys that ImGui handles itself.
-constexpr ImGuiKeyOf imgui_keys[] = {
-    {ImGuiKey_Tab, GLFW_KEY_TAB},       {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
-    {ImGuiKey_Delete, GLFW_KEY_DELETE}, {ImGuiKey_Enter, GLFW_KEY_ENTER},
-    {ImGuiKey_Escape, GLFW_KEY_ESCAPE}, {ImGuiKey_UpArrow, GLFW_KEY_UP},
-    {ImGuiKey_A, GLFW_KEY_A},           {ImGuiKey_DownArrow, GLFW_KEY_DOWN}};
+constexpr ImGuiKeyOf imgui_keys[] = {{ImGuiKey_Tab, GLFW_KEY_TAB},
+                                     {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
+                                     {ImGuiKey_Delete, GLFW_KEY_DELETE},
+                                     {ImGuiKey_Enter, GLFW_KEY_ENTER},
+                                     {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
+                                     {ImGuiKey_UpArrow, GLFW_KEY_UP},
+                                     {ImGuiKey_A, GLFW_KEY_A},
+                                     {ImGuiKey_DownArrow, GLFW_KEY_DOWN},
+                                     {ImGuiKey_Space, GLFW_KEY_SPACE},
+                                     {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},
+                                     {ImGuiKey_RightArrow, GLFW_KEY_RIGHT}};
 
 #if IMGUI_VERSION_NUM >= 18700
 
@@ -80,6 +87,7 @@ HeadlessWindow::HeadlessWindow(const std::filesystem::path& package, ShowOptions
     static const gl::HeadlessContext context;
     ImGui::SetCurrentContext(imgui_);
     ImGui::GetIO().IniFilename = nullptr;
+    navigate_by_keyboard();
     map_keys();
     use_language(options.window.language);
     state.language = options.window.language;

@@ -36,7 +36,7 @@ void drag_swipe(Controls& c, Session& s, const Area& frame) {
     ImGui::Begin("##swipe", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PopStyleVar(2);
     ImGui::InvisibleButton("##line", ImVec2(2 * em, high));
     c.note("Swipe");

@@ -11,6 +11,7 @@
 #include "base/files/replace_file.h"
 #include "base/text/localized.h"
 #include "base/text/translation.h"
+#include "player/interface/keyboard_navigation.h"
 
 namespace vantage {
 
@@ -214,6 +215,7 @@ bool Controls::icon_button(const char* name, Icon icon, bool lit, bool with_labe
                                               : ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered
                                                                        : ImGuiCol_Header),
                            ImGui::GetStyle().FrameRounding);
+    mark_if_navigated();
     const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
     draw_icon(list, icon, ImVec2(low.x + 1.1f * em, low.y + 1.1f * em), 1.25f * em, color);
     if (with_label) list.AddText(ImVec2(low.x + 2.1f * em, low.y + 0.6f * em), color, tr(name));

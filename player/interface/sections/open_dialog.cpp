@@ -102,7 +102,9 @@ void OpenDialog::show(Controls& c, WindowState& window) {
     if (asked) ImGui::OpenPopup(shown_name(title).c_str());
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    if (!ImGui::BeginPopupModal(shown_name(title).c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize))
+    if (!ImGui::BeginPopupModal(
+            shown_name(title).c_str(), nullptr,
+            ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav))  // move_by_keys()
         return;
     closes_ = take_key(window.input, key::escape);
     if (!closes_) content(c, window);

@@ -34,6 +34,7 @@ struct WindowState {
     UserInput input;                  ///< not taken yet
     std::vector<KeyPress> measuring;  ///< keys for the mode of measuring
     bool menu_open = false;           ///< or a list, in the last frame
+    bool navigates = false;           ///< a control was marked for keys in the last frame
     bool touched = false;             ///< something happened in the window since the last frame
     UserCommands commands;
 };

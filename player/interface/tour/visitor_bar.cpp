@@ -125,8 +125,7 @@ bool is_usable(Icon icon, const Renderer& renderer) {
 void visitor_bar(Controls& c, Session& s, const Renderer& renderer, const View& view, const Area& area,
                  double now) {
     const float em = ImGui::GetFontSize();
-    begin_docked("##bar", area, ImVec2(0.5f * em, 0.35f * em),
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoNav);
+    begin_docked("##bar", area, ImVec2(0.5f * em, 0.35f * em), ImGuiWindowFlags_NoDecoration);
     const std::span<const Tool> shown = s.window.kiosk ? std::span<const Tool>(kiosk_tools) : tools;
     const float gap = 0.5f * em;
     const bool labels = width_of(shown, true, gap) + 2 * gap < float(area.width);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/text/translation.h"
+#include "player/interface/keyboard_navigation.h"
 #include "player/interface/overlays/comparison.h"
 #include "player/interface/sections/image_set_section.h"
 #include "player/interface/sections/measure_panel.h"
@@ -289,6 +290,7 @@ void apply_input(Session& session, const PlanScene& scene, double now) {
     if (io.WantTextInput || io.WantCaptureKeyboard) return;  // a dialog is open, or a control in use
     if (session.window.menu_open && take_key(session.window.input, GLFW_KEY_ESCAPE))
         session.window.commands.push_back(CloseMenus{});
+    leave_keys_to_navigation(session.window);
     take_measuring_keys(session);
     move_by_keys(session);
     const std::vector<KeyPress> keys = std::exchange(session.window.input.keys, {});
