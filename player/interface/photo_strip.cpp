@@ -4,12 +4,11 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <numeric>
 #include <string>
 
 #include "base/text/translation.h"
 #include "player/interface/docked.h"
+#include "player/interface/keyboard_navigation.h"
 #include "player/interface/sections/image_set_section.h"
 #include "player/interface/sections/photo_list_section.h"
 #include "player/stream/stream_request.h"
@@ -55,6 +54,57 @@ void PhotoStrip::tooltip(Renderer& renderer, std::uint32_t photo) {
     ImGui::EndTooltip();
 }
 
+/// Not during a flight, nor under the pointer or the keyboard's mark: a target must not move while it is
+/// being clicked.
+void PhotoStrip::rank(const Session& s, const PlanScene& scene, const View& view, double now) {
+    const bool in_use = ImGui::IsWindowHovered() || (s.window.navigates && ImGui::IsWindowFocused());
+    if (ranked_at_ < 0 || (now - ranked_at_ > ranking_seconds && !s.viewpoint.flight && !in_use)) {
+        agreements_ = agreements(scene, view);
+        ranked_at_ = now;
+        ranked_eye_ = s.viewpoint.camera.eye;
+    }
+    outdated_ = s.viewpoint.camera.eye != ranked_eye_;
+}
+
+std::vector<std::uint32_t> PhotoStrip::order(const Session& s, const PlanScene& scene) const {
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t i = 0; i < scene.photos.size(); ++i)
+        if (scene.photos[i].levels && is_shown(s.settings.image_sets, scene.photos[i])) out.push_back(i);
+    std::ranges::stable_sort(out, std::ranges::greater(), [&](auto i) { return agreements_[i]; });
+    return out;
+}
+
+/// By dragging and by the wheel. Whether a press has ended that has moved and is no click, also where frames
+/// are longer than it.
+bool PhotoStrip::scroll(const Area& area) const {
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 pressed = io.MouseClickedPos[0];
+    const bool pressed_here = pressed.x >= float(area.left) && pressed.x < float(area.left + area.width) &&
+                              pressed.y >= float(area.top) && pressed.y < float(area.top + area.height);
+    if (pressed_here && ImGui::IsMouseDragging(0, drag_pixels))
+        ImGui::SetScrollX(ImGui::GetScrollX() - io.MouseDelta.x);
+    if (ImGui::IsWindowHovered())
+        ImGui::SetScrollX(ImGui::GetScrollX() - 9 * ImGui::GetFontSize() * (io.MouseWheel + io.MouseWheelH));
+    return io.MouseReleased[0] && io.MouseDragMaxDistanceSqr[0] > drag_pixels * drag_pixels;
+}
+
+void PhotoStrip::thumbnail(Renderer& renderer, std::uint32_t photo, ImVec2 low, ImVec2 high) {
+    const package::PhotoRecord& p = renderer.scene().photos[photo];
+    renderer.planner().tiles().want_thumbnail(photo);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Residency& residency = renderer.resources().store.residency();
+    if (const auto layer = residency.thumbnail_layer(photo)) {
+        const ImVec2 share(float(p.thumbnail_width) / float(residency.layout().thumbnail_width),
+                           float(p.thumbnail_height) / float(residency.layout().thumbnail_height));
+        list.AddImage(ImTextureID(std::uintptr_t(picture(residency, *layer))), low, high, ImVec2(0, 0),
+                      share);
+    } else {
+        list.AddRectFilled(low, high, IM_COL32(40, 44, 52, 255));
+        const StreamRequest request = thumbnail_request(renderer.package(), photo);
+        lacks_ |= residency.available(Resource::thumbnail) > 0 && !residency.failed(request);
+    }
+}
+
 void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const View& view, const Area& area,
                       double now) {
     const PlanScene& scene = renderer.scene();
@@ -62,67 +112,42 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
     begin_docked("##photos", area, ImVec2(0.5f * em, 0.5f * em),
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_HorizontalScrollbar |
                      ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing);
-    // Not during a flight, nor under the pointer: a target must not move while it is being clicked.
-    if (ranked_at_ < 0 ||
-        (now - ranked_at_ > ranking_seconds && !s.viewpoint.flight && !ImGui::IsWindowHovered())) {
-        agreements_ = agreements(scene, view);
-        ranked_at_ = now;
-        ranked_eye_ = s.viewpoint.camera.eye;
-    }
-    outdated_ = s.viewpoint.camera.eye != ranked_eye_;
+    rank(s, scene, view, now);
+    const bool was_dragged = scroll(area);
     lacks_ = false;
-    std::vector<std::uint32_t> order;
-    for (std::uint32_t i = 0; i < scene.photos.size(); ++i)
-        if (scene.photos[i].levels && is_shown(s.settings.image_sets, scene.photos[i])) order.push_back(i);
-    std::ranges::stable_sort(order, std::ranges::greater(), [&](auto i) { return agreements_[i]; });
-    const ImGuiIO& io = ImGui::GetIO();
-    const ImVec2 pressed = io.MouseClickedPos[0];
-    const bool pressed_here = pressed.x >= float(area.left) && pressed.x < float(area.left + area.width) &&
-                              pressed.y >= float(area.top) && pressed.y < float(area.top + area.height);
-    if (pressed_here && ImGui::IsMouseDragging(0, drag_pixels))
-        ImGui::SetScrollX(ImGui::GetScrollX() - io.MouseDelta.x);
-    // A press that has moved is no click, also where frames are longer than it.
-    const bool was_dragged = io.MouseDragMaxDistanceSqr[0] > drag_pixels * drag_pixels;
-    if (ImGui::IsWindowHovered())
-        ImGui::SetScrollX(ImGui::GetScrollX() - 9 * em * (io.MouseWheel + io.MouseWheelH));
-    for (std::size_t n = 0; n < order.size(); ++n) {
-        const package::PhotoRecord& p = scene.photos[order[n]];
-        const float width = height * float(p.width) / float(p.height);
-        if (n > 0) ImGui::SameLine();
-        const std::string name = std::string("Photo ") + std::to_string(n + 1);
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const bool clicked = ImGui::InvisibleButton(name.c_str(), ImVec2(width, height));
+    int number = 0;
+    for (const std::uint32_t photo : order(s, scene)) {
+        const package::PhotoRecord& p = scene.photos[photo];
+        if (number++ > 0) ImGui::SameLine();
+        const std::string name = "Photo " + std::to_string(number);
+        const ImVec2 low = ImGui::GetCursorScreenPos(),
+                     size(height * float(p.width) / float(p.height), height),
+                     high(low.x + size.x, low.y + size.y);
+        const bool clicked = ImGui::InvisibleButton(name.c_str(), size);
         controls.note(name.c_str());
+        if (clicked && !was_dragged) fly_to(s, photo, p, now);
         if (!ImGui::IsItemVisible()) continue;
-        const bool hovered = ImGui::IsItemHovered();
-        renderer.planner().tiles().want_thumbnail(order[n]);
-        ImDrawList& list = *ImGui::GetWindowDrawList();
-        const ImVec2 end(at.x + width, at.y + height);
-        const Residency& residency = renderer.resources().store.residency();
-        if (const auto layer = residency.thumbnail_layer(order[n])) {
-            const ImVec2 share(float(p.thumbnail_width) / float(residency.layout().thumbnail_width),
-                               float(p.thumbnail_height) / float(residency.layout().thumbnail_height));
-            list.AddImage(ImTextureID(std::uintptr_t(picture(residency, *layer))), at, end, ImVec2(0, 0),
-                          share);
-        } else {
-            list.AddRectFilled(at, end, IM_COL32(40, 44, 52, 255));
-            const StreamRequest request = thumbnail_request(renderer.package(), order[n]);
-            lacks_ |= residency.available(Resource::thumbnail) > 0 && !residency.failed(request);
-        }
-        if (shows_listed_point(s.photo_list, order[n]))
-            list.AddRect(ImVec2(at.x + 3, at.y + 3), ImVec2(end.x - 3, end.y - 3), IM_COL32_WHITE, 0, 0, 2);
-        const bool used = renderer.planner().uses(order[n]);
-        const FalseColor c = false_color(order[n]);
-        if (used || hovered)
-            list.AddRect(at, end, ImGui::ColorConvertFloat4ToU32(ImVec4(c.r, c.g, c.b, 1)), 0, 0,
-                         hovered ? 4.0f : 2.5f);
-        if (hovered)
-            ImGui::SetTooltip(
-                tr("%s, %s%s%ux%u, agreement %.0f %%"), p.name, scene.image_sets[p.image_set].name.c_str(),
-                scene.image_sets.size() > 1 ? ", " : "", p.width, p.height, 100 * agreements_[order[n]]);
-        if (clicked && !was_dragged) fly_to(s, order[n], p, now);
+        thumbnail(renderer, photo, low, high);
+        const bool pointed_at = ImGui::IsItemHovered() | mark_if_navigated();
+        const PhotoState state = {.blended = renderer.planner().uses(photo),
+                                  .excluded = !std::ranges::binary_search(s.photos, photo),
+                                  .viewed_from = s.viewpoint.camera.eye == scene.poses[photo].center(),
+                                  .shows_point = shows_listed_point(s.photo_list, photo),
+                                  .pointed_at = pointed_at};
+        const FalseColor c = false_color(photo);
+        draw_photo_marks(*ImGui::GetWindowDrawList(), low, high, state,
+                         ImGui::ColorConvertFloat4ToU32(ImVec4(c.r, c.g, c.b, 1)));
+        if (pointed_at) explain(scene, photo, state);
     }
     ImGui::End();
+}
+
+void PhotoStrip::explain(const PlanScene& scene, std::uint32_t photo, const PhotoState& state) const {
+    const package::PhotoRecord& p = scene.photos[photo];
+    const std::string set = scene.image_sets.size() > 1 ? scene.image_sets[p.image_set].name + ", " : "",
+                      is = photo_state_text(state);
+    ImGui::SetTooltip(tr("%s, %s%u × %u, agreement %.0f %%%s"), p.name, set.c_str(), p.width, p.height,
+                      100 * agreements_[photo], is.empty() ? "" : ("\n" + is).c_str());
 }
 
 }  // namespace vantage

@@ -1,7 +1,9 @@
 #pragma once
 #include <cmath>
 #include <map>
+#include <vector>
 
+#include "player/interface/photo_marks.h"
 #include "player/interface/sections/controls.h"
 #include "player/interface/state/session.h"
 #include "player/render/renderer.h"
@@ -25,6 +27,11 @@ class PhotoStrip {
   private:
     static constexpr double ranking_seconds = 0.5;
     static constexpr float drag_pixels = 6;
+    void rank(const Session& session, const PlanScene& scene, const View& view, double now);
+    std::vector<std::uint32_t> order(const Session& session, const PlanScene& scene) const;
+    bool scroll(const Area& area) const;
+    void thumbnail(Renderer& renderer, std::uint32_t photo, ImVec2 low, ImVec2 high);
+    void explain(const PlanScene& scene, std::uint32_t photo, const PhotoState& state) const;
     GLuint picture(const Residency& residency, std::uint32_t layer);
     void forget();
 

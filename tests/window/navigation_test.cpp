@@ -1,4 +1,7 @@
-// The window used by keys alone.
+// The window used by keys alone, and the marks of photos in the strip.
+#include <algorithm>
+
+#include "tests/window/shown_text.h"
 #include "tests/window/window_test.h"
 
 using namespace vantage;
@@ -61,4 +64,29 @@ TEST_F(WindowNavigation, EscLeavesTheMarkedControlFirst) {
     EXPECT_FALSE(marked(w));
     w.key(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(w.session.window.panels.measure);
+}
+
+TEST_F(WindowNavigation, APhotoOfTheStripIsChosenByKeys) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    w.point_at(w.place("Photo 1")), w.frames();
+    w.drag(0, 0, 40);  // gives the strip the keyboard, and is no click
+    ASSERT_FALSE(w.session.viewpoint.flight);
+    w.point_at({450, 300}), w.frames();
+    w.key(GLFW_KEY_RIGHT), w.key(GLFW_KEY_RIGHT);
+    ASSERT_TRUE(marked(w));
+    w.key(GLFW_KEY_ENTER);
+    w.wait(2);
+    const auto stands_at = [&](const Pose& pose) { return pose.center() == w.session.viewpoint.camera.eye; };
+    EXPECT_TRUE(std::ranges::any_of(w.scene().poses, stands_at));
+    EXPECT_NE(shown_text().find("you are here"), std::string::npos) << shown_text();
+}
+
+TEST_F(WindowNavigation, TheStripSaysWhatAPhotoIs) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    w.draw(), w.frames(2);
+    w.point_at(w.place("Photo 1")), w.frames(3);
+    EXPECT_NE(shown_text().find("blended"), std::string::npos) << shown_text();
+    w.session.photos.clear();
+    w.frames(3);
+    EXPECT_NE(shown_text().find("excluded"), std::string::npos) << shown_text();
 }
