@@ -82,12 +82,11 @@ void size_controls(Controls& c, Session& s, const MenuContent& m) {
         w.usual_scale = 1 / m.unit_meters;
         w.stance = rescaled(w.stance, s.viewpoint.camera.eye, w.usual_scale);
     }
-    c.explain("The unit of the input's coordinates, about which its files say nothing.");
+    c.explain("The unit of the input's coordinates, which its files do not state.");
     double size = w.usual_scale / w.stance.scale;
     if (c.slider("Size", &size, 0.01, 100.0, "%.2f", ImGuiSliderFlags_Logarithmic))
         w.stance = rescaled(w.stance, s.viewpoint.camera.eye, w.usual_scale / size);
-    c.explain(
-        "1: as large as it is, or at arm's length if its unit is unknown. Two hands change it as well.");
+    c.explain("1: true size, or at arm's length if the unit is unknown. Two hands change it as well.");
     ImGui::BeginDisabled(w.stance.scale == w.usual_scale);
     if (c.button("Own size")) w.stance = rescaled(w.stance, s.viewpoint.camera.eye, w.usual_scale);
     ImGui::EndDisabled();
@@ -110,7 +109,7 @@ void move_page(Controls& c, Session& s, const MenuContent& m, double now) {
     c.checkbox("Fly with the stick", &w.smooth);
     c.explain("The stick of the other hand flies where it points. Teleporting always works.");
     c.checkbox("Dark edges while flying", &m.vignette);
-    c.explain("Makes flying easier to bear for many people.");
+    c.explain("Makes flying more comfortable for many people.");
 }
 
 /// The closest comparison that two eyes can have with a photo.

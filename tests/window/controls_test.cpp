@@ -83,7 +83,7 @@ TEST_F(WindowControls, OfBlending) {
     toggles(w, "Occlusion", weights.depth_weight);
     toggles(w, "Soft borders", weights.border_weight);
     toggles(w, "Field of view", weights.fov_normalization);
-    toggles(w, "Aim at what is seen", weights.corrected_directions);
+    toggles(w, "Aim at visible part", weights.corrected_directions);
     grayed("Passers-by", weights.transient_mask, 0.5);
     w.press("Freeze weights");
     EXPECT_TRUE(s.weights_from);
@@ -98,7 +98,7 @@ TEST_F(WindowControls, OfBlending) {
     changes(w, "Angle limit", s.angle_limit, 0.3);
     EXPECT_GT(s.angle_limit, 60);
     EXPECT_LT(s.angle_limit, 120) << "range 10 to 180 degrees";
-    chooses(w, "Coordinates", s.coordinates, {"as the scene asks", "per vertex", "per fragment"});
+    chooses(w, "Coordinates", s.coordinates, {"as the scene requires", "per vertex", "per fragment"});
 }
 
 TEST_F(WindowControls, OfThePicture) {
@@ -132,12 +132,12 @@ TEST_F(WindowControls, OfThePicture) {
     w.drag(0, 60, 0);
     EXPECT_NEAR(w.place("Swipe").x(), before.x() + 60, 0.51);
     w.choose("Compare", "nothing");
-    chooses(w, "Two eyes", w.session.stereo.mode,
+    chooses(w, "Stereo", w.session.stereo.mode,
             {"off", "side by side", "above each other", "red and cyan glasses", "checkerboard"});
     EXPECT_FALSE(w.there("Eye separation"));
-    w.choose("Two eyes", "side by side");
+    w.choose("Stereo", "side by side");
     changes(w, "Eye separation", w.session.stereo.eyes.share, 0.5);
-    w.choose("Two eyes", "off");
+    w.choose("Stereo", "off");
     toggles(w, "Orthographic", w.session.viewpoint.orthographic);
     changes(w, "Flying speed", w.session.steering.flying_speed, 0.1);
     toggles(w, "Inertia", w.session.steering.inertia);
@@ -374,7 +374,7 @@ TEST_F(WindowControls, OfACut) {
         EXPECT_LT(cut.low[axis], cut.high[axis]);
     }
     EXPECT_EQ(w.session.settings.sections.size(), 6u);
-    w.press("All of it");
+    w.press("Whole model");
     EXPECT_EQ(cut.low, (std::array<double, 3>{0, 0, 0}));
     EXPECT_EQ(cut.high, (std::array<double, 3>{1, 1, 1}));
     w.press("Cut the model");

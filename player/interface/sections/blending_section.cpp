@@ -56,7 +56,7 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
     c.checkbox("One ray per photo", &w.angle_per_photo);
     c.explain("Compares one ray per photo, instead of one for each point.");
     c.checkbox("Occlusion", &w.depth_weight);
-    c.explain("Leaves out what is hidden from a photo.");
+    c.explain("Leaves out surface that is hidden from a photo.");
     in_second_column("Soft borders");
     c.checkbox("Soft borders", &w.border_weight);
     c.explain("Fades photos out towards their edges and towards silhouettes.");
@@ -67,8 +67,9 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
     in_second_column("Field of view");
     c.checkbox("Field of view", &w.fov_normalization);
     c.explain("Compares distances as if all photos had your field of view.");
-    c.checkbox("Aim at what is seen", &w.corrected_directions);
-    c.explain("A photo's direction is that to the middle of what it sees, not that of its lens.");
+    c.checkbox("Aim at visible part", &w.corrected_directions);
+    c.explain(
+        "Takes a photo's direction to be that to the middle of its visible surface, not that of its lens.");
     in_second_column("Freeze weights");
     if (c.checkbox("Freeze weights", &s.freeze)) {
         s.settings.weights_from.reset();
@@ -87,7 +88,7 @@ void photo_controls(Controls& c, RenderSettings& r, const Renderer& renderer) {
     c.explain("How many photos are drawn at once. Does not change the picture.");
     c.slider("Angle limit", &r.angle_limit, 10.0, 180.0, "%.0f°");
     c.explain("Leaves out photos that look in a direction further than this from yours.");
-    static const char* const coordinates[] = {marked("as the scene asks"), marked("per vertex"),
+    static const char* const coordinates[] = {marked("as the scene requires"), marked("per vertex"),
                                               marked("per fragment")};
     ImGui::BeginDisabled(!has_coordinates(renderer.package()));
     choice(c, "Coordinates", r.coordinates, coordinates);

@@ -60,9 +60,9 @@ void plane_controls(Controls& c, Session& s, const PlanScene& scene, const Eigen
     const auto [low, high] = cut.extents.along(scene, axis);
     const double from = axis.dot(origin);
     share_slider(c, "Cut at", cut.share, from + low, from + high);
-    c.explain("Where the plane is along its axis, in the model's unit.");
+    c.explain("Position of the plane along its axis, in the model's unit.");
     c.checkbox("Other side", &cut.other_side);
-    c.explain("Takes away what is behind the plane instead.");
+    c.explain("Removes the part behind the plane instead.");
 }
 
 void box_controls(Controls& c, Cut& cut, const PlanScene& scene, const Eigen::Vector3d& origin) {
@@ -76,7 +76,7 @@ void box_controls(Controls& c, Cut& cut, const PlanScene& scene, const Eigen::Ve
         if (share_slider(c, names[i][0], low, from + least, from + most)) high = std::max(low, high);
         if (share_slider(c, names[i][1], high, from + least, from + most)) low = std::min(low, high);
     }
-    if (c.button("All of it")) {
+    if (c.button("Whole model")) {
         cut.low = {0, 0, 0};
         cut.high = {1, 1, 1};
     }
@@ -113,11 +113,11 @@ std::vector<SectionPlane> sections_of(Cut& cut, const PlanScene& scene) {
 void cut_section(Controls& c, Session& s, const PlanScene& scene, const Eigen::Vector3d& origin) {
     Cut& cut = s.cut;
     const bool begins = c.checkbox("Cut the model", &cut.on) && cut.on;
-    c.explain("Takes away a part of the model, and draws where it is cut.");
+    c.explain("Removes a part of the model and outlines the cut.");
     ImGui::BeginDisabled(!cut.on);
     static const char* const by[] = {marked("a plane"), marked("a box")};
     choice(c, "Cut by", cut.by, by);
-    c.explain("What is in front of a plane is taken away, or what is outside a box.");
+    c.explain("Removes the part in front of a plane, or outside a box.");
     if (cut.by == Cut::By::plane)
         plane_controls(c, s, scene, origin, begins);
     else

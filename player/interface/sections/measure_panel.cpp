@@ -232,7 +232,7 @@ void MeasurePanel::choice_of_measure(Controls& c, bool keyboard) {
         next_.measure = Measure(measure);
         next_.points.clear();
     }
-    c.explain("What the next clicks on the model measure.");
+    c.explain("The quantity that the next clicks on the model measure.");
     if (!keyboard) return;  // nor a pointer that is near vertices
     ImGui::TextUnformatted(tr(instruction(next_.measure)));
     ImGui::TextDisabled("%s", tr("Backspace removes the last point, Esc leaves."));
@@ -264,7 +264,7 @@ void MeasurePanel::scale_section(Controls& c) {
         scale = unit_at(unit) == Unit::unknown ? Scale{} : Scale{1, unit_at(unit), unit_at(unit)};
         changed();
     }
-    c.explain("The unit of the input's coordinates, about which its files say nothing.");
+    c.explain("The unit of the input's coordinates, which its files do not state.");
     ImGui::BeginDisabled(scale.unit == Unit::unknown);
     if (c.choice("Shown in", &shown, unit_texts, int(std::size(unit_texts))) &&
         unit_at(shown) != Unit::unknown) {

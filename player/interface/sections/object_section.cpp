@@ -77,7 +77,7 @@ bool object_section(Controls& c, UserCommands& commands, ObjectSet& objects, dou
     }
     if (objects.size() == 1) ImGui::TextDisabled("%s", tr("Drop a package on the window to add it."));
     if (c.button("Save scene")) commands.push_back(SaveScene{});
-    c.explain("Writes a scene file with these packages and where they stand.");
+    c.explain("Writes a scene file with these packages and their placement.");
     if (remove > 0) objects.remove(remove), changed = true;
     return changed;
 }

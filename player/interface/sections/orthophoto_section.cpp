@@ -49,10 +49,10 @@ void orthophoto_section(Controls& c, Session& s, const PackageReader& package) {
     const double least = std::max(size.maxCoeff() / longest_side, 1e-12);
     o.pixel = std::isfinite(o.pixel) ? std::clamp(o.pixel, least, std::max(least, size.maxCoeff())) : least;
     const Eigen::Vector2d pixels = (size / o.pixel).array().ceil().max(1);
-    ImGui::Text(tr("%.0f x %.0f pixels"), pixels.x(), pixels.y());
+    ImGui::Text(tr("%.0f × %.0f pixels"), pixels.x(), pixels.y());
     static const char* const files[] = {marked("PNG and world file"), marked("GeoTIFF")};
     choice(c, "Written as", o.file, files);
-    c.explain("Both tell where the picture is on the plane.");
+    c.explain("Both store the position of the picture on the plane.");
     ImGui::BeginDisabled(o.writing);
     if (c.button("Write the orthophoto")) s.window.commands.push_back(SaveOrthophoto{});
     ImGui::EndDisabled();

@@ -71,8 +71,8 @@ void row(Controls& c, Session& s, const PlanScene& scene, std::uint32_t photo, d
     ImGui::SameLine();
     ImGui::TextDisabled("%s", remark(s.photo_list, p, photo).c_str());
     c.explain(
-        "How much of the mesh it sees; how much brighter than the others it was exposed; how many pixels its "
-        "content is off from that of others. Of a point: the size of a pixel there.");
+        "The share of the mesh it sees; its exposure relative to the others; the offset of its content from "
+        "theirs, in pixels. With Photos at point: the size of a pixel there.");
 }
 
 void point_line(const PhotoList& list) {
@@ -107,7 +107,9 @@ void photo_list_section(Controls& c, Session& s, const Renderer& renderer, doubl
         in_second_column("Worst first");
     }
     c.checkbox("Worst first", &list.worst_first);
-    c.explain("Those first whose content is farthest off from that of others, with the cameras as given.");
+    c.explain(
+        "Sorts by the offset of the content from that of other photos, largest first, with the cameras as "
+        "given.");
     if (!list.by_point) list.point.reset();
     point_line(list);
     const std::vector<std::uint32_t> photos = listed(s, scene);

@@ -62,7 +62,7 @@ void stereo_controls(Controls& c, Session& s) {
     static const char* const modes[] = {MARKED_IN("stereo", "off"), marked("side by side"),
                                         marked("above each other"), marked("red and cyan glasses"),
                                         marked("checkerboard")};
-    choice(c, "Two eyes", stereo.mode, modes);
+    choice(c, "Stereo", stereo.mode, modes);
     c.explain("Pictures for the left and the right eye, for 3D displays and glasses.");
     if (stereo.mode == StereoMode::off) return;
     double percent = 100 * stereo.eyes.share;
@@ -84,7 +84,7 @@ void picture_content(Controls& c, Session& s, const Renderer& renderer) {
                                                  MARKED_IN("background", "dimmed"),
                                                  MARKED_IN("background", "hidden")};
         choice(c, "Background", r.background, background);
-        c.explain("What the photos show beside the mesh.");
+        c.explain("The photographed background.");
     }
     if (renderer.scene().has_transparency()) {
         static const char* const transparent[] = {MARKED_IN("transparency", "exact"),
@@ -109,7 +109,7 @@ void picture_section(Controls& c, Session& s, const Renderer& renderer) {
     c.slider("Flying speed", &s.steering.flying_speed, 0.1, 10.0, "%.1f", ImGuiSliderFlags_Logarithmic);
     c.explain("Of the keys W A S D, Q and E; Shift is four times as fast.");
     c.checkbox("Inertia", &s.steering.inertia);
-    c.explain("What is dragged and let go in motion moves on for a moment.");
+    c.explain("Released while moving, the view glides on for a moment.");
 }
 
 }  // namespace vantage

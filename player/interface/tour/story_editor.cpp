@@ -95,7 +95,7 @@ void StoryEditor::buttons(Controls& c, ActiveStory& active, const Session& s) {
         notes[at].view = story_view(s.viewpoint.camera, active.axes);
         active.changed = true;
     }
-    c.explain("This is where it is looked at from.");
+    c.explain("The note is viewed from here.");
     ImGui::SameLine();
     ImGui::BeginDisabled(at == 0);
     if (c.button("Move up")) swap_with(at - 1);
@@ -127,7 +127,7 @@ void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View&
                                                      : active.trouble.c_str());
     ImGui::BeginDisabled(fixed);
     if (c.button("Add a note here")) add(active, s, view, surface);
-    c.explain("Where the middle of the view meets the surface, with this view.");
+    c.explain("At the surface in the middle of the view; keeps this view.");
     ImGui::SameLine();
     if (c.button("Set the opening view")) {
         active.story.opening = story_view(s.viewpoint.camera, active.axes);

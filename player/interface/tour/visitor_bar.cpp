@@ -24,12 +24,12 @@ struct Tool {
 constexpr Tool tools[] = {
     {marked("Home"), Icon::home, marked("Back to the first view (H)")},
     {MARKED_IN("tool", "Photos"), Icon::photos,
-     marked("Show or hide the photos; click on one to see what it shows (F4)")},
+     marked("Show or hide the photos; click on one to view the scene from there (F4)")},
     {MARKED_IN("tool", "Compare"), Icon::compare,
      marked("Fly to the photo that is closest, and compare the model with it (C)")},
     {MARKED_IN("tool", "Light"), Icon::light, marked("Move a lamp over the surface, to see its shape")},
-    {marked("Help"), Icon::help, marked("What mouse and keys do (F1)")},
-    {marked("Full screen"), Icon::full_screen, marked("The whole screen, or a window again (F11)")},
+    {marked("Help"), Icon::help, marked("Mouse and keyboard (F1)")},
+    {marked("Full screen"), Icon::full_screen, marked("Full screen, or a window again (F11)")},
     {marked("Expert"), Icon::expert, marked("All settings (Tab)")}};
 
 constexpr std::size_t tools_on_the_left = 4;

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Every text of the window is translated into every language with a catalog. usage: languages_test.sh SOURCE_DIR
+# Every text of the window is translated into every language with a catalog, in the terms of native readers.
+# usage: languages_test.sh SOURCE_DIR
 set -uo pipefail
 source=$1
-for tool in xgettext msgcmp msgfmt; do
+for tool in xgettext msgcat msgcmp msgfmt; do
   command -v $tool >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
 texts=$(mktemp -d)
@@ -13,5 +14,16 @@ failed=0
 for catalog in "$source"/player/interface/languages/*.po; do
   msgfmt --check -o /dev/null "$catalog" || failed=1
   msgcmp "$catalog" "$texts/vantage.pot" || { echo "FAILED: $catalog lacks texts"; failed=1; }
+  ! grep -n '^#~\|^#,.*fuzzy' "$catalog" || { echo "FAILED: $catalog has texts that are fuzzy, or not of the window"; failed=1; }
 done
+# refuse WHY PATTERN FILE: the texts that match a Perl expression
+refuse() {
+  ! msgcat --no-wrap "$3" | grep -nP "^${4}.*($2)" || { echo "FAILED: $3: $1"; failed=1; }
+}
+languages=$source/player/interface/languages
+refuse "labels that native readers do not write" '"Choose to"|What counts|Of a point|Eyes apart|Opened before|Write the cut|Two eyes' \
+  "$texts/vantage.pot" msgid
+refuse "words that native readers do not write" 'B(a|ä)nd(s|er|ern)?\b|Experte|Eines Punkts|\bWegs?\b|Stencil|\.\.\.' "$languages/de.po" msgstr
+refuse "words that native readers do not write" '\bbandes?\b|Cliquez (un|deux|des|les|le|la)\b|\btables?\b|\bJouer\b|\bFixer\b|\.\.\.' \
+  "$languages/fr.po" msgstr
 exit $failed
