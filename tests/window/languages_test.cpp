@@ -1,6 +1,7 @@
 // Texts and numbers of the window in the languages that have a catalog.
 #include <imgui.h>
 
+#include <cstring>
 #include <fstream>
 #include <regex>
 #include <set>
@@ -26,6 +27,30 @@ class WindowLanguages : public WindowTest {
         ShowOptions options;
         options.window.language = language;
         return options;
+    }
+    /// Those that are not ASCII, in the translations of a compiled catalog.
+    static std::set<unsigned> letters_of_catalog(const std::string& language) {
+        const auto share =
+            std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / "share";
+        const std::string catalog = slurp(share / "locale" / language / "LC_MESSAGES/vantage.mo");
+        const auto number = [&](std::size_t at) {
+            std::uint32_t out = 0;
+            std::memcpy(&out, catalog.data() + at, 4);
+            return std::size_t(out);
+        };
+        std::string all;
+        for (std::size_t i = 0; i < number(8); ++i)
+            all += catalog.substr(number(number(16) + 8 * i + 4), number(number(16) + 8 * i));
+        std::set<unsigned> out;
+        const auto bits = [&](std::size_t at, unsigned mask) {
+            return static_cast<unsigned char>(all[at]) & mask;
+        };
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (bits(i, 0xe0) == 0xc0)
+                out.insert(bits(i, 31) << 6 | bits(i + 1, 63));
+            else if (bits(i, 0xf0) == 0xe0)
+                out.insert(bits(i, 15) << 12 | bits(i + 1, 63) << 6 | bits(i + 2, 63));
+        return out;
     }
 };
 
@@ -108,6 +133,18 @@ TEST_F(WindowLanguages, NumbersAreTypedWithAPointOrAComma) {
         }
         w.press("Flying speed", 0.2);
         EXPECT_LT(w.session.steering.flying_speed, 10) << "a slider again";
+    }
+}
+
+TEST_F(WindowLanguages, TheFontHasEveryLetterOfTheCatalogs) {
+    const HeadlessWindow w(package_of(WindowScene::tiny));
+    const ImFont& font = *ImGui::GetFont();
+    if (!font.FindGlyphNoFallback(0x2026)) GTEST_SKIP() << "DejaVu is not installed";
+    for (const char* language : {"de", "fr"}) {
+        const std::set<unsigned> letters = letters_of_catalog(language);
+        EXPECT_TRUE(letters.contains(std::string(language) == "fr" ? 0x202f : 0xfc)) << language;
+        for (const unsigned letter : letters)
+            EXPECT_TRUE(font.FindGlyphNoFallback(ImWchar(letter))) << language << ": " << std::hex << letter;
     }
 }
 

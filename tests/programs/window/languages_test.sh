@@ -3,6 +3,7 @@
 # usage: languages_test.sh SOURCE_DIR
 set -uo pipefail
 source=$1
+export LC_ALL=C.UTF-8
 for tool in xgettext msgcat msgcmp msgfmt; do
   command -v $tool >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
@@ -26,4 +27,7 @@ refuse "labels that native readers do not write" '"Choose to"|What counts|Of a p
 refuse "words that native readers do not write" 'B(a|ä)nd(s|er|ern)?\b|Experte|Eines Punkts|\bWegs?\b|Stencil|\.\.\.' "$languages/de.po" msgstr
 refuse "words that native readers do not write" '\bbandes?\b|Cliquez (un|deux|des|les|le|la)\b|\btables?\b|\bJouer\b|\bFixer\b|\.\.\.' \
   "$languages/fr.po" msgstr
+# U+202F before ; ! ?; U+00A0 before : and %, and within « »; typographic apostrophes.
+refuse "no no-break space before a mark" '[^\x{202f}[:punct:]][;!?]|[^\x{a0}[:punct:]]:(?=[ "])|«[^\x{a0}]|[^\x{a0}]»|\d [%]' "$languages/fr.po" msgstr
+refuse "a straight apostrophe" "\\w'\\w" "$languages/fr.po" msgstr
 exit $failed
