@@ -60,7 +60,7 @@ for name in sceaux fountain-P11 head; do
 done
 # a synthetic scene with another number and size of photos
 with_photos() { sed "/^\[photos\]/,/^\[/{s/^count = .*/count = $2/;s/^width = .*/width = $3/;s/^height = .*/height = $4/}" "$source/data/$1.toml"; }
-with_photos demo 40 1400 1050 >demo40.toml
+with_photos garden 40 1400 1050 >demo40.toml
 "$vantage" synth demo40.toml -o demo40.scan >/dev/null 2>&1
 preparing demo40.scan demo40
 again=() && for _ in 1 2 3; do again+=("$(prepare demo40.scan demo40.vantage)"); done

@@ -12,7 +12,7 @@ shift 2
 [ $# -gt 0 ] || set -- 10 20 40 80 160 320 1000
 mkdir -p "$folder"
 export XDG_CACHE_HOME=$folder/cache
-demo=$(dirname "$0")/../../data/demo.toml
+garden=$(dirname "$0")/../../data/garden.toml
 
 seconds() {  # seconds TRACE SPANS: total duration of the spans in the trace
   tr '{' '\n' <"$1" | grep -oP "\"dur\":[0-9.]+,\"name\":\"($2)\"" | awk -F'[:,]' '{ s += $2 } END { printf "%.2f", s / 1e6 }'
@@ -33,7 +33,7 @@ for n in "$@"; do
   scene=$folder/$n
   if [ ! -d "$scene" ]; then
     sed "s/^count = .*/count = $n/; s/^width = 1[0-9]*$/width = 1632/; s/^height = 1[0-9]*$/height = 1224/; s/^samples = .*/samples = 1/" \
-      "$demo" >"$scene.toml"
+      "$garden" >"$scene.toml"
     printf '\n[exposure]\nstops = 0.3\n' >>"$scene.toml"
     "$vantage" synth "$scene.toml" -o "$scene" >/dev/null 2>&1
   fi

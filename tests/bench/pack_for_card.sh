@@ -29,7 +29,7 @@ strip --strip-unneeded "$packed"/lib/* 2>/dev/null || true
 cp /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "$packed"
 # Photos are generated here, because OpenImageIO, which writes them, needs 200 more libraries, too large for
 # the archive.
-"$build/pipeline/vantage" synth "$source/data/demo.toml" -o "$packed/demo.scan" >/dev/null 2>&1
+"$build/pipeline/vantage" synth "$source/data/garden.toml" -o "$packed/demo.scan" >/dev/null 2>&1
 rm -r "$packed/demo.scan/truth"
 git -C "$source" describe --always --dirty >"$packed/commit"
 # Includes xz, which a minimal Debian lacks.
