@@ -25,13 +25,13 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string key_of(const SynthSpec& s) {
-    static_assert(sizeof(SynthSpec) == 264, "a new member belongs to the key");
+    static_assert(sizeof(SynthSpec) == 272, "a new member belongs to the key");
     std::ostringstream out;
     out << std::hexfloat;
     const auto add = [&](const auto&... values) { ((out << values << ' '), ...); };
     add(s.seed, s.height_field);
     add(s.building.width, s.building.height, s.building.depth, s.building.recess, s.building.bays,
-        s.building.floors, s.building.max_edge);
+        s.building.floors, s.building.max_edge, s.building.chapel);
     add(s.object.size, s.object.triangles, s.object.distance);
     add(s.garden.radius, s.garden.hill, s.garden.railing, s.glass.alpha, s.glass.max_edge);
     add(s.photos.count, s.photos.width, s.photos.height, s.photos.fov, s.photos.radius, s.photos.arc,

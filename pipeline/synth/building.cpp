@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/synth/chapel.h"
 #include "pipeline/synth/model_builder.h"
 
 namespace vantage {
@@ -95,6 +96,10 @@ void knot(ModelBuilder& b, const Vector3d& center, double size, int triangles) {
 
 SynthModel build_model(const SynthSpec& spec) {
     ModelBuilder b{{}, spec.building.max_edge};
+    if (spec.building.chapel) {
+        add_chapel(b, spec);
+        return std::move(b.model);
+    }
     facade(b, spec.building);
     shell(b, spec.building);
     const double ground = spec.building.width;

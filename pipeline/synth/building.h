@@ -12,11 +12,12 @@ namespace vantage {
 struct SynthModel {
     Mesh mesh;
     std::vector<Material> materials;
-    bool clouds = false;  ///< in the sky behind it
+    bool clouds = false;     ///< in the sky behind it
+    std::vector<float> sky;  ///< share of the sky that each vertex sees, for daylight.h; empty: plain light
 };
 
 /// A building with its facade along x at y = 0, facing -y, with z up: coarse walls, windows in deep recesses,
-/// a roof and the ground, and a finely meshed torus knot on a plinth in front of it.
+/// a roof and the ground, and a finely meshed torus knot on a plinth in front of it; or a chapel.
 SynthModel build_model(const SynthSpec& spec);
 
 }  // namespace vantage

@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "pipeline/synth/daylight.h"
+
 namespace vantage {
 namespace {
 
@@ -71,6 +73,57 @@ std::uint8_t encode(float linear) {
     return std::uint8_t(std::lround(255 * s));
 }
 
+/// The ray through a point of the photo, in pixels; its z in the camera is 1.
+std::optional<Vector3d> ray_through(const Camera& camera, double u, double v) {
+    const Intrinsics& k = camera.intrinsics;
+    const Vector2d p((u - k.cx) / k.fx, (v - k.cy) / k.fy);
+    const auto ray = camera.lens.distorts() ? undistort_point(camera.lens, p) : std::optional(p);
+    if (!ray) return std::nullopt;
+    return camera.cam_from_world.R.transpose() * Vector3d(ray->x(), ray->y(), 1);
+}
+
+/// Mean of samples x samples rays through a pixel, 0 for those without.
+template <class Light>
+Vector3f pixel_mean(const Camera& camera, int x, int y, int samples, const Light& light) {
+    Vector3f sum = Vector3f::Zero();
+    for (int s = 0; s < samples * samples; ++s) {
+        const auto ray =
+            ray_through(camera, x + (s % samples + 0.5) / samples, y + (s / samples + 0.5) / samples);
+        if (ray) sum += light(*ray);
+    }
+    return sum / float(samples * samples);
+}
+
+/// Linear light per pixel in daylight, of one ray, or of samples x samples rays beside an edge.
+std::vector<Vector3f> cast_daylight(const SynthModel& model, const RayScene& rays, const Camera& camera,
+                                    int samples) {
+    const int width = camera.intrinsics.width, height = camera.intrinsics.height;
+    const auto seen = [&](const Vector3d& ray) {
+        return daylight(model, rays, camera.cam_from_world.center(), ray.normalized(),
+                        1 / camera.intrinsics.fx);
+    };
+    std::vector<Seen> middle(std::size_t(width) * std::size_t(height));
+    const auto at = [&](int x, int y) -> Seen& {
+        return middle[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+    };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            if (const auto ray = ray_through(camera, x + 0.5, y + 0.5)) at(x, y) = seen(*ray);
+    std::vector<Vector3f> out;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const auto joined = [&](int i, int j) {
+                return same_surface(at(x, y),
+                                    at(std::clamp(x + i, 0, width - 1), std::clamp(y + j, 0, height - 1)));
+            };
+            const bool inside = joined(-1, 0) && joined(1, 0) && joined(0, -1) && joined(0, 1);
+            out.push_back(inside ? at(x, y).light : pixel_mean(camera, x, y, samples, [&](const Vector3d& r) {
+                return seen(r).light;
+            }));
+        }
+    return out;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> cast_photo(const SynthModel& model, const RayScene& rays, const Camera& camera,
@@ -78,24 +131,21 @@ std::vector<std::uint8_t> cast_photo(const SynthModel& model, const RayScene& ra
     const LitScene scene{model, rays, image_set};
     const Intrinsics& k = camera.intrinsics;
     const Vector3d eye = camera.cam_from_world.center();
-    const Eigen::Matrix3d world_from_cam = camera.cam_from_world.R.transpose();
+    const bool plain = model.sky.empty();
+    const auto daylit = plain ? std::vector<Vector3f>() : cast_daylight(model, rays, camera, samples);
     const double half_diagonal = 0.5 * std::hypot(k.width, k.height),
                  a = 1 / std::sqrt(1 - exposure.vignetting) - 1;
     std::vector<std::uint8_t> rgb;
     rgb.reserve(std::size_t(k.width) * std::size_t(k.height) * 3);
     for (int y = 0; y < k.height; ++y)
         for (int x = 0; x < k.width; ++x) {
-            Vector3f sum = Vector3f::Zero();
-            for (int s = 0; s < samples * samples; ++s) {
-                const double u = x + (s % samples + 0.5) / samples, v = y + (s / samples + 0.5) / samples;
-                const Vector2d p((u - k.cx) / k.fx, (v - k.cy) / k.fy);
-                const auto ray = camera.lens.distorts() ? undistort_point(camera.lens, p) : std::optional(p);
-                if (ray) sum += scene.color(eye, world_from_cam * Vector3d(ray->x(), ray->y(), 1));
-            }
+            const Vector3f mean = plain ? pixel_mean(camera, x, y, samples,
+                                                     [&](const Vector3d& r) { return scene.color(eye, r); })
+                                        : daylit[rgb.size() / 3];
             const double r = std::hypot(x + 0.5 - k.cx, y + 0.5 - k.cy) / half_diagonal;
-            const double light = 1 / std::pow(1 + a * r * r, 2) / (samples * samples);
+            const double light = 1 / std::pow(1 + a * r * r, 2);
             for (std::size_t c = 0; c < 3; ++c)
-                rgb.push_back(encode(sum[Eigen::Index(c)] * float(light * exposure.gain[c])));
+                rgb.push_back(encode(mean[Eigen::Index(c)] * float(light * exposure.gain[c])));
         }
     return rgb;
 }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/synth/country.h"
+#include "pipeline/synth/daylight.h"
 #include "pipeline/synth/model_builder.h"
 
 namespace vantage {
@@ -78,7 +80,21 @@ void add_garden(ModelBuilder& b, const SynthSpec::Garden& garden) {
     b.model.clouds = true;
 }
 
+namespace {
+
+/// With smaller triangles than the model's, whose vertices keep how much of the sky they see.
+SynthModel build_chapel_world(SynthSpec spec) {
+    spec.building.max_edge = 0.12;
+    ModelBuilder b{build_model(spec), 0};
+    if (spec.garden.radius > 0) add_country(b, spec.garden);
+    add_daylight(b.model, RayScene(b.model.mesh));
+    return std::move(b.model);
+}
+
+}  // namespace
+
 SynthModel build_world(const SynthSpec& spec) {
+    if (spec.building.chapel) return build_chapel_world(spec);
     ModelBuilder b{build_model(spec), 0};
     if (!(spec.garden.radius > 0)) return std::move(b.model);
     add_garden(b, spec.garden);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "pipeline/synth/noise.h"
+
 namespace vantage {
 namespace {
 
@@ -11,45 +13,11 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-/// Hash of integer coordinates, in [0, 1).
-double hashed(std::int64_t x, std::int64_t y, std::int64_t z) {
-    std::uint64_t h = std::uint64_t(x) * 0x9E3779B97F4A7C15ull ^ std::uint64_t(y) * 0xC2B2AE3D27D4EB4Full ^
-                      std::uint64_t(z) * 0x165667B19E3779F9ull;
-    h ^= h >> 29;
-    h *= 0xBF58476D1CE4E5B9ull;
-    h ^= h >> 32;
-    return double(h >> 11) * 0x1p-53;
-}
-
-/// Value noise in [0, 1] on the unit lattice.
-double noise(const Vector3d& p) {
-    const Vector3d f = p.array().floor(), t = p - f;
-    const Vector3d s = t.array() * t.array() * (3 - 2 * t.array());
-    const auto corner = [&](int i, int j, int k) {
-        return hashed(std::int64_t(f.x()) + i, std::int64_t(f.y()) + j, std::int64_t(f.z()) + k);
-    };
-    double sum = 0;
-    for (int c = 0; c < 8; ++c) {
-        const int i = c & 1, j = c >> 1 & 1, k = c >> 2;
-        sum += (i ? s.x() : 1 - s.x()) * (j ? s.y() : 1 - s.y()) * (k ? s.z() : 1 - s.z()) * corner(i, j, k);
-    }
-    return sum;
-}
-
-/// Sum of octaves of noise, the coarsest of `frequency` per meter, in [0, 1].
-double turbulence(const Vector3d& p, double frequency, int octaves) {
-    double sum = 0, weight = 0.5;
-    for (int o = 0; o < octaves; ++o, frequency *= 2.1, weight *= 0.55) sum += weight * noise(p * frequency);
-    return std::min(1.0, sum);
-}
-
 /// Coordinates in the surface, in meters: across and up on walls, x and y on floors.
 Vector2d across_and_up(const Vector3d& p, const Vector3d& n) {
     if (std::abs(n.z()) > 0.9) return {p.x(), p.y()};
     return {std::abs(n.x()) > std::abs(n.y()) ? p.y() : p.x(), p.z()};
 }
-
-Vector3f mix(const Vector3f& a, const Vector3f& b, double t) { return a + (b - a) * float(t); }
 
 /// A point of masonry.
 struct Course {
@@ -106,7 +74,7 @@ const cv::Mat& page() {
 
 Vector3f text(const Vector2d& uv) {
     const cv::Mat& m = page();
-    const double width = 1.2, left = 0.528;  // m; a page starts at the edge of the demo scene's panels
+    const double width = 1.2, left = 0.528;  // m; a page starts at the edge of the garden scene's panels
     const double across = (uv.x() - left) / width, up = uv.y() / width;
     const double u = across - std::floor(across), v = up - std::floor(up);
     const double x = u * (m.cols - 1), y = (1 - v) * (m.rows - 1);
@@ -171,7 +139,7 @@ Vector3f albedo(Material material, const Vector3d& p, const Vector3d& n) {
             return mix({0.02f, 0.06f, 0.02f}, {0.16f, 0.24f, 0.07f}, std::pow(turbulence(p, 0.45, 5), 1.5));
         case Material::iron:
             return {0.03f, 0.03f, 0.035f};
-        case Material::plaster:
+        default:  // plaster
             break;
     }
     return mix({0.48f, 0.44f, 0.36f}, {0.78f, 0.74f, 0.64f}, turbulence(p, 10, 6));

@@ -15,7 +15,15 @@ enum class Material : std::uint8_t {
     marble,
     grass,
     trees,
-    iron
+    iron,
+    ashlar,  // from here on of a chapel and the country around it: see surface_finish.h
+    limestone,
+    statuary,
+    wood,
+    leads,
+    tiles,
+    flags,
+    meadow
 };
 
 /// Diffuse reflectance (linear RGB, [0, 1]) of a material at a point, in meters, on a surface with this unit

@@ -2,6 +2,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
 
 #include "pipeline/synth/building.h"
 
@@ -42,6 +44,14 @@ struct ModelBuilder {
                 triangle(a, a + row + 1, a + row, material);
             }
     }
+    /// The surface f(u, v) for u and v from 0 to 1, in at least nu x nv quads; its normal is along the cross
+    /// product of its derivatives. Divided further into sides of about `max_edge`, unless that is 0.
+    void surface(int nu, int nv, const std::function<Eigen::Vector3d(double u, double v)>& f,
+                 Material material);
+    /// The surface along which a profile moves: its point p is at `at(t, p)`, t from 0 to 1 in `steps` steps.
+    void sweep(std::span<const Eigen::Vector2d> profile, int steps,
+               const std::function<Eigen::Vector3d(double t, const Eigen::Vector2d& p)>& at,
+               Material material);
     /// A box without its bottom.
     void box(const Eigen::Vector3d& center, const Eigen::Vector3d& half, Material material) {
         const Eigen::Vector3d x(2 * half.x(), 0, 0), y(0, 2 * half.y(), 0), z(0, 0, 2 * half.z());

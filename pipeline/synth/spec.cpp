@@ -83,6 +83,7 @@ SynthSpec read_spec(const std::filesystem::path& file) {
         t.read("bays", s.building.bays, 1, 100);
         t.read("floors", s.building.floors, 1, 100);
         t.read("max_edge", s.building.max_edge, 0, 100);
+        t.read("chapel", s.building.chapel, 0, 1);
     }
     {
         Table t(file, root, "object");

@@ -11,15 +11,16 @@ struct SynthSpec {
         double width = 12, height = 7.5, depth = 6, recess = 0.7;
         int bays = 5, floors = 2;
         double max_edge = 0;  ///< longest side of the quads that walls are divided into; 0: not divided
+        bool chapel = false;  ///< instead, with an urn as the object; recess, bays and floors are unused
     } building;
     struct Object {
-        double size = 1.3;  ///< radius of the torus knot
+        double size = 1.3;  ///< radius of the torus knot; 2/3 of the urn's height
         int triangles = 40000;
         double distance = 3;  ///< from the facade
     } object;
     struct Garden {
-        double radius = 0;   ///< of the lawn; 0: no garden, and a sky without clouds
-        double hill = 8;     ///< height of the hill around the lawn, as far away again as the lawn's edge
+        double radius = 0;   ///< of the lawn or meadow; 0: no garden, and a sky without clouds
+        double hill = 8;     ///< height of the hill around it, as far away again; of a chapel's, 4 km away
         double railing = 0;  ///< thickness of the bars in front of the upper windows; 0: none
     } garden;                ///< shown by the photos, and not in the mesh
     struct Glass {

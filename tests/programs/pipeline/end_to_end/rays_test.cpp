@@ -231,8 +231,8 @@ TEST_F(EndToEnd, OwnViewsMatchThePhotosOnASyntheticScene) {
     for (const std::uint32_t i : p.photos) expect_coverage_is_that_of_the_vertices(*p.package, i);
 }
 
-TEST_F(EndToEndAtLength, VisibilityMatchesRayCastingOnTheDemoScene) {
-    Prepared p = prepared(make(spec_named("demo")));
+TEST_F(EndToEndAtLength, VisibilityMatchesRayCastingOnTheGarden) {
+    Prepared p = prepared(make(spec_named("garden")));
     expect_visibility_is_that_of_rays(p, 5);
 }
 

@@ -1,0 +1,25 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace vantage {
+
+/// Hash of integer coordinates, in [0, 1).
+double hashed(std::int64_t x, std::int64_t y, std::int64_t z);
+
+/// Value noise in [0, 1] on the unit lattice.
+double noise(const Eigen::Vector3d& p);
+
+/// Sum of octaves of noise, the coarsest of `frequency` per meter, in [0, 1].
+double turbulence(const Eigen::Vector3d& p, double frequency, int octaves);
+
+/// Fractal noise around 0, mostly within [-1, 1]: octaves from wavelength `coarsest` down to twice the
+/// `footprint` of a pixel, both in meters, each finer one `fall` times as strong. Finer detail than a pixel
+/// can show is left out, so that it does not alias.
+double rough(const Eigen::Vector3d& p, double coarsest, double footprint, double fall);
+
+inline Eigen::Vector3f mix(const Eigen::Vector3f& a, const Eigen::Vector3f& b, double t) {
+    return a + (b - a) * float(t);
+}
+
+}  // namespace vantage

@@ -1,0 +1,10 @@
+#pragma once
+#include "pipeline/synth/model_builder.h"
+
+namespace vantage {
+
+/// An urn of marble with gadroons, garlands and two handles, `height` meters high and of about so many
+/// triangles, standing on `foot`.
+void add_urn(ModelBuilder& b, const Eigen::Vector3d& foot, double height, int triangles);
+
+}  // namespace vantage
