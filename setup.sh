@@ -11,7 +11,7 @@ packages=(g++ cmake ninja-build pkg-config ca-certificates gettext
   libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libtomlplusplus-dev libzstd-dev libxxhash-dev
   libcurl4-openssl-dev libutf8proc-dev
   libepoxy-dev libegl-dev libgl-dev libglfw3-dev libx11-dev libxcb-xinput-dev libimgui-dev libopenxr-dev
-  libgl1-mesa-dri libegl-mesa0 libglx-mesa0 fonts-dejavu-core)
+  libgl1-mesa-dri libegl-mesa0 libglx-mesa0 fonts-dejavu-core ffmpeg)
 # Since glibc 2.39, the window's languages need a locale besides C.
 grep -q '^ID=ubuntu' /etc/os-release && packages+=(language-pack-en-base)
 tests=OFF targets=(vantage vantage-player manual)

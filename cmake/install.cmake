@@ -55,5 +55,5 @@ set(CPACK_DEBIAN_VANTAGE-PLAYER_PACKAGE_NAME vantage-player)
 # Loaded at run time, so no program header lists them.
 set(CPACK_DEBIAN_VANTAGE-PLAYER_PACKAGE_DEPENDS "libegl1, libgl1")
 set(CPACK_DEBIAN_VANTAGE-PLAYER_PACKAGE_RECOMMENDS "fonts-dejavu-core, libgl1-mesa-dri, shared-mime-info")
-set(CPACK_DEBIAN_VANTAGE-PLAYER_PACKAGE_SUGGESTS vantage)
+set(CPACK_DEBIAN_VANTAGE-PLAYER_PACKAGE_SUGGESTS "ffmpeg, vantage")
 include(CPack)
