@@ -1,0 +1,53 @@
+"""The code blocks of the README and the guides, and the commands in them."""
+import re
+import shlex
+
+# A line that runs one of the programs, possibly after others, with variables, or as a step of a workflow.
+COMMAND = re.compile(r'(?:^|&& |; |\| )(?:\w+=\S* )*(?:build/(?:pipeline|player)/)?vantage(?:-player)?(?: |$)')
+
+
+def pages(source):
+    """README.md and the guides; measurements have commands of other machines."""
+    return ['README.md', *sorted(f'docs/{p.name}' for p in source.glob('docs/*.md') if p.name != 'measurements.md')]
+
+
+def blocks(file):
+    """The code blocks of a page, fenced or indented, as lists of (line number, text), divided at empty lines."""
+    found, block, fenced = [], [], False
+    for number, line in enumerate(file.read_text().splitlines(), 1):
+        fence = line.lstrip().startswith('```')
+        fenced ^= fence
+        if fence or not line.strip() or not (fenced or line.startswith('    ')):
+            found, block = found + [block], []
+        elif block and block[-1][1].endswith('\\'):
+            block[-1] = (block[-1][0], block[-1][1][:-1] + line.strip())
+        else:
+            block.append((number, line if fenced else line[4:]))
+    return [b for b in found + [block] if b]
+
+
+def command_of(line):
+    """The command in a line of a block, without its comment; None if there is none."""
+    line = re.sub(r'^\s*(- run: )?', '', line)
+    return re.sub(r'\s+# .*', '', line).strip() if COMMAND.search(line) else None
+
+
+def words_of(command):
+    """The words of a command, from the program on."""
+    words = shlex.split(command)
+    return words[next(i for i, word in enumerate(words) if word.split('/')[-1] in ('vantage', 'vantage-player')):]
+
+
+def first_words(text):
+    """Of the lines that are not indented."""
+    return [line.split()[0] for line in text.splitlines() if line[:1].strip()]
+
+
+def block_after(file, text):
+    """The block of a page whose first line has the text, such as a file that is shown."""
+    return next('\n'.join(line for _, line in b) for b in blocks(file) if text in b[0][1])
+
+
+def comment_after(file, text):
+    """The comment in the line of a block that has the text."""
+    return next(line.split('# ', 1)[1] for b in blocks(file) for _, line in b if text in line)
