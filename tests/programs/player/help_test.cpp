@@ -1,5 +1,6 @@
 // README.md and docs/ agree with the programs: every verb, option and choice that they mention exists, and
 // the exit codes are those of Exit.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 
 #include "base/cli/described_command.h"
 #include "base/text/error.h"
+#include "scene/package/contents/effects.h"
 #include "tests/generated_table.h"
 #include "tests/programs/patterns.h"
 #include "tests/temporary_folder.h"
@@ -257,6 +259,15 @@ TEST_F(Help, ThePageOfCommandsListsAllVerbs) {
             rows += "| `" + c.name + " " + verb.name + "` | " + verb.description + " |\n";
     }
     expect_table(fs::path(VANTAGE_SOURCE_DIR) / "docs/commands.md", "verbs", rows);
+}
+
+TEST_F(Help, ThePageOfEffectsListsAll) {
+    std::vector<std::string> listed, expected;
+    std::istringstream page(slurp(fs::path(VANTAGE_SOURCE_DIR) / "docs/effects.md"));
+    for (std::string line; std::getline(page, line);)
+        for (const auto& row : matches(line, R"(^\| `([^`]+)` \|)")) listed.push_back(row[1]);
+    for (const EffectRow& row : effect_table()) expected.push_back(row.option);
+    EXPECT_THAT(listed, testing::UnorderedElementsAreArray(expected));
 }
 
 TEST_F(Help, TheGuideListsAllPresets) {
