@@ -19,8 +19,7 @@ int show_in_headset([[maybe_unused]] const ShowOptions& o) {
 
 void add_headset(const Command& program) {
     const auto o = std::make_shared<ShowOptions>();
-    const Command c =
-        program.verb("headset", "Show a package in a headset, through the active OpenXR runtime");
+    const Command c = program.verb("headset", "Show a package in a headset (OpenXR)");
     add_package_argument(c, o->package).required();
     add_headset_options(c, o->headset);
     add_scene_options(c, *o);

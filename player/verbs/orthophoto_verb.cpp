@@ -6,8 +6,7 @@ namespace vantage {
 
 void add_orthophoto(const Command& program) {
     const auto o = std::make_shared<OrthophotoOptions>();
-    const Command c = program.verb(
-        "orthophoto", "Project the model on a plane, at right angles, and write a picture true to scale");
+    const Command c = program.verb("orthophoto", "Write an orthographic picture, true to scale");
     add_package_argument(c, o->package).required();
     add_exclude_option(c, o->package);
     add_output_options(c, o->output);

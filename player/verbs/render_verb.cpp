@@ -14,8 +14,7 @@ int render(const ShowOptions& o) {
 
 void add_render(const Command& program) {
     const auto o = std::make_shared<ShowOptions>();
-    const Command c =
-        program.verb("render", "Write pictures: from photos' cameras, from views, or along a path");
+    const Command c = program.verb("render", "Write pictures: from photos' cameras, views or a path");
     add_package_argument(c, o->package).required();
     add_photo_option(c, o->package, "photos from whose cameras to render, or 'all'");
     add_view_option(c, o->pictures);

@@ -27,8 +27,7 @@ int measure_smoothness(SmoothnessOptions o) {
 
 void add_smoothness(const Command& program) {
     const auto o = std::make_shared<SmoothnessOptions>();
-    const Command c = program.verb(
-        "smoothness", "Fly along a path and measure how far the colors of surfaces jump from frame to frame");
+    const Command c = program.verb("smoothness", "Measure color jumps between the frames of a flight");
     add_package_argument(c, o->package).required();
     add_exclude_option(c, o->package);
     add_photo_option(c, o->package, "photos to fly along, or 'all'");

@@ -14,8 +14,7 @@ int write_video(const ShowOptions& o) {
 
 void add_video(const Command& program) {
     const auto o = std::make_shared<ShowOptions>();
-    const Command c =
-        program.verb("video", "Write a video: a turntable, a tour of the story, or along a path");
+    const Command c = program.verb("video", "Write a video: a turntable, a tour or along a path");
     add_package_argument(c, o->package).required();
     add_video_options(c, o->video);
     add_path_option(c, o->pictures, "a video along them, each at its at=SECONDS, or 3 seconds apart");

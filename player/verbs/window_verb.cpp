@@ -68,14 +68,14 @@ void add_window(const Command& program) {
 
 void add_kiosk(const Command& program) {
     const auto o = std::make_shared<ShowOptions>();
-    const Command c =
-        program.verb("kiosk", "Show a package to the public, full screen, restarted if it fails");
+    const Command c = program.verb("kiosk", "Show a package to the public, full screen");
     add_package_argument(c, o->package).required();
     add_kiosk_options(c, o->window);
     add_shown_options(c, *o);
     c.notes(
-        "Visitors can neither quit nor open files or settings. SIGTERM ends it; its log is\n"
-        "~/.local/state/vantage/kiosk.log.\n"
+        "Visitors can neither quit nor open files or settings. It is restarted if it fails; SIGTERM ends "
+        "it.\n"
+        "Its log is ~/.local/state/vantage/kiosk.log.\n"
         "Examples:\n"
         "  vantage-player kiosk chapel.vantage\n"
         "  vantage-player kiosk chapel.vantage --idle-timeout 90 --attract chapel-0001.path --language de");

@@ -5,7 +5,8 @@
 
 Commands are the lines of code blocks that run vantage or vantage-player. Each page has a temporary folder, in which its commands
 run in their order through `bash -c`; an input that no command of the page has written is made first. A command ends with exit code
-0, and its outputs exist; a window is ended by SIGTERM after its first picture and must have had no error. Where a block shows the
+0, and its outputs exist; a window is ended by SIGTERM after its first picture and must have had no error; a turntable's video, by
+SIGINT after its first frames. Where a block shows the
 output of the commands before it, the first words of its lines must be printed. The only substitutions: https://example.org and
 https://museum.org are a server of this test, and the folders /collection and /scans are those of the page.
 """
@@ -28,6 +29,7 @@ from inputs import Inputs, server
 
 FEWEST = 60  # commands in all pages
 DIFFERENT = 10  # exit code of diff
+INTERRUPTED = 8
 # What takes more than a few seconds of processor time on a small scene.
 LONG = re.compile(r'--turntable|vantage-player (bench|smoothness)|--panorama|--extent|vantage align|synth data/demo|inspect demo|data/hard')
 ERROR = re.compile(r'(?m)^vantage(-player)?: ')
@@ -69,6 +71,20 @@ class Commands:
         done = subprocess.run(['bash', '-c', command], cwd=folder, env=self.environment, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         return done.returncode, done.stdout
+
+    def run_video(self, command, folder):
+        """Exit code of a video, 0 if it was interrupted while frames were drawn, as it should be; and what was printed."""
+        log = self.home / 'log'
+        with log.open('w') as out:
+            video = subprocess.Popen(['bash', '-c', 'exec ' + command], cwd=folder, env=self.environment, stdin=subprocess.DEVNULL,
+                                     stdout=out, stderr=out)
+        while video.poll() is None and not re.search(r'frames  [1-9]', log.read_text()):
+            time.sleep(0.05)
+        interrupted = video.poll() is None
+        if interrupted:
+            video.send_signal(signal.SIGINT)
+        code = video.wait()
+        return 0 if interrupted and code == INTERRUPTED else code, log.read_text()
 
     def run_window(self, command, folder):
         """Exit code of a window that is closed after its first picture, or what is wrong with it; and what was printed."""
@@ -113,10 +129,12 @@ class Commands:
                     self.inputs.need(folder / word, word, page)
         except (OSError, subprocess.CalledProcessError, StopIteration) as e:
             return [f'an input cannot be made: {e!r}'], ''
-        code, said = (self.run_window if self.is_window(words) else self.run)(command, folder)
+        long_video = 'video' in words and '--turntable' in words
+        run = self.run_window if self.is_window(words) else self.run_video if long_video else self.run
+        code, said = run(command, folder)
         self.ran += 1
         faults = [] if code == 0 or code == DIFFERENT and 'diff' in words else [f'exit code {code}']
-        for file in (folder / name for name in written):
+        for file in (folder / name for name in written if not long_video):
             if not file.exists() or not (any(file.iterdir()) if file.is_dir() else file.stat().st_size):
                 faults.append(f'{file.name} is missing or empty')
         return faults, said

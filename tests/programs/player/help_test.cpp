@@ -126,6 +126,7 @@ class Help : public TemporaryFolder {
             const auto& verbs = found->second.verbs;
             const auto verb = words.size() > 1 ? verbs.find(words[1]) : verbs.end();
             if (verb != verbs.end()) return mistake(verb->second, words, 2);
+            if (words.size() == 3 && words[1] == "help") return {};
             if (!found->second.takes_arguments && words.size() > 1 && !words[1].starts_with('-'))
                 return "has no verb " + words[1];
             return mistake(verbs.at(""), words, 1);
