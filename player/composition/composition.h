@@ -10,25 +10,24 @@ namespace vantage {
 /// A frame of one of several objects.
 struct ObjectFrame {
     Renderer* renderer;
-    const View& view;  ///< that the renderer drew last
+    const View& view;  ///< as last drawn by the renderer
     const RenderSettings& settings;
-    double scale;    ///< of the object in the scene
+    double scale;    ///< scene units per unit of the object
     double opacity;  ///< 0 to 1
 };
 
-/// Composes what several renderers drew into one picture: at each pixel, nearer objects over those behind
-/// them, which show through by what the nearer one's opacity leaves; background stays opaque. Belongs to the
-/// OpenGL thread.
+/// Composes the frames of several renderers into one picture: at each pixel, nearer objects cover those
+/// behind them in proportion to their opacity; the background stays opaque. Belongs to the OpenGL thread.
 class Composition {
   public:
-    /// Shows the frames, all of the size of `view`, in the framebuffer `target`, whose eye is
-    /// the one drawn last. `settings`: background, and whether it is filled.
+    /// Shows the frames, all of the size of `view`, in the framebuffer `target`, for the eye drawn last.
+    /// `settings`: background, and whether it is filled.
     void show(std::span<const ObjectFrame> frames, const View& view, const RenderSettings& settings,
               const ShowTarget& target);
 
-    /// How near the nearest object whose opacity is above 0 is at each pixel of the frame that was shown
-    /// last: 32-bit depths `near / z` from the first texel on, top row first, 0 where there is none. `near`
-    /// in the scene's unit; depths of what is nearer are above 1.
+    /// Depth of the nearest object with an opacity above 0 at each pixel of the last frame shown: 32-bit
+    /// values `near / z`, top row first, 0 without a surface. `near` is in scene units; depths in front of it
+    /// are above 1.
     const gl::Texture& nearest_depth(double near);
 
   private:
@@ -41,7 +40,7 @@ class Composition {
     FrameSize allocated_, frame_;
     gl::Texture colors_, depths_, nearest_;
     std::vector<Layer> layers_;
-    std::vector<float> opacities_;  ///< of the objects in the frame
+    std::vector<float> opacities_;  ///< of the frame's objects
     gl::Framebuffer nearest_target_;
     gl::Program depth_program_, compose_program_, nearest_program_;
     gl::VertexArray no_vertices_;

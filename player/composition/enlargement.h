@@ -4,24 +4,24 @@
 
 namespace vantage {
 
-/// Shows frames that were drawn smaller at their full size, and frames that stay at little cost. Belongs to
-/// the OpenGL thread.
+/// Enlarges frames that were drawn at a lower resolution, and repeats unchanged frames at little cost.
+/// Belongs to the OpenGL thread.
 class Enlargement {
   public:
-    /// Makes room for frames of at most this size, unless there is.
+    /// Allocates space for frames of at most this size, unless it exists.
     void fit(FrameSize size);
-    /// Shows what `objects` drew last, of the view `drawn`, in the framebuffer `target` of this size, which
-    /// stays bound. fit() must have made room for `drawn` if it is smaller.
+    /// Shows the last frame of `objects`, drawn for the view `drawn`, in the framebuffer `target` of this
+    /// size, which stays bound. If `drawn` is smaller, fit() must have been called for its size.
     void show(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
               const ShowTarget& target);
-    /// The same where nothing has changed since show(): from the second time on, copies the picture, if
-    /// there is room for it.
+    /// The same if nothing has changed since show(): from the second call on, copies the picture if space has
+    /// been allocated for it.
     void show_again(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
                     const ShowTarget& target);
 
   private:
     FrameSize allocated_;
-    bool kept_ = false;  ///< picture_ is the whole frame
+    bool kept_ = false;  ///< picture_ holds the whole frame
     gl::Texture picture_;
     gl::Framebuffer target_;
     gl::Program program_;

@@ -12,65 +12,65 @@
 
 namespace vantage {
 
-/// Depths of what was drawn: a + b / z, with `terms` a and b and z in the scene's unit; the picture's top row
-/// first. 0: nothing.
+/// Depths of the drawn picture: a + b / z, with `terms` a and b, and z in scene units; top row first. 0: no
+/// surface.
 struct DrawnDepth {
     GLuint texture;
     Eigen::Vector2d terms;
 };
 
-/// The objects of a scene: the first one, which the caller's renderer draws and whose coordinates are the
-/// scene's, and others with renderers of their own. Each blends its own photos; at each pixel the nearest
-/// object is shown. Belongs to the OpenGL thread.
+/// The objects of a scene: the first one, drawn by the caller's renderer, in whose coordinates the scene is;
+/// and others with renderers of their own. Each blends its own photos; at each pixel the nearest object is
+/// shown. Belongs to the OpenGL thread.
 class ObjectSet {
   public:
     static constexpr std::size_t max_objects = 16;
 
-    /// `first` and its package must outlive the set; `objects.front()` says what it is. `budget` is that of
-    /// all objects together. Throws Error, see add().
+    /// `first` and its package must outlive the set; `objects.front()` describes it. `budget` covers all
+    /// objects together. Throws Error, see add().
     ObjectSet(Renderer& first, const std::vector<SceneObject>& objects, const MemoryBudget& budget);
 
-    /// Adds an object. A name that is taken gets a number, and a matrix becomes a placement. Throws Error for
-    /// a package that cannot be shown, Error(usage) for one too many.
+    /// Adds an object. Duplicate names get a number, and a matrix becomes a placement. Throws Error for a
+    /// package that cannot be shown, Error(usage) for too many objects.
     void add(const SceneObject& object);
-    /// Removes an object other than the first one and returns its memory.
+    /// Removes an object other than the first one and frees its memory.
     void remove(std::size_t object);
 
     std::size_t size() const { return 1 + others_.size(); }
-    /// The first one cannot be placed.
+    /// Must not be called for the first object.
     const SceneObject& at(std::size_t object) const;
     void place(std::size_t object, const Placement& placement);
     void show_object(std::size_t object, bool shown);
-    /// 0 to 1. What is behind the object's nearest surface, of other objects, shows through it.
+    /// 0 to 1. Other objects show through if it is below 1.
     void set_opacity(std::size_t object, double opacity);
-    /// Shows this object alone.
+    /// Shows only this object.
     void show_only(std::size_t object);
     /// As a scene file lists them.
     std::vector<SceneObject> objects() const;
-    /// The meshes of the objects that are shown, but for stand-ins of scenes of points only.
+    /// The meshes of the visible objects, except the placeholder meshes of point-only scenes.
     std::vector<PlacedMesh> meshes() const;
     const FrameReport& report(std::size_t object) const;
-    /// Of all objects together.
+    /// Sum over all objects.
     StreamedSoFar streamed() const;
     std::uint64_t graphics_budget() const;  ///< bytes
-    /// Of all renderers.
+    /// Applies to all renderers.
     void use_trials(const RenderTrials& trials);
 
-    /// As Renderer::samples() of all objects; one for each sample with two eyes or several objects.
+    /// Like Renderer::samples() for all objects; only one per sample with stereo or several objects.
     std::vector<PixelSample> samples(std::span<const View> eyes, const RenderSettings& settings,
                                      int side) const;
-    /// Draws all objects that are shown, as Renderer::draw does; `settings.upload_bytes` is for all
-    /// together, but each may upload a tile.
+    /// Draws all visible objects like Renderer::draw; `settings.upload_bytes` is shared by all, but each may
+    /// upload at least one tile.
     /// `photos`: of the first object; others blend all of theirs. Scalar fields, image sets, background and
     /// comparisons are those of the first object.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
-    /// The same for one eye or two, see Renderer::prepare. Calls `drawn` after each eye, which show() shows
-    /// as long as the other one has not been drawn.
+    /// The same for one or two eyes, see Renderer::prepare. Calls `drawn` after each eye; until the other eye
+    /// is drawn, show() shows this one.
     FrameReport draw_eyes(const FrameRequest& request, const std::function<void(std::size_t eye)>& drawn);
-    /// Shows what was drawn last, as Renderer::show does. A comparison shows the first object alone.
+    /// Shows the last frame like Renderer::show. Comparisons show only the first object.
     void show(const View& view, const RenderSettings& settings, const ShowTarget& target);
-    /// Of what was shown last; of several objects, of the nearest one, as Composition::nearest_depth().
+    /// Depth of the last frame shown; with several objects, see Composition::nearest_depth().
     DrawnDepth depth(const RenderSettings& settings, double near);
 
   private:
@@ -82,13 +82,13 @@ class ObjectSet {
         std::vector<View> views{};  ///< per eye
         FrameReport report{};
     };
-    /// Of all renderers.
+    /// Sum over all renderers.
     template <class Of>
     auto sum(Of of) const;
     bool alone() const;
     SceneObject& object_at(std::size_t object);
     RenderSettings settings_of_others(const RenderSettings& settings) const;
-    /// `settings.weights_from` is a view of the scene, and becomes one of the object.
+    /// `settings.weights_from` is a view of the scene; it is transformed to one of the object.
     void prepare_other(Other& other, const FrameRequest& request, RenderSettings& settings) const;
     void prepare(const FrameRequest& request);
     void paint(std::size_t eye, bool paints_first);
@@ -104,16 +104,16 @@ class ObjectSet {
     Composition composition_;
 };
 
-/// Draws `side` * `side` samples per pixel; `now` as for Renderer::draw. Returns the report of the last.
+/// Draws `side` * `side` samples per pixel; `now` as for Renderer::draw. Returns the report of the last one.
 FrameReport draw_samples(ObjectSet& objects, const View& view, const RenderSettings& settings,
                          std::span<const std::uint32_t> photos, int side, double now = 0);
 
-/// The same for one eye or two; shows each in the framebuffer that `target` names.
+/// The same for one or two eyes; shows each in the framebuffer given by `target`.
 FrameReport draw_eye_samples(ObjectSet& objects, std::span<const View> eyes, const PictureSpec& spec,
                              const std::function<GLuint(std::size_t eye)>& target);
 
-/// Renders all objects with `side` * `side` samples per pixel, as take_picture() does one; `now` as for
-/// Renderer::draw.
+/// Renders all objects with `side` * `side` samples per pixel, like take_picture() for one object; `now` as
+/// for Renderer::draw.
 Picture take_picture(ObjectSet& objects, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side, double now = 0);
 

@@ -8,20 +8,21 @@
 
 namespace vantage {
 
-/// Pictures of parts of all directions: layers of a texture from `first` on, each with its middle ahead.
+/// Pictures of parts of the sphere: layers of a texture from `first` on, with the viewing direction at the
+/// center of each.
 struct PanoramaFaces {
     GLuint pictures;
     int first;
     double focal;          ///< pixels
-    Eigen::Vector2d half;  ///< what each shows alone, as tangents from its middle
-    double overlap;        ///< with others, a tangent: there, one fades into the other
-    std::span<const Eigen::Matrix3d> from_panorama;  ///< the axes of each, up to 6
+    Eigen::Vector2d half;  ///< extent that only this face covers, as tangents from its center
+    double overlap;        ///< width of the cross-fade between faces, as a tangent
+    std::span<const Eigen::Matrix3d> from_panorama;  ///< rotation to the axes of each face, up to 6
 };
 
 /// Shows faces as a panorama. Belongs to the OpenGL thread.
 class PanoramaPass {
   public:
-    /// In the framebuffer `target`, which has this size, in `columns` columns from `first_column` on.
+    /// Draws into the framebuffer `target` of this size, in `columns` columns from `first_column` on.
     void draw(const PanoramaFaces& faces, FrameSize size, int first_column, int columns, GLuint target);
 
   private:

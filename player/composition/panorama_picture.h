@@ -5,18 +5,18 @@
 
 namespace vantage {
 
-/// Renders all directions around an eye: a cube's faces, with the samples per pixel of `spec`, of which each
-/// pixel of the panorama then takes four. Throws Error(usage) for a size that the graphics card cannot
-/// draw.
+/// Renders all directions around an eye by way of the faces of a cube, with the samples per pixel of `spec`;
+/// each pixel of the panorama then takes four samples. Throws Error(usage) if the graphics card cannot draw
+/// this size.
 Picture take_panorama(ObjectSet& objects, const Panorama& panorama, const PictureSpec& spec);
 
-/// The same for two eyes that turn to where they look, in one picture. `finished`: called after each
-/// slice, with the number finished and the total.
+/// The same in stereo, in one picture: the eyes turn with the viewing direction. `finished`: called after
+/// each slice, with the number of finished slices and the total.
 Picture take_stereo_panorama(ObjectSet& objects, StereoPicture& stereo, StereoMode mode,
                              const StereoPanorama& panorama, const PictureSpec& spec,
                              const std::function<void(std::size_t done, std::size_t count)>& finished);
 
-/// The distance of the nearest surface around a point, relative to the scene's origin, by rays in all
+/// The distance of the nearest surface around a point, relative to the scene's origin, by casting rays in all
 /// directions; `otherwise` if there is none.
 double nearest_around(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& point, double otherwise);
 

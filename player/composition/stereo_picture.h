@@ -8,12 +8,12 @@
 
 namespace vantage {
 
-/// Makes one picture of those of two eyes. Belongs to the OpenGL thread.
+/// Combines the pictures of two eyes into one. Belongs to the OpenGL thread.
 class StereoPicture {
   public:
-    /// Makes room for eyes' pictures of this size, unless there is.
+    /// Allocates the eyes' pictures of this size, unless they exist.
     void fit(FrameSize eye);
-    /// Takes the picture of an eye, 0: left, 1: right, sRGB with its first row at the top.
+    /// The framebuffer for the picture of an eye, 0: left, 1: right, in sRGB with the top row first.
     GLuint target(std::size_t eye) const { return targets_.at(eye).id(); }
     /// Shows both in the framebuffer `target`, which stays bound. `flip`: its first row is at the bottom.
     void show(StereoMode mode, FrameSize frame, GLuint target, bool flip);
@@ -26,7 +26,7 @@ class StereoPicture {
     gl::VertexArray no_vertices_;
 };
 
-/// Renders all objects as one eye or two see them, in one picture.
+/// Renders all objects for one or two eyes, in one picture.
 Picture take_picture(ObjectSet& objects, StereoPicture& stereo, StereoMode mode, std::span<const View> eyes,
                      const PictureSpec& spec);
 

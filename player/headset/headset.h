@@ -6,19 +6,19 @@
 
 namespace vantage {
 
-/// A headset: the OpenXR runtime and the session with it. Both may be lost and come back. Belongs to the
-/// OpenGL thread.
+/// A headset: the OpenXR runtime and its session. Both may be lost and re-created. Belongs to the OpenGL
+/// thread.
 class Headset {
   public:
     /// Connects to the runtime. Needs no OpenGL. Throws Error(graphics) if there is no runtime or no headset.
     Headset();
-    /// The session, made with the current OpenGL context if there is none. Without a runtime, tries to
-    /// connect again, at most once a second; null as long as that fails. Throws Error(graphics) if the first
-    /// session fails.
+    /// The session; created with the current OpenGL context if there is none. Without a runtime, tries to
+    /// reconnect at most once a second, and returns null while that fails. Throws Error(graphics) if the
+    /// first session fails.
     HeadsetSession* session();
-    /// Forgets the session, and the runtime if it is gone as well.
+    /// Drops the session, and also the runtime if it was lost.
     void lose(bool runtime);
-    /// Of the runtime that was connected last.
+    /// Name of the last connected runtime.
     const std::string& name() const { return name_; }
 
   private:
@@ -26,7 +26,7 @@ class Headset {
     std::optional<HeadsetSession> session_;
     std::string name_;
     bool had_session_ = false;
-    double tried_at_ = -1e9;  ///< seconds
+    double tried_at_ = -1e9;  ///< time of the last attempt, seconds
 };
 
 }  // namespace vantage

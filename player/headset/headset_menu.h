@@ -22,16 +22,16 @@ enum class MenuPage {
     count
 };
 
-/// What the menu shows and changes, beside the session.
+/// State shown and changed by the menu, in addition to the session.
 struct MenuContent {
     LoadedScene& scene;
-    MenuPage& page;  ///< that is shown
+    MenuPage& page;  ///< current page
     Locomotion& locomotion;
     double& unit_meters;  ///< 0: unknown
-    bool& vignette;       ///< while flying, the edges of the picture are dark
+    bool& vignette;       ///< darkens the edges of the picture while flying
 };
 
-/// The menu in a headset, on a panel of this size, with large controls: the same settings as the window's.
+/// Draws the headset's menu on a panel of this size, with large controls: the same settings as in the window.
 void headset_menu(Controls& controls, Session& session, const MenuContent& content, FrameSize size,
                   double now);
 

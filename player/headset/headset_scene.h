@@ -26,8 +26,8 @@ class HeadsetScene {
     HeadsetScene(const PackageReader& package, const std::vector<SceneObject>& objects,
                  const ShowOptions& options, Session& session);
 
-    /// Draws a frame that has begun, and ends it. `seen`: called with the framebuffer and the size of the
-    /// left eye's picture.
+    /// Draws and ends a frame that has begun. `seen`: called with the framebuffer and the size of the left
+    /// eye's picture.
     void frame(HeadsetSession& headset, const HeadsetFrame& frame,
                const std::function<void(GLuint, FrameSize)>& seen);
 
@@ -57,24 +57,24 @@ class HeadsetScene {
 
     LoadedScene scene_;
     Session& session_;
-    Eigen::Vector3d origin_;  ///< of the package, in the input's coordinates
+    Eigen::Vector3d origin_;  ///< of the package, in input coordinates
     Eigen::Vector3d up_;      ///< of the scene
-    double unit_meters_;      ///< 0: unknown
-    double fps_;              ///< as for frame_goal(); below 0: the headset's
-    std::string controls_;    ///< file for the places of the menu's controls
+    double unit_meters_;      ///< scene units to meters; 0: unknown
+    double fps_;              ///< as for frame_goal(); below 0: the headset's rate
+    std::string controls_;    ///< file with the positions of the menu's controls
     Locomotion locomotion_;
     bool placed_ = false, dims_edges_ = true;
 
     SceneInterface interface_;
     std::optional<MenuPlace> menu_;  ///< while it is open
-    std::optional<Panel> panel_;     ///< that of the menu, in this frame
+    std::optional<Panel> panel_;     ///< panel of the menu in this frame
     MenuPage page_ = MenuPage::move;
     struct Stop {
         std::size_t number;
-        double started;  ///< the tour, seconds
+        double started;  ///< start of the tour, seconds
         Stance stood;
     };
-    std::optional<Stop> stop_;  ///< of the tour that plays
+    std::optional<Stop> stop_;  ///< current stop of the tour
     std::array<Pointed, 2> pointed_;
     std::array<bool, 2> selected_{};             ///< in the last frame
     bool menu_pressed_ = false, gazed_ = false;  ///< likewise
@@ -87,7 +87,7 @@ class HeadsetScene {
     FrameClock clock_;
     double goal_ms_ = 0;
     Pacing pacing_;
-    double time_ = 0;  ///< of the last frame, seconds
+    double time_ = 0;  ///< time of the last frame, seconds
     DepthPicture depth_;
     std::vector<DrawnEye> drawn_;  ///< of this frame
 };

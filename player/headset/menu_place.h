@@ -7,23 +7,23 @@
 
 namespace vantage {
 
-/// Where in the room the menu is: its middle; its front faces along the pose's z.
+/// Pose of the menu's center in the room; its front faces along the pose's z.
 struct MenuPlace {
     RoomPose pose;
     struct Held {
         std::size_t hand;
-        RoomPose from_hand;  ///< the menu, as seen from the hand that holds it
+        RoomPose from_hand;  ///< the menu relative to the hand that holds it
     };
     std::optional<Held> held{};
 };
 
-/// In front of somebody, a little below the eyes, facing them.
+/// In front of the head, slightly below the eyes, facing the user.
 MenuPlace menu_in_front_of(const RoomPose& head);
 
 /// The menu's panel in the scene.
 Panel menu_panel(const MenuPlace& place, const Stance& stance, int width, int height);
 
-/// Moves with the hand that squeezes while it points at the menu, `pointing` being that hand.
+/// Moves with a hand that squeezes while pointing at the menu; `pointing` is that hand.
 void carry(MenuPlace& place, const Hands& hands, std::optional<std::size_t> pointing);
 
 }  // namespace vantage

@@ -13,16 +13,16 @@ struct MirrorButtons {
     bool select = false, menu = false;
 };
 
-/// The OpenGL context for a headset: that of a window, which shows what is seen there, or one without a
-/// window where there is no X display.
+/// The OpenGL context for a headset: that of a window that mirrors the headset's picture, or a windowless one
+/// without an X display.
 class Mirror {
   public:
     explicit Mirror(const ShowOptions& options);
-    /// Copies a picture into the window, now and then.
+    /// Copies a picture into the window, at a limited rate.
     void show(GLuint framebuffer, FrameSize size);
-    /// Handles events; shows what was copied.
+    /// Handles events and shows the copied picture.
     void attend();
-    /// What is held down in the window: the left button or Space selects, the right one or M is the menu.
+    /// Buttons held down in the window: the left button or Space selects, the right one or M opens the menu.
     MirrorButtons buttons() const;
     bool closed() const;
 

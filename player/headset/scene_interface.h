@@ -14,7 +14,7 @@ namespace vantage {
 
 /// A pointer on a panel.
 struct PanelPointer {
-    std::optional<Eigen::Vector2d> at{};  ///< panel pixels; nothing: elsewhere
+    std::optional<Eigen::Vector2d> at{};  ///< panel pixels; nothing: not on the panel
     bool pressed = false;
     double scroll = 0;  ///< lines, up
 };
@@ -22,17 +22,17 @@ struct PanelPointer {
 /// A text in the scene.
 struct SceneLabel {
     std::string text;
-    Eigen::Vector3d at;          ///< its lower left corner is beside this point
+    Eigen::Vector3d at;          ///< next to its lower left corner
     std::array<float, 4> color;  ///< sRGB, straight alpha
-    bool notice = false;         ///< centered at the point, in lines, and never hidden
+    bool notice = false;         ///< centered at the point, wrapped, never hidden
 };
 
-/// What is written in the scene: a menu, made of ImGui's controls, and labels. It has ImGui contexts of its
-/// own; that of the menu is current between begin() and end(). Belongs to the OpenGL thread.
+/// Text in the scene: a menu made of ImGui controls, and labels. It has its own ImGui contexts; the menu's is
+/// current between begin() and end(). Belongs to the OpenGL thread.
 class SceneInterface {
   public:
-    /// Of the menu, in panel pixels, each of which is to be seen at about a milliradian: text is then as
-    /// large as recommended for headsets (24 "dmm").
+    /// Size of the menu in panel pixels. A pixel should subtend about a milliradian: text then has the size
+    /// recommended for headsets (24 "dmm").
     static constexpr int width = 860, height = 680;
     static constexpr float text_pixels = 24;
 
@@ -41,9 +41,9 @@ class SceneInterface {
     SceneInterface(const SceneInterface&) = delete;
     SceneInterface& operator=(const SceneInterface&) = delete;
 
-    /// Begins a frame. What ImGui then shows is the menu.
+    /// Begins a frame. ImGui calls until end() make the menu.
     void begin(const PanelPointer& pointer, double seconds);
-    /// Ends it, with these labels, which face `head`: upright, and as large at any distance.
+    /// Ends it, with these labels: upright, facing `head`, and of constant apparent size.
     void end(std::vector<SceneLabel> labels, const View& head);
 
     Controls& controls() { return controls_; }
@@ -61,7 +61,7 @@ class SceneInterface {
     void make_label(std::size_t i);
 
     ImGuiContext* context_;         ///< of the menu
-    ImGuiContext* labels_context_;  ///< with the same letters
+    ImGuiContext* labels_context_;  ///< shares the font
     ImGuiContext* outer_ = nullptr;
     std::optional<PanelPass> pass_;
     PanelDrawing menu_;

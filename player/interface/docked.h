@@ -5,10 +5,10 @@
 
 namespace vantage {
 
-/// Begins an ImGui window that fills a part of the layout and cannot be moved. ImGui::End() must follow.
+/// Begins an ImGui window that fills an area of the layout and cannot be moved. ImGui::End() must follow.
 void begin_docked(const char* name, const Area& area, ImVec2 padding, ImGuiWindowFlags flags);
 
-/// Moves the ImGui window that has begun into an area if its upper left corner is outside.
+/// Moves the current ImGui window into an area if its upper left corner is outside.
 void keep_within(const Area& area);
 
 }  // namespace vantage

@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// What the buttons of the bar show.
+/// Icons of the toolbar's buttons.
 enum class Icon { home, photos, compare, light, language, full_screen, help, expert };
 
 /// Draws an icon around `middle`, `size` pixels wide and high.

@@ -3,17 +3,18 @@
 
 #include "player/interface/state/window_state.h"
 
-/// Controls are used by keys alone: arrow keys go from one to the next, Space and Enter use it, Esc leaves
-/// it, Ctrl+Tab and Alt go to another panel. Keys of the program work meanwhile, but for those.
+/// Keyboard navigation: arrow keys move between controls, Space and Enter activate, Esc leaves, Ctrl+Tab and
+/// Alt switch panels. Other keys keep their function in the program.
 namespace vantage {
 
-/// Turns it on in ImGui's context.
+/// Enables it in ImGui's context.
 void navigate_by_keyboard();
-/// Notes at the end of a frame whether a control is marked, to which these keys then belong.
+/// Records at the end of a frame whether a control has the navigation focus and therefore uses these keys.
 void note_navigation(WindowState& window);
-/// Takes the keys from the program that belong to the marked control.
+/// Removes the keys used by the focused control from the program's input.
 void leave_keys_to_navigation(WindowState& window);
-/// Marks ImGui's last item if it is the one: ImGui does not for its invisible buttons. Whether it is.
+/// Draws the focus mark on ImGui's last item if it has the navigation focus; ImGui omits it for invisible
+/// buttons. Returns whether it has the focus.
 bool mark_if_navigated();
 
 }  // namespace vantage

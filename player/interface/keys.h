@@ -1,6 +1,6 @@
 #pragma once
 
-/// GLFW's codes of the keys that panels use.
+/// GLFW codes of the keys used by panels.
 namespace vantage::key {
 
 inline constexpr int escape = 256, enter = 257, backspace = 259, down = 264, up = 265, keypad_enter = 335;

@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// The items of a menu of the languages that the window has; the one chosen becomes the window's.
+/// Menu items for the available languages; selecting one changes the window's language.
 void language_items(Controls& controls, WindowState& window);
 
 }  // namespace vantage

@@ -5,16 +5,16 @@
 
 namespace vantage {
 
-/// Where the parts of the interface are in the window, in pixels. A part that is not shown has no size.
+/// Areas of the interface's parts in the window, in pixels. Hidden parts have no size.
 struct Layout {
     Area menu, sidebar, strip, bar;
-    Area free;  ///< what they leave to the picture
+    Area free;  ///< remaining area for the picture
 };
 
-/// `em`: height of the text, pixels. `photos`: whether there are any for the strip.
+/// `em`: text height in pixels. `photos`: whether the scene has photos for the strip.
 Layout layout_of(const Panels& panels, int width, int height, double em, bool photos);
 
-/// The part of the free area that the picture is fitted to: side by side, it is shown in half of the width.
+/// The part of the free area that the picture is fitted to: half of its width for side-by-side comparison.
 Area picture_area(const Layout& layout, Compare compare, int width);
 
 }  // namespace vantage

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// The expert's menu along the upper edge.
+/// The expert's menu bar at the top.
 void menu_bar(Controls& controls, Session& session, const Renderer& renderer, double now);
 
 }  // namespace vantage

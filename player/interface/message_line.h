@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// The message, if there is one, at the top of the free part of the window.
+/// Shows the message, if any, at the top of the free area.
 void message_line(Controls& controls, Message& message, const Area& free, double now);
 
 }  // namespace vantage

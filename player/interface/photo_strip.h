@@ -10,18 +10,18 @@
 
 namespace vantage {
 
-/// The photos' thumbnails along the lower edge, by decreasing agreement with the view. A click
-/// flies to that photo; wheel and drag scroll.
+/// Thumbnails of the photos at the bottom, by decreasing agreement with the view. A click flies to the photo;
+/// wheel and drag scroll.
 class PhotoStrip {
   public:
     ~PhotoStrip();
     void show(Controls& controls, Session& session, Renderer& renderer, const View& view, const Area& area,
               double now);
-    /// A photo's name and thumbnail beside the pointer.
+    /// Shows a photo's name and thumbnail next to the pointer.
     void tooltip(Renderer& renderer, std::uint32_t photo);
-    /// When photos are due to be ordered again, in seconds.
+    /// Time at which photos are due to be sorted again, in seconds.
     double ranks_at() const { return outdated_ ? ranked_at_ + ranking_seconds : HUGE_VAL; }
-    /// Whether a thumbnail that is in sight is still to come.
+    /// Whether a visible thumbnail is still missing.
     bool lacks_pictures() const { return lacks_; }
 
   private:

@@ -5,15 +5,15 @@
 
 namespace vantage {
 
-/// What the sections show and change, beside the session.
+/// State shown and changed by the sections, in addition to the session.
 struct SidebarContent {
     const Renderer& renderer;
     ObjectSet& objects;
     const View& view;  ///< of the picture
 };
 
-/// The expert's sections, each with a header that opens and closes it. Returns whether something in the
-/// picture changed that the session does not tell.
+/// The expert's collapsible sections. Returns whether the picture changed in a way that the session does not
+/// record.
 bool sidebar(Controls& controls, Session& session, const SidebarContent& content, const Area& area,
              double now);
 

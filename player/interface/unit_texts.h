@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// Units of length as a list shows them, in the order of Unit.
+/// Units of length as displayed in lists, in the order of Unit.
 inline constexpr const char* unit_texts[] = {MARKED_IN("unit", "unknown"), MARKED_IN("unit", "m"),
                                              MARKED_IN("unit", "cm"),      MARKED_IN("unit", "mm"),
                                              MARKED_IN("unit", "ft"),      MARKED_IN("unit", "in")};

@@ -10,17 +10,17 @@
 namespace vantage {
 
 /// Writes up to four views for regression tests of a package, each between neighboring photos, so that
-/// several photos are blended; the pairs are spread evenly over the photos.
+/// several photos are blended; the pairs are evenly spaced in the list of photos.
 void write_default_views(const std::filesystem::path& file, const PackageReader& package);
 
-/// How a picture differs from the stored one.
+/// Difference of a picture from the stored one.
 struct GoldenDifference {
-    std::string view, problem;    ///< `problem`: why they cannot be compared, or empty
+    std::string view, problem;    ///< `problem`: reason why they cannot be compared, or empty
     int worst = 0, x = 0, y = 0;  ///< gray levels, and the pixel
-    double share = 0;             ///< of the pixels that differ by more than the tolerance
+    double share = 0;             ///< fraction of pixels that differ by more than the tolerance
     double mean = 0;              ///< gray levels
 };
-/// Two pixels differ by the largest difference of their channels, alpha included.
+/// The difference of two pixels is the largest difference of their channels, alpha included.
 GoldenDifference compare_pictures(const Picture& stored, const Picture& now, int tolerance);
 
 /// Stored picture, new picture, and eight times their difference, side by side.

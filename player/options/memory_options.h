@@ -7,7 +7,7 @@ namespace vantage {
 class Command;
 
 struct MemoryOptions {
-    unsigned graphics_mib = 0;  ///< 0: by the size of the frame
+    unsigned graphics_mib = 0;  ///< 0: depends on the frame size
     unsigned cache_mib = 4096;
     unsigned upload_kib = 8192;
 

@@ -5,14 +5,14 @@ namespace vantage {
 
 class Command;
 
-/// Where pictures are drawn from, and how.
+/// Views and quality of pictures.
 struct PictureOptions {
     std::string view;  ///< see parse_view
     std::string path;  ///< file, see read_path
     double scale = 1;
-    bool panorama = false;  ///< of all directions
-    int samples = 0;        ///< per side of a pixel; 0: depends on what is shown
-    bool legend = true;     ///< of a scalar field, in pictures that are large enough
+    bool panorama = false;  ///< covers all directions
+    int samples = 0;        ///< per side of a pixel; 0: depends on the content
+    bool legend = true;     ///< of a scalar field, in sufficiently large pictures
 };
 void add_view_option(const Command& command, PictureOptions& options);
 void add_path_option(const Command& command, PictureOptions& options, const std::string& help);

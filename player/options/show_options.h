@@ -15,7 +15,7 @@
 
 namespace vantage {
 
-/// The command lines that show or draw a scene; each verb adds a part of the options.
+/// The options of the commands that show or draw a scene; each verb adds some of them.
 struct ShowOptions {
     PackageOptions package;
     ObjectOptions objects;
@@ -32,7 +32,7 @@ struct ShowOptions {
     HeadsetOptions headset;
 };
 
-/// Those of all verbs that draw a scene, but for the package and the output.
+/// The common options of verbs that draw a scene, except the package and the output.
 void add_scene_options(const Command& command, ShowOptions& options);
 
 }  // namespace vantage

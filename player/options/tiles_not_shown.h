@@ -6,15 +6,15 @@
 
 namespace vantage {
 
-/// Tiles that pictures lack: at most so many in each.
+/// Tiles missing in pictures: the maximum over the pictures.
 struct TilesNotShown {
     std::size_t damaged = 0;
-    std::size_t too_many = 0;  ///< for graphics memory
+    std::size_t too_many = 0;  ///< exceeding graphics memory
 
     void add(const FrameReport& picture);
 };
 
-/// The exit code of pictures of a package that lack tiles; says so on stderr.
+/// The exit code for pictures with missing tiles; prints a message to stderr.
 int exit_for(const PackageReader& package, const TilesNotShown& tiles);
 
 }  // namespace vantage

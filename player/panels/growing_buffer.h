@@ -6,14 +6,14 @@
 
 namespace vantage {
 
-/// A buffer that is written anew for every frame, and grows with what it holds. Belongs to the OpenGL thread.
+/// A buffer that is rewritten in each frame and grows as needed. Belongs to the OpenGL thread.
 class GrowingBuffer {
   public:
     explicit GrowingBuffer(const char* label) : label_(label) {}
 
-    /// Forgets what was written and makes room for `bytes`. The buffer's name may change.
+    /// Discards the content and allocates `bytes`. The buffer's name may change.
     void begin(std::size_t bytes);
-    /// Appends. Throws std::logic_error beyond the room that was made.
+    /// Appends. Throws std::logic_error if the allocated size is exceeded.
     void write(std::span<const std::byte> bytes);
     GLuint id() const { return buffer_.id(); }
 

@@ -6,14 +6,14 @@
 
 namespace vantage {
 
-/// Draws marks over pictures, with smooth edges. Belongs to the OpenGL thread.
+/// Draws marks over pictures, with antialiased edges. Belongs to the OpenGL thread.
 class MarkPass {
   public:
     MarkPass();
 
-    /// Takes the marks of a frame, which draw() then draws for each eye.
+    /// Uploads the marks of a frame; draw() then draws them for each eye.
     void upload(const Marks& marks);
-    /// Nothing for a view that is not finite.
+    /// Draws nothing for a view that is not finite.
     void draw(const EyePicture& eye);
 
   private:

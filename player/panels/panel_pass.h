@@ -14,14 +14,14 @@ struct ImDrawList;
 
 namespace vantage {
 
-/// All that ImGui drew.
+/// All draw lists of ImGui.
 std::span<ImDrawList* const> lists_of(const ImDrawData& drawn);
 
-/// What ImGui drew for a panel, in graphics memory: uploaded once per frame, drawn for each eye. Belongs to
+/// ImGui's draw data for a panel, in graphics memory: uploaded once per frame, drawn for each eye. Belongs to
 /// the OpenGL thread.
 class PanelDrawing {
   public:
-    /// Replaces what was uploaded. Callbacks among the commands are ignored.
+    /// Replaces the uploaded data. Callbacks among the commands are ignored.
     void upload(std::span<ImDrawList* const> lists);
 
   private:
@@ -37,16 +37,16 @@ class PanelDrawing {
     std::vector<Command> commands_;
 };
 
-/// Draws panels over pictures, straight at the picture's pixels: text keeps edges of one pixel at any
-/// distance and angle. ImGui's textures are names of two-dimensional OpenGL textures with sRGB bytes that are
-/// not decoded. Belongs to the OpenGL thread.
+/// Draws panels over pictures, directly at the picture's resolution: text keeps edges of one pixel at any
+/// distance and angle. ImGui's textures must be names of two-dimensional OpenGL textures with sRGB bytes,
+/// sampled without decoding. Belongs to the OpenGL thread.
 class PanelPass {
   public:
     explicit PanelPass(const DistanceField& font);
 
-    /// To be set as the texture of the atlas that the field was built from.
+    /// The texture to set in the atlas that the field was built from.
     GLuint font() const { return field_.id(); }
-    /// Draws a panel over an eye's picture; nothing for a panel or a view that is not finite.
+    /// Draws a panel over an eye's picture; nothing if the panel or the view is not finite.
     void draw(const PanelDrawing& drawing, const Panel& panel, const EyePicture& eye);
 
   private:

@@ -10,12 +10,12 @@
 
 namespace vantage {
 
-/// The story beside the package or scene file; empty if there is none. Throws Error(input).
+/// The story next to the package or scene file; empty if there is none. Throws Error(input).
 Story story_beside(const std::filesystem::path& package);
 
-/// The positions of the frames of the video that the options ask for, of this size. Throws Error(usage) for
-/// two ways at once, a tour that the story does not have, or more than a million frames, and Error(input) for
-/// a path or a story that cannot be read.
+/// The cameras of a video's frames of this size, according to the options. Throws Error(usage) for
+/// conflicting paths, a tour that is not in the story, or more than a million frames, and Error(input) for a
+/// path or a story that cannot be read.
 std::vector<Navigation> flight_frames(const PackageReader& package, const ShowOptions& options,
                                       const Story& story, FrameSize size);
 

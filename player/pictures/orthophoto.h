@@ -28,26 +28,26 @@ struct OrthophotoOptions {
     int samples = 2;            ///< per side of a pixel
 };
 
-/// A rectangle of a plane as a picture.
+/// A rectangle of a plane that is rendered as a picture.
 struct Orthophoto {
     PicturePlane plane;
     Eigen::Vector2d upper_left;  ///< corner, in the plane's coordinates
     double resolution;           ///< input units per pixel
     int width, height;
 };
-/// Of at least one pixel. Throws Error(usage) if it were too large for a PNG.
+/// Has at least one pixel. Throws Error(usage) if it is too large for a PNG.
 Orthophoto orthophoto_of(const PicturePlane& plane, const Eigen::AlignedBox2d& extent, double resolution);
 
-/// The parts in which a picture is rendered: as wide as high at most, of a size that is even.
+/// Size of the tiles that a picture is rendered in: at most as wide as high, with even sides.
 struct TileSize {
     int width, height;
 };
-/// Such that a row of tiles takes at most 64 MiB.
+/// The size at which a row of tiles needs at most 64 MiB.
 TileSize tile_size_for(int width);
 
-/// Renders the picture, tile by tile, from the top; `row` takes its rows, RGBA, alpha 0 where nothing is.
-/// The tiles' size does not matter for what is drawn. `progress` gets the number of tiles that are done, and
-/// of all. Returns the tiles of the package that are lacking.
+/// Renders the picture tile by tile, from the top; `row` receives its rows, RGBA, alpha 0 without a surface.
+/// The result does not depend on the tile size. `progress` receives the number of finished tiles and the
+/// total. Returns the package's missing tiles.
 TilesNotShown draw_orthophoto(Renderer& renderer, const Orthophoto& picture, const PictureSpec& spec,
                               TileSize tile, const std::function<void(std::span<const std::uint8_t>)>& row,
                               const std::function<void(std::size_t done, std::size_t all)>& progress);

@@ -12,9 +12,9 @@ struct tiff;  // libtiff's TIFF
 
 namespace vantage {
 
-/// A TIFF picture that is written row by row, as PngRows, with its place on the plane in GeoTIFF's tags (OGC
-/// 19-008r4, user-defined model, pixels are areas): RGBA, 8 bits, deflated; a BigTIFF where it could exceed 4
-/// GiB.
+/// A TIFF picture that is written row by row, like PngRows, with its position on the plane in GeoTIFF tags
+/// (OGC 19-008r4, user-defined model, pixels are areas): RGBA, 8 bits, deflated; a BigTIFF if it could exceed
+/// 4 GiB.
 class TiffRows {
   public:
     /// `upper_left`: corner of the picture, in the plane's coordinates; `resolution`: units per pixel. Throws
@@ -22,9 +22,9 @@ class TiffRows {
     TiffRows(const std::filesystem::path& file, int width, int height, const Eigen::Vector2d& upper_left,
              double resolution);
 
-    /// The next row, four bytes per pixel. Throws Error(storage).
+    /// Adds the next row, four bytes per pixel. Throws Error(storage).
     void add(std::span<const std::uint8_t> row);
-    /// After the last row. Throws Error(storage).
+    /// Completes the file after the last row. Throws Error(storage).
     void finish();
 
   private:
@@ -33,7 +33,7 @@ class TiffRows {
     UnfinishedFile file_;
     std::unique_ptr<tiff, void (*)(tiff*)> tiff_;
     std::uint32_t row_ = 0;
-    std::vector<std::uint8_t> pixels_;  ///< libtiff's predictor changes what it is given
+    std::vector<std::uint8_t> pixels_;  ///< copy of a row, since libtiff's predictor modifies its input
 };
 
 }  // namespace vantage

@@ -22,10 +22,11 @@ struct VideoFormat {
 };
 
 /// Encodes frames with the program ffmpeg, which it starts: H.264 for *.mp4, VP9 for *.webm. The file gets
-/// its name when it is complete, and what is half done is removed.
+/// its name when complete; partial files are removed.
 class VideoEncoder {
   public:
-    /// Throws Error(usage) for a format that the file cannot have, Error(input) if ffmpeg is not installed.
+    /// Throws Error(usage) for a format that the file type does not support, Error(input) if ffmpeg is not
+    /// installed.
     VideoEncoder(const std::filesystem::path& file, const VideoFormat& format);
     /// Stops ffmpeg and removes the file, unless finish() was called.
     ~VideoEncoder();

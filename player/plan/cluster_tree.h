@@ -29,7 +29,7 @@ ClusterTree make_cluster_tree(std::span<const package::ClusterRecord> clusters);
 std::vector<std::uint32_t> clusters_in_view(const ClusterTree& tree,
                                             std::span<const package::ClusterRecord> clusters,
                                             const View& view);
-/// The same, in place of what is in `found`.
+/// The same; replaces the content of `found`.
 void find_clusters_in_view(const ClusterTree& tree, std::span<const package::ClusterRecord> clusters,
                            const View& view, std::vector<std::uint32_t>& found);
 

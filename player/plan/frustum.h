@@ -12,15 +12,16 @@ struct HalfSpace {
     double offset;
 };
 
-/// What a view can show: four sides, and what is in front of the camera.
+/// The visible volume of a view: four sides, and the plane in front of the camera.
 using Frustum = std::array<HalfSpace, 5>;
 Frustum frustum(const View& view);
 
-/// Where a box is; never `outside` if a point of it is inside, never `inside` if one is outside.
+/// Position of a box relative to a frustum; never `outside` if a point of it is inside, never `inside` if one
+/// is outside.
 enum class Side { outside, across, inside };
 Side side_of(const Frustum& planes, const Eigen::Vector3d& low, const Eigen::Vector3d& high);
 
-/// Whether a sphere reaches into all planes; true if any of it is inside.
+/// Whether a sphere intersects all half-spaces; true if any of it is inside.
 bool reaches(const Frustum& planes, const Eigen::Vector3d& center, double radius);
 
 }  // namespace vantage

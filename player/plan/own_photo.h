@@ -8,8 +8,8 @@
 
 namespace vantage {
 
-/// The photo, if one of these was taken from where the viewer is, and shows all that is in the view's frame:
-/// what the viewer sees, it sees, and near its own camera it outweighs all others (shaders/blend.frag).
+/// The photo, if any, that was taken from the viewer's position and covers the view's frame. It sees
+/// everything that the viewer sees, and near its own camera it outweighs all others (shaders/blend.frag).
 std::optional<std::uint32_t> own_photo(const PlanScene& scene, const View& view,
                                        std::span<const std::uint32_t> photos);
 

@@ -16,18 +16,17 @@ struct Plan {
     std::vector<std::uint32_t> clusters;  ///< opaque
     std::vector<PlannedPhoto> photos;     ///< of the mesh
     std::vector<PlannedPhoto> behind;     ///< of the background, see plan_background
-    PhotoChoice choice;  ///< what they were chosen from, with those that show none of the clusters
+    PhotoChoice choice;  ///< the full selection, including photos that show none of the clusters
     double uncovered =
-        0;  ///< share of the surface in view and in some allowed photo that no chosen photo sees
+        0;  ///< fraction of the surface in view and in some allowed photo that no chosen photo sees
 };
 
-/// What is known of a view from frames before.
+/// Knowledge about a view from previous frames.
 struct PlanContext {
-    std::span<const std::uint32_t> previous{};  ///< photos that are slightly preferred, to avoid flicker
-    /// With the triangles that were seen, the plan covers the visible surface, without them everything in
-    /// view.
+    std::span<const std::uint32_t> previous{};  ///< photos with a slight preference, to avoid flicker
+    /// With the visible triangles, the plan covers the visible surface; without them, everything in view.
     Seen seen{};
-    const PhotoChoice* chosen = nullptr;  ///< the photos are these, as they were chosen for another view
+    const PhotoChoice* chosen = nullptr;  ///< fixed choice of photos, as made for another view
 };
 
 /// Chooses among the photos `allowed`. A pure function.

@@ -12,8 +12,9 @@
 
 namespace vantage {
 
-/// The input of plans: the package's photos and clusters, and what each photo sees. Spans are valid as long
-/// as the package. The file may be overwritten while it is shown, so any value behind them may change.
+/// The input of plans: the package's photos and clusters, and the parts seen by each photo. Spans are valid
+/// as long as the package. The file may be overwritten while it is in use, so any value behind them may
+/// change.
 struct PlanScene {
     PlanScene() = default;
     PlanScene(PlanScene&&) = default;  ///< moving a vector keeps the spans of its elements valid
@@ -26,7 +27,7 @@ struct PlanScene {
     std::vector<Intrinsics> intrinsics;                              ///< per photo
     std::vector<Pose> poses;                                         ///< per photo, cam_from_origin
     std::vector<std::span<const package::CoverageRecord>> coverage;  ///< per photo; empty if held out
-    std::vector<std::span<const std::uint64_t>> visible;             ///< per photo, as VISB
+    std::vector<std::span<const std::uint64_t>> visible;             ///< per photo, as in VISB
     LensTables lenses;
     double spread = 0;  ///< root mean square distance of the first image set's cameras from their mean
     double size = 0;    ///< diagonal of the model's bounds
@@ -34,17 +35,17 @@ struct PlanScene {
     std::span<const Eigen::Vector3f> positions;
     std::span<const std::uint32_t> indices;
 
-    std::uint32_t first_transparent = ~0u;  ///< cluster of the mesh; beyond all if it is opaque
+    std::uint32_t first_transparent = ~0u;  ///< cluster of the mesh; beyond all if the mesh is opaque
     bool has_transparency() const {
         return first_transparent < std::min<std::size_t>(first_surrounding, clusters.size());
     }
-    /// The background is clusters, triangles and vertices behind those of the mesh.
-    std::uint32_t first_surrounding = ~0u;  ///< cluster; beyond all if there are no background
+    /// Clusters, triangles and vertices of the background follow those of the mesh.
+    std::uint32_t first_surrounding = ~0u;  ///< cluster; beyond all if there is no background
     // One per vertex of the background, see BackgroundContent.
     std::vector<std::array<std::uint8_t, 4>> surrounding_colors;
     std::vector<std::array<std::int8_t, 4>> surrounding_corrections;
     std::vector<std::uint8_t> labels;  ///< per photo; empty without a background
-    /// What the spans show if there is a background.
+    /// Storage of the spans if there is a background.
     struct Joined {
         std::vector<Eigen::Vector3f> positions;
         std::vector<std::uint32_t> indices;
@@ -52,12 +53,13 @@ struct PlanScene {
         std::vector<std::vector<std::uint64_t>> visible;
     } joined;
     bool has_background() const { return first_surrounding < clusters.size(); }
-    /// Triangle of the background; beyond all if there is none.
+    /// First triangle of the background; beyond all if there is none.
     std::size_t first_triangle_behind() const {
         return has_background() ? clusters[first_surrounding].first_triangle : triangles;
     }
 };
-/// From the nearest camera of the first image set, whose photos show the background; infinite without any.
+/// Distance from the nearest camera of the first image set, whose photos show the background; infinite
+/// without any.
 double distance_from_cameras(const PlanScene& scene, const Eigen::Vector3d& eye);
 
 /// Throws Error(damaged).

@@ -2,7 +2,7 @@
 
 namespace vantage {
 
-/// How photos are chosen.
+/// Strategy for choosing photos.
 enum class Choice {
     cover,    ///< weighted set cover: each surface in view that some photo sees gets one, the best first
     nearest,  ///< those whose cameras are nearest to the viewer
@@ -12,22 +12,22 @@ enum class Choice {
 struct PlanSettings {
     Choice choice = Choice::cover;
     int photos = 0;          ///< minimum number of photos, if that many see the view; 0: all
-    double sharpness = 0;    ///< radians of the angle weight; 0: weights do not depend on the angle
-    double angle_limit = 0;  ///< radians between viewing directions; a photo beyond it is used only for
+    double sharpness = 0;    ///< radians, of the angle weight; 0: weights do not depend on the angle
+    double angle_limit = 0;  ///< radians between viewing directions; photos beyond it are used only for
                              ///< surfaces that no other photo sees; 0: no limit
     double samples = 1;      ///< per side of a pixel
-    /// Near its own camera, a photo outweighs all others (shaders/blend.frag). Complete plans only: others
-    /// spare photos above a weight at which those still show along the borders of that photo.
+    /// Near its own camera, a photo outweighs all others (shaders/blend.frag). For complete plans only:
+    /// others skip photos above a weight at which these would still be visible along that photo's borders.
     bool own_views = false;
-    /// Clusters so far outside the frame are planned, too, so that a view that moves can be drawn with the
-    /// plan of the one before; share of the frame's width.
+    /// Clusters up to this distance outside the frame are planned as well, so that a moving view can be drawn
+    /// with the previous plan; fraction of the frame's width.
     double margin = 0;
-    double worth = 0.1;      ///< a tile is needed if at least this share of its texels is shown
-    bool tiles = true;       ///< list the tiles needed; otherwise only the base levels are shown
-    bool background = true;  ///< shown, if the package has them
-    bool complete = true;    ///< wait for everything that the picture needs; otherwise photos fade in and out
-    /// For frames in motion that take too long: each surface gets only the photos that matter most there, and
-    /// photos are exchanged at once.
+    double worth = 0.1;      ///< a tile is needed if at least this fraction of its texels is visible
+    bool tiles = true;       ///< list the needed tiles; otherwise only the base levels are shown
+    bool background = true;  ///< show the background, if the package has one
+    bool complete = true;    ///< wait for all data that the picture needs; otherwise photos fade in and out
+    /// For slow frames in motion: each surface gets only the photos with the largest weights, and photos are
+    /// replaced without fading.
     bool reduced = false;
     bool operator==(const PlanSettings&) const = default;
 };

@@ -15,14 +15,14 @@ struct PlannedPhoto {
     std::uint32_t photo;
     double agreement;                     ///< with the view, see agreement(), in [0, 1]
     std::vector<std::uint32_t> clusters;  ///< drawn with this photo, ascending
-    std::vector<float> weights;           ///< of each, relative to the best photo's, at most 1
-    TileNeeds needs;                      ///< for what is seen of them
+    std::vector<float> weights;           ///< one per cluster, relative to the best photo's, at most 1
+    TileNeeds needs;                      ///< for the visible parts of the clusters
 };
 
 std::vector<std::uint32_t> numbers_of(std::span<const PlannedPhoto> photos);
 
-/// Lists the tiles of a photo for its clusters. `weight`: of the photo at a point of the surface, in [0, 1];
-/// 0 if the photo does not show it. Its weight maps are read at `coarse`, a level, too, where that is
+/// Lists the tiles of a photo that its clusters need. `weight`: of the photo at a point of the surface, in
+/// [0, 1]; 0 if the photo does not show it. Its weight maps are also read at the level `coarse` if that is
 /// coarser.
 void add_needs(PlannedPhoto& photo, const VisibleSurface& surface, const PlanSettings& settings,
                const std::function<float(std::size_t point)>& weight, double coarse = 0);

@@ -13,14 +13,14 @@
 
 namespace vantage {
 
-/// The triangles that a view, or a recent one, showed.
+/// The triangles visible in this or a recent view.
 struct Seen {
     static constexpr int step = 2;  ///< pixels
     /// At every second pixel of every second row, from the top; numbered from 1 (0: none).
     std::span<const std::uint32_t> triangles{};
-    const View* view = nullptr;  ///< null: they are of several views
+    const View* view = nullptr;  ///< null: they are from several views
 
-    /// How many of a frame's pixels are sampled, across and down.
+    /// Number of sampled pixels of a frame, across and down.
     static FrameSize samples(FrameSize frame) {
         return {std::max(1, frame.width / step), std::max(1, frame.height / step)};
     }
@@ -30,33 +30,33 @@ struct Seen {
 struct ClustersInView {
     std::vector<std::uint32_t> opaque, transparent;
 };
-/// Without the background unless `background`.
+/// Excludes the background unless `background`.
 void find_clusters(const PlanScene& scene, const View& view, bool background, ClustersInView& found);
 
-/// What a view shows of the model, regardless of the photos.
+/// The visible part of the model, independent of the photos.
 struct VisibleSurface {
     const PlanScene& scene;
     const View& view;
     Eigen::Vector3d eye;
     std::vector<std::uint32_t> clusters;                 ///< in view, opaque
     std::vector<double> areas{};                         ///< per cluster in view; any unit, 0: hidden
-    std::vector<std::uint32_t> triangles{};              ///< seen, with repetitions; none: unknown
-    std::vector<std::uint32_t> clusters_of_triangles{};  ///< of each of them
-    /// Points on some of the triangles seen, with their triangles and clusters.
+    std::vector<std::uint32_t> triangles{};              ///< visible ones, with repetitions; none: unknown
+    std::vector<std::uint32_t> clusters_of_triangles{};  ///< one per triangle
+    /// Points on some of the visible triangles, with their triangles and clusters.
     struct Points {
         std::vector<SurfaceSample> samples;
         std::vector<std::uint32_t> triangles, clusters;
-        double pixels = 0;  ///< samples of the picture that each point stands for
+        double pixels = 0;  ///< samples of the picture represented by each point
     } points{};
 };
 
-/// Without the background unless `settings` have it. On complete pictures there are more points; if seen
+/// Excludes the background unless enabled in `settings`. Complete pictures have more points; if the visible
 /// triangles are known, clusters within `settings.margin` of the frame count as in view.
 VisibleSurface visible_surface(const PlanScene& scene, const View& view, const Seen& seen,
                                const PlanSettings& settings);
 
-/// How well a photo agrees with the view, in [0, 1]: the share of the visible mesh that it sees, weighted by
-/// the angle; 0 if it sees nothing of it.
+/// Agreement of a photo with the view, in [0, 1]: the fraction of the visible mesh that it sees, weighted by
+/// the angle; 0 if it sees none of it.
 double agreement(const VisibleSurface& surface, std::uint32_t photo);
 
 /// The photo sees a triangle at least in part.

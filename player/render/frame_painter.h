@@ -9,28 +9,28 @@
 
 namespace vantage {
 
-/// Paints frames that are planned: the bare surface of each eye, then points, photos and transparent surfaces
-/// on it, which the resolver adds to the samples of the eye's picture. Belongs to the OpenGL thread; the
+/// Paints planned frames: the bare surface of each eye, then points, photos and transparent surfaces on it,
+/// which the resolver adds to the samples of the eye's picture. Belongs to the OpenGL thread; the
 /// constructor's arguments must outlive it.
 class FramePainter {
   public:
     FramePainter(FrameResources& resources, FrameTiles& tiles, FrameResolver& resolver)
         : resources_(&resources), tiles_(&tiles), resolver_(&resolver) {}
 
-    /// Begins a frame. Draws the bare surfaces of both eyes if that is done at once. The frame must stay as
-    /// it is until its last eye is painted.
+    /// Begins a frame. Draws the bare surfaces of both eyes if they are drawn together. The frame must not
+    /// change until its last eye is painted.
     void begin(const PlannedFrame& frame);
     /// Paints an eye, and may draw the bare surface of the next. Adds to the report.
     void paint(PlannedFrame& frame, std::size_t eye, FrameReport& report);
-    /// Replaces what was painted last by the photos of the frame's first eye, as far as they had faded in,
-    /// seen from another view, with one sample per pixel.
+    /// Replaces the last painted eye by the photos of the frame's first eye, in their current state of
+    /// fading, seen from another view, with one sample per pixel.
     void paint_again(PlannedFrame& frame, const View& view, const RenderSettings& settings);
 
   private:
     using Pass = FrameTiles::Pass;
-    /// The bare surface of an eye that has one of its own.
+    /// A separate bare surface of an eye.
     struct OwnSurface {
-        std::optional<DrawnView> prepared;  ///< what it is drawn for
+        std::optional<DrawnView> prepared;  ///< the view that it was drawn for
         bool drawn = false;
     };
 

@@ -9,36 +9,36 @@
 
 namespace vantage {
 
-/// The one of a pixel's side * side samples that a frame draws, or all of them.
+/// One of a pixel's side * side samples, or all of them.
 struct PixelSample {
     int index = 0, side = 1;
     bool all = false;
-    /// Samples per side of a pixel that the frame draws.
+    /// Samples per side of a pixel in this frame.
     int drawn() const { return all ? side : 1; }
 };
 
-/// Samples of frames that draw one each, `side` * `side` together.
+/// Samples of successive frames with one sample each, `side` * `side` in total.
 std::vector<PixelSample> single_samples(int side);
 
 /// A frame to draw.
 struct FrameRequest {
-    std::span<const View> eyes;  ///< of one eye or two, of the same size
+    std::span<const View> eyes;  ///< one or two eyes, of the same size
     const RenderSettings& settings;
-    /// Indices. Held-out photos are skipped, and those of image sets that are not shown.
+    /// Indices. Held-out photos and those of hidden image sets are skipped.
     std::span<const std::uint32_t> photos;
-    PixelSample sample{};        ///< added to the samples drawn since sample 0, unless they are all
+    PixelSample sample{};        ///< added to the samples drawn since sample 0, unless it is all
     double now = 0;              ///< seconds, for fading
-    const View* next = nullptr;  ///< the view expected soon, to prefetch for
+    const View* next = nullptr;  ///< the next expected view, for prefetching
 };
 
-/// Where a picture is shown.
+/// Destination of a picture.
 struct ShowTarget {
     GLuint framebuffer;
-    bool flip = false;    ///< its first row is at the bottom, as a window's is
-    std::size_t eye = 0;  ///< whose picture is shown
+    bool flip = false;    ///< its first row is at the bottom, as in a window
+    std::size_t eye = 0;  ///< the eye whose picture is shown
 };
 
-/// Keeps non-finite values, and values whose square overflows single precision, from the shaders. Throws
+/// Rejects views with non-finite values, or values whose square overflows single precision. Throws
 /// Error(usage).
 void check_view(const View& view);
 

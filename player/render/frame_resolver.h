@@ -12,13 +12,13 @@
 
 namespace vantage {
 
-/// An image set of an eye that is being painted.
+/// An eye's image set during painting.
 struct PaintedImageSet {
     DrawnView drawn;
     PixelSample sample{};
     double now = 0;  ///< seconds
     std::size_t eye = 0;
-    bool second = false;       ///< of two image sets: its samples are accumulated by themselves
+    bool second = false;       ///< of two image sets, whose samples are accumulated separately
     bool transparent = false;  ///< transparent surfaces are shown
     FrameReport report{};
 };
@@ -31,10 +31,11 @@ class FrameResolver {
 
     /// Adds the picture in sums, lit, with points and transparent surfaces, to the samples of its eye.
     void resolve(int sums, const PaintedImageSet& image_set);
-    /// Keeps the picture in sums, of photos that are being replaced, with transparent holes; resolve() mixes
+    /// Stores the picture in sums, of photos that are being replaced, with transparent holes; resolve() mixes
     /// it in.
     void resolve_before(int sums, const PaintedImageSet& image_set);
-    /// Shows the samples of an eye; the target has the view's size. `image_sets`: which they are of.
+    /// Shows the samples of an eye; the target has the view's size. `image_sets`: the image sets of the
+    /// samples.
     void show(const View& view, const RenderSettings& settings, const ShownImageSets& image_sets,
               const ShowTarget& target);
 
@@ -53,7 +54,7 @@ class FrameResolver {
 
     FrameResources* resources_;
     gl::Program plain_program_, show_program_;
-    std::map<std::vector<std::string>, gl::Program> other_programs_;  ///< by what was asked for
+    std::map<std::vector<std::string>, gl::Program> other_programs_;  ///< by their definitions
     gl::VertexArray no_vertices_;
 };
 

@@ -16,16 +16,16 @@
 
 namespace vantage {
 
-/// What a package's frames are drawn from and into: its model, photos and points in graphics memory, and
-/// render targets. Belongs to the OpenGL thread; the package must outlive it.
+/// Resources for drawing a package's frames: its model, photos and points in graphics memory, and render
+/// targets. Belongs to the OpenGL thread; the package must outlive it.
 struct FrameResources {
     FrameResources(const PackageReader& package, const MemoryBudget& budget);
     FrameResources(const FrameResources&) = delete;
     FrameResources& operator=(const FrameResources&) = delete;
 
     const PackageReader& package;
-    const bool software;          ///< frames are drawn by the processor
-    const bool layers_by_vertex;  ///< a vertex can choose the layer that it is drawn into
+    const bool software;          ///< rendering on the CPU
+    const bool layers_by_vertex;  ///< vertex shaders can select the layer
     RenderTrials trials;          ///< apply from the next frame
     PlanScene scene;
     PhotoStore store;
@@ -35,20 +35,21 @@ struct FrameResources {
     SceneParts parts;
     PhotoPasses photos;
     std::optional<PointPass> points;             ///< if there is a cloud
-    std::optional<TransparentPass> transparent;  ///< if some of the mesh is not opaque
+    std::optional<TransparentPass> transparent;  ///< if some of the mesh is transparent
     std::optional<HoleFilling> filling;          ///< if there is a background
     FrameTargets targets;                        ///< of the last frame
-    PassClock pass_clock{};                      ///< off unless a measurement starts it
+    PassClock pass_clock{};                      ///< off unless started by a measurement
 
-    /// Why a server did not give all that was requested recently; empty if it did, and for a file.
+    /// Reason why a server recently failed to deliver requested data; empty without a failure, and for a
+    /// file.
     std::string failure() const;
 };
 
-/// Whether a frame shows transparent surfaces, of which its first plan has some in view. Only in colors:
-/// between counts or false colors, others would say what is not so.
+/// Whether a frame shows transparent surfaces, with some in view in its first plan. Only for colors: mixed
+/// with counts or false colors, they would give wrong values.
 bool shows_transparent(const FrameResources& resources, const RenderSettings& settings, const ViewPlan& plan);
 
-/// How the bare surfaces of a frame are drawn: of two eyes as the trials say; never automatic.
+/// How a frame's bare surfaces are drawn: for two eyes according to the trials; never automatic.
 EyeSurfaces eye_surfaces(const FrameResources& resources, const RenderSettings& settings, std::size_t eyes);
 
 }  // namespace vantage

@@ -17,8 +17,8 @@ class FrameRing {
 
     /// Moves to the next region; waits only if the graphics card is a whole ring behind.
     void begin();
-    /// Space in the region: where to write, and its offset in the buffer, aligned for a block or a storage
-    /// buffer. Throws std::logic_error if the region is too small.
+    /// Space in the region: a pointer for writing, and its offset in the buffer, aligned for a uniform or
+    /// storage buffer. Throws std::logic_error if the region is too small.
     struct Space {
         std::byte* memory;
         GLintptr offset;

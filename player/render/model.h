@@ -10,22 +10,22 @@
 namespace vantage {
 
 /// The package's mesh and the background on the graphics card, with the attributes of shaders/contract.glsl.
-/// Colors are present only if vertex colors or transparency are on, or if there is a background. The
-/// attribute `draw` is one DrawRecord per draw, selected by base instance from a buffer that each pass binds.
+/// Colors exist only if vertex colors or transparency are on, or if there is a background. The attribute
+/// `draw` is one DrawRecord per draw, selected by base instance from a buffer that each pass binds.
 struct Model {
     gl::Buffer positions, normals, colors, indices;
-    gl::Buffer triangle_clusters;  ///< of each triangle, if photos can be blended by_triangle
-    gl::Buffer values;             ///< of the scalar field shown last, once one was
+    gl::Buffer triangle_clusters;  ///< cluster of each triangle, if photos can be blended by_triangle
+    gl::Buffer values;             ///< of the last scalar field shown, if any
     gl::VertexArray vertices;
     std::uint32_t vertex_count = 0;  ///< of the mesh
-    /// Triangles that indices and triangle_clusters hold at most, behind the scene's.
+    /// Capacity of indices and triangle_clusters for additional triangles after the scene's.
     std::size_t coarse_capacity = 0;
 };
 
-/// Makes a field's values, one per vertex of the mesh, the attribute `value`.
+/// Sets the attribute `value` to a field's values, one per vertex of the mesh.
 void show_values(Model& model, const PlanScene& scene, std::span<const float> values);
 
-/// Puts a coarse mesh of the scene behind its triangles. False if it has too many triangles.
+/// Appends a coarse mesh of the scene after its triangles. False if it has too many triangles.
 bool add_coarse_mesh(Model& model, const PlanScene& scene, const CoarseMesh& mesh);
 
 /// Throws Error(damaged) for a checksum mismatch or a triangle with a vertex out of range.

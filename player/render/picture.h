@@ -8,14 +8,14 @@
 
 namespace vantage {
 
-/// A rendered picture: RGBA, 8 bits, sRGB, top row first, alpha 0 where nothing contributed.
+/// A rendered picture: RGBA, 8 bits, sRGB, top row first, alpha 0 without a contribution.
 struct Picture {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
     FrameReport report;
 };
 
-/// How a picture is taken.
+/// Parameters of taking a picture.
 struct PictureSpec {
     const RenderSettings& settings;
     std::span<const std::uint32_t> photos;  ///< indices
@@ -27,10 +27,10 @@ struct PictureSpec {
 Picture take_picture(Renderer& renderer, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side);
 
-/// The picture, of this size, that `show` shows in the framebuffer that it is given; without a report.
+/// The picture of this size that `show` draws into the given framebuffer; without a report.
 Picture picture_of(FrameSize size, const std::function<void(GLuint target)>& show);
 
-/// What the renderer last drew, of the same view; without a report.
+/// The renderer's last picture, of the same view; without a report.
 Picture shown_picture(Renderer& renderer, const View& view, const RenderSettings& settings);
 
 /// Writes a PNG to FILE.part and renames it. Throws Error(storage).

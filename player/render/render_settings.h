@@ -19,13 +19,13 @@ namespace vantage {
 /// Weighted average [M], unstructured lumigraph (after Buehler et al. 2001) or best photo [P]; rows of
 /// blend_table(). The window's settings file stores the numbers.
 enum class Blend { average, lumigraph, best, count };
-/// Texture coordinates per vertex or per fragment; automatic: by the package's effects.
+/// Texture coordinates per vertex or per fragment; automatic: depends on the package's effects.
 enum class Coordinates { automatic, vertex, fragment, count };
-/// False colors: which photo, or how many photos. Values as in shaders/contract.glsl.
+/// False colors: photo index, or number of photos. Values as in shaders/contract.glsl.
 enum class Show { colors, sources, coverage, count };
 /// Comparison with a photo. Values as in shaders/contract.glsl.
 enum class Compare { nothing, side_by_side, swipe, difference, count };
-/// What photos show beside the mesh, if the package has it.
+/// The photographed background, if the package has one.
 enum class ShowBackground { on, dimmed, off, count };
 
 inline constexpr int max_photos_per_pass = 16;
@@ -33,107 +33,109 @@ inline constexpr int max_photos_per_pass = 16;
 /// (vantage-bench, "blending").
 inline constexpr int window_photos = 4;
 
-/// A scalar field in place of the photos, or mixed with them. Its colors are not shaded: they are those of
+/// A scalar field instead of the photos, or mixed with them. Its colors are not shaded, so that they match
 /// the legend.
 struct FieldSettings {
     int index = -1;  ///< -1: none
     ColorMap map = ColorMap::automatic;
-    std::optional<ValueRange> range;  ///< whole_range() if not given; values beyond have the end's color
-    bool logarithmic = false;         ///< values that are not positive count as no value
+    std::optional<ValueRange> range;  ///< whole_range() by default; values outside have the end's color
+    bool logarithmic = false;         ///< non-positive values count as missing
     int isolines = 0;                 ///< intervals between lines; 0: no lines
-    double share = 1;                 ///< of the field's color, beside the photos'
+    double share = 1;                 ///< of the field's color in a mix with photos
     bool operator==(const FieldSettings&) const = default;
 };
 
-/// Light on the bare geometry, in place of the photos or times them. Values as in shaders/contract.glsl.
+/// Light on the bare geometry, instead of the photos or multiplied with them. Values as in
+/// shaders/contract.glsl.
 enum class Light { photos, lamp, raking, normals, count };
 struct LightSettings {
     Light light = Light::photos;
     double azimuth = 135;    ///< degrees, of the raking light: 0 from the right of the frame, 90 from above
-    double elevation = 15;   ///< degrees over the picture's plane, 1 to 90
-    bool on_photos = false;  ///< times the photos; does not apply to normals
-    bool wireframe = false;  ///< the borders of the triangles that are seen, over the picture
+    double elevation = 15;   ///< degrees above the picture plane, 1 to 90
+    bool on_photos = false;  ///< multiplied with the photos; does not apply to normals
+    bool wireframe = false;  ///< edges of the visible triangles, over the picture
     bool operator==(const LightSettings&) const = default;
 };
 
-/// The map and the range that the settings stand for, for one field.
+/// The map and the range of one field, as determined by the settings.
 struct FieldLegend {
     ColorMap map;
     ValueRange range;
 };
 FieldLegend field_legend(const ScalarField& field, const FieldSettings& settings);
 
-/// What a field's values are in, to be translated; null if that is only known to its file.
+/// The unit of a field's values, to be translated; null if it is stored in the field's file only.
 const char* unit_of(const ScalarField& field);
 
 /// How transparent surfaces are blended: sorted at each pixel, or by weighted sums.
 enum class Transparency { exact, approximate, off, count };
 
-/// How large points of a cloud are drawn.
+/// Unit of point sizes.
 enum class PointSize {
-    gaps,    ///< as far apart as neighboring points: gaps are filled
-    pixels,  ///< in the picture
+    gaps,    ///< spacing of neighboring points, which fills gaps
+    pixels,  ///< pixels of the picture
     world    ///< in input units
 };
 
-/// Whose colors points have.
+/// Source of point colors.
 enum class PointColor {
-    automatic,  ///< photos in a scene of points only, own beside a mesh
-    photos,     ///< the photos', where one shows the point, else their own
+    automatic,  ///< photos in a point-only scene, own next to a mesh
+    photos,     ///< the photos', where one shows the point, otherwise their own
     own
 };
 
-/// How a package's point cloud is shown.
+/// Display of a package's point cloud.
 struct PointSettings {
     bool show = true;
     bool alone = false;  ///< without the model
     PointColor color = PointColor::automatic;
-    bool pick = false;  ///< draws what Renderer::pick() reads
+    bool pick = false;  ///< draws data for Renderer::pick()
     PointSize by = PointSize::gaps;
     double size = 1;                   ///< diameter, in the unit of `by`
     double eye_dome = 1;               ///< strength of the shading by depth; 0: none
-    std::uint64_t budget = 2'000'000;  ///< points per frame, at most
+    std::uint64_t budget = 2'000'000;  ///< maximum number of points per frame
     bool operator==(const PointSettings&) const = default;
 };
 
-/// How two image sets are shown together.
+/// Layout of two image sets.
 enum class ImageSetView { mix, side_by_side, swipe, count };
 
-/// The image sets of photos that are shown, by their numbers. Photos of one are never blended with those of
-/// another: each makes a picture of its own.
+/// The shown image sets of photos, by index. Photos of different image sets are never blended: each image set
+/// makes its own picture.
 struct ImageSetSettings {
     std::uint32_t shown = 0;
     std::optional<std::uint32_t> other{};  ///< a second image set
     ImageSetView how = ImageSetView::mix;
     double share = 0;    ///< of the other image set in a mix, 0 to 1
-    double swipe = 0.5;  ///< share of the width at which the other image set begins
+    double swipe = 0.5;  ///< fraction of the width at which the other image set begins
     bool operator==(const ImageSetSettings&) const = default;
 };
 
-/// What is behind the model if holes are filled.
+/// The background behind the model if holes are filled.
 struct PlainBackground {
     std::array<float, 3> top{0.012f, 0.014f, 0.018f}, bottom = top;  ///< linear; a gradient between them
-    /// Share of the shorter side over which the picture fades toward its edges, into the background or into
-    /// transparency; not while it is compared.
+    /// Fraction of the shorter side over which the picture fades toward its edges, into the background or
+    /// into transparency; not during a comparison.
     double soft_edges = 0;
     bool operator==(const PlainBackground&) const = default;
 };
 
-/// Of a scene without a background: calm, in the shade that its photos show beside the model.
+/// For a scene without a photographed background: neutral, with the brightness around the model in its
+/// photos.
 PlainBackground plain_background_of(const package::SceneRecord& scene);
 
-/// Which tiles and points a frame waits for.
+/// The tiles and points that a frame waits for.
 enum class Loading {
     complete,  ///< all that the view needs; photos do not fade
-    sparing,   ///< the same, without tiles of which little is shown
-    /// All that the frame needs. Photos fade as in a window, and are chosen for the triangles that the frame
-    /// before showed: the same frames at the same times give the same pictures.
+    sparing,   ///< the same, without tiles of which only a small part is visible
+    /// All that the frame needs. Photos fade as in a window, and are chosen for the triangles of the previous
+    /// frame: equal frames at equal times give equal pictures.
     repeatable,
-    streamed,   ///< none: shows what is resident once upload_bytes are uploaded, at most; photos fade
+    streamed,   ///< none: shows resident tiles, after uploading at most upload_bytes; photos fade
     uploading,  ///< streamed, but waits for tiles until upload_bytes are uploaded
-    beginning   ///< streamed, but waits for what photos need to be drawn at all: for the first of frames
+    beginning   ///< streamed, but waits for the minimum of each photo: for the first frame
 };
-/// Whether a frame's pictures are complete at once: it chooses photos for what it shows, and none fades.
+/// Whether a frame's pictures are complete immediately: photos are chosen for this frame, and none fades.
 inline bool is_complete(Loading l) { return l == Loading::complete || l == Loading::sparing; }
 /// Whether a frame waits for all that it needs.
 inline bool waits_for_tiles(Loading l) { return is_complete(l) || l == Loading::repeatable; }
@@ -141,16 +143,16 @@ inline bool waits_for_tiles(Loading l) { return is_complete(l) || l == Loading::
 /// How a view is rendered.
 struct RenderSettings {
     Blend blend = Blend::lumigraph;
-    bool transients = false;  ///< outlying colors count less: a second round of passes
+    bool transients = false;  ///< outlying colors have lower weights: needs a second round of passes
     Coordinates coordinates = Coordinates::automatic;
     WeightSettings weights;
     Choice choice = Choice::cover;
     int photos = 0;               ///< minimum number of photos; 0: all
     double angle_limit = 150;     ///< degrees between viewing directions [M]
-    bool fill_holes = false;      ///< plain shading where no photo contributes, and a background
+    bool fill_holes = false;      ///< plain shading on surfaces without photos, and a background
     bool fill_background = true;  ///< if holes are filled; otherwise the background stays transparent
     int photos_per_pass = max_photos_per_pass;
-    double lod_bias = 0;      ///< levels; below 0 is sharper
+    double lod_bias = 0;      ///< levels; negative values are sharper
     bool thumbnails = false;  ///< nothing finer than base levels, see base_level()
     Show show = Show::colors;
     ShowBackground background = ShowBackground::on;
@@ -161,28 +163,28 @@ struct RenderSettings {
     ImageSetSettings image_sets;
     Compare compare = Compare::nothing;
     std::uint32_t compare_photo = 0;
-    std::optional<View> weights_from;       ///< weights frozen as seen from there [M]
-    double swipe = 0.5;                     ///< share of the width
-    bool refined_colors = true;             ///< apply gains and vignetting if the package's effects are on
+    std::optional<View> weights_from;  ///< weights are frozen as for this view [M]
+    double swipe = 0.5;                ///< fraction of the width
+    bool refined_colors = true;        ///< apply gains and vignetting if the package's effects are enabled
     std::optional<std::uint32_t> exposure;  ///< of this photo, instead of the view's
     Loading loading = Loading::complete;
     bool reduced = false;                                                ///< see PlanSettings::reduced
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< per frame
-    std::vector<SectionPlane> sections;  ///< at most max_sections; cut the mesh only
+    std::vector<SectionPlane> sections;  ///< at most max_sections; only cut the mesh
     PlainBackground plain_background;
     FrameSize capacity;  ///< frames up to this size, or the view's, need no new render targets
     bool operator==(const RenderSettings&) const = default;
 };
 
-/// The plan settings that follow from these, for one sample per pixel. `anisotropy`: see RenderTrials.
+/// The plan settings derived from these, for one sample per pixel. `anisotropy`: see RenderTrials.
 PlanSettings plan_settings(const RenderSettings& settings, int anisotropy = 1);
 
 /// Memory limits in bytes.
 struct MemoryBudget {
-    std::uint64_t graphics = 0;                    ///< 0: by the size of the frame
-    std::uint64_t ring = std::uint64_t(32) << 20;  ///< of the buffer that uploads pass through
-    std::uint64_t elsewhere = 0;                   ///< graphics memory that other renderers hold
-    std::uint64_t cache = std::uint64_t(4) << 30;  ///< on the disk, of packages on servers
+    std::uint64_t graphics = 0;                    ///< 0: depends on the frame size
+    std::uint64_t ring = std::uint64_t(32) << 20;  ///< upload buffer
+    std::uint64_t elsewhere = 0;                   ///< graphics memory of other renderers
+    std::uint64_t cache = std::uint64_t(4) << 30;  ///< on the disk, for remote packages
 };
 
 }  // namespace vantage

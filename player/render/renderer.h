@@ -17,27 +17,27 @@ class Renderer {
   public:
     Renderer(const PackageReader& package, const MemoryBudget& budget);
 
-    /// The samples that frames for one eye draw so that each pixel has `side` * `side`: one frame for all, or
-    /// one for each.
+    /// The sequence of samples that gives each pixel `side` * `side` samples for one eye: one frame for all,
+    /// or one frame per sample.
     std::vector<PixelSample> samples(const View& view, const RenderSettings& settings, int side) const;
     /// Draws one sample of each pixel of `view`, or all, see FrameRequest. Throws Error(usage) for a view
     /// that cannot be drawn.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
-    /// The same in steps, for one eye or two. Plans for all of them, and streams what they need; paint() then
-    /// draws one, and may draw the surface of the next. See FramePlanner::plan().
+    /// The same in steps, for one or two eyes. Plans for all of them, and streams their data; paint() then
+    /// draws one eye, and may draw the surface of the next. See FramePlanner::plan().
     FrameReport prepare(const FrameRequest& request);
-    /// Draws an eye of the frame that was prepared last. Adds to its report.
+    /// Draws an eye of the last prepared frame. Adds to its report.
     void paint(std::size_t eye, FrameReport& report);
-    /// Replaces what the last draw() drew by its photos, as far as they had faded in, seen from another view
-    /// of the same size, one sample per pixel. The plan and the fading stay those of the last draw(). With
-    /// settings.weights_from of that draw's view, a surface gets the weights that it had there.
+    /// Replaces the picture of the last draw() by the same photos, in their current state of fading, from
+    /// another view of the same size, with one sample per pixel. The plan and the fading do not change. With
+    /// settings.weights_from of that draw's view, surfaces keep their weights.
     void redraw(const View& view, const RenderSettings& settings);
-    /// Shows the samples drawn for an eye in a framebuffer, which has the view's size.
+    /// Shows the samples of an eye in a framebuffer of the view's size.
     void show(const View& view, const RenderSettings& settings, const ShowTarget& target);
 
-    /// Asks for the point at a pixel of the frame drawn last, if it was drawn with settings.points.pick or
-    /// with photos on points; the answer comes a few calls later. See PointPicking.
+    /// Requests the point at a pixel of the last frame, if it was drawn with settings.points.pick or with
+    /// photos on points; the answer arrives a few calls later. See PointPicking.
     void pick(const Eigen::Vector2i& pixel);
     const std::optional<PickedPoint>& picked() const { return picking_.found(); }
 
@@ -51,7 +51,7 @@ class Renderer {
     std::uint64_t held() const { return held_; }
 
   private:
-    std::uint64_t held_ = gl::memory_held();  ///< until the constructor ends: what others hold
+    std::uint64_t held_ = gl::memory_held();  ///< during construction: the amount held by others
     FrameResources resources_;
     FramePlanner planner_;
     FrameResolver resolver_;

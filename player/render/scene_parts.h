@@ -8,19 +8,18 @@ struct SceneParts {
     bool mesh = false, photos = false, points = false, background = false;
 };
 
-/// The settings that apply: in a scene of points only there is nothing but points, and no surface to put
-/// light or scalar fields on.
+/// Restricts settings to those that apply: a point-only scene has only points, and no surface for light or
+/// scalar fields.
 RenderSettings usable(RenderSettings settings, const SceneParts& parts);
 
-/// Whether points have the photos' colors where photos show them.
+/// Whether points are colored by photos.
 bool photos_on_points(const RenderSettings& settings, const SceneParts& parts);
 bool shows_points(const RenderSettings& settings, const SceneParts& parts);
-/// Whether photos are needed: points alone need none, and neither does light, unless there is a
-/// background to show.
+/// Whether photos are needed: points alone and light do not need them, unless a background is shown.
 bool shows_photos(const RenderSettings& settings, const SceneParts& parts);
 bool shows_background(const RenderSettings& settings, const SceneParts& parts);
-/// Whether holes get the colors around them. Only in colors: between counts or false colors, others would say
-/// what is not so.
+/// Whether holes are filled with surrounding colors. Only for colors: mixed with counts or false colors, they
+/// would give wrong values.
 bool fills_holes(const RenderSettings& settings, const SceneParts& parts);
 
 }  // namespace vantage

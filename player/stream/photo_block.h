@@ -7,12 +7,11 @@
 
 namespace vantage {
 
-/// A photo as the shaders read it (std140).
+/// A photo's data in the shaders (std140).
 using PhotoBlock = shader::Photo;
 static_assert(shader::level_count == max_levels);
 
-/// The fields that do not change from frame to frame; nothing is resident. `label`: see
-/// BackgroundContent.
+/// The fields that are constant over frames; nothing is resident. `label`: see BackgroundContent.
 PhotoBlock make_photo_block(const package::PhotoRecord& photo, std::uint32_t index, std::uint8_t label = 0);
 
 /// A color that distinguishes photo `index` from the others, sRGB in [0, 1].

@@ -16,32 +16,34 @@
 
 namespace vantage {
 
-/// The resident parts of the photos, and those in flight. Per frame: begin_frame(); request what is needed;
+/// The resident parts of the photos, and those in flight. Per frame: begin_frame(); request the needed parts;
 /// stream() or load(); write_pages() for the shaders. Belongs to the OpenGL thread.
 class PhotoStore {
   public:
     PhotoStore(const PackageReader& package, std::uint64_t ring_bytes);
 
     /// Allocates at most `bytes` of graphics memory. Evicts everything if the allocation changes; it is kept
-    /// while it is within the budget and more than half of it. Throws Error(usage) if `bytes` is too little.
+    /// while it is within the budget and more than half of it. Throws Error(usage) if `bytes` is
+    /// insufficient.
     void fit(std::uint64_t bytes, bool with_coordinates);
-    /// Makes room for as many tiles at once, and no more. If the limits of the arrays are lower, raises them,
+    /// Makes space for exactly this many tiles at once. If the limits of the arrays are lower, raises them,
     /// which evicts everything, unless all arrays would then exceed `bytes`.
     void make_room(std::uint32_t color, std::uint32_t weight_maps, std::uint64_t bytes);
     std::uint64_t bytes() const { return residency_ ? residency_->bytes() : 0; }
     bool has_coordinates() const { return residency_ && residency_->layout().coordinates > 0; }
 
-    /// Shows weight maps with other transient weights than those stored: `weights` gives a photo's map, see
+    /// Replaces the stored transient weights in the weight maps: `weights` returns a photo's map, see
     /// set_weights; it is called when a tile of its weight maps is to be fetched, and must remain valid.
     /// Evicts all weight maps. Requires that nothing is in flight. Empty: the stored weights.
     void use_weights(std::function<const TransientMap*(std::uint32_t photo)> weights);
 
-    /// Begins a frame at `now` seconds; without `fade`, tiles are shown in full as soon as they arrive.
+    /// Begins a frame at `now` seconds; without `fade`, tiles are shown at full weight as soon as they
+    /// arrive.
     void begin_frame(double now, bool fade);
-    /// Requests the minimum for showing a photo: color of its base level, coarsest weight maps, and
-    /// texture coordinates if `coordinates`.
+    /// Requests the minimum for drawing a photo: color of its base level, coarsest weight maps, and texture
+    /// coordinates if `coordinates`.
     void need_base(std::uint32_t photo, bool coordinates);
-    /// Requests tiles. Returns how many are not resident (damaged ones excepted).
+    /// Requests tiles. Returns the number that are not resident, not counting damaged ones.
     std::size_t need(std::uint32_t photo, const TileNeeds& needs);
     /// The same, with the lowest priority and only while there is space.
     void prefetch(std::uint32_t photo, const TileNeeds& needs);
@@ -49,19 +51,19 @@ class PhotoStore {
     std::size_t missing(std::uint32_t photo, const TileNeeds& needs) const;
     void need_thumbnail(std::uint32_t photo);
 
-    /// Uploads at most `budget` bytes of what has been fetched, or one larger piece, and fetches what this
-    /// frame has requested. Returns the bytes uploaded.
+    /// Uploads at most `budget` bytes of fetched data, or one larger piece, and fetches this frame's
+    /// requests. Returns the bytes uploaded.
     std::size_t stream(std::size_t budget);
-    /// The same, but waits for what it requests, until the budget is used.
+    /// The same, but waits for the requests until the budget is used.
     std::size_t await(std::size_t budget);
-    /// How many resources that this frame needs are being fetched.
+    /// The number of needed resources that are being fetched.
     std::size_t to_come() const { return to_come_; }
     /// Fetches and uploads everything requested since the last call or the start of the frame. Waits. Throws
-    /// Error(input) if a server does not give it.
+    /// Error(input) if a server does not deliver it.
     void load();
     /// The same, within `budget` bytes. Returns the bytes uploaded.
     std::size_t load(std::size_t budget);
-    /// Uploads a whole photo in this frame, however long it takes. Returns the bytes uploaded.
+    /// Uploads a complete photo in this frame, without a time limit. Returns the bytes uploaded.
     std::size_t load_whole(std::uint32_t photo);
 
     bool base_resident(std::uint32_t photo, bool coordinates) const;
@@ -69,7 +71,7 @@ class PhotoStore {
     const Residency& residency() const { return *residency_; }
     StreamedSoFar streamed() const { return stream_.streamed(); }
     std::size_t waiting() const { return stream_.waiting(); }
-    /// Why a server did not give all that was requested recently; empty if it did.
+    /// Reason why a server recently failed to deliver requested data; empty without a failure.
     std::string failure() const {
         return residency_ && residency_->absent_count() > 0 ? stream_.failure() : std::string();
     }
@@ -83,7 +85,7 @@ class PhotoStore {
     void bind() const;
 
   private:
-    /// How urgently a missing piece is needed, in increasing order.
+    /// Urgency of a missing piece, in increasing order.
     enum class Urgency {
         prefetch,     ///< for future frames
         panel,        ///< thumbnails that only panels show
@@ -100,7 +102,7 @@ class PhotoStore {
     void enlarge(std::uint32_t color, std::uint32_t weight_maps, std::uint64_t bytes);
     void want(StreamRequest request, Urgency urgency, std::uint32_t level = 0);
     std::size_t want(std::uint32_t photo, const TileNeeds& needs, Urgency urgency);
-    /// Sorts wanted_: the most urgent first, coarse levels before fine ones, else as requested.
+    /// Sorts wanted_: by urgency, coarse levels before fine ones, then in the order of requests.
     void sort_wanted();
 
     const PackageReader* package_;
@@ -111,7 +113,7 @@ class PhotoStore {
     std::unique_ptr<Residency> residency_;
     std::function<const TransientMap*(std::uint32_t photo)> weights_;
     std::vector<Wanted> wanted_;                         ///< not resident
-    std::pmr::unsynchronized_pool_resource identities_;  ///< their memory, kept from frame to frame
+    std::pmr::unsynchronized_pool_resource identities_;  ///< their memory, reused between frames
     std::pmr::unordered_set<std::uint64_t> wanted_identities_{&identities_};
     std::vector<StreamRequest> missing_, ordered_;
     std::size_t to_come_ = 0;

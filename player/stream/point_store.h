@@ -11,11 +11,11 @@
 
 namespace vantage {
 
-/// Blocks of a cloud's points in graphics memory; the least recently used are evicted, but never those that
-/// the current frame uses. Belongs to the OpenGL thread.
+/// Blocks of a cloud's points in graphics memory; evicts the least recently used ones, but never those used
+/// by the current frame. Belongs to the OpenGL thread.
 class PointStore {
   public:
-    /// Graphics memory for points at most, and for the buffer that uploads pass through.
+    /// Maximum graphics memory for points, and for the upload buffer.
     static constexpr std::uint64_t max_bytes = std::uint64_t(256) << 20, ring_bytes = std::uint64_t(4) << 20;
 
     /// `bytes` of graphics memory for points, but at least two blocks.
@@ -23,29 +23,30 @@ class PointStore {
 
     /// Begins a frame at `now` seconds.
     void begin_frame(double now);
-    /// Marks the node's block as used in this frame, and requests it if it is not resident; false then.
+    /// Marks the node's block as used in this frame, and requests it if it is not resident; returns whether
+    /// it is.
     bool need(const package::PointNode& node);
     bool resident(const package::PointNode& node) const { return pool_.layer_of(node.block).has_value(); }
-    /// Whether the node's block is still to come: neither resident nor damaged, and there is space for it.
+    /// Whether the node's block is pending: neither resident nor damaged, and with space for it.
     bool awaits(const package::PointNode& node) const {
         return !resident(node) && !failed_.contains(node.block) && pool_.available(frame_) > 0;
     }
-    /// Uploads what has arrived, at most `budget` bytes or one block. Returns the bytes uploaded.
+    /// Uploads fetched data, at most `budget` bytes or one block. Returns the bytes uploaded.
     std::size_t stream(std::size_t budget);
-    /// Waits for all requested blocks that fit. Throws Error(input) if a server does not give them.
+    /// Waits for all requested blocks that fit. Throws Error(input) if a server does not deliver them.
     void load();
 
-    /// Where the node's first point is in buffer().
+    /// Index of the node's first point in buffer().
     std::uint32_t first_point(const package::PointNode& node) const {
         return *pool_.layer_of(node.block) * package::point_block + node.first;
     }
-    /// Another one after stream() or load() may be larger.
+    /// May be replaced by a larger one in stream() or load().
     GLuint buffer() const { return points_.id(); }
     /// Graphics memory by which the buffer may still grow, bytes.
     std::uint64_t growth() const;
     std::size_t damaged() const;
     std::size_t absent() const { return failed_.size() - damaged(); }
-    /// Why a server did not give all that was requested recently; empty if it did.
+    /// Reason why a server recently failed to deliver requested data; empty without a failure.
     std::string failure() const { return absent() > 0 ? stream_.failure() : std::string(); }
 
   private:

@@ -16,25 +16,25 @@
 
 namespace vantage {
 
-/// The bytes that requests read, of a package on a server. Threads of its own fetch them, the most urgent
-/// first and some together, so that neighboring ranges are one transfer. They stay readable until they are
-/// taken or no longer wanted. Thread-safe.
+/// The requested bytes of a remote package. Separate threads fetch them, the most urgent first, with
+/// neighboring ranges combined into one transfer. They stay readable until taken or no longer requested.
+/// Thread-safe.
 class RemoteBytes {
   public:
     /// `arrived` is called by those threads when bytes have arrived or could not be fetched.
     RemoteBytes(const PackageReader& package, std::function<void()> arrived);
     ~RemoteBytes();
 
-    /// Replaces the queue, most urgent first. Transfers that none of these need are cancelled.
+    /// Replaces the queue, most urgent first. Cancels transfers that none of these need.
     void want(std::span<const StreamRequest> requests);
-    /// What became of a request.
+    /// Result of a request.
     struct Arrival {
         StreamRequest request;
         Held held;            ///< null if its bytes could not be fetched
-        std::string failure;  ///< why
+        std::string failure;  ///< reason of the failure
     };
-    /// The most urgent request that has arrived, which leaves the queue. It is left there if `accepts`
-    /// refuses it, which is asked only about bytes that were fetched.
+    /// Removes and returns the most urgent request that has arrived, unless `accepts` rejects it. `accepts`
+    /// is called only for fetched bytes.
     std::optional<Arrival> take(const std::function<bool(const StreamRequest&)>& accepts);
 
   private:

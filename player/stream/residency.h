@@ -11,7 +11,7 @@
 
 namespace vantage {
 
-/// How many of each resource fit into graphics memory.
+/// Capacity of graphics memory for each kind of resource.
 struct ResidencyLayout {
     std::uint32_t color = 0, weight_maps = 0, thumbnails = 0;  ///< layers of the array textures
     std::uint32_t coordinates = 0;                             ///< photos with texture coordinates per vertex
@@ -22,7 +22,7 @@ struct ResidencyLayout {
     bool operator==(const ResidencyLayout&) const = default;
 };
 
-/// Of an array texture.
+/// Limit of an array texture.
 std::uint32_t max_layers();
 
 /// Divides `bytes` of graphics memory: first thumbnails and coordinates (if `with_coordinates`), at most an
@@ -31,37 +31,38 @@ std::uint32_t max_layers();
 ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& pages, std::uint64_t bytes,
                               bool with_coordinates);
 
-/// Tiles, thumbnails and texture coordinates in graphics memory; the least recently used are evicted, but
-/// never those that the current frame uses. Belongs to the OpenGL thread.
+/// Tiles, thumbnails and texture coordinates in graphics memory; evicts the least recently used ones, but
+/// never those used by the current frame. Belongs to the OpenGL thread.
 class Residency {
   public:
-    /// Resources that are damaged, or that a server does not give, are not fetched again for this long.
+    /// Delay before damaged or undelivered resources are fetched again.
     static constexpr double retry_seconds = 5;
     struct Failure {
-        double at;     ///< when it was last found, seconds
-        bool damaged;  ///< else it could not be fetched
+        double at;     ///< time of the last failure, seconds
+        bool damaged;  ///< otherwise it could not be fetched
     };
 
     Residency(const PackageReader& package, const PackagePages& pages, const ResidencyLayout& layout);
 
-    /// Makes sure that the arrays have as many layers, or all that they may have.
+    /// Enlarges the arrays to this many layers, or to their maximum.
     void expect(std::uint32_t color, std::uint32_t weight_maps);
-    /// Begins a frame at `now` seconds; without `fade`, tiles are shown in full as soon as they arrive.
+    /// Begins a frame at `now` seconds; without `fade`, tiles are shown at full weight as soon as they
+    /// arrive.
     void begin_frame(double now, bool fade);
     /// Marks a resource as used in this frame. If it is not resident, returns false and appends it to
     /// `missing` unless it was damaged recently.
     bool need(const StreamRequest& request, std::vector<StreamRequest>& missing);
     /// The same for all of a photo's texture coordinates.
     bool need_coordinates(std::uint32_t photo, std::vector<StreamRequest>& missing);
-    /// Uploads what has been fetched, at most `budget` bytes or one larger piece. Returns the bytes uploaded.
+    /// Uploads fetched data, at most `budget` bytes or one larger piece. Returns the bytes uploaded.
     std::size_t upload(TileStream& stream, std::size_t budget);
-    /// Forgets all weight maps and depth.
+    /// Evicts all weight maps and depth.
     void evict_weight_maps();
-    /// Uploads all tiles of a photo at once, straight from the mapped package. Returns the bytes uploaded.
+    /// Uploads all tiles of a photo at once, directly from the mapped package. Returns the bytes uploaded.
     std::size_t upload_whole(std::uint32_t photo, std::uint32_t levels);
 
-    /// A page's entry for the shaders: the layer in the low 16 bits, above them how far it has faded in (0
-    /// to 255); or shader::not_resident.
+    /// A page's entry for the shaders: the layer in the low 16 bits, above them its state of fading in (0 to
+    /// 255); or shader::not_resident.
     std::uint32_t color_entry(std::uint32_t page, bool fades) const {
         return entry(color_pool_, color_arrivals_, page, fades);
     }
@@ -73,7 +74,7 @@ class Residency {
     }
     std::optional<std::uint32_t> coordinate_slot(std::uint32_t photo) const;
     bool holds(const StreamRequest& request) const;
-    /// Whether a photo's texture coordinates are here, or arriving.
+    /// Whether a photo's texture coordinates are resident or arriving.
     bool has_slot(std::uint32_t photo) const { return slot_pool_.layer_of(photo).has_value(); }
     /// How many more resources of a kind this frame can hold.
     std::uint32_t available(Resource resource) const { return pool_of(resource).available(frame_); }
@@ -99,16 +100,16 @@ class Residency {
   private:
     static constexpr double fade_seconds = 0.25;
     const LayerPool& pool_of(Resource resource) const;
-    /// Within the last retry_seconds. After that it is fetched again: a package may be restored while it is
-    /// shown, or the network.
+    /// Within the last retry_seconds. Afterward it is fetched again: the package or the network may have been
+    /// restored meanwhile.
     bool recently_failed(const StreamRequest& request) const;
     /// Fetches all pieces of a photo's texture coordinates again after one was restored: pieces share a
     /// checksum, and the others may have arrived while it mismatched.
     void discard_coordinates(const StreamRequest& restored);
     std::uint32_t entry(const LayerPool& pool, const std::vector<double>& arrivals, std::uint32_t page,
                         bool fades) const;
-    /// Copies from offset `source` of the unpack buffer, or from address `source` if that is 0. False if
-    /// nothing can be evicted.
+    /// Copies from offset `source` of the unpack buffer, or from address `source` if no buffer is bound.
+    /// False if nothing can be evicted.
     bool store(const StreamRequest& request, std::uintptr_t source, GLuint unpack_buffer);
 
     const PackageReader* package_;
@@ -121,7 +122,7 @@ class Residency {
     gl::Buffer coordinates_;
     struct Slot {
         std::uint32_t photo = 0xffffffffu;
-        std::vector<bool> arrived;  ///< which pieces
+        std::vector<bool> arrived;  ///< per piece
         std::uint32_t missing = 0;
     };
     std::vector<Slot> slots_;

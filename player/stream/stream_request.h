@@ -30,7 +30,7 @@ struct StreamRequest {
     bool reweighted = false;                ///< of weight maps: with the transient weights of `weights`
     const TransientMap* weights = nullptr;  ///< see set_weights
 
-    /// Bytes in the ring: of tiles, decoded.
+    /// Size in the upload ring; of tiles, decoded.
     std::uint64_t size() const;
     std::uint64_t identity() const { return std::uint64_t(resource) << 32 | key; }
 };

@@ -3,10 +3,10 @@
 
 namespace vantage {
 
-/// What the worker threads of a TileStream have done since opening.
+/// Total work of a TileStream's threads since opening.
 struct StreamedSoFar {
     std::uint64_t bytes = 0;  ///< read from the package
-    double seconds = 0;       ///< spent on reading and decoding, of all threads
+    double seconds = 0;       ///< spent on reading and decoding, sum of all threads
 
     StreamedSoFar operator+(const StreamedSoFar& o) const { return {bytes + o.bytes, seconds + o.seconds}; }
     StreamedSoFar operator-(const StreamedSoFar& o) const { return {bytes - o.bytes, seconds - o.seconds}; }

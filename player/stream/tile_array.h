@@ -6,21 +6,21 @@
 
 namespace vantage {
 
-/// An array texture of tiles. It begins with few layers and gets all of them when one beyond these is used:
-/// the first picture, which needs few tiles, does not wait for the memory of all. One that tells how many it
-/// needs gets no more: memory that is touched for the first time takes as long as tiles do. Belongs to the
-/// OpenGL thread.
+/// An array texture of tiles. It starts with few layers and is enlarged to its maximum on demand: the first
+/// picture, which needs few tiles, does not wait for the full allocation. With a given number of layers
+/// (expect()), it gets no more, since touching memory for the first time takes as long as uploading tiles.
+/// Belongs to the OpenGL thread.
 class TileArray {
   public:
-    /// `label` must outlive it. `first`: the layers that it begins with.
+    /// `label` must outlive it. `first`: the initial number of layers.
     TileArray(const char* label, GLenum format, GLenum filter, std::uint32_t layers, std::uint32_t first);
 
     GLuint id() const { return texture_.id(); }
-    /// Makes sure that there are as many layers, or all.
+    /// Enlarges it to this many layers, or to its maximum.
     void expect(std::uint32_t layers);
-    /// Makes sure that the layer, of those asked for, is there; layers keep what they hold.
+    /// Enlarges it if necessary to include the layer; layers keep their content.
     void make_room(std::uint32_t layer);
-    /// Those that take memory now.
+    /// The currently allocated layers.
     std::uint32_t layers() const { return layers_; }
 
   private:

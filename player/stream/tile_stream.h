@@ -19,7 +19,7 @@
 
 namespace vantage {
 
-/// A request whose bytes are in the ring, or why not.
+/// A request whose bytes are in the ring, or its failure.
 struct Fetched {
     enum class State {
         valid,
@@ -33,8 +33,8 @@ struct Fetched {
     std::size_t bytes() const { return piece ? piece->bytes : 0; }
 };
 
-/// Worker threads that copy or decode pieces of the mapped package into the upload ring. Of a package on a
-/// server, these are fetched first. All functions are for the OpenGL thread; only wait() waits.
+/// Worker threads that copy or decode pieces of the mapped package into the upload ring; pieces of a remote
+/// package are fetched first. All functions are for the OpenGL thread; only wait() blocks.
 class TileStream {
   public:
     TileStream(const PackageReader& package, std::size_t ring_bytes, unsigned threads);
@@ -46,7 +46,7 @@ class TileStream {
     void want(std::span<const StreamRequest> requests);
     /// The next fetched request; empty if there is none or it has more than `budget` bytes.
     std::optional<Fetched> take(std::size_t budget);
-    /// Must be called when what was taken has been uploaded or discarded.
+    /// Must be called when the taken piece has been uploaded or discarded.
     void release(const Fetched& fetched);
     /// Ends a frame: see UploadRing::fence.
     void fence();
@@ -58,7 +58,7 @@ class TileStream {
     std::size_t ring_bytes() const { return ring_.bytes(); }
     std::size_t waiting() const;
     StreamedSoFar streamed() const;
-    /// Why a request could not be fetched, of the last such request; empty if there was none.
+    /// Reason of the last failed fetch; empty if there was none.
     std::string failure() const;
 
   private:
@@ -68,13 +68,13 @@ class TileStream {
         Held held;
         std::string failure;
     };
-    /// With the mutex: the next request that can be started, which leaves the queue.
+    /// With the mutex: removes and returns the next request that can be started.
     std::optional<Task> next_task();
     std::optional<Task> next_arrival();
     /// Without the mutex.
     Fetched carry_out(Task& task, std::uint64_t& read, std::stop_token stop);
     void work(std::stop_token stop);
-    /// Adds to `read` the bytes of the package that it read.
+    /// Adds the number of bytes read from the package to `read`.
     bool fetch(const StreamRequest& request, std::span<std::byte> to, std::uint64_t& read,
                std::stop_token stop) const;
     bool point_block_valid(const StreamRequest& request) const;

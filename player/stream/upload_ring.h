@@ -25,7 +25,7 @@ class UploadRing {
     /// Empty if the ring does not have enough space now.
     std::optional<Piece> take(std::size_t bytes);
     std::span<std::byte> memory(const Piece& piece) { return {mapped_ + piece.offset, piece.bytes}; }
-    /// Must be called when the piece has been uploaded (before the next fence()) or is no longer wanted.
+    /// Must be called when the piece has been uploaded (before the next fence()) or is no longer needed.
     void release(const Piece& piece);
     /// Sets a fence for the pieces released since the last one, and reclaims pieces whose fence has passed.
     void fence();

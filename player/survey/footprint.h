@@ -8,14 +8,15 @@
 
 namespace vantage {
 
-/// How large a pixel of a photo is on a plane through a point that faces the photo.
+/// The size of a photo's pixel on a plane through a point, parallel to the photo's image plane.
 struct Footprint {
     double size;          ///< depth over focal length, in units of the package's mesh
-    std::uint32_t photo;  ///< whose pixels are that small
+    std::uint32_t photo;  ///< index of the photo
 };
 
-/// Those of the photos that see a point of a triangle (from 0), the smallest first: whose coverage has the
-/// triangle, in whose frame the point is, and between whose camera and the point the mesh has nothing else.
+/// Footprints of the photos that see a point of a triangle (from 0), the smallest first: those whose coverage
+/// includes the triangle, whose frame contains the point, and between whose camera and the point the mesh has
+/// no other surface.
 std::vector<Footprint> footprints(const PlanScene& scene, std::uint32_t triangle,
                                   const Eigen::Vector3d& position);
 /// The first of them. Nothing if no photo sees it.

@@ -12,26 +12,26 @@ namespace vantage {
 
 /// A point of a measurement.
 struct SurveyPoint {
-    Eigen::Vector3d position;  ///< in the input's coordinates, in its units
+    Eigen::Vector3d position;  ///< in input coordinates
     std::optional<double>
-        uncertainty{};    ///< standard, of each coordinate: see smallest_footprint(); nothing: unknown
-    std::string photo{};  ///< whose pixels that is; empty: unknown
+        uncertainty{};    ///< standard, per coordinate: see smallest_footprint(); nothing: unknown
+    std::string photo{};  ///< the photo with these pixels; empty: unknown
 };
 
-/// What is measured.
+/// Kind of a measurement.
 enum class Measure {
     point,     ///< coordinates
     distance,  ///< between two points
     polyline,  ///< the length of a chain of points
-    area,      ///< of a polygon, on the plane that fits its corners best
+    area,      ///< of a polygon, on the best-fitting plane of its corners
     angle,     ///< at the second of three points, 0 to 180 degrees
-    height,    ///< how much the second point is higher than the first
+    height,    ///< of the second point above the first
     count
 };
 /// "point", "distance", ...
 const char* name_of(Measure measure);
 std::optional<Measure> measure_named(std::string_view name);
-/// How many points it takes; the most is without limit for chains and polygons.
+/// Minimum number of points; chains and polygons have no maximum.
 std::size_t fewest_points(Measure measure);
 std::size_t max_points(Measure measure);
 
@@ -41,24 +41,24 @@ struct Measurement {
     std::vector<SurveyPoint> points;
 };
 
-/// What a measurement comes to.
+/// Result of a measurement.
 struct Measured {
     std::optional<double>
-        value{};  ///< nothing: there is none, `note` says why; for Measure::point none is needed
-    std::optional<double> uncertainty{};  ///< standard; nothing: unknown, because a point's is
+        value{};  ///< nothing: invalid, with the reason in `note`; for Measure::point always nothing
+    std::optional<double> uncertainty{};  ///< standard; nothing: unknown, since a point's is unknown
     const char* unit = "";                ///< such as "cm", "cm2", "deg"
-    std::string note{};                   ///< more about it, or empty
+    std::string note{};                   ///< additional remark, or empty
 };
 
-/// Evaluates a measurement, with `up` a unit vector in the input's coordinates. Uncertainties are propagated
-/// to first order from those of the points, which count as independent, and of the scale (docs/method.md).
-/// Never gives a value that is not finite.
+/// Evaluates a measurement, with `up` a unit vector in input coordinates. Uncertainties are propagated to
+/// first order from those of the points, assumed independent, and of the scale (docs/method.md). Values are
+/// always finite.
 Measured evaluate(const Measurement& measurement, const Scale& scale, const Eigen::Vector3d& up);
 
 /// "x 1.253   y 0.004   z 12.480", with as many digits as the uncertainty allows.
 std::string coordinates_text(const SurveyPoint& point);
-/// "2.014 ± 0.003 m" as the window shows it, with as many digits as the uncertainty allows, six without it;
-/// the note if there is no value.
+/// "2.014 ± 0.003 m" as displayed in the window, with as many digits as the uncertainty allows, or six if it
+/// is unknown; the note if there is no value.
 std::string text_of(const Measured& measured);
 
 }  // namespace vantage

@@ -7,13 +7,13 @@
 
 namespace vantage {
 
-/// How far each photo's camera is off, as far as the pairs tell in which prepare compared it with photos that
-/// overlap it: the median over its pairs of the pairs' median distance between corners that match, each pair
-/// counted by its matches; pixels. Nothing for a photo in no pair with matches.
+/// The camera error of each photo, estimated from the pairs of overlapping photos that prepare compared: the
+/// median over its pairs of their median distance between matching corners, weighted by the number of
+/// matches; in pixels. Nothing for a photo without matches.
 std::vector<std::optional<double>> photo_errors(std::span<const package::PairRecord> pairs,
                                                 std::size_t photos);
 
-/// Those of a package; nothing for all if it has no pairs, or damaged ones.
+/// The errors of a package's photos; nothing for all if it has no pairs, or damaged ones.
 std::vector<std::optional<double>> photo_errors(const PackageReader& package);
 
 }  // namespace vantage

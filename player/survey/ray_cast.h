@@ -9,21 +9,21 @@
 
 namespace vantage {
 
-/// Where a ray meets the mesh.
+/// Intersection of a ray with the mesh.
 struct MeshHit {
     std::uint32_t triangle;  ///< from 0
     double distance;         ///< in lengths of the ray's direction
     Eigen::Vector3d position;
 };
 
-/// The range of a ray that counts, in lengths of its direction.
+/// The tested range of a ray, in lengths of its direction.
 struct RayRange {
     double nearest = 0, farthest = std::numeric_limits<double>::infinity();
 };
 
-/// The first point of the mesh on a ray, from either side; transparent surfaces count, the background does
-/// not. Computed in double precision, independently of what is drawn (Moeller and Trumbore 1997), through the
-/// tree of clusters. Nothing for a miss, and for a ray that is not finite or has no direction.
+/// The first intersection of a ray with the mesh, from either side; includes transparent surfaces, but not
+/// the background. Computed in double precision, independently of rendering (Moeller and Trumbore 1997),
+/// using the tree of clusters. Nothing for a miss, and for a ray that is not finite or has no direction.
 std::optional<MeshHit> first_hit(const PlanScene& scene, const Ray& ray, RayRange range = {});
 
 }  // namespace vantage

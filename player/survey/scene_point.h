@@ -11,7 +11,8 @@
 
 namespace vantage {
 
-/// A mesh where it stands in the scene: its point p is at scale * R * p + t, relative to the scene's origin.
+/// A mesh with its placement in the scene: its point p is at scale * R * p + t, relative to the scene's
+/// origin.
 struct PlacedMesh {
     const PlanScene* scene;
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
@@ -19,30 +20,29 @@ struct PlacedMesh {
     double scale = 1;
 };
 
-/// Where points are set.
+/// Constraints on points that the user sets.
 struct Snapping {
-    std::span<const SectionPlane> sections{};  ///< of the scene: nothing before them counts
+    std::span<const SectionPlane> sections{};  ///< of the scene: excludes points that are cut away
     double vertex_pixels =
-        0;  ///< to the nearest vertex in sight that is this near in the picture; 0: on the surface
+        0;  ///< snaps to the nearest visible vertex within this distance in the picture; 0: does not snap
 };
 
 /// The nearest point of the meshes at a position in the view's picture, in pixels, in coordinates of the
-/// scene's first input, whose origin is `origin`; with the uncertainty that its photos give it. Nothing if
-/// there is no surface.
+/// scene's first input, whose origin is `origin`; with the uncertainty from its photos. Nothing if there is
+/// no surface.
 std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
                                        const View& view, const Eigen::Vector2d& pixel,
                                        Snapping snapping = {});
 
-/// The same on a ray of the scene.
+/// The same for a ray in the scene.
 std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
                                        const Ray& ray, std::span<const SectionPlane> sections = {});
 
-/// A point of a surface, relative to the scene's origin, and its normal, of length 1, toward where it is seen
-/// from.
+/// A point of a surface, relative to the scene's origin, and its normal, of length 1, toward the viewer.
 struct SurfacePoint {
     Eigen::Vector3d at, normal;
 };
-/// The first one on a ray, up to `farthest` lengths of its direction. Nothing for a triangle without area.
+/// The first one on a ray, up to `farthest` lengths of its direction. Nothing for a degenerate triangle.
 std::optional<SurfacePoint> surface_on(std::span<const PlacedMesh> meshes, const Ray& ray, double farthest,
                                        std::span<const SectionPlane> sections = {});
 

@@ -10,18 +10,18 @@
 
 namespace vantage {
 
-/// The measurements of a scene and what they are stated in.
+/// The measurements of a scene, and their units.
 struct Survey {
     Scale scale{};
-    Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< of length 1, in the input's coordinates
+    Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< of length 1, in input coordinates
     std::vector<Measurement> measurements{};
 };
 
 /// "+z", or the direction's three numbers.
 std::string direction_text(const Eigen::Vector3d& direction);
 
-/// A table with a line per measurement; numbers in full precision, lengths in the shown unit, coordinates as
-/// in the input.
+/// A table with a line per measurement; numbers in full precision, lengths in the displayed unit, coordinates
+/// as in the input.
 std::string survey_csv(const Survey& survey);
 
 }  // namespace vantage

@@ -7,27 +7,27 @@
 
 namespace vantage {
 
-/// The file in which a scene's measurements are kept, docs/surveying.md; and its content as this program last
-/// read or wrote it, so that a file that someone else has changed is not overwritten.
+/// The file of a scene's measurements, docs/surveying.md; with the content that this program last read or
+/// wrote, to avoid overwriting external changes.
 struct SurveyFile {
     std::filesystem::path path;
-    std::optional<std::string> content{};  ///< nothing: there was none
+    std::optional<std::string> content{};  ///< nothing: no file
 };
 
-/// NAME.measurements.json beside NAME.vantage; in the current folder for a package on a server.
+/// NAME.measurements.json next to NAME.vantage; in the current folder for a remote package.
 SurveyFile survey_file_of(const std::filesystem::path& package, bool remote);
 
-/// Reads the file; `otherwise` if there is none. Throws Error(input) naming the file and what is wrong, and
-/// then leaves `file` as it was.
+/// Reads the file; returns `otherwise` if there is none. Throws Error(input) with the file name and the
+/// reason, and then leaves `file` unchanged.
 Survey read_survey(SurveyFile& file, const Survey& otherwise);
 
-/// Writes the file, whole or not at all. Throws Error(storage) if it cannot be written, or if it is not as it
-/// was when last read or written.
+/// Writes the file atomically. Throws Error(storage) if it cannot be written, or if it has changed since it
+/// was last read or written.
 void write_survey(SurveyFile& file, const Survey& survey);
 
-/// The text of such a file.
+/// The content of such a file for a survey.
 std::string survey_text(const Survey& survey);
-/// Its content. Throws Error(input) naming `file`.
+/// Parses it. Throws Error(input) naming `file`.
 Survey survey_from(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace vantage

@@ -9,21 +9,21 @@
 
 namespace vantage {
 
-/// Reads and writes a survey's file; writes while the caller goes on: a frame must not wait for the disk. Of
-/// surveys that follow each other faster than they are written, the last one is. Its destructor writes what
-/// is still to be written, and says on stderr what trouble was not taken.
+/// Reads and writes a survey's file; writes in the background, so that frames do not wait for the disk. If
+/// surveys change faster than they are written, only the last one is written. Its destructor writes the
+/// pending survey, and prints unreported errors to stderr.
 class SurveySaver {
   public:
     explicit SurveySaver(SurveyFile file);
     ~SurveySaver();
     SurveySaver(const SurveySaver&) = delete;
 
-    /// As read_survey(), after pending writes.
+    /// Like read_survey(), after pending writes.
     Survey read(const Survey& otherwise);
     void save(const Survey& survey);
-    /// Why the last one could not be written; empty if it could, or was asked before.
+    /// Error of the last write; empty if it succeeded, or if the error was taken before.
     std::string take_trouble();
-    /// A survey is still to be written, or its trouble to be taken.
+    /// Whether a survey is pending, or an error has not been taken.
     bool busy() const;
     const std::filesystem::path& path() const { return path_; }
 
@@ -31,13 +31,13 @@ class SurveySaver {
     void write_until(const std::stop_token& stop);
 
     std::filesystem::path path_;
-    SurveyFile file_;  ///< of the thread while `writing_`
+    SurveyFile file_;  ///< owned by the thread while `writing_`
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::optional<Survey> next_;
     bool writing_ = false;
     std::string trouble_;
-    std::jthread thread_;  ///< last: it uses the others
+    std::jthread thread_;  ///< last: it uses the other members
 };
 
 }  // namespace vantage

@@ -4,19 +4,19 @@
 
 namespace vantage {
 
-/// Units of length. `unknown`: those of the input, about which its files say nothing.
+/// Units of length. `unknown`: the input's, if its files do not specify them.
 enum class Unit { unknown, m, cm, mm, ft, in, count };
 
 /// "m", "cm", "mm", "ft", "in", or "units".
 const char* name_of(Unit unit);
-/// By that name.
+/// The inverse of name_of().
 std::optional<Unit> unit_named(std::string_view name);
 
-/// How long a unit of the input is, and in which unit lengths are stated.
+/// Length of an input unit, and the displayed unit.
 struct Scale {
-    double length = 1;           ///< of a unit of the input, in `unit`; above 0
+    double length = 1;           ///< of an input unit, in `unit`; above 0
     Unit unit = Unit::unknown;   ///< unknown: `length` is 1
-    Unit shown = Unit::unknown;  ///< unknown: as `unit`
+    Unit shown = Unit::unknown;  ///< unknown: same as `unit`
     double relative = 0;         ///< standard uncertainty of `length`, relative to it
     bool operator==(const Scale&) const = default;
 };
@@ -24,13 +24,13 @@ struct Scale {
 /// Meters in a unit of length; 1 for an unknown one.
 double meters_in(Unit unit);
 
-/// The unit in which lengths are stated.
+/// The displayed unit of lengths.
 Unit shown_unit(const Scale& scale);
-/// How many of these units a unit of the input is.
+/// The length of an input unit in the displayed unit.
 double shown_length(const Scale& scale);
 
-/// The scale with which a length of `measured` input units, with its standard uncertainty, is `known` in
-/// `unit`. Nothing unless both lengths are above 0 and finite, and the unit is known.
+/// The scale for which a length of `measured` input units, with its standard uncertainty, equals `known` in
+/// `unit`. Nothing unless both lengths are positive and finite, and the unit is known.
 std::optional<Scale> scale_from(double measured, double uncertainty, double known, Unit unit);
 
 }  // namespace vantage

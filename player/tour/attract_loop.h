@@ -8,8 +8,7 @@
 
 namespace vantage {
 
-/// A flight that repeats while nobody touches a kiosk: along a curve, or through positions evenly spaced in
-/// time.
+/// A flight that an idle kiosk repeats: along a curve, or through positions evenly spaced in time.
 struct AttractLoop {
     std::vector<Navigation> positions{};
     std::shared_ptr<const CameraSpline> along{};
@@ -18,8 +17,8 @@ struct AttractLoop {
     Navigation begin() const { return along ? along->at(0) : positions.front(); }
 };
 
-/// What the story shows while nobody touches a kiosk whose first view is `home`; nothing if it does not say.
-/// Throws Error(input) naming `story_file` for a stop without a view.
+/// The story's content for an idle kiosk whose first view is `home`; nothing if it has none. Throws
+/// Error(input) naming `story_file` for a stop without a view.
 std::optional<AttractLoop> attract_loop(const Story& story, const Navigation& home, const InputAxes& axes,
                                         const std::string& story_file);
 

@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// The background of a story, as it is rendered.
+/// The background of a story, in the form used for rendering.
 PlainBackground plain_background_of(const StoryBackground& background);
 
 }  // namespace vantage

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// The stop that a tour flies to or stays at, counted from 0, and when it is reached, seconds.
+/// The stop that a tour flies to or stays at, counted from 0, and its arrival time in seconds.
 struct TourStop {
     std::size_t stop;
     double reached;

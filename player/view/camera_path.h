@@ -32,20 +32,20 @@ std::vector<KeyView> path_keys(const std::string& file, const PackageReader& pac
 std::vector<Navigation> recorded_stops(const std::string& file, const PackageReader& package,
                                        double distance = 1);
 
-/// At the photos' cameras, from the first one always to the nearest that is left. Photos without pixels are
-/// skipped.
+/// Stops at the photos' cameras, from the first one always to the nearest remaining one. Photos without
+/// pixels are skipped.
 std::vector<Navigation> photo_stops(const PackageReader& package, std::span<const std::uint32_t> photos);
 
-/// From stop to stop in straight lines, in equal steps of at most `step` radians: the angle by which the
-/// camera turns, or by which it moves around its target, whichever is larger. Throws Error(usage) for more
-/// than a million frames.
+/// Positions in straight lines from stop to stop, in equal steps of at most `step` radians: the camera's
+/// rotation, or its movement around its target, whichever is larger. Throws Error(usage) for more than a
+/// million frames.
 std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double step);
 
-/// A position as parse_view() takes it, with commas.
+/// A position in the format of parse_view(), with commas.
 std::string view_text(const Navigation& position, const PackageReader& package);
 
-/// Writes positions in the format of read_path, with an image set for each unless `image_sets` is empty, and
-/// with times if so many of them are met `per_second`. Throws Error(storage).
+/// Writes positions in the format of read_path, each with an image set unless `image_sets` is empty, and with
+/// times if `per_second` is given, the number of positions per second. Throws Error(storage).
 void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,
                 const PackageReader& package, std::span<const std::string> image_sets = {},
                 std::optional<double> per_second = {});

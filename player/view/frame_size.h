@@ -3,13 +3,13 @@
 
 namespace vantage {
 
-/// Of a picture, pixels.
+/// Size of a picture, pixels.
 struct FrameSize {
     int width = 0, height = 0;
     bool operator==(const FrameSize&) const = default;
 };
 
-/// The smallest size that holds both.
+/// The smallest size that contains both.
 inline FrameSize enclosing(FrameSize a, FrameSize b) {
     return {std::max(a.width, b.width), std::max(a.height, b.height)};
 }

@@ -6,33 +6,34 @@
 
 namespace vantage {
 
-/// A camera moved by hand: it orbits a target, or flies. Coordinates relative to the origin.
+/// A camera moved by the user: it orbits a target, or flies. Coordinates relative to the origin.
 struct Navigation {
     Eigen::Vector3d eye, target, up;
     Eigen::Matrix3d R;  ///< cam_from_origin
     double fov = 45;    ///< vertical, degrees
-    double aspect = 0;  ///< width over height of what `fov` was chosen for, such as a photo; 0: any
+    double aspect = 0;  ///< width over height of the frame that `fov` was chosen for, such as a photo; 0: any
 };
 
-/// At the photo's camera, facing its direction; the target is at the distance of the surface it sees.
+/// At the photo's camera, in its viewing direction; the target is at the distance of the surface that it
+/// sees.
 Navigation stand_at(const package::PhotoRecord& photo, const Eigen::Vector3d& up);
 
 /// At a view, with the target `distance` away on its axis.
 Navigation stand_at(const View& view, const Eigen::Vector3d& up, double distance);
 
-/// In front of the whole model, a little above it, with the target in its middle; for scenes without photos.
+/// In front of the whole model, slightly elevated, with the target in its center; for scenes without photos.
 Navigation stand_before(const package::SceneRecord& scene, const Eigen::Vector3d& up);
 
-/// In front of the whole model, in the direction in which a picture with these axes (of length 1, at right
-/// angles) is seen; `up`: of the scene.
+/// In front of the whole model, in the viewing direction of a picture with these axes (of length 1,
+/// perpendicular); `up`: of the scene.
 Navigation stand_beside(const package::SceneRecord& scene, const Eigen::Vector3d& right,
                         const Eigen::Vector3d& picture_up, const Eigen::Vector3d& up);
 
-/// At the photo's camera, or before the model if the package has no photos.
+/// At the photo's camera, or in front of the model if the package has no photos.
 Navigation home_of(const PackageReader& package, std::uint32_t photo);
 
 /// The view that `prepare` chose for the scene; for other image sets than that of its photo, at the camera of
-/// the photo nearest to it.
+/// their nearest photo.
 Navigation first_view(const PackageReader& package, std::uint32_t image_set);
 
 /// Orbits the target by angles in radians: `right` about up, `down` about the camera's x axis. Stops 3
@@ -46,11 +47,11 @@ void look(Navigation& n, double right, double down);
 void fly(Navigation& n, const Eigen::Vector3d& step);
 /// Scales the eye's distance from the target by `factor`, clamped to [0.01, 100].
 void approach(Navigation& n, double factor);
-/// Scales the distance of eye and target from a point, which stays where it is in the picture. The eye's ends
-/// in [nearest, farthest].
+/// Scales the distances of eye and target from a point, which keeps its position in the picture. The eye's
+/// distance is clamped to [nearest, farthest].
 void approach_point(Navigation& n, const Eigen::Vector3d& point, double factor, double nearest,
                     double farthest);
-/// From the same direction, at this distance, with a point in the middle, which becomes the target.
+/// From the same direction, at this distance, with a point in the center, which becomes the target.
 Navigation facing(const Navigation& n, const Eigen::Vector3d& point, double distance);
 
 View view_of(const Navigation& n, int width, int height);

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// A half line, relative to the package's origin; the direction has any length above 0.
+/// A ray, relative to the package's origin; its direction has any nonzero length.
 struct Ray {
     Eigen::Vector3d from, along;
 };

@@ -14,15 +14,15 @@ namespace vantage {
 struct Shot {
     std::string name;
     View view;
-    std::optional<std::uint32_t> image_set{};  ///< to show; nothing: not said
-    std::optional<double> at{};                ///< seconds after a flight begins; nothing: not said
-    double distance = 1;                       ///< from the eye to what it is looking at
+    std::optional<std::uint32_t> image_set{};  ///< nothing: unspecified
+    std::optional<double> at{};                ///< seconds after a flight begins; nothing: unspecified
+    double distance = 1;                       ///< from the eye to its target
 };
 
 /// "1280x720". Throws Error(usage).
 FrameSize parse_size(const std::string& text);
 
-/// Indices of photos by name (with or without extension), each once; "all" for every photo. Throws
+/// Indices of photos by name (with or without extension), without duplicates; "all" for every photo. Throws
 /// Error(usage) for an unknown or ambiguous name.
 std::vector<std::uint32_t> named_photos(const PackageReader& package, const std::vector<std::string>& names);
 
@@ -31,18 +31,18 @@ std::vector<std::uint32_t> named_photos(const PackageReader& package, const std:
 Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std::optional<FrameSize> size,
                 double scale);
 
-/// "EX,EY,EZ,TX,TY,TZ", eye and target in the input's coordinates; optionally the vertical field of view in
-/// degrees (default 45), and the roll, the degrees by which the camera is turned clockwise (default 0).
-/// Separated by commas or spaces. Throws Error(usage).
+/// "EX,EY,EZ,TX,TY,TZ", eye and target in input coordinates; optionally the vertical field of view in degrees
+/// (default 45), and the roll, a clockwise rotation of the camera in degrees (default 0). Separated by commas
+/// or spaces. Throws Error(usage).
 View parse_view(const std::string& text, const PackageReader& package, FrameSize size);
 
 /// The same, and the distance from the eye to the target.
 std::pair<View, double> parse_view_and_distance(const std::string& text, const PackageReader& package,
                                                 FrameSize size);
 
-/// One view per line, as in parse_view, followed by at=SECONDS if it is met at a time of a flight, and by
-/// image-set=NAME if it is to show an image set; skips empty lines and lines that start with #. Named 0000,
-/// 0001, ... Throws Error(input), also if the times are not in order.
+/// One view per line, as in parse_view, followed by at=SECONDS for its time in a flight, and by
+/// image-set=NAME for an image set; skips empty lines and lines that start with #. Named 0000, 0001, ...
+/// Throws Error(input), also if the times are not in order.
 std::vector<Shot> read_path(const std::string& file, const PackageReader& package, FrameSize size);
 
 }  // namespace vantage

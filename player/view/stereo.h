@@ -6,15 +6,15 @@
 
 namespace vantage {
 
-/// How the pictures of two eyes make one. Values as in shaders/contract.glsl.
+/// Layout of the two eyes' pictures. Values as in shaders/contract.glsl.
 enum class StereoMode { off, side_by_side, over_under, anaglyph, checkerboard, count };
 
-/// How far the eyes are apart, and the depth at which their pictures agree, in scene units: what is nearer
-/// appears in front of the screen.
+/// Eye separation, and the depth of zero parallax, in scene units: nearer points appear in front of the
+/// screen.
 struct Eyes {
-    double distance = 0;      ///< 0: `share` of the convergence
-    double share = 1.0 / 30;  ///< comfortable (Mendiburu 2009)
-    double convergence = 0;   ///< 0: chosen from the view
+    double distance = 0;      ///< eye separation; 0: `share` of the convergence
+    double share = 1.0 / 30;  ///< comfortable fraction (Mendiburu 2009)
+    double convergence = 0;   ///< 0: derived from the view
     bool operator==(const Eyes&) const = default;
 };
 struct StereoSettings {
@@ -23,24 +23,24 @@ struct StereoSettings {
     bool operator==(const StereoSettings&) const = default;
 };
 
-/// The size of each eye's picture in a frame, at least one pixel. The halves of an odd number of pixels are
-/// as large as fits twice.
+/// The size of each eye's picture in a frame, at least one pixel. An odd number of pixels is halved and
+/// rounded down.
 FrameSize eye_size(StereoMode mode, FrameSize frame);
-/// The size of the frame that two pictures of this size make.
+/// The frame size for two pictures of this size.
 FrameSize stereo_size(StereoMode mode, FrameSize eye);
-/// Each eye's picture has a part of the frame for itself.
+/// Each eye's picture has a separate part of the frame.
 inline bool divides_frame(StereoMode mode) {
     return mode == StereoMode::side_by_side || mode == StereoMode::over_under;
 }
 
-/// In scene units. `looked_at`: the depth at which the eyes converge unless `eyes` says so. Throws
-/// Error(usage) if it is not finite and above 0.
+/// In scene units. `looked_at`: the depth at which the eyes converge unless set in `eyes`. Throws
+/// Error(usage) unless it is positive and finite.
 double eye_distance(const Eyes& eyes, double looked_at);
 
-/// The views of the left and of the right eye, to both sides of `middle`: parallel, with frusta that are
-/// sheared so that they meet at the convergence (Woods, Docherty and Koch 1993); turned toward each other,
-/// the eyes would see heights that differ. `looked_at`: the depth at which they converge unless `eyes` says
-/// so. Throws Error(usage) for numbers that are not finite, or not positive, and for an orthographic view.
+/// The views of the left and the right eye, on both sides of `middle`: parallel, with sheared frusta that
+/// coincide at the convergence (Woods, Docherty and Koch 1993), since converging axes would cause vertical
+/// parallax. `looked_at`: the depth at which they converge unless set in `eyes`. Throws Error(usage) for
+/// numbers that are not finite or not positive, and for an orthographic view.
 std::vector<View> eye_views(const View& middle, const Eyes& eyes, double looked_at);
 /// The same, or `middle` alone if the mode is off.
 std::vector<View> views_of(const StereoSettings& stereo, const View& middle, double looked_at);

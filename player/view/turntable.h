@@ -6,12 +6,12 @@
 
 namespace vantage {
 
-/// Where a turn around the whole model starts: 20 degrees above its middle, on the side of the photos, at a
-/// distance from which it stays inside a frame of `aspect`, width over height, whichever way it is turned.
+/// Start of a turn around the whole model: elevated by 20 degrees, on the side of the photos, at a distance
+/// at which the model stays inside a frame of `aspect`, width over height, in all directions.
 Navigation framed(const PackageReader& package, double aspect);
 
-/// `count` positions around the target of `start`, evenly spaced: once around for an arc of 360 degrees, so
-/// that the first would follow the last; for less, swinging to both sides of `start` and back.
+/// `count` positions around the target of `start`, evenly spaced: a full turn for an arc of 360 degrees, in
+/// which the first follows the last; below 360, swinging to both sides of `start` and back.
 std::vector<Navigation> turntable(const Navigation& start, int count, double arc = 360);
 
 }  // namespace vantage

@@ -9,11 +9,11 @@
 
 namespace vantage {
 
-/// The exposure that a view shows: `gain` relative to the mean photo's exposure, and the lens's vignetting
-/// toward the corners, as in PhotoRecord.
+/// Exposure of a view: `gain` relative to the mean photo's exposure, and the lens's vignetting toward the
+/// corners, as in PhotoRecord.
 struct Exposure {
     std::array<float, 3> gain{1, 1, 1}, vignetting{0, 0, 0};
-    std::uint32_t image_set = 0;  ///< whose photos it is relative to
+    std::uint32_t image_set = 0;  ///< reference of the gain
     bool operator==(const Exposure&) const = default;
 };
 /// The photo's exposure and lens.
@@ -29,16 +29,16 @@ struct View {
     Intrinsics intrinsics;
     Pose cam_from_origin;
     Exposure exposure{};
-    /// 0: perspective. Otherwise orthographic: points are projected along the camera's axis, and at every
-    /// depth as large as those at this depth are in perspective. The eye is that far away: directions and
-    /// levels of detail, which are computed as in perspective, are then right to 1 / orthographic_distance.
+    /// 0: perspective. Otherwise orthographic: points are projected along the camera's axis, at the scale
+    /// that a perspective view has at this depth. The eye is placed so far away that directions and levels of
+    /// detail, computed as in perspective, are accurate to 1 / orthographic_distance.
     double orthographic_depth = 0;
 };
 
 /// The size of a view's picture.
 inline FrameSize frame_size(const View& view) { return {view.intrinsics.width, view.intrinsics.height}; }
 
-/// With this many more pixels on each side.
+/// The view enlarged by this many pixels on each side.
 inline View widened(View view, int pixels) {
     view.intrinsics.width += 2 * pixels;
     view.intrinsics.height += 2 * pixels;
@@ -47,28 +47,28 @@ inline View widened(View view, int pixels) {
     return view;
 }
 
-/// Whether two views show the same, apart from their exposure.
+/// Whether two views are equal, apart from their exposure.
 bool same_view(const View& a, const View& b);
 inline bool operator==(const View& a, const View& b) { return same_view(a, b) && a.exposure == b.exposure; }
 
-/// How far the eye of an orthographic view is from what it shows, in sizes of that.
+/// Distance of an orthographic view's eye from the model, in multiples of the model's size.
 inline constexpr double orthographic_distance = 1e6;
 
 /// An orthographic view with `middle` at pixel (0, 0), `right` and `down` along its rows and columns (of
-/// length 1, at right angles), and `pixels` per unit. `size`: a length that nothing shown exceeds, such as
-/// the diagonal of the model's bounds. Throws Error(usage) if a number is not finite, or not above 0.
+/// length 1, perpendicular), and `pixels` per unit. `size`: an upper limit for the size of the model, such as
+/// the diagonal of its bounds. Throws Error(usage) if a number is not finite or not positive.
 View orthographic_view(const Eigen::Vector3d& middle, const Eigen::Vector3d& right,
                        const Eigen::Vector3d& down, double pixels, double size, FrameSize frame);
 
-/// The orthographic view that shows what is `depth` in front of a perspective view's eye as that does. `size`
-/// and errors: as above.
+/// The orthographic view with the scale of a perspective view at `depth` in front of its eye. `size` and
+/// errors: as above.
 View orthographic(View perspective, double depth, double size);
 
-/// A length that what an orthographic view shows does not exceed by much, or a perspective view's depth `z`:
-/// what tolerances are shares of.
+/// Reference length for relative tolerances: the approximate size of an orthographic view's content, or a
+/// perspective view's depth `z`.
 double scale_at(const View& view, double z);
 
-/// How far a point is in front of a view's eye, along its axis.
+/// Depth of a point along a view's axis.
 double depth_in(const View& view, const Eigen::Vector3d& point);
 
 /// Clip-from-origin matrix of a view for depths from range.x() to range.y(), as clip_from_cam().
@@ -87,7 +87,7 @@ View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, con
 /// The rotation of a camera turned clockwise about its axis.
 Eigen::Matrix3d rolled(const Eigen::Matrix3d& camera, double degrees);
 
-/// Degrees, -180 to 180, by which a camera is turned clockwise from that of view_towards().
+/// Roll of a camera relative to view_towards(): degrees, -180 to 180, clockwise.
 double roll_of(const Eigen::Matrix3d& camera, const Eigen::Vector3d& up);
 
 /// The homography from pixels of one view to those of another from the same position.

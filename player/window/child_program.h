@@ -9,13 +9,13 @@
 
 namespace vantage {
 
-/// This program, as ChildProgram starts it.
+/// The path of this program, for ChildProgram.
 inline constexpr const char* own_program = "/proc/self/exe";
 
-/// A program that runs beside the window, for what takes long. It goes on if the window closes.
+/// A child process for long operations. It continues if the window closes.
 class ChildProgram {
   public:
-    /// `program`: a path, or a name to look for in PATH. Throws Error(input) if it cannot be started.
+    /// `program`: a path, or a name to search in PATH. Throws Error(input) if it cannot be started.
     ChildProgram(const std::string& program, std::vector<std::string> arguments);
     ~ChildProgram() = default;
     ChildProgram(const ChildProgram&) = delete;
@@ -26,7 +26,7 @@ class ChildProgram {
         std::string prints;  ///< the first line of its output, or empty
         std::string says;    ///< the first line of its errors, or empty
     };
-    /// Set once it has ended; asks without waiting.
+    /// Set once it has ended; does not wait.
     std::optional<Ended> ended();
 
   private:

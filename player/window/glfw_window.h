@@ -19,12 +19,12 @@ class GlfwWindow {
     GlfwWindow(const GlfwWindow&) = delete;
     GlfwWindow& operator=(const GlfwWindow&) = delete;
     GLFWwindow* get() const { return window_; }
-    /// Covers the whole screen, or is a window again, where it was.
+    /// Switches between full screen and a window at its previous position.
     void fill_screen(bool whole);
-    /// The scale of text that suits the display, 1 for 14 pixels.
+    /// The text scale for the display, 1 for 14 pixels.
     float fitting_text_scale() const;
     void set_text_scale(float scale);
-    /// Handles what has happened. `seconds`: waits so long for something to happen; 0: does not wait.
+    /// Handles events. `seconds`: maximum waiting time for an event; 0: does not wait.
     WindowEvents events(double seconds = 0);
 
   private:
@@ -37,7 +37,7 @@ class GlfwWindow {
     struct Place {
         int x, y, width, height;
     };
-    std::optional<Place> windowed_;  ///< while it covers the screen: where it was
+    std::optional<Place> windowed_;  ///< previous position while in full screen
     WindowInput input_;
     std::optional<TouchScreen> touch_screen_;
 };

@@ -6,26 +6,25 @@
 
 namespace vantage {
 
-/// A window that the public uses: it shows only what was chosen before, and returns to that when nobody has
-/// touched it for a while.
+/// A window for the public: it shows only the selected content, and returns to its initial state when idle.
 struct Kiosk {
-    RenderSettings settings;  ///< those of the start
+    RenderSettings settings;  ///< initial settings
     Panels panels;
     std::string language;
-    std::optional<AttractLoop> tour;  ///< flown while nobody touches it, again and again
+    std::optional<AttractLoop> tour;  ///< flown in a loop while idle
     double home_after = 60;           ///< seconds
     double touched_at = 0;            ///< seconds
-    bool idle = true;                 ///< has returned to the start since then
-    bool tours = false;               ///< the flight in progress is the tour, or leads to it
+    bool idle = true;                 ///< has returned to the initial state since then
+    bool tours = false;               ///< the flight in progress is the tour, or the way to it
 };
 
-/// A kiosk that returns to the session's current settings. Takes away what the public must not reach.
+/// A kiosk that returns to the session's current settings. Disables functions that are not for the public.
 Kiosk make_kiosk(Session& session, std::optional<AttractLoop> tour, double home_after);
 
-/// Ends a tour when somebody touches the window; returns to the start, and tours, when nobody does.
+/// Ends a tour on input; when idle, returns to the initial state and starts the tour.
 void attend(Kiosk& kiosk, Session& session, bool touched, double now);
 
-/// When attend() is to be called again if nobody touches the window, seconds.
+/// Time of the next call of attend() without input, seconds.
 double attends_at(const Kiosk& kiosk);
 
 }  // namespace vantage

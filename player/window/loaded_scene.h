@@ -13,14 +13,14 @@
 
 namespace vantage {
 
-/// A scene as it is shown in a window or a headset: a package, and others that were added to it, with its
-/// story, its measurements and the files that are written from it. Belongs to the OpenGL thread.
+/// A scene in a window or a headset: a package and others added to it, with its story, its measurements and
+/// output files. Belongs to the OpenGL thread.
 struct LoadedScene {
     /// Fits the session to the scene. The package must outlive it.
     LoadedScene(const PackageReader& package, const std::vector<SceneObject>& all, const ShowOptions& options,
                 Session& session);
 
-    /// Follows the language of the window, and takes what was read of the open note's picture.
+    /// Applies the language of the window, and uploads the open note's picture after loading.
     void attend(const Session& session);
 
     const PackageReader& package() const { return renderer.package(); }

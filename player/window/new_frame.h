@@ -5,15 +5,15 @@ struct GLFWwindow;
 
 namespace vantage {
 
-/// Where a window has the mouse.
+/// The mouse state of a window.
 PointerState mouse_of(GLFWwindow* window);
 
-/// Begins ImGui's frame with the user's input. ImGui reads which keys are down: those released since the
-/// last frame are, for this one; before ImGui 1.87 also Ctrl, which the caller releases after the frame, if
-/// it was not down before. The pointer is where the input says, or else where the mouse is.
+/// Begins ImGui's frame with the user's input. ImGui polls keys, so keys released since the last frame are
+/// reported as down for this frame; before ImGui 1.87 also Ctrl, which the caller must release after the
+/// frame if it was up before. The pointer is that of the input, or else the mouse.
 void new_frame(const PointerState& mouse, const UserInput& input);
 
-/// Before a turn of the wheel: since ImGui 1.87, tells it where the mouse is by now, which the wheel is for.
+/// Call before wheel events: since ImGui 1.87, reports the mouse position to which the wheel applies.
 void point_before_wheel(GLFWwindow* window);
 
 }  // namespace vantage

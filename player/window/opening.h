@@ -7,9 +7,9 @@
 
 namespace vantage {
 
-/// Opens a package. While one on a server is fetched, except for its tiles, the window shows how far that is.
-/// Closing the window or Esc stops it: Error(interrupted). Throws also what open_package() and
-/// PackageReader::fetch_scene() throw.
+/// Opens a package. While a remote one is fetched, except for its tiles, the window shows the progress.
+/// Closing the window or Esc cancels: Error(interrupted). Also throws like open_package() and
+/// PackageReader::fetch_scene().
 PackageReader open_in_window(GlfwWindow& window, const std::filesystem::path& package,
                              const MemoryOptions& options);
 

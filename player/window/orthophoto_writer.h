@@ -6,10 +6,10 @@
 
 namespace vantage {
 
-/// Writes the orthophotos that a session asks for, one at a time, while the window can be used.
+/// Writes orthophotos requested by a session, one at a time, while the window remains usable.
 class OrthophotoWriter {
   public:
-    /// Starts what is asked for, and says when it is done.
+    /// Starts requests, and reports finished ones.
     void attend(Session& session, const PackageReader& package, double now);
     bool writes() const { return program_.has_value(); }
 

@@ -5,8 +5,7 @@
 
 namespace vantage {
 
-/// Records the camera's path while the session asks for it, and writes it into the current folder when that
-/// ends.
+/// Records the camera's path while requested by the session, and then writes it into the current folder.
 class PathRecorder {
   public:
     /// `rests`: nothing has moved since the last call.

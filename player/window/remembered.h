@@ -8,23 +8,23 @@
 
 namespace vantage {
 
-/// The folder of the player's settings: $XDG_CONFIG_HOME/vantage or ~/.config/vantage; empty if there is no
-/// home.
+/// The folder of the player's settings: $XDG_CONFIG_HOME/vantage or ~/.config/vantage; empty without a home
+/// folder.
 std::filesystem::path settings_folder();
 
-/// What the player remembers between sessions.
+/// The player's persistent settings.
 struct Remembered {
     FrameSize window{1280, 720};
-    double text_scale = 0;  ///< 0: by the display
+    double text_scale = 0;  ///< 0: from the display
     RenderSettings settings;
     Panels panels;
-    std::string language;                    ///< chosen in the window; empty: the system's
-    std::string image_set, other_image_set;  ///< names: numbers differ between packages
-    std::vector<std::string> recent;  ///< packages and scene files that were opened, the last one first
+    std::string language;                    ///< chosen in the window; empty: system language
+    std::string image_set, other_image_set;  ///< names, since numbers differ between packages
+    std::vector<std::string> recent;         ///< packages and scene files, the last one first
 };
 /// The settings in the folder's player.json; missing or invalid ones are taken from `otherwise`.
 Remembered read_settings(const std::filesystem::path& folder, Remembered otherwise);
-/// Notes that a package or scene file was opened.
+/// Records that a package or scene file was opened.
 void remember_opened(Remembered& remembered, const std::string& file);
 /// Writes player.json. Throws Error(storage).
 void write_settings(const std::filesystem::path& folder, const Remembered& remembered);

@@ -26,18 +26,18 @@ class ShownScene {
     ShownScene(const PackageReader& package, const std::vector<SceneObject>& objects,
                const ShowOptions& options, Session& session, Controls& controls);
 
-    /// Draws the view if it has changed or can still improve, and the interface over it.
+    /// Draws the view if it has changed or is not final, and the interface over it.
     void frame(int width, int height, double now);
-    /// The part of frame() that needs no graphics card: lets the session act on its input and on time, and
-    /// makes the interface. Returns the view.
+    /// The part of frame() that does not need OpenGL: updates the session with its input and the time, and
+    /// builds the interface. Returns the view.
     View update(int width, int height, double now);
-    /// Draws the view, but shows it nowhere.
+    /// Draws the view without showing it.
     void draw_unseen(const View& view, double now);
-    /// Writes the path that is being recorded, if there is one.
+    /// Writes the path that is being recorded, if any.
     void stop_recording(double now);
     /// The picture is final: without input, nothing changes before wakes_at().
     bool rests() const { return picture_.is_final() && !session_.viewpoint.flight; }
-    /// When the next frame is due at rest, in seconds.
+    /// Time of the next frame at rest, in seconds.
     double wakes_at() const;
     const PlanScene& scene() const { return scene_.plan(); }
 

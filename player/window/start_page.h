@@ -8,10 +8,9 @@
 
 namespace vantage {
 
-/// What is shown without a package: those that were opened before, and how to open another one, or drop one
-/// here. Returns the file that was chosen, or empty if the window was closed. `recent`: the last one first.
-/// `trouble`: why the file chosen before could not be opened, or empty. `places`: file for the positions of
-/// the controls, or empty.
+/// The start page, without a package: lists recent files, and offers to open or drop one. Returns the chosen
+/// file, or empty if the window was closed. `recent`: the last one first. `trouble`: error of the previously
+/// chosen file, or empty. `places`: file for the positions of the controls, or empty.
 std::string start_page(GlfwWindow& window, WindowState& state, Controls& controls,
                        std::span<const std::string> recent, const std::string& trouble,
                        const std::string& places);

@@ -8,23 +8,23 @@
 
 namespace vantage {
 
-/// Throws Error(damaged) if there is neither a photo nor a point, or META is damaged, which showing does not
-/// need.
+/// Throws Error(damaged) if there is neither a photo nor a point, or if META is damaged, which is not needed
+/// for display.
 void expect_content(const PackageReader& package);
 
-/// The settings of the command line, or those remembered in the folder, if there is one.
+/// The settings of the command line, or else the saved ones in the folder, if any.
 Remembered start_settings(const PackageReader& package, const ShowOptions& options,
                           const std::filesystem::path& folder);
 
-/// The language of the command line, or the one chosen before, or the system's.
+/// The language of the command line, or else the saved one, or the system's.
 std::string chosen_language(const ShowOptions& options, const Remembered& remembered);
 
-/// A session at the first photo of --photo, or the middle one; without photos, before the model.
+/// A session at the first photo of --photo, or the middle one; without photos, in front of the model.
 Session start_session(const PackageReader& package, const ShowOptions& options, const Remembered& remembered,
                       WindowState& window);
 
-/// Fits a session to the scene that is shown: the photos in use and their errors, and what the story says:
-/// the first view, unless the command line gives one, and the background.
+/// Initializes a session for the loaded scene: the photos in use and their errors, and the story's first
+/// view, unless given on the command line, and background.
 void begin_in_scene(Session& session, const PackageReader& package, const ActiveStory& active,
                     const ShowOptions& options);
 

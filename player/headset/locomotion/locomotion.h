@@ -8,39 +8,39 @@
 
 namespace vantage {
 
-/// How somebody in a headset moves about.
+/// State of the user's locomotion in a headset.
 struct Locomotion {
     Stance stance;
-    double usual_scale = 1;    ///< scene units per meter; hands change it by up to max_scaling
-    bool smooth = true;        ///< a stick flies; otherwise one only teleports
+    double usual_scale = 1;  ///< scene units per meter; can be changed by hand up to a factor of max_scaling
+    bool smooth = true;      ///< sticks fly; otherwise teleporting only
     double snap_degrees = 30;  ///< per turn
 
     std::optional<Hold> hold{};
     std::array<bool, 2> holds{};          ///< which hands
-    Stance held_at{};                     ///< the stance that the hold led to
-    std::optional<std::size_t> aiming{};  ///< the hand whose arc is shown
+    Stance held_at{};                     ///< stance at the last update of the hold
+    std::optional<std::size_t> aiming{};  ///< the hand that shows an arc
     std::optional<TeleportArc> arc{};     ///< of that hand
     std::array<bool, 2> selected{};       ///< in the last frame
-    std::array<bool, 2> ready{};          ///< sticks that have been in the middle since they got their use
-    double vignette = 0;                  ///< 0: the whole picture is shown, 1: its middle
+    std::array<bool, 2> ready{};          ///< sticks that have been centered since they became active
+    double vignette = 0;                  ///< 0: off, 1: only the center is visible
 };
 inline constexpr double max_scaling = 200;
 
-/// What a hand may do here. One that points at a panel may do neither; selecting may have another use.
+/// Functions available to a hand. A hand that points at a panel has neither; selecting may have another use.
 struct FreeHand {
-    bool move = true;    ///< stick and squeezing
-    bool select = true;  ///< for teleporting, without a stick
+    bool move = true;    ///< stick and squeeze
+    bool select = true;  ///< teleporting by selecting, without a stick
 };
 using FreeHands = std::array<FreeHand, 2>;
 
-/// Moves on by a frame, after `seconds`. The stick of the right hand, or the only one: to the side turns by a
-/// step; ahead aims an arc and, let go, teleports to its end. The other stick flies where its hand points.
-/// Without a stick, select aims. A stick that was pushed already, when it got its use, has to be let go
-/// first. Squeezing holds the scene: one hand moves it, two also turn and scale it.
+/// Advances by one frame, after `seconds`. The right (or only) stick turns in steps if moved sideways; pushed
+/// forward it aims an arc, and released it teleports to the arc's end. The other stick flies in its hand's
+/// pointing direction. Without a stick, select aims. A stick that was already deflected when it became active
+/// must be released first. Squeezing grabs the scene: one hand moves it, two also turn and scale it.
 void continue_locomotion(Locomotion& locomotion, const Hands& hands, const FreeHands& free,
                          const RoomPose& head, double seconds, const SurfaceBetween& surface);
 
-/// Ends what the hands began, without effect: they are gone, or others have come.
+/// Cancels the current actions of the hands after tracking was lost or the hands have changed.
 void let_go(Locomotion& locomotion);
 
 }  // namespace vantage

@@ -5,16 +5,15 @@
 
 namespace vantage {
 
-/// A place and direction in the room in which a headset is tracked: meters, x right, y up; -z
-/// is ahead.
+/// A pose in the room in which a headset is tracked, in meters; x: right, y: up, -z: forward.
 struct RoomPose {
-    Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();  ///< of length 1
+    Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();  ///< unit length
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
 
     Eigen::Vector3d ahead() const { return -(turn * Eigen::Vector3d::UnitZ()); }
 };
 
-/// Whether all its numbers are finite, and it is a direction.
+/// Whether all its numbers are finite and the rotation is nonzero.
 inline bool is_valid(const RoomPose& pose) {
     return pose.at.allFinite() && std::abs(pose.turn.squaredNorm() - 1) < 0.01;
 }

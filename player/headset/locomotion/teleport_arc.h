@@ -8,19 +8,18 @@
 
 namespace vantage {
 
-/// The first point of the model on the way between two points.
+/// The first surface point on the segment between two points.
 using SurfaceBetween =
     std::function<std::optional<SurfacePoint>(const Eigen::Vector3d& from, const Eigen::Vector3d& to)>;
 
-/// The way of something thrown to where one wants to stand, and where that is.
+/// The ballistic arc of a teleport and its landing point.
 struct TeleportArc {
     std::vector<Eigen::Vector3d> points;     ///< in the scene
-    std::optional<Eigen::Vector3d> landing;  ///< nothing: there is no place to stand
+    std::optional<Eigen::Vector3d> landing;  ///< nothing: not a place to stand
 };
 
-/// From a hand's aim. Lands on surfaces that are at most 45 degrees steep; at the foot of walls that it
-/// meets, half a meter before them; and at the height of the room's floor where the model has none, within
-/// three meters below.
+/// Starts from a hand's aim. Lands on surfaces with a slope of at most 45 degrees; half a meter in front of
+/// walls; and at the height of the room's floor where the model has none within three meters below.
 TeleportArc teleport_arc(const Stance& stance, const RoomPose& aim, const SurfaceBetween& surface);
 
 }  // namespace vantage

@@ -7,18 +7,18 @@
 
 namespace vantage {
 
-/// Hands with controllers, or tracked themselves: which of their buttons do what. Belongs to a session.
+/// Controllers or tracked hands, and the bindings of their buttons. Belongs to a session.
 class TrackedHands {
   public:
-    /// Suggests bindings for the usual controllers and attaches them. Throws Error(graphics) or XrLost.
+    /// Suggests bindings for the known controllers and attaches them. Throws Error(graphics) or XrLost.
     TrackedHands(const XrRuntime& runtime, XrSession session);
     ~TrackedHands();
     TrackedHands(const TrackedHands&) = delete;
     TrackedHands& operator=(const TrackedHands&) = delete;
 
-    /// What they do now, and where they will be at `time`, in the space `room`. Nothing without focus.
+    /// Current button states, and poses predicted for `time`, in the space `room`. Nothing without focus.
     std::optional<Hands> at(XrTime time, XrSpace room);
-    /// A short buzz, where the controller has it.
+    /// A short vibration, if the controller supports it.
     void buzz(std::size_t hand) const;
 
   private:

@@ -4,11 +4,11 @@
 
 namespace vantage {
 
-/// Darkens the edges of what an eye sees: what moves there, while the body does not, makes people sick
-/// (Fernandes and Feiner 2016). Belongs to the OpenGL thread.
+/// Darkens the edges of an eye's picture: visual motion without body motion causes sickness (Fernandes and
+/// Feiner 2016). Belongs to the OpenGL thread.
 class Vignette {
   public:
-    /// Over the picture in the framebuffer `target`, whose first row is at the bottom. `strength`: 0 to 1.
+    /// Draws over the picture in the framebuffer `target`, with the bottom row first. `strength`: 0 to 1.
     void draw(const View& view, GLuint target, double strength);
 
   private:

@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// Tells a headset how far away what it shows is, so that it can show frames that are late from where the
-/// head is by then. Belongs to the OpenGL thread.
+/// Provides the headset with depth, so that it can reproject late frames to the current head pose. Belongs to
+/// the OpenGL thread.
 class DepthPicture {
   public:
     /// Copies the depth of a frame of this size into the framebuffer `target`. `scale`: scene units per

@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// All elements that a function of OpenXR lists, which is asked for their number first. `call`: of (capacity,
-/// count, elements), returning its result; `empty`: an element, with its type. Throws as expect() does.
+/// All elements listed by an OpenXR function that is first called for their count. `call`: of (capacity,
+/// count, elements), returning its result; `empty`: an element, with its type. Throws like expect().
 template <class T, class Call>
 std::vector<T> enumerated(const char* name, const T& empty, const Call& call) {
     std::uint32_t count = 0;

@@ -7,21 +7,21 @@
 
 namespace vantage {
 
-/// The pictures that the runtime takes of one eye, colors or depth. Move-only; belongs to the OpenGL thread
-/// and must not outlive the session.
+/// The runtime's pictures for one eye, colors or depth. Move-only; belongs to the OpenGL thread and must not
+/// outlive the session.
 class EyeSwapchain {
   public:
-    /// `format`: of OpenGL; `depth`: of depth instead of colors. Throws Error(graphics) or XrLost.
+    /// `format`: an OpenGL format; `depth`: depth instead of colors. Throws Error(graphics) or XrLost.
     EyeSwapchain(XrSession session, FrameSize size, std::int64_t format, bool depth);
     ~EyeSwapchain();
     EyeSwapchain(EyeSwapchain&& other) noexcept;
     EyeSwapchain& operator=(EyeSwapchain&&) = delete;
 
-    /// Takes an image, to be drawn into, when the runtime no longer needs it.
+    /// Acquires an image to draw into, waiting until the runtime no longer needs it.
     void acquire();
-    /// The framebuffer of the one that was taken last.
+    /// The framebuffer of the last acquired image.
     GLuint target() const { return targets_.at(taken_).id(); }
-    /// Gives it back; it is shown with the frame that ends next.
+    /// Releases the image; it is shown with the next frame that ends.
     void release();
     XrSwapchain get() const { return swapchain_; }
     FrameSize size() const { return size_; }
@@ -34,10 +34,10 @@ class EyeSwapchain {
     std::vector<gl::Framebuffer> targets_;  ///< per image
 };
 
-/// The format of colors among those that the runtime offers: sRGB with 8 bits. Throws Error(graphics) if
-/// there is none.
+/// The color format among those that the runtime offers: sRGB with 8 bits. Throws Error(graphics) if there is
+/// none.
 std::int64_t color_format(XrSession session);
-/// That of depth, 0 if there is none.
+/// The depth format, 0 if there is none.
 std::int64_t depth_format(XrSession session);
 
 }  // namespace vantage

@@ -3,8 +3,8 @@
 
 namespace vantage {
 
-/// A session that shows what the OpenGL context draws that is current on this thread. Throws Error(graphics)
-/// if the runtime does not take it, or XrLost.
+/// A session for the OpenGL context that is current on this thread. Throws Error(graphics) if the runtime
+/// does not support it, or XrLost.
 XrSession make_session(const XrRuntime& runtime, XrSystemId system);
 
 }  // namespace vantage

@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// An empty structure of OpenXR that says what it is.
+/// An empty OpenXR structure with its type set.
 template <class T>
 T typed(XrStructureType type) {
     T out{};

@@ -2,9 +2,9 @@
 
 namespace vantage {
 
-/// The OpenGL context of a session while the runtime uses it. Runtimes are known to leave errors in it, and
-/// another one current (SteamVR). Made before a call of OpenXR that may draw or create; when it ends, the
-/// context is current again and without the runtime's errors.
+/// Makes the session's OpenGL context usable around calls of the runtime. Some runtimes leave errors in it,
+/// or another context current (SteamVR). Construct it before a call of OpenXR that may draw or create; its
+/// destructor makes the context current again and clears errors.
 class SharedContext {
   public:
     SharedContext();

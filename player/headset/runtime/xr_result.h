@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// The session, or the runtime with all that it had, is gone; another one may come.
+/// The session was lost, or the runtime with everything created from it; either may become available again.
 struct XrLost : std::runtime_error {
     explicit XrLost(bool with_runtime)
         : std::runtime_error(with_runtime ? "the OpenXR runtime was lost" : "the OpenXR session was lost"),
@@ -13,8 +13,8 @@ struct XrLost : std::runtime_error {
     bool runtime;
 };
 
-/// Returns a result that is no failure. Throws XrLost for a loss, and Error(graphics) with the name of the
-/// call for other failures.
+/// Returns a successful result. Throws XrLost for a loss, and Error(graphics) with the name of the call for
+/// other failures.
 XrResult expect(XrResult result, const char* call);
 
 /// "XR_ERROR_RUNTIME_FAILURE"

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// Which of the extensions that this program can use the runtime has.
+/// The runtime's extensions, among those that this program uses.
 struct XrExtensions {
     bool egl = false, depth = false, microsoft_hands = false, hands = false;
 };
@@ -21,7 +21,7 @@ class XrRuntime {
 
     XrInstance get() const { return instance_; }
     const XrExtensions& extensions() const { return extensions_; }
-    /// Name and version, as it says them.
+    /// Name and version, as reported by the runtime.
     const std::string& name() const { return name_; }
     XrPath path(const char* text) const;
 
@@ -31,7 +31,7 @@ class XrRuntime {
     std::string name_;
 };
 
-/// Whether a runtime answers now; a lost one may not yet.
+/// Whether a runtime responds; after a loss it may be unavailable for a while.
 bool runtime_answers();
 
 /// The headset. Throws Error(graphics) if there is none.

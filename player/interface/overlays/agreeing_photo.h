@@ -7,8 +7,7 @@
 
 namespace vantage {
 
-/// The photo with pixels, of an image set that is shown, whose view agrees best with this one; none without
-/// photos.
+/// The photo of a shown image set, with pixels, whose camera agrees best with this view; none without photos.
 std::optional<std::uint32_t> agreeing_photo(const PlanScene& scene, const View& view,
                                             const ImageSetSettings& image_sets);
 

@@ -5,14 +5,13 @@
 
 namespace vantage {
 
-/// What the picture compares: names of both sides, and the swipe's line, which can be dragged. `frame`: the
-/// whole window, pixels.
+/// Labels of a comparison's two sides, and the swipe's draggable line. `frame`: the whole window, in pixels.
 void comparison(Controls& controls, Session& session, const PlanScene& scene, const Area& frame);
 
-/// Flies to the photo that agrees best with the view, and compares the model with it; or ends the comparison.
+/// Flies to the photo that agrees best with the view and compares the model with it; or ends the comparison.
 void toggle_comparison(Session& session, const PlanScene& scene, const View& view, double now);
 
-/// What the false colors of the picture mean.
+/// Legend of the picture's false colors.
 void false_color_legend(Controls& controls, const Session& session);
 
 }  // namespace vantage

@@ -5,9 +5,9 @@
 
 namespace vantage {
 
-/// The photos' frusta over the scene: the nearer, the greener; the more similar in direction, the redder [M];
-/// brighter and thicker if in use; white if they show the point of the list of photos. The one under the
-/// pointer shows its name and picture; a click flies to it.
+/// The photos' frusta over the scene: greener with decreasing distance, redder with increasing similarity of
+/// direction [M]; brighter and thicker if in use; white if they show the point of the photo list. The frustum
+/// under the pointer shows its name and picture; a click flies to it.
 void frusta(Session& session, Renderer& renderer, PhotoStrip& strip, const View& view, double now);
 
 }  // namespace vantage

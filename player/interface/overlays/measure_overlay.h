@@ -9,21 +9,21 @@
 
 namespace vantage {
 
-/// How a measurement is drawn.
+/// Style of a measurement in the picture.
 enum class MeasureLook { finished, selected, unfinished };
 
-/// A measurement's points relative to `origin`, which is in their coordinates.
+/// A measurement's points relative to `origin`, which is in the points' coordinates.
 std::vector<Eigen::Vector3d> points_from(const Measurement& measurement, const Eigen::Vector3d& origin);
 /// The lines of a measurement through these points; `up` as for evaluate(), both in the same coordinates.
 std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> lines_of(Measure measure,
                                                                   const std::vector<Eigen::Vector3d>& points,
                                                                   const Eigen::Vector3d& up);
-/// Where its label is; of at least one point.
+/// Position of its label; needs at least one point.
 Eigen::Vector3d label_place(Measure measure, const std::vector<Eigen::Vector3d>& points,
                             const Eigen::Vector3d& up);
 
-/// Draws a measurement over the picture, whatever is in front of it: its points, its lines and a label.
-/// `origin`: of the view's coordinates, in those of the points; `up` as for evaluate().
+/// Draws a measurement over the picture, without occlusion: its points, its lines and a label. `origin`: of
+/// the view's coordinates, in those of the points; `up` as for evaluate().
 void draw_measurement(const Measurement& measurement, const std::string& label, const View& view,
                       const Eigen::Vector3d& origin, const Eigen::Vector3d& up, MeasureLook look);
 

@@ -10,24 +10,24 @@
 
 namespace vantage {
 
-/// Where a note's anchor is in the picture.
+/// A note's anchor in the picture.
 struct NoteMarker {
-    std::size_t note;    ///< its place in the story
+    std::size_t note;    ///< its index in the story
     Eigen::Vector2d at;  ///< pixels; 0, 0 is the corner of the frame
     double depth;        ///< along the view's axis
-    bool hidden;         ///< behind the surface
+    bool hidden;         ///< occluded by the surface
 };
 
-/// The surface that is seen at a pixel, relative to the origin, if there is any.
+/// The surface point visible at a pixel, relative to the origin, if there is one.
 using SurfaceAt = std::function<std::optional<Eigen::Vector3d>(const Eigen::Vector2d& pixel)>;
 
-/// The anchors in the frame, the farthest first. An anchor is hidden if the surface seen at its pixel is
-/// nearer by more than a hundredth of its depth.
+/// The anchors in the frame, the farthest first. An anchor is hidden if the surface at its pixel is nearer by
+/// more than a hundredth of its depth.
 std::vector<NoteMarker> note_markers(const Story& story, const InputAxes& axes, const View& view,
                                      const SurfaceAt& surface);
 
-/// Draws a numbered disc at each anchor, with the note's title beside it; hidden ones dimmed, without a
-/// title. Returns the note that is clicked.
+/// Draws a numbered disc at each anchor, with the note's title next to it; hidden ones are dimmed and have no
+/// title. Returns the clicked note.
 std::optional<std::size_t> draw_note_markers(Controls& controls, const std::vector<NoteMarker>& markers,
                                              const Story& story, const std::string& language,
                                              std::optional<std::size_t> open);

@@ -6,7 +6,7 @@
 namespace vantage {
 
 /// A map from above [P]: the model's extent, the cameras with their directions, and the viewer. A click flies
-/// to that photo.
+/// to the photo.
 void radar_panel(Controls& controls, Session& session, const Renderer& renderer, const View& view,
                  double now);
 

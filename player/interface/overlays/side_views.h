@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// Entries of a menu that fly to where the whole model is seen from a side: front, back, left, right, top.
+/// Menu entries that fly to views of the whole model from a side: front, back, left, right, top.
 void side_views_menu(Controls& controls, Viewpoint& viewpoint, const PackageReader& package, double now);
 
 }  // namespace vantage

@@ -7,9 +7,9 @@
 
 namespace vantage {
 
-/// Where the ray through a pixel (0, 0: the corner of the frame) meets the plane of the triangle that was
-/// seen there; relative to the origin. Nothing outside the frame, beside the mesh, or where the ray runs
-/// along the triangle.
+/// Intersection of the ray through a pixel (0, 0: the corner of the frame) with the plane of the triangle
+/// visible there, relative to the origin. Nothing outside the frame, in the background, or if the ray is
+/// parallel to the triangle.
 std::optional<Eigen::Vector3d> surface_at_pixel(const PlanScene& scene, const SeenTriangles& seen,
                                                 const Eigen::Vector2d& pixel);
 

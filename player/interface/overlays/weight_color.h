@@ -3,8 +3,8 @@
 
 namespace vantage {
 
-/// Of a photo in maps and scenes, by its weights from 0 to 1: the nearer, the greener; the more similar in
-/// direction, the redder [M].
+/// Color of a photo in maps and scenes, by its weights from 0 to 1: greener with decreasing distance, redder
+/// with increasing similarity of direction [M].
 ImU32 weight_color(double distance, double angle, float alpha);
 
 }  // namespace vantage

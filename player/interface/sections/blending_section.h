@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// How photos are blended: mode, weights, and which photos.
+/// Settings for blending: mode, weights, and photos.
 void blending_section(Controls& controls, Session& session, const Renderer& renderer);
 
 }  // namespace vantage

@@ -2,12 +2,12 @@
 
 namespace vantage {
 
-/// Puts the next control, a check box or radio button of this name, beside the last one: into the second
-/// column, or right behind it. Where there is no room for it, it gets a line of its own.
+/// Places the next control, a check box or radio button of this name, next to the last one: in the second
+/// column, or directly after it. If there is no space, it gets its own line.
 void in_second_column(const char* name);
 void behind_the_last(const char* name);
 
-/// Width for sliders and choices whose names are on their right, as ImGui::PushItemWidth() takes it.
+/// Width for sliders and drop-down lists with their names on the right, as for ImGui::PushItemWidth().
 float width_beside_names();
 
 }  // namespace vantage

@@ -9,68 +9,66 @@
 
 namespace vantage {
 
-/// The name of a control or a window in the user's language, as ImGui takes it: what it knows the control by
-/// remains the English name.
+/// The name of a control or a window in the user's language, as an ImGui label whose ID remains the English
+/// name.
 std::string shown_name(const char* name);
 
-/// ImGui's controls by name. Names are English: translations are shown, and scripts click controls by the
-/// recorded positions of the names, whatever the language. Of a name with "##", the part before is shown as
-/// it is, and the part after is recorded.
+/// ImGui controls by name. Names are English: translations are displayed, and scripts click controls by the
+/// recorded positions of the names, independent of the language. In a name with "##", the part before it is
+/// displayed untranslated and the part after it is recorded.
 class Controls {
   public:
     /// Forgets the previous frame's positions.
     void begin_frame();
     /// Records the position of ImGui's last item under `name`.
     void note(const char* name);
-    /// Records that of something else.
+    /// Records the position of another element.
     void note(const char* name, ImVec2 low, ImVec2 high) { places_.push_back({name, low, high}); }
-    /// Writes the number of the frame and whether the window "rests" or "moves", then one line "name x y
-    /// width height" per control, in window pixels and separated by tabs. Replaces the file atomically.
+    /// Writes the frame number and whether the window "rests" or "moves", then one line "name x y width
+    /// height" per control, in window pixels, tab-separated. Replaces the file atomically.
     void write_places(const std::filesystem::path& file, bool rests = false) const;
 
-    /// What is recorded: corners in window pixels.
+    /// A recorded position: corners in window pixels.
     struct Place {
         std::string name;
         ImVec2 low, high;
     };
     const std::vector<Place>& places() const { return places_; }
 
-    /// Explains ImGui's last item, also a disabled one, while the pointer is on it; in the user's language.
-    /// Recorded as "Tooltip".
+    /// Tooltip for ImGui's last item, even a disabled one; in the user's language. Recorded as "Tooltip".
     void explain(const char* text);
 
     bool button(const char* name);
     bool checkbox(const char* name, bool* value);
     bool radio(const char* name, int* value, int choice);
     bool slider(const char* name, int* value, int low, int high);
-    /// With the decimal separator of the language. Ctrl and a click make it a number().
+    /// Uses the decimal separator of the language. Ctrl+click turns it into a number().
     bool slider(const char* name, double* value, double low, double high, const char* format = "%.2f",
                 ImGuiSliderFlags flags = 0);
-    /// A text field for a number, which takes a point as well as a comma.
+    /// A text field for a number; accepts a point or a comma.
     bool number(const char* name, double* value, const char* format);
-    /// A list of names that are not translated, as those of files.
+    /// A drop-down list of untranslated names, such as file names.
     bool combo(const char* name, int* value, const char* const names[], int count);
-    /// A list of texts that are.
+    /// A drop-down list of translated texts.
     bool choice(const char* name, int* value, const char* const texts[], int count);
-    /// A button of the bar, with its name beside the icon if `with_label`; lit while it is on. Noted as "Bar"
-    /// and the name.
+    /// A button of the toolbar, with its name next to the icon if `with_label`; highlighted while on.
+    /// Recorded as "Bar" and the name.
     bool icon_button(const char* name, Icon icon, bool lit, bool with_label);
     static ImVec2 icon_button_size(const char* name, bool with_label);
-    /// The header of a section that can be opened and closed. Noted as "Section" and the name.
+    /// The header of a collapsible section. Recorded as "Section" and the name.
     void section(const char* name, bool* open);
     bool menu_item(const char* name, const char* key, bool selected = false);
     /// Whether the menu is open; if so, ImGui::EndMenu() must follow.
     bool menu(const char* name);
     /// Whether the popup is open; if so, ImGui::EndPopup() must follow.
     bool popup(const char* name);
-    /// Closes menus, popups and lists that are open, in this frame.
+    /// Closes all open menus, popups and drop-down lists in this frame.
     void close_menus() { closes_menus_ = true; }
-    /// Where the width is fixed, names that are too long for the place beside their control are shown above
-    /// it.
+    /// If the width is fixed, names that are too long to fit next to their control are shown above it.
     void set_width_fixed(bool fixed) { width_fixed_ = fixed; }
 
   private:
-    /// The slider whose value is being typed.
+    /// The slider that is being edited as text.
     struct Typed {
         static constexpr int frames_to_begin = 4;
         ImGuiID id = 0;

@@ -7,16 +7,16 @@
 
 namespace vantage {
 
-/// The planes that the session cuts the model with: none, one, or those of a box.
+/// The session's section planes: none, one, or those of a box.
 std::vector<SectionPlane> sections_of(Cut& cut, const PlanScene& scene);
 
-/// The section of the sidebar: where the model is cut.
+/// The sidebar's section for cutting the model.
 void cut_section(Controls& controls, Session& session, const PlanScene& scene, const Eigen::Vector3d& origin);
 
-/// The lines of the cut over the picture.
+/// The cut's outlines over the picture.
 class CutLines {
   public:
-    /// Draws them over `view`, and the edges of a box; finds them again if the planes or the meshes have
+    /// Draws them over `view`, with the edges of a box; recomputes them if the planes or the meshes have
     /// changed.
     void show(std::span<const PlacedMesh> meshes, std::span<const SectionPlane> planes, const View& view);
 

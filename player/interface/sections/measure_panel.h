@@ -14,32 +14,32 @@
 
 namespace vantage {
 
-/// In the mode for measuring, takes the keys that it acts on from the session's input: Enter, Backspace and
-/// Esc; and double clicks, which end a measurement there. Nothing in other modes.
+/// In measuring mode, removes the keys and clicks that it handles from the session's input: Enter, Backspace,
+/// Esc, and double clicks, which finish a measurement. Does nothing in other modes.
 void take_measuring_keys(Session& session);
 
-/// The mode for measuring: clicks on the model set points; and the panel with the measurements, which are
-/// read from a file beside the package when the mode begins, and written whenever they change.
+/// Measuring mode: clicks on the model set points, and a panel lists the measurements. They are read from a
+/// file next to the package when the mode begins, and saved after each change.
 class MeasurePanel {
   public:
     /// `package` must outlive it.
     explicit MeasurePanel(const PackageReader& package);
 
-    /// Acts on the session's input, and draws measurements and the panel, while
-    /// session.window.panels.measure. `meshes`: those that are shown.
+    /// Handles the session's input, and draws measurements and the panel while session.window.panels.measure.
+    /// `meshes`: the visible ones.
     void show(Controls& controls, Session& session, std::span<const PlacedMesh> meshes, const View& view,
               double now);
 
-    /// The same in steps, for pointers that are not in the window. Begins and ends the mode as the session
-    /// says; whether it is on.
+    /// The same in steps, for pointers outside the window. Enters and leaves the mode as set in the session;
+    /// returns whether it is active.
     bool attend(Session& session, double now);
-    /// Measurements are being saved, or attend() has something to say about that.
+    /// Whether measurements are being saved, or attend() has a result of saving to report.
     bool saves() const { return file_.busy(); }
-    /// The point of the surface that is pointed at; nothing: none.
+    /// Sets the surface point under the pointer; nothing: none.
     void point_at(const std::optional<SurveyPoint>& point) { under_ = point; }
-    /// Sets the point that is pointed at.
+    /// Adds the point under the pointer to the measurement.
     void set_point(Session& session, double now);
-    /// Ends a measurement with the points that it has, if these are enough.
+    /// Finishes a measurement with its current points, if there are enough.
     void end();
     void remove_last_point();
     /// The panel's controls.
@@ -49,9 +49,9 @@ class MeasurePanel {
         std::string label;
         MeasureLook look;
     };
-    /// All measurements, the one being made last.
+    /// All measurements, with the unfinished one last.
     std::vector<Drawn> drawn() const;
-    const Eigen::Vector3d& up() const { return survey_.up; }  ///< in the input's coordinates
+    const Eigen::Vector3d& up() const { return survey_.up; }  ///< in input coordinates
 
   private:
     void begin(Session& session, double now);
@@ -80,8 +80,8 @@ class MeasurePanel {
     bool to_vertices_ = false;
     std::optional<SurveyPoint> under_;
     std::optional<std::size_t> selected_;
-    std::array<char, 256> name_{};  ///< of the selected one, as edited
-    double known_length_ = 0;       ///< of the selected distance, to set the scale by
+    std::array<char, 256> name_{};  ///< name of the selected one, as edited
+    double known_length_ = 0;       ///< of the selected distance, to set the scale
 };
 
 }  // namespace vantage

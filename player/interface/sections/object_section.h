@@ -5,12 +5,11 @@
 
 namespace vantage {
 
-/// The list of objects: shown or not, one alone, where each stands, added and removed. `size`: of the first
-/// one, input units. Returns whether anything in the picture changed.
+/// The list of objects: visibility, placement, adding and removing. `size`: of the first object, in input
+/// units. Returns whether the picture changed.
 bool object_section(Controls& controls, UserCommands& commands, ObjectSet& objects, double size);
 
-/// Asks whether a package that was dropped on the window is to be opened or added. `file`: the one that is
-/// asked about, or empty.
+/// Asks whether to open or add a package that was dropped on the window. `file`: the dropped file, or empty.
 void drop_dialog(Controls& controls, UserCommands& commands, std::string& file);
 
 }  // namespace vantage

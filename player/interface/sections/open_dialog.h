@@ -10,16 +10,16 @@
 
 namespace vantage {
 
-/// Asks for a package or a scene file to open: lists folders and files, and accepts any path or URL.
+/// A dialog to open a package or a scene file: lists folders and files, and accepts any path or URL.
 class OpenDialog {
   public:
-    /// `start`: the folder that is listed first.
+    /// `start`: the folder listed first.
     explicit OpenDialog(std::filesystem::path start) : start_(std::move(start)) {}
     void show(Controls& controls, WindowState& window);
 
   private:
     struct Entry {
-        std::string label;  ///< a folder's ends with a slash
+        std::string label;  ///< folders end with a slash
         std::filesystem::path path;
         bool folder;
     };
@@ -32,10 +32,11 @@ class OpenDialog {
 
     std::filesystem::path start_, folder_;
     std::vector<Entry> entries_;
-    std::string trouble_;       ///< why the folder was not listed
+    std::string trouble_;       ///< error while listing the folder
     std::size_t selected_ = 0;  ///< entries_.size(): none
     std::array<char, 4096> typed_{};
-    int texts_ = 0;  ///< how often the text was set: a text field in use would keep its own
+    int texts_ =
+        0;  ///< number of changes by the program: an active text field would otherwise keep its own text
     bool focus_ = false, scroll_ = false, closes_ = false;
 };
 

@@ -5,9 +5,9 @@
 
 namespace vantage {
 
-/// What the picture shows: photos or false colors, exposure, background, glass, light.
+/// Content of the picture: photos or false colors, exposure, background, glass, light.
 void picture_content(Controls& controls, Session& session, const Renderer& renderer);
-/// The same, and how it is seen: comparison, two eyes, projection, flying.
+/// The same with the display: comparison, stereo, projection, flying.
 void picture_section(Controls& controls, Session& session, const Renderer& renderer);
 
 }  // namespace vantage

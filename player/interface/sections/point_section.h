@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// How the point cloud is shown. The package must have one.
+/// Settings of the point cloud. The package must have one.
 void point_section(Controls& controls, Session& session, const Renderer& renderer);
 
 }  // namespace vantage

@@ -5,8 +5,7 @@
 
 namespace vantage {
 
-/// Times of frames, tiles, memory, and traffic of a package on a server. `graphics_budget`: of all objects,
-/// bytes.
+/// Frame times, tiles, memory, and traffic of a remote package. `graphics_budget`: of all objects, bytes.
 void status_section(Controls& controls, const DrawnFrames& frames, const Renderer& renderer,
                     std::uint64_t graphics_budget);
 

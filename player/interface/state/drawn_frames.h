@@ -7,15 +7,15 @@
 
 namespace vantage {
 
-/// How the frames were drawn.
+/// Statistics of the drawn frames.
 struct DrawnFrames {
     FrameReport report;                                     ///< of the last one
     Pace pace;                                              ///< likewise
-    std::vector<float> ms = std::vector<float>(240, 0.0f);  ///< of the last 240, milliseconds, newest last
+    std::vector<float> ms = std::vector<float>(240, 0.0f);  ///< of the last 240 frames, newest last
     FrameStatistics statistics;                             ///< of these
 };
 
-/// Remembers how long a frame took, in milliseconds.
+/// Records the duration of a frame, in milliseconds.
 void note_time(DrawnFrames& frames, double ms);
 
 }  // namespace vantage

@@ -3,15 +3,15 @@
 
 namespace vantage {
 
-/// What is said to the user, in a line or two.
+/// A message to the user, one or two lines long.
 struct Message {
     std::string text;    ///< empty: nothing
-    double until = 0;    ///< seconds, at least
-    bool shown = false;  ///< else its time begins when it is
+    double until = 0;    ///< earliest end, seconds
+    bool shown = false;  ///< otherwise its time starts when first shown
 };
 
 inline constexpr double message_seconds = 6;
-/// Shows a message for that time.
+/// Shows a message for its minimum time.
 void say(Message& message, const std::string& text, double now);
 
 }  // namespace vantage

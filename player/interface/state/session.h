@@ -18,21 +18,21 @@ namespace vantage {
 /// How the model is cut.
 struct Cut {
     enum class By { plane, box, count } by = By::plane;
-    /// Along the input's axes, as shares of the model's extent: what is kept.
+    /// The box that is kept, along the input's axes, in fractions of the model's extent.
     std::array<double, 3> low{0, 0, 0}, high{1, 1, 1};
-    /// The view as it was when this was chosen; an axis of the input.
+    /// The plane's normal: the viewing direction when this was selected, or an axis of the input.
     enum class Across { facing, x, y, z, count };
     bool on = false, other_side = false;
     Across across = Across::facing;
     Eigen::Vector3d facing = -Eigen::Vector3d::UnitZ();  ///< toward the viewer, of length 1
-    double share = 0.5;                                  ///< of the model's extent across the plane, 0 to 1
+    double share = 0.5;  ///< position in the model's extent across the plane, 0 to 1
     KnownExtents extents;
 };
 
-/// An orthophoto to be written.
+/// A request to write an orthophoto.
 struct OrthophotoRequest {
     enum class Plane { top, front, back, left, right, facing, count } plane = Plane::front;
-    double pixel = 0;  ///< its size in the input's unit; 0: not chosen yet
+    double pixel = 0;  ///< pixel size in input units; 0: not chosen yet
     enum class File { png, tiff, count } file = File::png;
     bool writing = false;
 };
@@ -42,25 +42,26 @@ struct PhotoList {
     std::array<char, 100> filter{};  ///< part of a name
     bool worst_first = false;
     std::vector<std::optional<double>> errors;  ///< of all photos, pixels; see photo_errors()
-    bool by_point = false;                      ///< lists those that show a point that is clicked
+    bool by_point = false;                      ///< lists only photos that show a clicked point
     std::optional<Eigen::Vector3d> point;
     std::vector<Footprint> showing;  ///< the photos that show it
 };
 
-/// How keys, drags and fingers move the camera.
+/// State of camera control by keys, drags and touch.
 struct Steering {
-    double flying_speed = 1;  ///< of the keys, in usual speeds
-    bool inertia = true;      ///< what is let go in motion moves on
+    double flying_speed = 1;  ///< of the keys, in multiples of the default speed
+    bool inertia = true;      ///< drags released while moving continue
     Glide glide;
-    /// What a drag or two fingers hold.
+    /// The anchor of a drag or a two-finger gesture.
     struct Grip {
-        Eigen::Vector3d pivot;  ///< the point under the pointer when it began
-        bool looks = false;     ///< the drag turns the camera in its place
+        Eigen::Vector3d pivot;  ///< the point under the pointer at its start
+        bool looks = false;     ///< the drag turns the camera in place
     };
     std::optional<Grip> grip;
 };
 
-/// What the user sees and changes of a scene, in a window that may show others before and after it.
+/// State of a scene as the user views and edits it, in a window that may show other scenes before and after
+/// it.
 struct Session {
     /// `window` must outlive it.
     explicit Session(WindowState& of) : window(of) {}
@@ -71,7 +72,7 @@ struct Session {
     StereoSettings stereo;              ///< for the pictures of two eyes
     bool freeze = false;                ///< weights are frozen
     bool lamp_follows = true;           ///< the raking light follows the pointer
-    /// Whether the section of layers is open, of a package that has none of its own.
+    /// Whether the section of layers is open for a package without fields of its own.
     std::optional<bool> measured_fields;
     Viewpoint viewpoint;
     Steering steering;
@@ -83,8 +84,8 @@ struct Session {
     DrawnFrames drawn;
 };
 
-/// What is seen from a camera in a frame of this size: in the free part of it, orthographically if the
-/// session says so. What is as far away as the camera's target is then as large as in perspective.
+/// The view from a camera in a frame of this size: in its free part, and orthographic if set in the session.
+/// Objects at the distance of the camera's target then have the same size as in perspective.
 View shown_view(const Navigation& camera, const Session& session, const PlanScene& scene, int width,
                 int height);
 
@@ -95,7 +96,7 @@ bool& fields_open(Session& session);
 void fly_to(Session& session, std::uint32_t photo, const package::PhotoRecord& record, double now);
 /// Starts a flight to the view before the last movement.
 void fly_back(Session& session, double now);
-/// Ends a comparison, and starts a flight to where the session began.
+/// Ends a comparison, and starts a flight to the session's initial view.
 void fly_home(Session& session, double now);
 
 }  // namespace vantage

@@ -8,53 +8,53 @@
 
 namespace vantage {
 
-/// Where a scene is seen from, and the flight that changes it.
+/// The camera of a scene, and the flight in progress.
 struct Viewpoint {
     Navigation camera;
-    Navigation home;                ///< where the session began
+    Navigation home;                ///< initial view of the session
     bool orthographic = false;      ///< instead of perspective
     std::uint32_t standing_at = 0;  ///< the photo last flown to
 
-    /// A flight in progress: to a photo, along a recorded path, or along a curve with times of its own.
+    /// A flight in progress: to a photo, along a recorded path, or along a curve with its own timing.
     struct Flight {
         std::vector<Navigation> stops;
         double start, seconds;
         std::shared_ptr<const CameraSpline> along{};
     };
     std::optional<Flight> flight;
-    /// Where the camera was before it moved, oldest first.
+    /// Views before each movement of the camera, oldest first.
     struct EarlierViews {
         std::vector<Navigation> views;
-        Navigation last{};  ///< of the last frame
+        Navigation last{};  ///< camera in the last frame
         double moved_at = 0;
-        bool returning = false;  ///< the flight leads to one of them
+        bool returning = false;  ///< the flight returns to one of them
     };
     EarlierViews earlier;
 };
 
-/// How often positions are recorded.
+/// Sampling rate of recorded paths.
 inline constexpr double positions_per_second = 30;
 
-/// The camera's positions since recording was started, one per 1 / positions_per_second seconds.
+/// The camera's positions since the start of recording, one per 1 / positions_per_second seconds.
 struct RecordedPath {
     bool recording = false;
     std::vector<Navigation> positions;
 };
 
-/// Begins at a camera, which is home.
+/// Starts at a camera, which becomes home.
 void begin_at(Viewpoint& viewpoint, const Navigation& camera);
 /// Starts a flight to a camera.
 void start_flight(Viewpoint& viewpoint, const Navigation& to, double now, double seconds);
-/// Starts a flight that ends before a point, at half the distance.
+/// Starts a flight toward a point that covers half of the distance.
 void fly_to_point(Viewpoint& viewpoint, const Eigen::Vector3d& point, double now);
-/// Starts a flight along the recorded path, as fast as it was recorded.
+/// Starts a flight along the recorded path, at the recorded speed.
 void replay(Viewpoint& viewpoint, const RecordedPath& path, double now);
 /// Moves the camera to its position on the flight in progress.
 void continue_flight(Viewpoint& viewpoint, double now);
 /// Remembers the view from which the camera has just started to move.
 void note_view(Viewpoint& viewpoint, double now);
 
-/// Starts recording anew, or stops.
+/// Starts a new recording, or stops recording.
 void toggle_recording(RecordedPath& path);
 
 }  // namespace vantage

@@ -8,34 +8,34 @@
 
 namespace vantage {
 
-/// The parts of the interface that are shown.
+/// The visible parts of the interface.
 struct Panels {
     bool bar = true, photos = true, frusta = false, radar = false, help = false;
-    bool expert = false;  ///< the menu, and the sidebar with the sections that follow
+    bool expert = false;  ///< the menu bar, and the sidebar with the following sections
     bool picture = true, photo_list = false, cut = false, orthophoto = false, blending = true, status = false,
          objects = false;
-    bool fields = true;  ///< if the package has scalar fields of its own; see fields_open()
+    bool fields = true;                       ///< if the package has scalar fields; see fields_open()
     bool points = true, image_sets = true;    ///< only if the package has any
-    bool measure = false;                     ///< and clicks measure
-    bool story = true, story_editor = false;  ///< notes and tours, if there are any; editing them
+    bool measure = false;                     ///< measuring mode
+    bool story = true, story_editor = false;  ///< notes and tours, if there are any; the editor
 };
 
-/// What belongs to the window, whichever package it shows.
+/// State of the window that is independent of the package.
 struct WindowState {
     Panels panels;
     bool full_screen = false;
-    bool keyboard = true;  ///< and a pointer in the picture; else nothing can be typed or clicked there
-    bool kiosk = false;    ///< for the public: nothing can be opened, written, set or quit
+    bool keyboard = true;  ///< and mouse; otherwise nothing can be typed or clicked in the picture
+    bool kiosk = false;    ///< for the public: without opening, saving, settings or quitting
     float text_scale = 1;
-    /// Of the window and of stories, such as "de-AT"; empty: English, and the story's own.
+    /// Language of the window and of stories, such as "de-AT"; empty: English, and the story's default.
     std::string language;
-    Area free;  ///< the part that no panel covers, to which the picture is fitted
+    Area free;  ///< the area without panels, to which the picture is fitted
 
-    UserInput input;                  ///< not taken yet
-    std::vector<KeyPress> measuring;  ///< keys for the mode of measuring
+    UserInput input;                  ///< unhandled input
+    std::vector<KeyPress> measuring;  ///< keys for measuring mode
     bool menu_open = false;           ///< or a list, in the last frame
-    bool navigates = false;           ///< a control was marked for keys in the last frame
-    bool touched = false;             ///< something happened in the window since the last frame
+    bool navigates = false;           ///< a control had the keyboard focus in the last frame
+    bool touched = false;             ///< any input since the last frame
     UserCommands commands;
 };
 

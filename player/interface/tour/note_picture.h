@@ -12,24 +12,24 @@ namespace vantage {
 /// Reads a PNG or JPEG file of at most 64 MiB and 40 megapixels. Throws Error(input) naming the file.
 Picture read_note_picture(const std::filesystem::path& file);
 
-/// Reduces a picture by whole factors until neither side exceeds `most` pixels.
+/// Reduces a picture by integer factors until neither side exceeds `most` pixels.
 Picture reduced_picture(Picture picture, int most);
 
-/// The picture of the note whose card is open, as a texture. Belongs to the OpenGL thread. Its destructor
-/// waits for a file that is being read.
+/// The picture of the open note, as a texture. Belongs to the OpenGL thread. Its destructor waits for a file
+/// that is being read.
 class NotePicture {
   public:
-    /// Begins to load the file, in the background, if it is not the one that was loaded last. Until it is
-    /// there, without a file, or if it cannot be read, there is no picture.
+    /// Starts loading the file in the background, unless it was the last one loaded. There is no picture
+    /// until loading is complete, without a file, or if it cannot be read.
     void load(const std::filesystem::path& file);
-    /// Once per frame: takes what was loaded.
+    /// Uploads a loaded picture; called once per frame.
     void attend();
     bool loading() const { return read_.valid(); }
-    /// 0: there is none.
+    /// 0: no picture.
     GLuint texture() const { return texture_.id(); }
     int width() const { return width_; }
     int height() const { return height_; }
-    /// Why it was not read; empty if it was.
+    /// Error while reading; empty on success.
     const std::string& trouble() const { return trouble_; }
 
   private:

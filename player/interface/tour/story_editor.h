@@ -9,9 +9,8 @@
 
 namespace vantage {
 
-/// The panel with which a curator writes a story: adds notes where the middle of the view meets the surface,
-/// edits the open one, orders them, makes a tour of them, and saves. Texts are edited in the language that is
-/// shown.
+/// The panel for writing a story: adds notes at the surface point in the center of the view, edits the open
+/// note, sorts the notes, makes a tour of them, and saves. Texts are edited in the displayed language.
 class StoryEditor {
   public:
     void show(Controls& controls, ActiveStory& active, Session& session, const View& view,
@@ -23,8 +22,8 @@ class StoryEditor {
     void buttons(Controls& controls, ActiveStory& active, const Session& session);
     void take(const ActiveStory& active);
 
-    std::optional<std::size_t> edited_;  ///< the note whose texts are in the fields
-    std::string language_;               ///< that they are in
+    std::optional<std::size_t> edited_;  ///< the note in the text fields
+    std::string language_;               ///< language of the edited texts
     std::array<char, 501> title_{};
     std::array<char, 20001> text_{};
     std::array<char, 501> picture_{};

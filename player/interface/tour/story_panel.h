@@ -8,18 +8,18 @@ namespace vantage {
 
 /// The notes and tours of a story, and its languages if there are several.
 void story_content(Controls& controls, ActiveStory& active, Session& session, double now);
-/// The picture, the text and the buttons of the note whose card is open. `room`: the width of both and the
-/// height of the picture, at most, in pixels.
+/// The picture, the text and the buttons of the open note. `room`: maximum width of both and maximum height
+/// of the picture, in pixels.
 void note_content(Controls& controls, ActiveStory& active, NotePicture& picture, Viewpoint& viewpoint,
                   ImVec2 room, double now);
 /// "2  The portal"
 std::string note_label(const ActiveStory& active, std::size_t note);
 
 /// The story's title, its notes and tours, and its languages if there are several. A click on a note flies
-/// there, on a tour plays it.
+/// there; a click on a tour plays it.
 void story_panel(Controls& controls, ActiveStory& active, Session& session, double now);
 
-/// The note whose card is open: title, text and picture, with the previous and the next note.
+/// The open note: title, text and picture, with buttons to the previous and next note.
 void note_card(Controls& controls, ActiveStory& active, NotePicture& picture, Session& session, double now);
 
 }  // namespace vantage

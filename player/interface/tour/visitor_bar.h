@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// The bar along the lower edge, with what every visitor needs.
+/// The toolbar at the bottom, with the functions for visitors.
 void visitor_bar(Controls& controls, Session& session, const Renderer& renderer, const View& view,
                  const Area& area, double now);
 

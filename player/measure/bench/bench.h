@@ -14,7 +14,7 @@ struct BenchOptions : FlightOptions {
 };
 
 /// Flies scripted paths without a display, prints a summary, and writes the measurements of every frame:
-/// frames.csv, summary.json, a plot per path and, if asked for, frames as PNG. Throws Error.
+/// frames.csv, summary.json, a plot per path and, if requested, frames as PNG. Throws Error.
 int run_bench(const PackageReader& package, const BenchOptions& options);
 
 }  // namespace vantage

@@ -8,32 +8,32 @@
 
 namespace vantage {
 
-/// What a view shows: sRGB codes, 0 to 255, not rounded, and triangles numbered from 1 (0: none); one per
+/// A rendered frame: sRGB values, 0 to 255, not rounded, and triangles numbered from 1 (0: none); one per
 /// pixel, row by row from the top.
 struct SeenFrame {
     View view;
     std::vector<std::array<float, 3>> codes;
     std::vector<std::uint32_t> triangles;
 };
-/// The renderer's last picture, of one sample per pixel.
+/// The renderer's last picture, with one sample per pixel.
 SeenFrame seen_frame(const Renderer& renderer, const View& view);
 /// Rounded to 8 bits, opaque.
 Picture picture_of(const SeenFrame& frame);
 
-/// How far the colors of surfaces jump from one frame to the next, in gray levels: root mean square over the
-/// channels of the mean change in cells of the picture.
+/// Change of surface colors between two frames, in gray levels: root mean square over the channels of the
+/// mean change in cells of the picture.
 struct ColorStep {
-    double mean = 0, p99 = 0, max = 0;  ///< over the cells, each counted by its compared pixels
-    double degrees = 0;                 ///< mean angle by which the eye moved around the compared surfaces
-    double compared = 0;                ///< share of the pixels that show a surface
+    double mean = 0, p99 = 0, max = 0;  ///< over the cells, weighted by their compared pixels
+    double degrees = 0;                 ///< mean angle of the eye's movement around the compared surfaces
+    double compared = 0;                ///< fraction of pixels that show a surface
 };
 
-/// The cells' sides, in pixels: a fortieth of the frame's longer side, at least 1.
+/// Side of the cells, in pixels: a fortieth of the frame's longer side, at least 1.
 int step_cell(int width, int height);
 
 /// Compares two pictures of one view, pixel by pixel: `now`, and `then`, with the photos and weights of the
-/// frame `next`. Counts only surfaces that both show and that are visible in `next`, too, and cells of which
-/// at least a quarter is compared. All zero if there are none.
+/// frame `next`. Only compares surfaces that both show and that are also visible in `next`, and cells of
+/// which at least a quarter is compared. All zero if there are none.
 ColorStep color_step(const PlanScene& scene, const SeenFrame& now, const SeenFrame& then,
                      const SeenFrame& next);
 

@@ -19,30 +19,30 @@
 
 namespace vantage {
 
-/// Time from one frame to the next in a path's clock, which photos fade by.
+/// Duration of a frame in a path's clock, which controls fades.
 inline constexpr double frame_seconds = 1.0 / 30;
 
-/// How paths are flown.
+/// Settings of flights along paths.
 struct FlightOptions {
     PackageOptions package;
-    std::vector<SceneObject> scene;  ///< what is shown; the first object is the package
+    std::vector<SceneObject> scene;  ///< the objects shown; the first is the package
     BlendingOptions blending;
     MemoryOptions memory;
     PointOptions points;
-    StereoSettings stereo;  ///< frames are drawn for both eyes unless off
+    StereoSettings stereo;  ///< frames are drawn in stereo unless off
     int frames = 120;
-    double fps = -1;           ///< of the mode "adaptive", see frame_goal()
+    double fps = -1;           ///< for the mode "adaptive", see frame_goal()
     double minutes = 0;        ///< instead of `frames`
-    bool until_exact = false;  ///< end a path whose view stays the same when its picture is exact
+    bool until_exact = false;  ///< end a path when the view is constant and its picture exact
     bool warm = false;         ///< keep the package in the page cache
     std::filesystem::path folder = "bench";
 };
 
 struct FrameRecord {
     double ms;
-    double scale;  ///< share of the frame's width and height at which it was drawn
+    double scale;  ///< fraction of the frame's width and height at which it was drawn
     FrameReport report;
-    std::uint64_t graphics;  ///< bytes of OpenGL objects
+    std::uint64_t graphics;  ///< memory of OpenGL objects, bytes
     ProcessMemory process;
 };
 
@@ -51,10 +51,10 @@ struct Flight {
     std::string path, mode;
     int repeat;
     std::vector<FrameRecord> frames;
-    PassTimes pass_ms{};  ///< of the first object, all frames together
+    PassTimes pass_ms{};  ///< of the first object, sum over all frames
     StreamedSoFar streamed{};
     std::uint64_t graphics_budget = 0;
-    // Of "still", and of the jump in "jump", if there is a single object:
+    // For "still", and for the jump in "jump", if there is only one object:
     int frames_to_exact = -1;  ///< until no tile was missing; -1: never
     double ms_to_exact = 0;
     StreamedSoFar streamed_to_exact{};
@@ -70,15 +70,15 @@ struct FlightTarget {
 };
 FlightTarget make_flight_target(FrameSize size);
 
-/// A scripted path, or one from a file of views. Scripted paths start at the first of --photo, or else at the
-/// middle photo.
+/// A scripted path, or one from a file of views. Scripted paths start at the first photo of --photo, or else
+/// at the middle photo.
 CameraPath path_named(const std::string& name, const PackageReader& package, const FlightOptions& options,
                       int repeat);
 
-/// Flies a path over the scene's objects, of which `package` is the first, with fresh renderers. `mode`:
-/// "stream", within the upload budget; "resident", everything loaded beforehand; "whole", each photo uploaded
-/// whole when it is chosen; "adaptive", as a window moves: within the upload budget, and at the pace that
-/// keeps the frames per second asked for. Throws Error.
+/// Flies a path over the scene's objects, of which `package` is the first, with new renderers. `mode`:
+/// "stream", within the upload budget; "resident", with everything loaded in advance; "whole", uploading
+/// complete photos when they are selected; "adaptive", like a moving window: within the upload budget, and
+/// adapting quality to the requested frames per second. Throws Error.
 Flight fly(const PackageReader& package, const FlightOptions& options, const CameraPath& path,
            const std::string& mode, int repeat, const FlightTarget& target);
 

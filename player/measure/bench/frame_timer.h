@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// Measures a frame in milliseconds: on a graphics card, the longer of CPU time and GPU time (by a timer
-/// query); with a software renderer, the time until glFinish() returns.
+/// Measures a frame's duration in milliseconds: on a graphics card, the longer of CPU time and GPU time (by a
+/// timer query); with a software renderer, the time until glFinish() returns.
 class FrameTimer {
   public:
     explicit FrameTimer(bool software);

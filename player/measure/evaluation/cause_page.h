@@ -9,7 +9,7 @@ namespace vantage {
 /// Name of the file with the crops of a photo's worst region: NAME-CAUSE.png.
 std::string region_file(const PhotoEvaluation& result, const WorstRegion& region);
 
-/// Writes the part of the page that divides the squared error among its causes, as HTML: a table of all
+/// Writes the part of the page that attributes the squared error to its causes, as HTML: a table of all
 /// photos together, one row per photo, and for each cause the worst regions of all photos.
 void write_causes(std::ostream& out, const std::vector<PhotoEvaluation>& results);
 

@@ -8,15 +8,15 @@
 
 namespace vantage {
 
-/// Fits the photos' colors again as if one of them did not exist, so that its rendered view owes it nothing.
+/// Fits the photos' colors again with one photo removed, so that it does not affect its rendered view.
 class ColorsWithout {
   public:
     /// Reads the photos' samples of the surface. Throws Error(damaged).
     explicit ColorsWithout(const PackageReader& package);
 
-    /// Gains, and vignetting if that is on, fitted without `photo` to the others of its image set.
+    /// Gains, and vignetting if enabled, fitted without `photo` to the others of its image set.
     PhotoColors colors(std::uint32_t photo) const;
-    /// The package's records with these colors, as far as the effects are on for the photo's image set.
+    /// The package's records with these colors, as far as the effects are enabled for the photo's image set.
     std::vector<package::PhotoRecord> records(const PhotoColors& colors, std::uint32_t photo) const;
     std::vector<package::PhotoRecord> records(std::uint32_t photo) const {
         return records(colors(photo), photo);

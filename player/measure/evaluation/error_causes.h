@@ -8,21 +8,21 @@
 
 namespace vantage {
 
-/// Why a rendered view differs from the photo, see docs/method.md. Rows of cause_table().
+/// Causes of differences between a rendered view and its photo, see docs/method.md. Rows of cause_table().
 enum class Cause { no_surface, unseen, displaced, detail, disagreement, odd_photo, unjudged, count };
 inline constexpr std::size_t cause_count = std::size_t(Cause::count);
 
-/// What is said about a cause.
+/// Texts and color of a cause.
 struct CauseRow {
     Cause cause;
-    const char *name, *meaning;         ///< a word or two; a line
-    const char* file;                   ///< part of names of files and columns
+    const char *name, *meaning;         ///< a word or two; one line
+    const char* file;                   ///< part of file and column names
     std::array<std::uint8_t, 3> color;  ///< on maps
 };
 const std::array<CauseRow, cause_count>& cause_table();
 inline const CauseRow& cause_row(Cause cause) { return cause_table()[std::size_t(cause)]; }
 
-/// Whether the error is that of pixels without color.
+/// Whether the cause applies to pixels without color.
 inline bool is_hole(Cause cause) { return cause == Cause::no_surface || cause == Cause::unseen; }
 
 /// The squared error of each cause, summed over pixels and three channels.
@@ -30,11 +30,11 @@ struct CauseSquares : std::array<double, cause_count> {
     double of(Cause cause) const { return (*this)[std::size_t(cause)]; }
     double all() const;
     double colored() const;                   ///< without holes
-    double share(Cause cause) const;          ///< of all(); 0 without any error
-    double colored_share(Cause cause) const;  ///< of colored(); 0 for holes and without any error
+    double share(Cause cause) const;          ///< fraction of all(); 0 without any error
+    double colored_share(Cause cause) const;  ///< fraction of colored(); 0 for holes and without any error
 };
 
-/// The squared error of a frame, divided among the causes.
+/// The squared error of a frame, attributed to the causes.
 struct CauseMap {
     Cells cells;
     std::vector<CauseSquares> squares;  ///< per cell
@@ -42,15 +42,15 @@ struct CauseMap {
     CauseSquares totals() const;
 };
 
-/// What the causes are judged by. All pictures and planes have the same size.
+/// Input for the attribution of errors. All pictures and planes have the same size.
 struct CauseEvidence {
     const Picture& photo;
     const Picture& shown;              ///< see as_in_window; gains applied
     std::span<const Picture> alone;    ///< the view rendered from single photos, with the same gains
     const Plane& errors;               ///< see squared_errors
-    const std::vector<bool>& taken;    ///< the photo has the pixel
+    const std::vector<bool>& taken;    ///< the photo has a valid pixel
     const std::vector<bool>& colored;  ///< a photo contributes to the picture
-    const std::vector<bool>& surface;  ///< the mesh is there
+    const std::vector<bool>& surface;  ///< the pixel shows the mesh
 };
 
 /// Assigns the error of each uncolored pixel and that of each cell's colored pixels to one cause.

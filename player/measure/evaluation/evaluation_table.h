@@ -8,24 +8,24 @@
 
 namespace vantage {
 
-/// The error of all frames together that has one cause.
+/// The error of one cause over all frames.
 struct CauseTotal {
     Cause cause = Cause::count;
-    double share = 0, colored_share = 0;        ///< of all photos' squared errors, see CauseSquares
-    double decibels = 0, colored_decibels = 0;  ///< by which PSNR would rise without it: mean over the photos
-                                                ///< of the frame, of the colored pixels
-    std::size_t worst = 0;                      ///< index of the photo with most of it
+    double share = 0, colored_share = 0;        ///< fraction of all photos' squared errors, see CauseSquares
+    double decibels = 0, colored_decibels = 0;  ///< mean rise of PSNR over the photos without this error: of
+                                                ///< the frame, of the colored pixels
+    std::size_t worst = 0;                      ///< index of the photo with the most of it
 };
 
-/// One per cause that has any error, largest share first.
+/// One per cause with nonzero error, the largest share first.
 std::vector<CauseTotal> cause_totals(const std::vector<PhotoEvaluation>& results);
 
-/// Prints the heading of the table of photos. `names`: width of the first column.
+/// Prints the header of the table of photos. `names`: width of the first column.
 void print_heading(int names);
 void print_row(const PhotoEvaluation& result, int names);
 /// Prints the means over photos with a colored pixel, if there are any.
 void print_means(const std::vector<PhotoEvaluation>& results, int names);
-/// Prints one line per cause that has any error.
+/// Prints one line per cause with nonzero error.
 void print_causes(const std::vector<PhotoEvaluation>& results);
 
 /// The same values, an object per photo.

@@ -17,11 +17,11 @@ struct PhotoEvaluation {
     std::uint32_t photo = 0;
     std::string name;                ///< without extension
     PictureScore score;              ///< over the colored pixels
-    FrameScore frame;                ///< over all pixels, as the window shows them
+    FrameScore frame;                ///< over all pixels, as shown in the window
     CauseSquares causes{};           ///< the frame's squared error after gains
     std::vector<WorstRegion> worst;  ///< at most four, of different causes
-    double colored = 0;              ///< share of the photo's pixels on the surface that have a color
-    double over_nearest = 0;  ///< dB above the nearest photo alone, gains fitted, over pixels that both color
+    double colored = 0;              ///< fraction of the photo's surface pixels that have a color
+    double over_nearest = 0;  ///< dB above the nearest photo alone, after gains, over pixels colored in both
     std::array<double, 2> shift{0, 0};  ///< photo pixels at full size, see shift_of
     RelativeBrightness brightness;      ///< of the photo
     std::vector<std::string> remarks;   ///< likely problems
@@ -32,24 +32,24 @@ struct PhotoEvaluation {
 struct RegionError {
     std::size_t pixels = 0, uncolored = 0;
     double squares = 0;  ///< sum of squared differences after gains, over three channels
-    double rms() const;  ///< gray levels of 255; 0 if nothing is colored
+    double rms() const;  ///< gray levels of 255; 0 without colored pixels
 };
 
 struct EvaluationPictures {
     Picture photo, rendered, difference;
-    Picture shown;   ///< the whole frame, see as_in_window; gains applied
-    Picture causes;  ///< see cause_picture
-    std::vector<Picture>
-        alone;  ///< from single photos, gains applied: the nearest, and those that agree best
+    Picture shown;               ///< the whole frame, see as_in_window; gains applied
+    Picture causes;              ///< see cause_picture
+    std::vector<Picture> alone;  ///< from single photos, after gains: the nearest, and those that agree best
     std::vector<Picture> worst;  ///< of PhotoEvaluation::worst, see region_picture
-    std::vector<bool> scored;    ///< one flag per pixel: both photo and rendered picture show it
+    std::vector<bool>
+        scored;  ///< one flag per pixel: visible in the photo and colored in the rendered picture
 };
 
 /// A photo to hold out.
 struct HeldOut {
     std::uint32_t photo;
-    int level;                                      ///< of the pyramid, at which pictures are compared
-    std::span<const std::uint32_t> photos;          ///< the others are these without it
+    int level;                                      ///< pyramid level of the comparison
+    std::span<const std::uint32_t> photos;          ///< all photos but this one
     std::span<const package::PhotoRecord> records;  ///< see ColorsWithout
 };
 
@@ -58,7 +58,7 @@ struct HeldOut {
 PhotoEvaluation evaluate_held_out(Renderer& renderer, RenderSettings settings, const HeldOut& held_out,
                                   std::vector<RegionError>& regions, EvaluationPictures& pictures);
 
-/// Adds remarks to photos with likely problems; an unusually low SSIM is judged against all results.
+/// Adds remarks about likely problems to the photos; an unusually low SSIM is relative to all results.
 void remark(std::vector<PhotoEvaluation>& results);
 
 }  // namespace vantage

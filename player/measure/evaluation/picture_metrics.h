@@ -11,7 +11,7 @@ namespace vantage {
 
 /// The difference of a rendered picture from the photo, over the scored pixels.
 struct PictureScore {
-    std::size_t pixels = 0;  ///< scored; if 0, all other values are 0
+    std::size_t pixels = 0;  ///< compared pixels; if 0, all other values are 0
     double psnr = 0;         ///< dB, 10 log10(255^2 / mean squared difference) over three channels
     double psnr_gain = 0;    ///< the same after the best gain per channel: independent of exposure
     double ssim = 0;         ///< of luminance (Wang et al. 2004), windows normalized to the scored pixels
@@ -22,11 +22,11 @@ struct PictureScore {
     std::array<double, 3> gain{1, 1, 1};
 };
 
-/// Pixels with alpha of at least one half, eroded by `radius` (the frame's edge does not erode).
+/// Pixels with an alpha of at least one half, eroded by `radius` (the frame's edge does not erode).
 std::vector<bool> scored_pixels(const Picture& picture, int radius = 3);
 
-/// The gain per channel that, applied to the picture, brings its scored pixels closest to the photo's (least
-/// squares); 1 if no pixel is scored. Here and below, both pictures have the same size, and flags are one per
+/// The gain per channel that minimizes the squared difference between the picture's scored pixels and the
+/// photo's; 1 if no pixel is scored. Here and below, both pictures have the same size, and flags are one per
 /// pixel.
 std::array<double, 3> fitted_gain(const Picture& photo, const Picture& picture,
                                   const std::vector<bool>& scored);
@@ -51,7 +51,7 @@ PictureScore score(const Picture& photo, const Picture& picture, const std::vect
 /// few pixels.
 std::array<double, 2> shift_of(const Picture& photo, const Picture& picture, const std::vector<bool>& scored);
 
-/// The largest difference of each pixel's channels, gains applied, from black through red and yellow to white
+/// The largest difference over each pixel's channels, after gains, from black through red and yellow to white
 /// (a quarter of the range or more).
 Picture difference_picture(const Picture& photo, const Picture& picture, const PictureScore& score);
 

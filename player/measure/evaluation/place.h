@@ -8,13 +8,13 @@
 
 namespace vantage {
 
-/// A part of a picture, in its pixels.
+/// A rectangle in a picture, in pixels.
 struct Place {
     int x, y, width, height;
 };
 
 inline constexpr int cell_size = 16;   ///< px; each cell of a frame has one cause of error
-inline constexpr int cell_margin = 8;  ///< px around a cell that are judged with it
+inline constexpr int cell_margin = 8;  ///< px around a cell that are evaluated with it
 
 /// A frame divided into cells, numbered row by row.
 struct Cells {
@@ -23,7 +23,7 @@ struct Cells {
     int columns() const { return (width + cell_size - 1) / cell_size; }
     int rows() const { return (height + cell_size - 1) / cell_size; }
     std::size_t count() const { return std::size_t(columns()) * std::size_t(rows()); }
-    /// The cell's pixels, extended by `margin` on all sides, within the frame.
+    /// The cell's pixels, extended by `margin` on all sides, clipped to the frame.
     Place place(std::size_t cell, int margin = 0) const {
         const int x = int(cell) % columns() * cell_size, y = int(cell) / columns() * cell_size;
         const int x0 = std::max(0, x - margin), y0 = std::max(0, y - margin);
@@ -32,7 +32,7 @@ struct Cells {
     }
 };
 
-/// An integral image: sums over all pixels above and to the left, one row and column more than the picture.
+/// An integral image: sums over all pixels above and to the left, one row and column larger than the picture.
 class Integral {
   public:
     Integral(int width, int height)
@@ -53,11 +53,11 @@ class Integral {
     std::vector<double> sums_;
 };
 
-/// The side in pixels of the squares that are searched for the largest error or change: a sixth of the
-/// picture's longer side, but at least 48.
+/// Side in pixels of the squares that are searched for the largest error or change: a sixth of the picture's
+/// longer side, but at least 48.
 int searched_side(int width, int height);
 
-/// Crops of pictures of one size, left to right.
+/// Crops of equally sized pictures, left to right.
 Picture side_by_side(std::span<const Picture* const> pictures, const Place& place);
 
 }  // namespace vantage

@@ -17,10 +17,10 @@ struct ImageSetOptions {
 };
 /// --image-set.
 void add_image_set_option(const Command& command, ImageSetOptions& options);
-/// Those that show a second image set.
+/// The options for a second image set.
 void add_second_image_set_options(const Command& command, ImageSetOptions& options);
 
-/// Throws Error(usage) for an image set that the package lacks, or a share that is none.
+/// Throws Error(usage) for an unknown image set or an invalid share.
 ImageSetSettings image_set_settings(const PackageReader& package, const ImageSetOptions& options);
 
 }  // namespace vantage

@@ -7,14 +7,14 @@ namespace vantage {
 
 class Command;
 
-/// Light on the geometry.
+/// Lighting of the geometry.
 struct LightOptions {
     std::vector<double> lamp;  ///< azimuth and elevation, or empty
     LightSettings shown;
 };
 void add_light_options(const Command& command, LightOptions& options);
 
-/// Throws Error(usage) for an elevation out of range.
+/// Throws Error(usage) for an elevation outside the valid range.
 LightSettings light_settings(const LightOptions& options);
 
 }  // namespace vantage

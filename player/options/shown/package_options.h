@@ -13,17 +13,17 @@ class Option;
 struct PackageOptions {
     std::string file;
     std::vector<std::string> exclude;  ///< photos that are not blended
-    std::vector<std::string> photos;   ///< to look from, or to hold out
+    std::vector<std::string> photos;   ///< photos to view from, or to hold out
 };
-/// FILE, whose help ends in `more`.
+/// FILE; `more` is appended to its help text.
 Option add_package_argument(const Command& command, PackageOptions& options, const std::string& more = {});
 void add_exclude_option(const Command& command, PackageOptions& options);
 void add_photo_option(const Command& command, PackageOptions& options, const std::string& help);
 
-/// All photos but the excluded ones. Throws Error(usage) for an unknown name.
+/// All photos except the excluded ones. Throws Error(usage) for an unknown name.
 std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& options);
 
-/// Those of them that are of one image set.
+/// The same for one image set.
 std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& options,
                                          std::uint32_t image_set);
 

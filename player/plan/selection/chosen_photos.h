@@ -10,7 +10,7 @@ struct ChosenPhoto {
     bool operator==(const ChosenPhoto&) const = default;
 };
 
-/// What choose_photos() finds.
+/// Result of choose_photos().
 struct PhotoChoice {
     std::vector<ChosenPhoto> photos;  ///< by decreasing agreement
     double uncovered = 0;             ///< see uncovered_share()

@@ -15,17 +15,18 @@ struct CoverProblem {
     };
     struct Set {
         std::span<const std::uint64_t> whole, part;
-        double preference;  ///< higher wins between sets that cover equal areas
+        double preference;  ///< larger values win between sets that cover equal areas
     };
     std::vector<Run> runs;
     std::vector<Set> sets;
 };
 
-/// Sets that together see what any set sees, and entirely if any set does: greedy (Chvatal 1979), by added
-/// area times preference^(1/4), until uncovered_share() is at most 0.0016; then redundant sets are removed.
+/// A selection of sets that covers everything covered by any set, entirely if any set does: greedy (Chvatal
+/// 1979), by added area times preference^(1/4), until uncovered_share() is at most 0.0016; then redundant
+/// sets are removed.
 std::vector<std::size_t> cover(const CoverProblem& problem);
 
-/// Share of the area visible in any set that the chosen sets do not see; a triangle that they see in part
+/// Fraction of the area visible in any set that the chosen sets do not see; a triangle that they see in part
 /// and others entirely counts one fifth.
 double uncovered_share(const CoverProblem& problem, std::span<const std::size_t> chosen);
 

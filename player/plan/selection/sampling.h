@@ -26,9 +26,8 @@ struct LevelRange {
     double finest, coarsest;
 };
 
-/// The levels that shaders/blend.frag computes for fragments of a cluster, from the cluster's bounding sphere
-/// and normal cone, but no finer than for a surface slanted by 60 degrees in the photo. `samples` per side of
-/// a pixel.
+/// The levels computed by shaders/blend.frag for fragments of a cluster, from its bounding sphere and normal
+/// cone, but no finer than for a surface tilted by 60 degrees in the photo. `samples` per side of a pixel.
 LevelRange sampled_levels(const package::ClusterRecord& cluster, const Intrinsics& photo,
                           const Pose& photo_from_origin, const View& view, double samples);
 

@@ -7,17 +7,18 @@
 
 namespace vantage {
 
-/// Samples of a surface, each of which stands for `pixels` samples of the picture.
+/// Samples of a surface, each of which represents `pixels` samples of the picture.
 struct SampledSurface {
     std::span<const SurfaceSample> samples;
-    std::span<const float> weights;  ///< of the photo at each sample, in [0, 1]; 0: it does not show it
+    std::span<const float>
+        weights;  ///< of the photo at each sample, in [0, 1]; 0: the photo does not show it
     double pixels = 1;
 };
 
-/// The tiles of one photo worth loading to show this: those with at least the share `worth` of their texels
-/// shown (twice that for weight maps, which come with depth). `lens`: null if the photo has none. A tile
-/// below that is replaced by the next coarser one; on the coarsest level all tiles count. `coarse`: a level
-/// at which weight maps are read, too, where it is coarser than the samples'.
+/// The tiles of one photo worth loading for these samples: those with at least the fraction `worth` of their
+/// texels visible (twice that for weight maps, which come with depth). `lens`: null if the photo has none. A
+/// tile below that is replaced by the next coarser one; on the coarsest level all tiles count. `coarse`: an
+/// additional level of the weight maps, used if it is coarser than the samples'.
 TileNeeds shown_tiles(const package::PhotoRecord& photo, const LensTable* lens, const Pose& photo_from_origin,
                       const SampledSurface& surface, double worth, double coarse = 0);
 

@@ -12,11 +12,11 @@ namespace vantage {
 
 inline constexpr std::uint32_t max_levels = 12;
 
-/// Tiles of one photo, by level; each list ascending, without duplicates. Depth has the tiles of the weight
-/// maps.
+/// Tiles of one photo, by level; each list is ascending and without duplicates. Depth has the tiles of the
+/// weight maps.
 struct TileNeeds {
     std::array<std::vector<std::uint32_t>, max_levels> color, weight_maps;
-    std::size_t tiles() const;  ///< number; a tile of weight maps and its depth count as one
+    std::size_t tiles() const;  ///< number; weight maps and depth of a tile count once
 };
 
 /// A cluster and the levels on which its fragments sample the photo.
@@ -30,7 +30,7 @@ TileNeeds tile_needs(const package::PhotoRecord& photo, const LensTable* lens,
                      std::span<const package::CoverageRecord> coverage,
                      std::span<const ClusterLevels> clusters);
 
-/// The color tiles that show the whole photo with `density` samples per photo pixel, along a side.
+/// The color tiles of the whole photo, for `density` samples per photo pixel and side.
 TileNeeds whole_photo_needs(const package::PhotoRecord& photo, double density);
 
 }  // namespace vantage

@@ -7,22 +7,22 @@
 
 namespace vantage {
 
-/// The weights that are applied, and their parameters.
+/// The enabled weights, and their parameters.
 struct WeightSettings {
     bool distance = true;  ///< [M]: from viewpoint to camera center, relative to the other photos
     bool angle = true;  ///< between rays at the surface; with `angle_per_photo`, between viewing directions
     bool angle_per_photo = false;
     bool angle_weight = true, depth_weight = true, border_weight = true, transient_mask = true;
     bool fov_normalization = false;  ///< compare distances as if all fields of view were equal [M] 4.1 to 4.3
-    bool corrected_directions = false;  ///< [P]: a photo's direction is toward the middle of what it sees
+    bool corrected_directions = false;  ///< [P]: a photo's direction points to the center of its visible area
     double exponent = 2;                ///< of the distance and per-photo angle weights
     double sharpness =
         shader::default_sharpness;  ///< radians: the angle between rays at which the weight is 1/e
     bool operator==(const WeightSettings&) const = default;
 };
 
-/// 1 for the smallest value, decreasing linearly to `floor` for the largest; all equal: all 1. Values must be
-/// finite. A range below `indistinct` is rounding and counts as `indistinct`.
+/// 1 for the smallest value, decreasing linearly to `floor` for the largest; all 1 for equal values. Values
+/// must be finite. A range below `indistinct` is considered rounding error and treated as `indistinct`.
 std::vector<double> nearest_is_one(const std::vector<double>& values, double floor = 1e-3,
                                    double indistinct = 0);
 

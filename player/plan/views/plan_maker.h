@@ -8,38 +8,38 @@
 
 namespace vantage {
 
-/// A plan that a view of the frame has ordered.
+/// A plan requested by a view of the frame.
 struct OrderedPlan {
     ViewPlan* plan;
-    const ViewPlan* shares = nullptr;  ///< whose photos it has; null: it chooses its own
+    const ViewPlan* shares = nullptr;  ///< the plan whose photos are used; null: chooses its own
 };
 
-/// Makes the plans of frames: on a thread of its own if the frame can be drawn with those of the frame
-/// before, so that it need not wait; else at once.
+/// Makes the plans of frames: on a separate thread if the frame can be drawn with the previous plans;
+/// otherwise immediately.
 class PlanMaker {
   public:
     /// `scene` must outlive it.
     explicit PlanMaker(const PlanScene& scene) : scene_(&scene) {}
 
-    /// Makes what the frame's views have ordered, those whose photos others share first. `at_once`: before
-    /// this returns. `next`: the view expected next, whose tiles are planned, too; null: none.
+    /// Makes the plans requested by the frame's views; views whose photos are shared come first. `at_once`:
+    /// before returning. `next`: the next expected view, whose tiles are planned as well; null: none.
     void update(std::span<const OrderedPlan> views, bool at_once, const View* next);
-    /// Whether the views have the plans that they ordered.
+    /// Whether the views have their requested plans.
     bool current() const { return current_; }
-    /// The photos of the view expected next, with their tiles.
+    /// The photos of the next expected view, with their tiles.
     std::span<const PlannedPhoto> ahead() const { return ahead_; }
 
   private:
     void take(std::span<const OrderedPlan> views, bool wait);
-    /// Unless the thread is still at other plans.
+    /// Does nothing while the thread is busy.
     void begin(std::span<const OrderedPlan> views, const View* next, bool only_next);
 
     const PlanScene* scene_;
     std::optional<PlanThread> thread_;
-    PlanJob job_;  ///< kept for its memory
+    PlanJob job_;  ///< reused for its memory
     std::vector<PlannedPhoto> ahead_;
     bool current_ = false;
-    unsigned moves_ = 0;  ///< frames with a view to come
+    unsigned moves_ = 0;  ///< frames with a predicted view
 };
 
 }  // namespace vantage

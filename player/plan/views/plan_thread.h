@@ -16,18 +16,18 @@ struct PlanJob {
     struct One {
         PlanOrder order;
         std::shared_ptr<const PlannedView> before;  ///< null: none
-        std::optional<std::size_t> shares{};        ///< the job's plan whose photos this one has
+        std::optional<std::size_t> shares{};        ///< the plan of the job whose photos this one uses
     };
     std::vector<One> plans;
-    /// The view expected next: its tiles are prefetched.
+    /// The next expected view: its tiles are prefetched.
     std::optional<View> next{};
-    bool only_next = false;  ///< the plans themselves are there
+    bool only_next = false;  ///< the plans themselves exist
 };
 
 /// The plans of a job, in its order. A pure function.
 std::vector<std::shared_ptr<const PlannedView>> plans_of(const PlanScene& scene, const PlanJob& job);
 
-/// Makes plans on a thread of its own, so that frames do not wait for them. The scene must outlive it.
+/// Makes plans on a separate thread, so that frames do not wait for them. The scene must outlive it.
 class PlanThread {
   public:
     using Plans = std::vector<std::shared_ptr<const PlannedView>>;
@@ -35,11 +35,11 @@ class PlanThread {
     explicit PlanThread(const PlanScene& scene);
     /// Whether a job's plans have not been taken yet.
     bool busy() const { return busy_; }
-    /// Begins a job. Must not be busy. Returns one that is done, or an empty one, for its memory.
+    /// Starts a job. Must not be busy. Returns a finished or empty job, to reuse its memory.
     PlanJob begin(PlanJob job);
-    /// The plans, once, when they are made; `wait` waits for them. Throws what making them has thrown.
+    /// Takes the finished plans once; `wait` blocks until they exist. Rethrows errors of the thread.
     std::optional<Plans> take(bool wait);
-    /// Photos to prefetch, once for each job that asks for them.
+    /// Photos to prefetch, once per job that requests them.
     std::optional<std::vector<PlannedPhoto>> take_ahead();
 
   private:
@@ -49,10 +49,10 @@ class PlanThread {
     bool busy_ = false;
     std::mutex mutex_;
     std::condition_variable_any changed_;
-    std::optional<PlanJob> job_;  ///< to do
+    std::optional<PlanJob> job_;  ///< job in progress
     PlanJob done_;
-    std::optional<Plans> made_;                       ///< to take
-    std::optional<std::vector<PlannedPhoto>> ahead_;  ///< to take
+    std::optional<Plans> made_;                       ///< finished plans
+    std::optional<std::vector<PlannedPhoto>> ahead_;  ///< finished prefetch list
     std::exception_ptr failure_;
     std::jthread thread_;
 };

@@ -8,31 +8,31 @@
 
 namespace vantage {
 
-/// The clusters that a view shows, the newest plan for it, and the transition from the photos drawn before to
-/// those of the plan. During a transition both sets are to be drawn, each blended by itself at full weight,
-/// and the two pictures mixed: if instead a photo's weight faded, one that far outweighs the others would
-/// appear in the first frame and disappear in the last one.
+/// The clusters in view, the newest plan for it, and the transition from the previously drawn photos to those
+/// of the plan. During a transition both sets are drawn, each blended separately at full weight, and the two
+/// pictures are mixed: fading a single photo's weight would make a dominant photo appear in the first frame
+/// and disappear in the last one.
 class ViewPlan {
   public:
     explicit ViewPlan(const PlanScene& scene)
         : scene_(&scene), drawn_(scene.photos.size(), false), before_(drawn_) {}
 
-    /// Finds the clusters in view and orders a plan. Only `photos` are drawn from now on.
+    /// Finds the clusters in view and requests a plan. From this call on, only `photos` are drawn.
     void order(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos,
                int side, const SeenTriangles& seen);
     const PlanOrder& ordered() const { return ordered_; }
     /// The same, with the photos that frames may draw until the plan is made.
     const PlanOrder& order_to_make();
-    /// Whether the newest plan is the one that was ordered, see is_current().
+    /// Whether the newest plan is the requested one, see is_current().
     bool is_current(const PhotoChoice* shared = nullptr) const;
-    /// Whether frames can be drawn with the newest plan until the one that was ordered is made.
+    /// Whether frames can be drawn with the newest plan until the requested one is made.
     bool can_stand() const;
     /// The newest plan; null: none.
     const std::shared_ptr<const PlannedView>& made() const { return made_; }
     void take(std::shared_ptr<const PlannedView> plan);
 
-    /// Advances the transition to `now` seconds. When it has ended, the next one begins if the planned photos
-    /// that are `ready` (one flag per photo) are not those drawn. At once if nothing was drawn before.
+    /// Advances the transition to `now` seconds. After its end, the next one starts if the `ready` photos of
+    /// the plan (one flag per photo) differ from those drawn; without a transition if none were drawn before.
     void fade(const PlanSettings& settings, double now, const std::vector<bool>& ready);
 
     const ClustersInView& in_view() const { return in_view_; }
@@ -41,7 +41,7 @@ class ViewPlan {
     std::span<const PlannedPhoto* const> drawn() const { return drawn_photos_; }
     /// The photos that those of drawn() replace; the same ones if no transition is in progress.
     std::span<const PlannedPhoto* const> before() const { return settled() ? drawn_photos_ : before_photos_; }
-    /// The share of drawn() in the picture, in [0, 1]; 1: no transition is in progress.
+    /// Weight of drawn() in the picture, in [0, 1]; 1: no transition is in progress.
     double progress() const { return progress_; }
     /// See PlannedView.
     const std::vector<PlannedPhoto>& kept() const { return made_ ? made_->kept : no_plan_.photos; }

@@ -7,17 +7,17 @@
 
 namespace vantage {
 
-/// What a program blends photos on.
+/// Surface on which a program blends photos.
 enum class BlendOn {
-    model,       ///< drawn again
-    frame,       ///< the triangles of the mesh that the frame shows
-    background,  ///< those of the background
-    points       ///< of the frame
+    model,       ///< redrawn
+    frame,       ///< the mesh triangles visible in the frame
+    background,  ///< the background's triangles
+    points       ///< the frame's points
 };
 
 /// The parameters by which the blending programs of one package differ.
 struct BlendVariant {
-    int photos;  ///< per pass, at most
+    int photos;  ///< maximum per pass
     bool per_fragment;
     Blend blend;
     bool transients;     ///< the second round of passes
@@ -27,7 +27,7 @@ struct BlendVariant {
     bool refined_colors;
     EffectSet effects = 0;        ///< of the photos' image set, if the scene has several
     BlendOn on = BlendOn::model;  ///< all others imply per_fragment
-    bool behind_points = false;   ///< points may be in front of what the frame shows
+    bool behind_points = false;   ///< points may occlude the frame's surface
 
     auto operator<=>(const BlendVariant&) const = default;
 };

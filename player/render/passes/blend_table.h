@@ -10,10 +10,10 @@ struct BlendRow {
     Blend blend;
     const char* name;    ///< on the command line
     const char* label;   ///< in the blending panel
-    const char* help;    ///< for --help: what decides a photo's weight
-    const char* define;  ///< the preprocessor symbol of its weight, "" for the shader's default
-    bool by_angle;       ///< it falls with the angle between the rays, so that distant photos can be spared
-    bool takes_one;      ///< the photo of the largest weight gives the color, instead of a weighted mean
+    const char* help;    ///< for --help: the criterion of a photo's weight
+    const char* define;  ///< preprocessor symbol of its weight, "" for the shader's default
+    bool by_angle;       ///< it decreases with the angle between the rays, so distant photos can be skipped
+    bool takes_one;      ///< the photo with the largest weight gives the color, instead of a weighted mean
 };
 
 /// In the order of the radio buttons and of the keys 1, 2, 3.

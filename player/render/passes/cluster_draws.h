@@ -9,8 +9,8 @@ namespace vantage {
 /// A depth between the background and the mesh. Depth falls with distance; points are in front of it, too.
 inline constexpr float depth_behind_mesh = 0x1p-55f;
 
-/// Draws clusters of the model with the program that is current. Belongs to the OpenGL thread; the scene must
-/// outlive it.
+/// Draws clusters of the model with the current program. Belongs to the OpenGL thread; the scene must outlive
+/// it.
 class ClusterDraws {
   public:
     using Clusters = std::span<const std::uint32_t>;  ///< ascending
@@ -18,25 +18,25 @@ class ClusterDraws {
     ClusterDraws(const PackageReader& package, const PlanScene& scene);
 
     const Model& model() const { return model_; }
-    /// Makes a field's values, one per vertex of the mesh, those of the model. Returns whether that has taken
-    /// graphics memory.
+    /// Sets the model's scalar values, one per vertex of the mesh. Returns whether that allocated graphics
+    /// memory.
     bool show_values(std::span<const float> values);
-    /// Reduced frames may be drawn with this mesh from now on.
+    /// Reduced frames may be drawn with this mesh from then on.
     void use_coarse(CoarseMesh mesh);
     const CoarseMesh& coarse() const { return coarse_; }
 
     /// All draws of a pass are between begin() and end().
     void begin() { ring_.begin(); }
     void end() { ring_.end(); }
-    /// Draws clusters once per eye, background behind the mesh. `photos`: of each cluster of the scene, one
-    /// bit per photo of the pass; those without any are not drawn. Empty: all are drawn. Returns the number
+    /// Draws clusters once per eye, background behind the mesh. `photos`: for each cluster of the scene, one
+    /// bit per photo of the pass; clusters without any are skipped. Empty: all are drawn. Returns the number
     /// of draws.
     std::size_t draw(Clusters clusters, std::span<const std::uint32_t> photos, std::size_t eyes = 1);
-    /// The same of the mesh, or of transparent clusters, in one call.
+    /// The same for the mesh, or for transparent clusters, in one call.
     std::size_t draw_mesh(Clusters clusters, std::span<const std::uint32_t> photos, std::size_t eyes = 1) {
         return draw_run(clusters, photos, 0, eyes);
     }
-    /// Draws all of the coarse mesh, and the background among the clusters.
+    /// Draws the entire coarse mesh, and the background among the clusters.
     void draw_coarse(Clusters clusters, std::size_t eyes);
 
   private:

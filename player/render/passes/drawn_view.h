@@ -10,7 +10,7 @@ namespace vantage {
 struct ImageSetFrame;
 struct FrameResources;
 
-/// What all passes of a frame have in common.
+/// Data common to all passes of a frame.
 struct DrawnView {
     const View& view;
     const RenderSettings& settings;
@@ -18,19 +18,19 @@ struct DrawnView {
     int side;                     ///< samples per side of a pixel
     Eigen::Vector2d depth_range;  ///< nearest and farthest, scene units
     Eigen::Matrix4f clip_from_origin;
-    std::vector<double> weights;  ///< dynamic, per photo; empty: all are 1, or the blend mode uses none
-    bool coarse;                  ///< the coarse mesh stands for the mesh
+    std::vector<double> weights;  ///< dynamic, per photo; empty: all are 1, or not used by the blend mode
+    bool coarse;                  ///< the coarse mesh replaces the mesh
 };
 
-/// An image set's frame seen from `view`, with `side` * `side` samples per pixel. Valid as long as its view
-/// and image set.
+/// An image set's frame from `view`, with `side` * `side` samples per pixel. Valid as long as its view and
+/// image set.
 DrawnView drawn_view(const FrameResources& resources, const View& view, const ImageSetFrame& image_set,
                      int side, bool coarse);
 
-/// Whether the coarse mesh is fine enough for a view that is planned.
+/// Whether the coarse mesh is fine enough for a planned view.
 bool suits_coarse(const FrameResources& resources, const View& view, const ImageSetFrame& image_set);
 
-/// a and b of the frame's depths, a + b / z. Not of an orthographic view.
+/// a and b of the frame's depths, a + b / z. Not for orthographic views.
 Eigen::Vector2d depth_terms(const View& view, const Eigen::Vector2d& depth_range);
 
 }  // namespace vantage

@@ -14,21 +14,21 @@ class FieldValues {
   public:
     explicit FieldValues(const PackageReader& package);
 
-    /// Those that are not stored have no values until they were shown.
+    /// Computed fields have no values until first shown.
     std::span<const ScalarField> all() const { return fields_; }
-    /// Whether the settings show a field that there is.
+    /// Whether the settings show an existing field.
     bool shows(const RenderSettings& settings) const;
-    /// Measures the field that the settings show and gives its values to the model, unless that was done
-    /// last. Returns whether that has taken graphics memory.
+    /// Computes the settings' field and passes its values to the model, unless it was the last one. Returns
+    /// whether that allocated graphics memory.
     bool load(const RenderSettings& settings, ClusterDraws& clusters);
-    /// Sets the colors of the field that the settings show, for the program that is current.
+    /// Sets the uniforms for the settings' field in the current program.
     void set(const FieldSettings& settings);
 
   private:
     const PackageReader* package_;
     std::vector<ScalarField> fields_;
-    std::vector<std::vector<float>> measured_;  ///< per field; empty if it is stored or was not shown
-    int loaded_ = -1;                           ///< whose values the model has
+    std::vector<std::vector<float>> measured_;  ///< per field; empty if stored or not yet shown
+    int loaded_ = -1;                           ///< the field whose values the model has
     gl::Texture color_map_;                     ///< once a field was shown
     ColorMap mapped_ = ColorMap::automatic;
 };

@@ -10,35 +10,35 @@
 
 namespace vantage {
 
-/// The bare surface as a frame shows it, with its depth and the numbers of its triangles (from 1).
+/// The bare surface of a frame, with its depth and triangle numbers (from 1).
 struct SurfaceTargets {
     gl::Texture depth, shaded, triangles;
     gl::Framebuffer target;
 };
 
-/// The render targets of a frame: the bare surface, the picture of photos that others are replacing, two
-/// float targets of sums (best photo and transient masking read one and write the other), and the samples of
-/// each eye's picture. They may be allocated for larger frames.
+/// The render targets of a frame: the bare surface, the picture of photos that are being replaced, two float
+/// targets of sums (best photo and transient masking read one and write the other), and the samples of each
+/// eye's picture. They may be allocated for larger frames.
 struct FrameTargets {
     int width = 0, height = 0;  ///< of the frame, pixels; up to `allocated`
     FrameSize allocated;        ///< of the largest frame
     int fine = 1;               ///< samples per side of a pixel; each has a texel of surface and sums
     SurfaceTargets layers;      ///< of both eyes, if each has its own surface
-    std::vector<SurfaceTargets> surfaces;  ///< one per eye, from `layers`; or one that eyes use in turn
-    std::size_t surface_number = 0;        ///< of the eye that was painted last
-    gl::Texture sums[2], before;           ///< all but the first only if they are used
-    std::vector<std::array<gl::Framebuffer, 2>> sums_targets;  ///< per surface, which gives them its depth
+    std::vector<SurfaceTargets> surfaces;  ///< one per eye, from `layers`; or one that the eyes use in turn
+    std::size_t surface_number = 0;        ///< of the last painted eye
+    gl::Texture sums[2], before;           ///< all but the first are allocated on demand
+    std::vector<std::array<gl::Framebuffer, 2>> sums_targets;  ///< per surface, which provides the depth
     gl::Framebuffer before_target;
     std::vector<PictureSamples> samples;  ///< per eye
-    /// Of the eye that was painted last, a and b of its depth, a + b / z. Not of an orthographic view.
+    /// a and b of the last painted eye's depth, a + b / z. Not for orthographic views.
     Eigen::Vector2d depth_terms = Eigen::Vector2d::Zero();
 
     FrameSize size() const { return {width, height}; }
     FrameSize fine_size() const { return {width * fine, height * fine}; }
-    /// Make what is lacking: the second sums, `before`.
+    /// Allocates optional targets: the second sums, `before`.
     void add_second_sums();
     void add_before();
-    /// Of the eye that was painted last. There must be targets.
+    /// Of the last painted eye. Targets must exist.
     const SurfaceTargets& surface() const { return surfaces[surface_number]; }
     const gl::Framebuffer& sums_target(int sums) const {
         return sums_targets[surface_number][std::size_t(sums)];
@@ -47,10 +47,10 @@ struct FrameTargets {
                                int fine = 1);
 };
 
-/// Draws into a framebuffer, in a frame of this size.
+/// Binds a framebuffer and sets the viewport for a frame of this size.
 void bind_target(GLuint framebuffer, FrameSize size);
 
-/// While it lives, nothing is cleared or drawn outside of the frame: its targets may be much larger.
+/// During its lifetime, nothing is cleared or drawn outside the frame, whose targets may be much larger.
 class DrawnRegion {
   public:
     explicit DrawnRegion(const FrameTargets& targets) {
@@ -62,12 +62,13 @@ class DrawnRegion {
     DrawnRegion& operator=(const DrawnRegion&) = delete;
 };
 
-/// The triangle at each pixel's last sample of the frame drawn last, row by row from the top, numbered from
-/// 1; 0: none. Waits for the graphics card.
+/// The triangle at each pixel's last sample of the last frame, row by row from the top, numbered from 1; 0:
+/// none. Waits for the graphics card.
 std::vector<std::uint32_t> read_triangles(const FrameTargets& targets);
 
-/// For frames of at most this size, drawn for one eye or two, with as many surfaces or one, `fine` * `fine`
-/// samples per pixel at once. Throws Error(usage) for a size that the graphics card cannot draw.
+/// Targets for frames of at most this size, for one or two eyes, with one surface per eye or a shared one,
+/// `fine` * `fine` samples per pixel at once. Throws Error(usage) for a size that the graphics card cannot
+/// draw.
 FrameTargets make_frame_targets(FrameSize allocated, std::size_t eyes = 1, std::size_t surfaces = 1,
                                 int fine = 1);
 

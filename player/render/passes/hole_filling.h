@@ -8,26 +8,27 @@
 
 namespace vantage {
 
-/// Gives pixels that no photo shows the colors around them, by a pyramid of means that is averaged downward
-/// and filled in upward (after the pull-push of Gortler et al. 1996). Holes count with their own color, too,
-/// but so little that it shows only far from all others. For holes of the background, the mesh's colors
-/// count little: they are of something nearer.
+/// Fills pixels without photos with surrounding colors, by a pyramid of means that is averaged downward and
+/// filled in upward (after the pull-push of Gortler et al. 1996). Holes contribute their own color with a low
+/// weight, so that it is visible only far from all others. For holes in the background, the mesh's colors
+/// have a low weight, since they belong to nearer surfaces.
 class HoleFilling {
   public:
     HoleFilling();
 
-    /// For frames of at most this size.
+    /// Allocates textures for frames of at most this size.
     void fit(int width, int height);
     static std::uint64_t bytes(int width, int height);
-    /// The weight of a hole's own color: it counts as much as what surrounds it at an eighth of the frame.
+    /// The weight of a hole's own color: equal to that of the surrounding pixels at an eighth of the frame's
+    /// size.
     static float hole_weight(int width, int height);
 
-    /// Fills the pyramids from the samples accumulated for a frame of this size, `samples` per pixel.
+    /// Computes the pyramids from the samples accumulated for a frame of this size, `samples` per pixel.
     /// `surface`: as in SurfaceTargets::shaded.
     void fill(const gl::Texture& accumulated, GLuint surface, const FrameTargets& targets, double samples);
     /// Square roots of light at half the frame's size, without holes; from the texture's first texel.
     const gl::Texture& filled() const { return levels_.front().whole; }
-    /// The same for holes of the background.
+    /// The same for holes in the background.
     const gl::Texture& filled_behind() const { return levels_.front().behind; }
 
   private:

@@ -18,10 +18,10 @@
 
 namespace vantage {
 
-/// The points of a frame as a surface for photos.
+/// A frame's points as a surface for photos.
 struct PointSurface {
     GLuint places = 0;   ///< texture, see PointPass::places(); 0: no photos on points
-    bool alone = false;  ///< the model is not shown
+    bool alone = false;  ///< the model is hidden
 };
 
 /// Draws photos on the model and on points, several per pass. Belongs to the OpenGL thread; the constructor's
@@ -31,8 +31,7 @@ class PhotoPasses {
     PhotoPasses(const PackageReader& package, const PlanScene& scene, const PhotoStore& store,
                 ClusterDraws& clusters, const SceneParts& parts, const RenderTrials& trials);
 
-    /// Replaces the cameras and colors with which photos are drawn, for measurements. The plan keeps the
-    /// package's.
+    /// Replaces the cameras and colors used for drawing photos, for measurements. Plans use the package's.
     void use_records(std::span<const package::PhotoRecord> photos);
     bool per_fragment(const RenderSettings& settings) const;
     /// Whether photos are blended once per pixel of the frame.
@@ -42,14 +41,14 @@ class PhotoPasses {
     std::size_t draw(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                      const FrameTargets& targets, const PointSurface& points, bool transients, int into);
     /// Adds photos of the background to the sums `into`, see plan_background. Returns the number of draws: 0
-    /// if the driver cannot read the model pixel by pixel.
+    /// if the driver does not support reading the model per pixel.
     std::size_t draw_background(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                                 const FrameTargets& targets, const PointSurface& points, int into);
-    /// Runs `draw` with one photo, as far as it is resident, bound as photo 0.
+    /// Runs `draw` with the resident parts of one photo bound as photo 0.
     void with_photo(std::uint32_t photo, const std::function<void()>& draw);
 
     /// Makes passes set a bit in this buffer for each texel that they read, ordered by the layers of color,
-    /// weight maps and depth; 0 turns this off.
+    /// weight maps and depth; 0 disables this.
     void trace_texels(GLuint buffer) { trace_ = buffer; }
 
   private:
@@ -68,8 +67,8 @@ class PhotoPasses {
     const PackageReader* package_;
     const PlanScene* scene_;
     const PhotoStore* store_;
-    /// Its draws are in a ring of their own: a software rasterizer waits before it reads draws from a buffer
-    /// that photos use.
+    /// Its draws are in a separate ring: a software rasterizer waits before reading draws from a buffer that
+    /// photos use.
     ClusterDraws* clusters_;
     const SceneParts* parts_;
     const RenderTrials* trials_;

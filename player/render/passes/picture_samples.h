@@ -7,7 +7,7 @@
 namespace vantage {
 
 /// The samples of a picture, summed: light times coverage, and coverage. A second image set has its own.
-/// Where holes are filled behind transparent surfaces: what is over the holes (`veil`), and the samples
+/// Where holes are filled behind transparent surfaces: the surfaces over the holes (`veil`), and the samples
 /// without those surfaces (`clean`), from which the holes are filled.
 struct PictureSamples {
     FrameSize allocated;  ///< of the textures
@@ -15,14 +15,14 @@ struct PictureSamples {
     gl::Framebuffer sum_target, other_target, veiled_target;
     double count = 0;  ///< per pixel
 
-    /// Makes `other` if it is not there; all 0.
+    /// Allocates `other` if necessary; all 0.
     void add_other();
-    /// Makes `veil` and `clean` if they are not there. `veiled_target` writes them and the sum.
+    /// Allocates `veil` and `clean` if necessary. `veiled_target` writes them and the sum.
     void add_veil();
     static std::uint64_t bytes(int width, int height) {
         return 16 * std::uint64_t(width) * std::uint64_t(height);
     }
-    /// Of `veil` and `clean`.
+    /// Size of `veil` and `clean`.
     static std::uint64_t veil_bytes(int width, int height) {
         return (8 + 16) * std::uint64_t(width) * std::uint64_t(height);
     }

@@ -12,26 +12,26 @@
 
 namespace vantage {
 
-/// Draws a package's point cloud in front of and behind the model: plans, streams, draws. Belongs to the
-/// OpenGL thread; the package must outlive it.
+/// Draws a package's point cloud, with occlusion by the model: plans, streams, draws. Belongs to the OpenGL
+/// thread; the package must outlive it.
 class PointPass {
   public:
-    /// `bytes` of graphics memory for points.
+    /// `bytes`: graphics memory for points.
     PointPass(const PackageReader& package, PointCloud cloud, std::uint64_t bytes);
 
     void release() { target_ = {}, picture_ = {}, places_ = {}, numbers_ = {}; }
-    /// Creates the target for frames of at most the targets' allocated size, with the depth of the model's;
-    /// `placed`: and with places() and numbers().
+    /// Creates the target for frames of at most the targets' allocated size, with a copy of the model's
+    /// depth; `placed`: also with places() and numbers().
     void fit(const FrameTargets& targets, bool placed);
     static std::uint64_t bytes(int width, int height, bool placed) {
         return std::uint64_t(width) * std::uint64_t(height) * (placed ? 20 : 8);
     }
     bool placed() const { return bool(places_); }
 
-    /// Chooses nodes for the view, requests them and uploads what has arrived; where the settings wait
-    /// for tiles, waits for all of them. Returns the bytes uploaded.
+    /// Chooses nodes for the view, requests them and uploads those that have arrived; waits for all of them
+    /// if the settings wait for tiles. Returns the bytes uploaded.
     std::size_t stream(const View& view, const RenderSettings& settings, int side, double now);
-    /// The planned nodes that are still to come.
+    /// The number of planned nodes that are not yet loaded.
     std::size_t missing() const { return missing_; }
     std::size_t damaged() const { return store_.damaged(); }
     std::size_t absent() const { return store_.absent(); }
@@ -46,26 +46,26 @@ class PointPass {
     /// Draws into picture(), over the depth of the model. Returns the number of points.
     std::size_t draw(const View& view, const Eigen::Matrix4f& clip_from_origin,
                      const PointSettings& settings);
-    /// Linear light, and 1 in alpha where points are.
+    /// Linear light, with 1 in alpha at points.
     GLuint picture() const { return picture_.id(); }
-    /// Per pixel the distance of its point along the view's axis, 0 without one, and how far apart points are
+    /// Per pixel the distance of its point along the view's axis, 0 without one, and the spacing of points
     /// there.
     GLuint places() const { return places_.id(); }
     /// Per pixel the number of its point, for point_numbered(); 0: none.
     GLuint numbers() const { return numbers_.id(); }
-    /// The nodes that the last draw() drew.
+    /// The nodes drawn by the last draw().
     const std::vector<DrawnNode>& drawn() const { return drawn_; }
 
   private:
     PointCloud cloud_;
     std::vector<float> spacings_;  ///< per node
-    bool only_;                    ///< there is no model to be in front of
+    bool only_;                    ///< there is no model to occlude it
     PointStore store_;
     PointPlan plan_;
     std::size_t missing_ = 0;
     FrameRing ring_;
     std::vector<DrawnNode> drawn_;
-    gl::Program program_, placed_program_;  ///< the second once it is asked for
+    gl::Program program_, placed_program_;  ///< the second is made on demand
     gl::VertexArray vertices_;
     gl::Texture picture_, places_, numbers_;
     gl::Framebuffer target_;

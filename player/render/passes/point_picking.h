@@ -11,22 +11,22 @@
 
 namespace vantage {
 
-/// A point of the cloud as the package has it.
+/// A point of the cloud as stored in the package.
 struct PickedPoint {
-    Eigen::Vector3d position;           ///< in the input's coordinates
-    std::array<std::uint8_t, 3> color;  ///< its own, sRGB
+    Eigen::Vector3d position;           ///< in input coordinates
+    std::array<std::uint8_t, 3> color;  ///< sRGB
 };
 
-/// The point that `number` stands for (PointPass::numbers()), with `nodes` drawn; nothing for 0, and for
-/// numbers of no point.
+/// The point with this `number` (PointPass::numbers()), with `nodes` drawn; nothing for 0 and invalid
+/// numbers.
 std::optional<PickedPoint> point_numbered(const PackageReader& package, const PointCloud& cloud,
                                           std::span<const DrawnNode> nodes, std::uint32_t number);
 
-/// Finds the point at a pixel of the frame that was drawn last. Its number is read back without waiting for
-/// the graphics card, so that the answer comes a few calls later. Belongs to the OpenGL thread.
+/// Finds the point at a pixel of the last frame. Its number is read back asynchronously, so the answer
+/// arrives a few calls later. Belongs to the OpenGL thread.
 class PointPicking {
   public:
-    /// Takes up an answer that has arrived, and asks for the point at `pixel` (from the frame's upper left).
+    /// Receives an answer that has arrived, and requests the point at `pixel` (from the frame's upper left).
     void look(const PackageReader& package, const PointPass& points, const Eigen::Vector2i& pixel, int width,
               int height);
     /// The last answer.
@@ -36,7 +36,7 @@ class PointPicking {
     void take(const PackageReader& package, const PointPass& points);
 
     gl::Readback number_;
-    std::vector<DrawnNode> nodes_;  ///< drawn when the answer under way was asked for
+    std::vector<DrawnNode> nodes_;  ///< drawn when the pending answer was requested
     std::optional<PickedPoint> found_;
 };
 

@@ -14,33 +14,34 @@ namespace vantage {
 
 /// The preprocessor symbols of a scene with a background.
 std::vector<std::string> background_defines(const PlanScene& scene);
-/// Those of what is compiled only once it is shown: light, a scalar field.
+/// The symbols for features that are compiled on demand: light, a scalar field.
 std::vector<std::string> asked_defines(const RenderSettings& settings, const FieldValues& fields);
 
-/// Where transparent surfaces are collected.
+/// Target in which transparent surfaces are collected.
 struct TransparentTarget {
-    bool lists;  ///< else sums only
+    bool lists;  ///< otherwise sums only
     int width;   ///< pixels
     std::uint32_t capacity;
 };
 
-/// Draws the bare surface of the model, and what of it is transparent. Belongs to the OpenGL thread; the
+/// Draws the bare surface of the model, and its transparent surfaces. Belongs to the OpenGL thread; the
 /// constructor's arguments must outlive it.
 class SurfacePass {
   public:
     SurfacePass(const PackageReader& package, const PlanScene& scene, ClusterDraws& clusters,
                 FieldValues& fields);
 
-    /// Depth, plain shading and the triangles' numbers, of the eye that is drawn; those of the coarse mesh
-    /// follow the scene's.
+    /// Depth, plain shading and triangle numbers of the current eye; numbers of the coarse mesh follow the
+    /// scene's.
     void draw(const DrawnView& drawn, const FrameTargets& targets);
-    /// Likewise, of both eyes in one pass, into targets.layers.
+    /// The same for both eyes in one pass, into targets.layers.
     void draw_both(const DrawnView& left, const DrawnView& right, const FrameTargets& targets);
-    /// The transparent surfaces, into the lists or sums of a TransparentPass. Returns the number of draws.
+    /// Draws the transparent surfaces into the lists or sums of a TransparentPass. Returns the number of
+    /// draws.
     std::size_t draw_transparent(const DrawnView& drawn, const TransparentTarget& target);
 
   private:
-    /// Of one eye or two.
+    /// One eye or two.
     using DrawnEyes = std::span<const DrawnView* const>;
     void draw_eyes(DrawnEyes eyes, const gl::Framebuffer& target, FrameSize frame);
     std::span<const std::uint32_t> clusters_of(DrawnEyes eyes);
@@ -54,7 +55,7 @@ class SurfacePass {
     ClusterDraws* clusters_;
     FieldValues* fields_;
     gl::Program plain_program_;
-    std::map<std::vector<std::string>, gl::Program> other_programs_;        ///< by what was asked for
+    std::map<std::vector<std::string>, gl::Program> other_programs_;        ///< by their definitions
     std::map<std::vector<std::string>, gl::Program> transparent_programs_;  ///< likewise
     std::vector<std::uint32_t> clusters_of_both_;
 };

@@ -11,7 +11,7 @@ namespace vantage {
 
 /// Fragments of transparent surfaces.
 struct FragmentCount {
-    std::size_t fragments = 0;     ///< in front of what is opaque
+    std::size_t fragments = 0;     ///< in front of opaque surfaces
     std::size_t approximated = 0;  ///< of these: not sorted, for lack of space
 };
 
@@ -20,16 +20,16 @@ struct FragmentCount {
 /// thread.
 class TransparentPass {
   public:
-    /// How many fragments lists hold per pixel, on average; what finds no place goes to the sums.
+    /// Average capacity of lists, in fragments per pixel; further fragments are added to the sums.
     static constexpr std::uint64_t layers_per_pixel = 4;
-    /// Lists take at most this, in bytes.
+    /// Maximum size of the lists, in bytes.
     static constexpr std::uint64_t max_list_bytes = std::uint64_t(512) << 20;
 
-    /// `list_bytes`: of graphics memory for lists.
+    /// `list_bytes`: graphics memory for lists.
     explicit TransparentPass(std::uint64_t list_bytes) : list_bytes_(list_bytes) {}
     void release();
-    /// Creates the buffers for frames of at most the targets' allocated size, with the depth of the model's.
-    /// Nothing if the mode is off.
+    /// Creates the buffers for frames of at most the targets' allocated size, with a copy of the model's
+    /// depth. Does nothing if the mode is off.
     void fit(const FrameTargets& targets, Transparency mode);
     std::uint64_t bytes(int width, int height, Transparency mode) const;
     /// The mode that fit() was called with.

@@ -13,8 +13,8 @@
 
 namespace vantage {
 
-/// Reads back which triangles a frame shows (see Seen), without waiting for the graphics card unless asked
-/// to. Plans cover what is seen, not what lies behind it.
+/// Reads back the triangles that are visible in a frame (see Seen), without waiting for the graphics card
+/// unless requested. Plans cover the visible surface, not hidden parts.
 class TriangleReadback {
   public:
     /// Graphics memory for frames of this size.
@@ -24,14 +24,14 @@ class TriangleReadback {
     }
     /// Frees the graphics memory until the next capture.
     void release();
-    /// Starts reading what `targets` show of `view`. Does nothing while an earlier frame is in flight.
+    /// Starts reading the triangles of `view` in `targets`. Does nothing while an earlier frame is in flight.
     void capture(const FrameTargets& targets, const View& view);
     /// Takes the triangles that have arrived; `wait` waits for those in flight. True if they have changed.
-    /// Beyond `triangles` of the scene, they are numbers of a coarse mesh: those that its triangles stand for
-    /// are taken.
+    /// Numbers above `triangles`, the scene's count, are those of a coarse mesh and are mapped to the
+    /// triangles that they replace.
     bool update(bool wait, std::size_t triangles, std::span<const std::uint32_t> stands_for);
 
-    /// Valid for as long as it is held.
+    /// Valid as long as it is held.
     SeenTriangles seen() const { return {triangles_, view_, version_}; }
 
   private:

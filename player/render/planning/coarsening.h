@@ -7,11 +7,11 @@
 
 namespace vantage {
 
-/// Makes a scene's coarse mesh on a thread of its own. The scene must outlive it.
+/// Makes a scene's coarse mesh on a separate thread. The scene must outlive it.
 class Coarsening {
   public:
     explicit Coarsening(const PlanScene& scene);
-    /// The mesh, once, when it is made; `wait` waits for it.
+    /// The finished mesh, once; `wait` blocks until it exists.
     std::optional<CoarseMesh> take(bool wait);
 
   private:

@@ -6,31 +6,30 @@
 
 namespace vantage {
 
-/// The targets and data that a frame needs beside tiles.
+/// The targets and data that a frame needs in addition to tiles.
 struct FrameNeeds {
-    FrameSize allocated, capacity;  ///< of targets: for this frame, and for those that follow
+    FrameSize allocated, capacity;  ///< size of targets: for this frame, and for later ones
     std::size_t eyes = 1, surfaces = 1;
     int fine = 1;                ///< samples per side of a pixel that are drawn at once
     bool coordinates = false;    ///< per vertex
     bool points_placed = false;  ///< see PointPass::placed()
-    bool veiled = false;         ///< transparent surfaces may be in front of holes
+    bool veiled = false;         ///< transparent surfaces may occlude holes
     Transparency transparency = Transparency::off;
 };
 
-/// Of a frame of this size, drawn from `image sets` for each of the eyes, with `fine` * `fine` samples per
-/// pixel at once.
+/// Needs of a frame of this size, drawn from `image sets` for each of the eyes, with `fine` * `fine` samples
+/// per pixel at once.
 FrameNeeds needs_of(const FrameResources& resources, FrameSize frame,
                     std::span<const ImageSetFrame> image_sets, std::size_t eyes, int fine);
-/// Whether all samples of each pixel can be drawn in one frame for one eye: each texel of the frame's targets
-/// is a sample then. Not if anything drawn has a width in pixels, or if targets of that size would be too
-/// large.
+/// Whether all samples of each pixel can be drawn in one frame for one eye, with a texel of the targets per
+/// sample. Not if anything drawn has a width in pixels, or if targets of that size would be too large.
 bool draws_samples_at_once(const FrameResources& resources, const RenderSettings& settings, FrameSize frame,
                            int side, const MemoryBudget& budget);
-/// Whether the targets serve.
+/// Whether the existing targets are sufficient.
 bool has(const FrameResources& resources, const FrameNeeds& needs);
-/// Makes new targets, and fits the tiles into what is left of `budget`, or into as much as a frame of this
-/// size shows and some more. The former targets must have been freed. Returns the limit of graphics memory,
-/// which is above the budget's if the frame needs more, bytes.
+/// Allocates new targets, and fits the tiles into the rest of `budget`, or into slightly more than a frame of
+/// this size shows. The former targets must have been freed. Returns the limit of graphics memory in bytes,
+/// which exceeds the budget's if the frame needs more.
 std::uint64_t make_targets(FrameResources& resources, const FrameNeeds& needs, const MemoryBudget& budget);
 
 }  // namespace vantage

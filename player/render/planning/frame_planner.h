@@ -13,34 +13,34 @@
 
 namespace vantage {
 
-/// Plans frames and streams what they need: chooses photos for the triangles that each eye sees, and tiles.
+/// Plans frames and streams their data: chooses photos for the triangles visible to each eye, and tiles.
 /// Belongs to the OpenGL thread; the resources must outlive it.
 class FramePlanner {
   public:
     FramePlanner(FrameResources& resources, const MemoryBudget& budget);
 
-    /// Plans a frame, makes targets for it, and streams its tiles and the first eye's points. With
-    /// Loading::streamed, the plan may be that of a frame before, see PlanMaker. Unless
-    /// is_complete(), photos and tiles are chosen once, for what both eyes see: these would see different
-    /// colors otherwise, and it takes most of a plan. Throws Error(usage) for a view that cannot be drawn.
+    /// Plans a frame, allocates its targets, and streams its tiles and the first eye's points. With
+    /// Loading::streamed, the plan may be that of an earlier frame, see PlanMaker. Unless is_complete(),
+    /// photos and tiles are chosen once for both eyes: otherwise the eyes would have different colors, and
+    /// selection dominates planning time. Throws Error(usage) for a view that cannot be drawn.
     FrameReport plan(const FrameRequest& request);
     /// Streams points for an eye. Adds to the report.
     void stream_points(const PlannedEye& eye, FrameReport& report);
-    /// Adds to the report of a frame that was painted what is damaged, absent and still to come. Makes the
-    /// coarse mesh when there is time.
+    /// Adds the damaged, absent and pending tiles of a painted frame to the report. Makes the coarse mesh
+    /// when idle.
     void finish(FrameReport& report);
 
     PlannedFrame& frame() { return frame_; }
     const PlannedFrame& frame() const { return frame_; }
     FrameTiles& tiles() { return tiles_; }
-    /// The triangles that the first eye saw last, as far as they have been read back.
+    /// The triangles last visible to the first eye, as far as they have been read back.
     SeenTriangles seen() const { return frame_.eyes.front().readback.seen(); }
-    /// Whether the plan of an image set that is shown has this photo.
+    /// Whether the plan of a shown image set has this photo.
     bool uses(std::uint32_t photo) const { return frame_.eyes.front().plans.uses(photo); }
-    /// Makes the coarse mesh for reduced frames on another thread, and uses it from when it is made; `wait`:
-    /// now.
+    /// Makes the coarse mesh for reduced frames on another thread, and uses it when finished; `wait`: before
+    /// returning.
     void coarsen(bool wait);
-    /// Current limit of graphics memory, bytes: the budget's, or more if a frame needs more.
+    /// Current limit of graphics memory, in bytes: the budget's, or more if a frame needs more.
     std::uint64_t graphics_budget() const { return graphics_budget_; }
     const MemoryBudget& budget() const { return budget_; }
     /// Applies from the next frame.

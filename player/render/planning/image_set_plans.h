@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// An image set of a frame and what it is drawn from.
+/// An image set of a frame and the data that it is drawn from.
 struct ImageSetFrame {
     RenderSettings settings{};
     std::vector<std::uint32_t> photos{};
@@ -17,8 +17,7 @@ struct ImageSetFrame {
     bool second = false;  ///< of two image sets
 };
 
-/// The plans of the image sets that are shown, one or two; each image set keeps its own as long as it is
-/// shown.
+/// The plans of the one or two shown image sets; each image set keeps its plan as long as it is shown.
 class ImageSetPlans {
   public:
     /// `scene` must outlive it.
@@ -26,10 +25,10 @@ class ImageSetPlans {
 
     /// Chooses the image sets of the frame at `now` seconds.
     void choose(const RenderSettings& settings, double now);
-    /// Instead of choose(): shows the image sets that another eye's plans have chosen.
+    /// Instead of choose(): shows the image sets chosen by another eye's plans.
     void follow(const ImageSetPlans& other) { show(other.shown_); }
-    /// The chosen image sets, drawn from those of `photos` that are theirs, in place of what is in `frames`.
-    /// Valid until the next choice.
+    /// The chosen image sets, each drawn from its own photos among `photos`; replaces the content of
+    /// `frames`. Valid until the next choice.
     void find_frames(const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      std::vector<ImageSetFrame>& frames);
 
@@ -37,7 +36,7 @@ class ImageSetPlans {
     const ViewPlan& first() const { return first_; }
     /// Whether one of the plans has this photo.
     bool uses(std::uint32_t photo) const;
-    /// No photos and no image sets are fading.
+    /// Whether no photo or image set is fading.
     bool settled() const;
 
   private:

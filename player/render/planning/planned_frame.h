@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// What is planned for an eye, and the triangles that it saw last.
+/// The plan of an eye, and its last visible triangles.
 struct PlannedEye {
     explicit PlannedEye(const PlanScene& scene) : plans(scene) {}
     View view{};
@@ -19,13 +19,13 @@ struct PlannedEye {
     TriangleReadback readback{};
 };
 
-/// The frame that was planned last.
+/// The last planned frame.
 struct PlannedFrame {
     std::deque<PlannedEye> eyes;  ///< one or two
     PixelSample sample{};
     double now = 0;  ///< seconds
 
-    /// Of the first eye, and the first image set that is shown.
+    /// Of the first eye, and the first shown image set.
     const ViewPlan& first_plan() const { return eyes.front().plans.first(); }
     const Plan& plan() const { return first_plan().plan(); }
 };

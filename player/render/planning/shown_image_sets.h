@@ -8,32 +8,32 @@
 
 namespace vantage {
 
-/// The image sets that make a picture, one or two.
+/// The one or two image sets of a picture.
 struct ShownImageSets {
     std::uint32_t first = 0;
     std::optional<std::uint32_t> second{};
     ImageSetView how = ImageSetView::mix;
-    double share = 0;  ///< of the second in a mix; of the width where it begins
+    double share = 0;  ///< of the second in a mix; of the width at which it begins
 };
 
-/// What settings stand for in a scene of this many image sets: numbers out of range are the first image set
-/// or none, and a mix with all or nothing of an image set is one image set.
+/// Resolves settings for a scene with this many image sets: numbers out of range become the first image set
+/// or none, and a mix with a share of 0 or 1 becomes a single image set.
 ShownImageSets shown_image_sets(const ImageSetSettings& settings, std::size_t image_sets);
 
-/// Makes the settings those with which one image set is drawn. The background is that of the first image set
-/// and is shown with it only.
+/// Changes the settings to those for drawing one image set. The background belongs to the first image set and
+/// is shown only with it.
 void choose_image_set(RenderSettings& settings, std::uint32_t image_set, const PlanScene& scene);
 
 /// Dynamic weights per photo, relative to the others of the image set; 1 for photos of other image sets.
 std::vector<double> weights_in_image_set(const View& view, const WeightSettings& settings,
                                          std::uint32_t image_set, const PlanScene& scene);
 
-/// Keeps an image set in the picture that another one takes the place of: until the photos of the new one are
-/// there, and while they fade in.
+/// Keeps the previous image set in the picture until the photos of the new one are loaded, and while they
+/// fade in.
 class ImageSetChange {
   public:
-    /// The image sets to draw at `now` seconds, if `wanted` are asked for. `ready`: whether the first image
-    /// set that was drawn last has photos to show.
+    /// The image sets to draw at `now` seconds if `wanted` are selected. `ready`: whether the first image set
+    /// drawn last has photos to show.
     ShownImageSets update(ShownImageSets wanted, double now, bool ready);
     /// No change is in progress.
     bool settled() const { return !leaving_; }

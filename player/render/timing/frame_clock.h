@@ -9,9 +9,9 @@
 
 namespace vantage {
 
-/// Measures frames without waiting for the graphics card: the longer of the time on the processor and on the
-/// graphics card (by timer queries), known some frames later. With a software renderer, which draws when it
-/// is asked to finish, the time until it has. Belongs to the OpenGL thread.
+/// Measures frame times without waiting for the graphics card: the longer of CPU time and GPU time (by timer
+/// queries), available some frames later. With a software renderer, which draws on glFinish(), the time until
+/// it has finished. Belongs to the OpenGL thread.
 class FrameClock {
   public:
     /// A frame that has been drawn.
@@ -21,18 +21,18 @@ class FrameClock {
     };
 
     explicit FrameClock(bool software);
-    /// Begins a frame; one that did not end, because of an error, is not measured.
+    /// Begins a frame; an unfinished one, after an error, is not measured.
     void begin();
-    /// Ends the frame, which was drawn at `pace`; nothing: not to be measured.
+    /// Ends the frame, which was drawn at `pace`; nothing: discards the measurement.
     void end(std::optional<Pace> pace);
-    /// The newest measured frame known to be finished since the last call.
+    /// The newest measured frame that has finished since the last call.
     std::optional<Frame> take();
 
   private:
     struct Timed {
         gl::Query query;
         std::optional<Pace> pace;
-        double ms = 0;  ///< on the processor
+        double ms = 0;  ///< CPU time
         bool pending = false;
     };
     bool software_;

@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// Statistics of frame times, or of other values whose rare extremes matter.
+/// Statistics of frame times, or of other values with important rare extremes.
 struct FrameStatistics {
     double mean = 0, median = 0, p99 = 0, p999 = 0, max = 0;
 };

@@ -8,26 +8,26 @@
 
 namespace vantage {
 
-/// What a finger did on the screen.
+/// An event of a finger on the touch screen.
 struct TouchEvent {
     enum class What { begin, move, end } what;
-    std::uint32_t finger;  ///< the same from begin to end
+    std::uint32_t finger;  ///< constant from begin to end
     double x, y;           ///< pixels from the window's upper left corner
 };
 
-/// The fingers on the window. One acts as the left mouse button; a second one makes it a pinch, and until all
-/// are lifted, none acts as the button again.
+/// The fingers on the window. A single finger acts as the left mouse button; a second one starts a pinch,
+/// after which all must be lifted before one acts as the button again.
 class Fingers {
   public:
-    /// `text_scale`: of the window; a finger covers as many pixels as it does letters. `now` and `late`:
+    /// `text_scale`: of the window; the size of a finger in pixels is proportional to it. `now` and `late`:
     /// seconds, see Pointer.
     void take(const TouchEvent& event, double text_scale, double now, double late, UserInput& input);
-    /// What the next frame is to know: what two fingers did, how far one dragged, and where the pointer is. A
-    /// finger that was quicker than a frame is shown where it came down first, then where it was lifted.
+    /// Input for the next frame: the pinch, the drag, and the pointer. A touch shorter than a frame is
+    /// reported as a press in one frame and a release in the next.
     void report(UserInput& input);
-    /// Whether the next frames are to know something else, even if nothing happens.
+    /// Whether further frames have input even without new events.
     bool unreported() const { return !to_show_.empty(); }
-    /// The mouse was used instead.
+    /// The mouse is used again.
     void leave_to_mouse() { last_used_ = false; }
 
   private:
@@ -44,21 +44,21 @@ class Fingers {
         return {pointer_.x, pointer_.y, {down, false, false}, there};
     }
 
-    std::vector<Finger> down_;  ///< in the order in which they came
+    std::vector<Finger> down_;  ///< in order of touching
     Pointer pointer_;           ///< of the first one
     bool acts_ = false;         ///< it acts as the left button
-    bool drags_ = false;        ///< and has left the place where it came down
+    bool drags_ = false;        ///< and has moved away from its start
     struct Shown {
         PointerState pointer;
-        bool begins = false;  ///< the finger has just come down
+        bool begins = false;  ///< the finger has just touched
     };
-    std::deque<Shown> to_show_;   ///< by frames to come
+    std::deque<Shown> to_show_;   ///< for the next frames
     UserInput moved_;             ///< since the last report
     std::optional<Pinch> pinch_;  ///< since the last report
     bool begins_ = false;         ///< pinching began since the last report
     bool turns_ = false;          ///< the pinch also turns
     double twist_ = 0;            ///< radians, before it turns
-    bool last_used_ = false;      ///< and not the mouse
+    bool last_used_ = false;      ///< instead of the mouse
 };
 
 }  // namespace vantage

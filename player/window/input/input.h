@@ -4,8 +4,7 @@
 
 namespace vantage {
 
-/// Applies the input of mouse, fingers and keyboard since the last frame, except input to panels. `now` in
-/// seconds.
+/// Applies mouse, touch and keyboard input since the last frame, except input to panels. `now` in seconds.
 void apply_input(Session& session, const PlanScene& scene, double now);
 
 /// Whether a key is down, or was since the last frame.

@@ -7,17 +7,17 @@
 
 namespace vantage {
 
-/// What is written, and what is said then, in the language of the window.
+/// Description of a written file, and the messages in the language of the window.
 struct WrittenTexts {
     std::string what;
     std::string done = tr("%s written to %s"), failed = tr("%s cannot be written.");
 };
 
 /// Writes to the file free_name(stem, extension); `extension` with its dot. Returns `done` with WHAT and FILE
-/// for its two %s, or `failed` with FILE, and why `write` threw an Error. May be called by any thread.
+/// for its two %s, or `failed` with FILE and the reason why `write` threw an Error. Thread-safe.
 std::string written_numbered(const std::string& stem, const char* extension, const WrittenTexts& texts,
                              const std::function<void(const std::string& file)>& write);
-/// Says that, with "WHAT written to FILE".
+/// The same, and shows the message "WHAT written to FILE".
 void write_numbered(Message& message, const std::string& stem, const char* extension, const std::string& what,
                     double now, const std::function<void(const std::string& file)>& write);
 

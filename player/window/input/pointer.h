@@ -5,13 +5,14 @@
 
 namespace vantage {
 
-/// The mouse pointer, or the finger that acts as one: makes drags, clicks and double clicks of its movements.
+/// The mouse pointer, or the finger that acts as one: derives drags, clicks and double clicks from its
+/// events.
 struct Pointer {
     double x = 0, y = 0;         ///< pixels from the window's upper left corner
     std::array<bool, 3> down{};  ///< buttons: left, right, middle
-    double click_reach = 5;      ///< pixels from where it was pressed that it may be released for a click
-    double second_reach = 5;     ///< pixels between the clicks of a double click
-    double late = 0;             ///< seconds by which events may be noticed late: those of a frame
+    double click_reach = 5;      ///< maximum movement of a click in pixels
+    double second_reach = 5;     ///< maximum distance between the clicks of a double click in pixels
+    double late = 0;             ///< maximum delay of events in seconds: the duration of a frame
     struct Press {
         double at = -1e9, x = -1e9, y = -1e9;  ///< seconds, pixels
         bool second = false;                   ///< of a double click
@@ -19,9 +20,9 @@ struct Pointer {
     Press last;  ///< of the left button
 };
 
-/// ImGui only knows whether a button is down when a frame begins; these are noted as they happen.
+/// Handlers of events as they occur; ImGui only samples buttons at the beginning of a frame.
 void move(Pointer& pointer, double x, double y, UserInput& input);
-/// `button`: 0 to 2, as in Pointer::down; others do nothing. `now`: seconds.
+/// `button`: 0 to 2, as in Pointer::down; ignores others. `now`: seconds.
 void press(Pointer& pointer, std::size_t button, double now, UserInput& input);
 void release(Pointer& pointer, std::size_t button, UserInput& input);
 

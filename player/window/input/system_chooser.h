@@ -9,11 +9,11 @@
 
 namespace vantage {
 
-/// The desktop's own dialog to choose a package, in a desktop session that has zenity or kdialog.
+/// The desktop's own dialog to choose a package, with zenity or kdialog.
 class SystemChooser {
   public:
-    /// Asks in place of the window's own dialog, if a file is to be chosen and there is such a dialog;
-    /// and has what was chosen opened. `folder`: where it begins.
+    /// Handles requests to choose a file, if there is such a dialog, in place of the window's own; and opens
+    /// the chosen file. `folder`: initial folder.
     void attend(UserCommands& commands, Message& message, const std::filesystem::path& folder, double now);
     bool asks() const { return program_.has_value(); }
 

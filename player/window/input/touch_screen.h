@@ -8,16 +8,16 @@ struct GLFWwindow;
 
 namespace vantage {
 
-/// The touch screen under a window, of which GLFW knows only the first finger, as a mouse. Needs X11 with
-/// XInput 2.2; elsewhere there is none, and that finger stays a mouse.
+/// The touch screen under a window; GLFW only reports its first finger, as a mouse. Needs X11 with XInput
+/// 2.2; elsewhere there are no touch events, and that finger remains a mouse.
 class TouchScreen {
   public:
-    /// Listens on a thread of its own, which wakes the window's thread from waiting for events.
+    /// Listens on a separate thread, which wakes the window's thread when it waits for events.
     explicit TouchScreen(GLFWwindow* window);
     ~TouchScreen();
     TouchScreen(const TouchScreen&) = delete;
     TouchScreen& operator=(const TouchScreen&) = delete;
-    /// What has happened since it was last asked, in order.
+    /// The events since the last call, in order.
     std::vector<TouchEvent> take();
 
   private:

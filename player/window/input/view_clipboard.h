@@ -3,8 +3,8 @@
 
 namespace vantage {
 
-/// Copies the view to the clipboard as a command line that shows it, and flies to one that was pasted, if the
-/// session asks for that. `package`: whose coordinates they are in.
+/// Copies the view to the clipboard as a command line, or flies to a pasted view, at the session's request.
+/// `package`: reference of the coordinates.
 void use_clipboard(Session& session, const PackageReader& package, double now);
 
 }  // namespace vantage

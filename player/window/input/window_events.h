@@ -6,11 +6,11 @@
 
 namespace vantage {
 
-/// What has happened in the window since it was last asked.
+/// The window's events since the last call.
 struct WindowEvents {
     UserInput input;
     std::vector<std::string> dropped;  ///< files
-    bool any = false;                  ///< one of these, or another: mouse, text, size, focus
+    bool any = false;                  ///< any event, including mouse, text, size, focus
 };
 
 }  // namespace vantage
