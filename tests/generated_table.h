@@ -9,8 +9,8 @@
 
 namespace vantage {
 
-/// Expects that the rows of a table in a document are those of a program. The table is the one after the line
-/// "<!-- NAME: VANTAGE_WRITE_DOCS=1 writes the rows -->"; with that variable set, they are written.
+/// Expects that the rows of a table in a document match those of a program. The table follows the line "<!--
+/// NAME: VANTAGE_WRITE_DOCS=1 writes the rows -->"; with that variable set, the rows are written.
 inline void expect_table(const std::filesystem::path& document, const std::string& name,
                          const std::string& rows) {
     std::stringstream text;

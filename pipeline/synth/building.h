@@ -12,8 +12,9 @@ namespace vantage {
 struct SynthModel {
     Mesh mesh;
     std::vector<Material> materials;
-    bool clouds = false;     ///< in the sky behind it
-    std::vector<float> sky;  ///< share of the sky that each vertex sees, for daylight.h; empty: plain light
+    bool clouds = false;  ///< in the sky
+    std::vector<float>
+        sky;  ///< fraction of the sky visible from each vertex, for daylight.h; empty: simple lighting
 };
 
 /// A building with its facade along x at y = 0, facing -y, with z up: coarse walls, windows in deep recesses,

@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-/// The inverse of distort() by Newton's method; nothing where the lens model folds back.
+/// The inverse of distort() by Newton's method; nothing where the lens model is not invertible.
 std::optional<Vector2d> undistort_point(const Lens& lens, const Vector2d& distorted) {
     Vector2d x = distorted;
     for (int i = 0; i < 30; ++i) {
@@ -31,7 +31,7 @@ std::optional<Vector2d> undistort_point(const Lens& lens, const Vector2d& distor
     return (distort(lens, x) - distorted).norm() < 1e-9 ? std::optional(x) : std::nullopt;
 }
 
-/// The model under a sun and a sky.
+/// The model lit by sun and sky.
 struct LitScene {
     const SynthModel& model;
     const RayScene& rays;
@@ -73,7 +73,7 @@ std::uint8_t encode(float linear) {
     return std::uint8_t(std::lround(255 * s));
 }
 
-/// The ray through a point of the photo, in pixels; its z in the camera is 1.
+/// The ray through a point of the photo, in pixels; its z in camera coordinates is 1.
 std::optional<Vector3d> ray_through(const Camera& camera, double u, double v) {
     const Intrinsics& k = camera.intrinsics;
     const Vector2d p((u - k.cx) / k.fx, (v - k.cy) / k.fy);
@@ -82,7 +82,7 @@ std::optional<Vector3d> ray_through(const Camera& camera, double u, double v) {
     return camera.cam_from_world.R.transpose() * Vector3d(ray->x(), ray->y(), 1);
 }
 
-/// Mean of samples x samples rays through a pixel, 0 for those without.
+/// Mean of samples x samples rays through a pixel, 0 for invalid rays.
 template <class Light>
 Vector3f pixel_mean(const Camera& camera, int x, int y, int samples, const Light& light) {
     Vector3f sum = Vector3f::Zero();
@@ -94,7 +94,7 @@ Vector3f pixel_mean(const Camera& camera, int x, int y, int samples, const Light
     return sum / float(samples * samples);
 }
 
-/// Linear light per pixel in daylight, of one ray, or of samples x samples rays beside an edge.
+/// Linear light per pixel in daylight, from one ray, or from samples x samples rays at an edge.
 std::vector<Vector3f> cast_daylight(const SynthModel& model, const RayScene& rays, const Camera& camera,
                                     int samples) {
     const int width = camera.intrinsics.width, height = camera.intrinsics.height;

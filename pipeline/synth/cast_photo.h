@@ -11,17 +11,17 @@ namespace vantage {
 
 /// Exposure of a photo. Linear light is multiplied by the gain of its channel and by 1 / (1 + a r^2)^2, where
 /// r is the distance from the principal point, 1 at half the image's diagonal, and a is such that
-/// `vignetting` is the share of light lost at r = 1.
+/// `vignetting` is the fraction of light lost at r = 1.
 struct PhotoExposure {
     std::array<double, 3> gain{1, 1, 1};
     double vignetting = 0;
 };
 
-/// In which light a photo is taken.
+/// Spectral range of a photo.
 enum class SynthImageSet { visible, infrared };
 
-/// Renders the photo that the camera takes, including lens distortion: sRGB, 3 bytes per pixel, top row
-/// first, `samples` x `samples` rays per pixel. `rays` is made from the model's mesh.
+/// Renders the camera's photo, including lens distortion: sRGB, 3 bytes per pixel, top row first, `samples` x
+/// `samples` rays per pixel. `rays` is made from the model's mesh.
 std::vector<std::uint8_t> cast_photo(const SynthModel& model, const RayScene& rays, const Camera& camera,
                                      int samples, const PhotoExposure& exposure = {},
                                      SynthImageSet image_set = SynthImageSet::visible);

@@ -22,7 +22,7 @@ struct Opening {
     double rise(double at) const { return std::sqrt(std::max(0.0, radius * radius - (at - x) * (at - x))); }
     double low(double at) const { return round ? spring - rise(at) : sill; }
     double high(double at) const { return spring + rise(at); }
-    /// Where a point of a profile is at t of the way around it, from its lower left.
+    /// Position of a profile point at t along the opening's outline, from its lower left.
     Vector3d around(double t, const Vector2d& p) const {
         const double r = radius + p.x(),
                      half = round ? t * turn : std::clamp(2 * t - 0.5, 0.0, 1.0) * turn / 2;
@@ -46,14 +46,14 @@ void block(ModelBuilder& b, const Vector3d& low, const Vector3d& high, Material 
     b.quad(low, {0, high.y() - low.y(), 0}, {high.x() - low.x(), 0, 0}, material);
 }
 
-/// Each pair of neighboring points is a plane of the moulding.
+/// Each pair of neighboring points generates a plane of the molding.
 void moulding(ModelBuilder& b, const Profile& edges, int steps,
               const std::function<Vector3d(double, const Vector2d&)>& at) {
     for (std::size_t i = 0; i + 1 < edges.size(); ++i)
         b.sweep(std::span(edges).subspan(i, 2), steps, at, Material::limestone);
 }
 
-/// The wall between two heights, which depend on x.
+/// The wall between two height profiles, which depend on x.
 void wall(ModelBuilder& b, const Opening& o, const std::function<double(double)>& low,
           const std::function<double(double)>& high) {
     b.surface(
@@ -76,8 +76,8 @@ void pierced_wall(ModelBuilder& b, double x0, double x1, double low,
         b, o, [&](double x) { return o.high(x); }, high);
 }
 
-/// The steps of the reveal from the panel at its back to the wall, each with a shaft, which carries an arch
-/// of beads.
+/// The steps of the reveal from the panel at its back to the wall, each with a shaft that supports an arch of
+/// beads.
 void reveal(ModelBuilder& b, const Opening& o, double recess, int orders, double step) {
     for (int k = 0; k < orders; ++k) {
         const double r = k * step, y0 = recess * (k - orders) / orders, y1 = y0 + recess / orders;
@@ -196,7 +196,7 @@ void shell_of_chapel(ModelBuilder& b, double half, double eaves, double rise, do
     b.triangle(corner(half, eaves), corner(-half, eaves), corner(0, eaves + rise), Material::ashlar);
 }
 
-/// One block on another, each as wide as deep.
+/// One block on another, both with a square base.
 void pedestal(ModelBuilder& b, const Vector3d& foot, double size) {
     for (const auto& [low, high, wide] : {std::tuple(0.0, 0.12, 0.62), std::tuple(0.12, 0.24, 0.52),
                                           std::tuple(0.24, 0.92, 0.42), std::tuple(0.92, 1.0, 0.5)})

@@ -86,7 +86,7 @@ Vector3f text(const Vector2d& uv) {
     return mix({0.05f, 0.04f, 0.08f}, {0.80f, 0.76f, 0.64f}, ink / 255);
 }
 
-/// Panes and glazing bars; a curtain is painted on the panes, so that they neither reflect nor transmit.
+/// Panes and glazing bars; a curtain is painted on the panes, so they neither reflect nor transmit.
 Vector3f window(const Vector3d& p, const Vector2d& uv) {
     const double x = std::fmod(std::abs(uv.x()) + 0.17, 0.42), y = std::fmod(std::abs(uv.y()) + 0.1, 0.55);
     if (x < 0.045 || y < 0.045) return Vector3f(0.75f, 0.74f, 0.70f);

@@ -27,15 +27,15 @@ enum class Material : std::uint8_t {
 };
 
 /// Diffuse reflectance (linear RGB, [0, 1]) of a material at a point, in meters, on a surface with this unit
-/// normal. Detail goes down to millimeters, which a baked texture would lose.
+/// normal. It has details of millimeters, which a baked texture would lose.
 Eigen::Vector3f albedo(Material material, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
 
-/// The same in infrared, gray: what hides under plaster shows, and ink and colors hardly do. Plaster has an
+/// The same in infrared, gray: details under plaster are visible, ink and colors hardly are. Plaster has an
 /// underdrawing: arches and squares of charcoal.
 Eigen::Vector3f infrared_albedo(Material material, const Eigen::Vector3d& point,
                                 const Eigen::Vector3d& normal);
 
-/// Light of a sky with clouds, infinitely far, in a direction of length 1.
+/// Light of a cloudy sky at infinity, in a direction of length 1.
 Eigen::Vector3f clouded(const Eigen::Vector3f& sky, const Eigen::Vector3d& direction);
 
 }  // namespace vantage

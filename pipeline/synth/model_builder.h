@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// A model in the making.
+/// A model under construction.
 struct ModelBuilder {
     SynthModel model;
     double max_edge;
@@ -48,11 +48,11 @@ struct ModelBuilder {
     /// product of its derivatives. Divided further into sides of about `max_edge`, unless that is 0.
     void surface(int nu, int nv, const std::function<Eigen::Vector3d(double u, double v)>& f,
                  Material material);
-    /// The surface along which a profile moves: its point p is at `at(t, p)`, t from 0 to 1 in `steps` steps.
+    /// The swept surface of a profile: its point p is at `at(t, p)`, with t from 0 to 1 in `steps` steps.
     void sweep(std::span<const Eigen::Vector2d> profile, int steps,
                const std::function<Eigen::Vector3d(double t, const Eigen::Vector2d& p)>& at,
                Material material);
-    /// A box without its bottom.
+    /// A box without its bottom face.
     void box(const Eigen::Vector3d& center, const Eigen::Vector3d& half, Material material) {
         const Eigen::Vector3d x(2 * half.x(), 0, 0), y(0, 2 * half.y(), 0), z(0, 0, 2 * half.z());
         const Eigen::Vector3d low = center - half, high = center + half;

@@ -38,7 +38,7 @@ double turbulence(const Vector3d& p, double frequency, int octaves) {
 
 namespace {
 
-/// As noise(), in [-1, 1] and in single precision, for callers that need many octaves.
+/// Like noise(), in [-1, 1] and in single precision, for callers that need many octaves.
 float quick_noise(float x, float y, float z) {
     const auto floored = [](float v) { return float(std::int32_t(v) - (float(std::int32_t(v)) > v)); };
     const float fx = floored(x), fy = floored(y), fz = floored(z);

@@ -14,8 +14,8 @@ double noise(const Eigen::Vector3d& p);
 double turbulence(const Eigen::Vector3d& p, double frequency, int octaves);
 
 /// Fractal noise around 0, mostly within [-1, 1]: octaves from wavelength `coarsest` down to twice the
-/// `footprint` of a pixel, both in meters, each finer one `fall` times as strong. Finer detail than a pixel
-/// can show is left out, so that it does not alias.
+/// `footprint` of a pixel, both in meters, each finer one with `fall` times the amplitude. Detail finer than
+/// a pixel is omitted to avoid aliasing.
 double rough(const Eigen::Vector3d& p, double coarsest, double footprint, double fall);
 
 inline Eigen::Vector3f mix(const Eigen::Vector3f& a, const Eigen::Vector3f& b, double t) {

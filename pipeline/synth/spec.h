@@ -10,8 +10,8 @@ struct SynthSpec {
     struct Building {
         double width = 12, height = 7.5, depth = 6, recess = 0.7;
         int bays = 5, floors = 2;
-        double max_edge = 0;  ///< longest side of the quads that walls are divided into; 0: not divided
-        bool chapel = false;  ///< instead, with an urn as the object; recess, bays and floors are unused
+        double max_edge = 0;  ///< longest side of the walls' quads; 0: not subdivided
+        bool chapel = false;  ///< a chapel with an urn instead; recess, bays and floors are unused
     } building;
     struct Object {
         double size = 1.3;  ///< radius of the torus knot; 2/3 of the urn's height
@@ -19,14 +19,15 @@ struct SynthSpec {
         double distance = 3;  ///< from the facade
     } object;
     struct Garden {
-        double radius = 0;   ///< of the lawn or meadow; 0: no garden, and a sky without clouds
-        double hill = 8;     ///< height of the hill around it, as far away again; of a chapel's, 4 km away
+        double radius = 0;  ///< of the lawn or meadow; 0: no garden, and a sky without clouds
+        double hill =
+            8;  ///< height of the hill around it, at twice the radius; of a chapel's hills, 4 km away
         double railing = 0;  ///< thickness of the bars in front of the upper windows; 0: none
-    } garden;                ///< shown by the photos, and not in the mesh
+    } garden;                ///< in the photos, but not in the mesh
     struct Glass {
-        double alpha = 0;     ///< of a case of glass around the object; 0: none
-        double max_edge = 0;  ///< as of the building
-    } glass;                  ///< in the mesh, and not shown by the photos
+        double alpha = 0;     ///< of a glass case around the object; 0: none
+        double max_edge = 0;  ///< as for the building
+    } glass;                  ///< in the mesh, but not in the photos
     struct Photos {
         int count = 12, width = 1200, height = 900;
         double fov = 55;             ///< horizontal field of view
@@ -36,18 +37,18 @@ struct SynthSpec {
         int samples = 3;             ///< per pixel, in x and in y
     } photos;
     struct Infrared {
-        int count = 0;  ///< of photos in infrared, in an image set of their own; 0: none
+        int count = 0;  ///< number of infrared photos, in a separate image set; 0: none
         int width = 800, height = 600;
         double fov = 50;   ///< horizontal field of view
         double stops = 0;  ///< exposure of all of them
-    } infrared;            ///< shows an underdrawing on plaster that visible light does not
+    } infrared;            ///< shows an underdrawing on plaster that is invisible in visible light
     struct Lens {
         double k1 = 0, k2 = 0;  ///< radial, OpenCV
     } lens;
     struct Exposure {
         double stops = 0;          ///< random exposure of each photo, up to +/- this
         double white_balance = 0;  ///< in addition, random per channel, up to +/- this many stops
-        double vignetting = 0;     ///< share of the light lost at the corners
+        double vignetting = 0;     ///< fraction of the light lost at the corners
     } exposure;
     struct Error {
         double pixels = 0;  ///< error of each written camera, in px at the facade

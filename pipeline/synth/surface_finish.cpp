@@ -34,11 +34,11 @@ Vector2d in_surface(const Vector3d& p, const Vector3d& n) {
 /// One of the stones of a wall or a pavement.
 struct Stone {
     double id;    ///< [0, 1), random
-    double tilt;  ///< height of its face, in meters: no stone is set quite even
+    double tilt;  ///< height of its face, in meters: stones are slightly uneven
     double edge;  ///< distance to its nearest edge, in meters
 };
 
-/// Rows of `height`, in which the stones have different widths.
+/// Rows of `height`, with stones of different widths.
 Stone stone_at(const Vector2d& p, double height) {
     const double row = std::floor(p.y() / height);
     const auto r = std::int64_t(row);
@@ -176,7 +176,7 @@ Finish meadow(const SurfacePoint& at) {
                    })};
 }
 
-/// Worn slabs with grass in their joints, which gives way to the meadow.
+/// Worn slabs with grass in their joints, gradually replaced by the meadow.
 Finish flags(const SurfacePoint& at) {
     const Vector3d& p = at.position;
     const auto height = [&](const Vector3d& q) {

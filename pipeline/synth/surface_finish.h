@@ -3,22 +3,21 @@
 
 namespace vantage {
 
-/// A point of a surface, as a pixel sees it. Lengths in meters.
+/// A surface point in a pixel. Lengths in meters.
 struct SurfacePoint {
     Eigen::Vector3d position, normal;
-    Eigen::Vector3d toward;  ///< of length 1, in the surface: the direction of the slope
+    Eigen::Vector3d toward;  ///< tangent of length 1: the direction of the slope
     double footprint;        ///< of the pixel
-    double sky;              ///< share of the sky that is seen: dirt gathers where it is small
+    double sky;              ///< visible fraction of the sky; dirt gathers where it is small
 };
 
-/// Of a weathered surface.
+/// Appearance of a weathered surface.
 struct Finish {
     Eigen::Vector3f albedo;  ///< linear RGB, [0, 1]
-    double slope;            ///< of the relief that the mesh lacks, along `toward`
+    double slope;            ///< of the relief that is not in the mesh, along `toward`
 };
 
-/// For the materials of the chapel and its country, from ashlar on. Detail goes down to the footprint, and
-/// no further.
+/// For the materials of the chapel and its country, from ashlar on. Detail is limited to the footprint.
 Finish finish(Material material, const SurfacePoint& at);
 
 }  // namespace vantage

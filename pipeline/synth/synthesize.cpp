@@ -30,7 +30,7 @@ constexpr double radians = std::numbers::pi / 180;
 /// Uniform in [-1, 1), with the same results on every platform.
 double signed_unit(std::mt19937& engine) { return double(engine()) * 0x1p-31 - 1; }
 
-/// The camera rotated and shifted in random directions, by about `pixels` in all at `distance`.
+/// The camera with random rotation and shift, by about `pixels` in total at `distance`.
 Camera perturbed(Camera camera, double pixels, double distance, std::mt19937& engine) {
     const auto direction = [&] {
         const double z = signed_unit(engine), y = signed_unit(engine), x = signed_unit(engine);
@@ -63,7 +63,7 @@ std::vector<PhotoExposure> exposures(const SynthSpec& spec) {
     return out;
 }
 
-/// Whether a photo, by its number, is one of the infrared image set, which come last.
+/// The image set of a photo, by its number; the infrared ones come last.
 SynthImageSet image_set_of(const SynthSpec& spec, std::size_t photo) {
     return photo < std::size_t(spec.photos.count) ? SynthImageSet::visible : SynthImageSet::infrared;
 }
@@ -110,7 +110,7 @@ Pose look_at(const Vector3d& eye, const Vector3d& target) {
 
 namespace {
 
-/// Without the folders of image sets.
+/// Without the image sets' folders.
 std::vector<NamedCamera> place_image_set(const SynthSpec& spec) {
     const SynthSpec::Photos& s = spec.photos;
     std::mt19937 engine(spec.seed);

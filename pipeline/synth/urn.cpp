@@ -9,8 +9,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Radius and height, relative to the urn's height, at v from 0 to 1 along its outline: a spline of Catmull
-/// and Rom (1974).
+/// Radius and height, relative to the urn's height, at v from 0 to 1 along its outline: a Catmull-Rom spline
+/// (1974).
 Vector2d outline(double v) {
     static const std::array<Vector2d, 20> points{
         {{0.25, 0},    {0.25, 0.05}, {0.20, 0.07}, {0.12, 0.12},  {0.09, 0.2},  {0.13, 0.225}, {0.10, 0.25},
@@ -25,7 +25,7 @@ Vector2d outline(double v) {
            (2 * b + t * (c - a) + t * t * (2 * a - 5 * b + 4 * c - d) + t * t * t * (3 * b - 3 * c + d - a));
 }
 
-/// How far the carving stands out, relative to the urn's height.
+/// Height of the carving's relief, relative to the urn's height.
 double carving(double angle, double z) {
     const auto bell = [](double x) { return std::exp(-x * x); };
     const auto within = [](double x, double low, double high) {

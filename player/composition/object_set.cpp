@@ -65,7 +65,7 @@ void ObjectSet::remove(std::size_t object) {
     divide_budget();
 }
 
-/// A limit that was given is divided evenly; otherwise each object has what a frame of it needs.
+/// A given limit is divided evenly; otherwise each object gets what its frame needs.
 void ObjectSet::divide_budget() {
     const std::uint64_t held = sum([](const Renderer& r) { return r.held(); });
     MemoryBudget share = budget_;
@@ -145,7 +145,7 @@ RenderSettings ObjectSet::settings_of_others(const RenderSettings& settings) con
     RenderSettings out = settings;
     out.fill_background = false;
     out.plain_background.soft_edges = 0;   // those of the whole picture
-    out.background = ShowBackground::off;  // those of one object would hide the others
+    out.background = ShowBackground::off;  // that of one object would hide the others
     out.field.index = -1;
     out.image_sets = {};
     out.compare = Compare::nothing;
@@ -200,7 +200,7 @@ void ObjectSet::prepare(const FrameRequest& request) {
     divide_budget();
     RenderSettings of_first = settings;
     of_first.fill_background = false;
-    // An even share of the frame's uploads, and what objects before it have left of theirs.
+    // An even share of the frame's uploads, plus the unused shares of previous objects.
     std::size_t uploaded = 0;
     auto to_draw = std::size_t(draws_first(settings)) +
                    std::size_t(std::ranges::count_if(others_, [](const auto& o) { return o->object.shown; }));
@@ -219,7 +219,7 @@ void ObjectSet::prepare(const FrameRequest& request) {
         of_others.weights_from = settings.weights_from;
         of_others.sections = settings.sections;
         of_others.upload_bytes = upload_share();
-        divide_budget();  // what the objects before it hold may have changed
+        divide_budget();  // memory held by previous objects may have changed
         prepare_other(*o, request, of_others);
         uploaded += o->report.uploaded;
     }

@@ -12,15 +12,16 @@
 namespace vantage {
 namespace {
 
-constexpr double finer = 1.5;  ///< faces than the panorama: four samples then show all that is in it
-/// Share of a face by which it overlaps the next ones where it fills holes: without, the fillings would end
-/// at its edges.
+constexpr double finer =
+    1.5;  ///< resolution of faces relative to the panorama: four samples then cover all of it
+/// Fraction of a face by which it overlaps its neighbors if holes are filled: without an overlap, the
+/// fillings would have visible edges.
 constexpr double fading = 0.2;
 constexpr double slice_fading = 0.2;  ///< the same for slices, as a tangent
 
 bool fills(const RenderSettings& settings) { return settings.background != ShowBackground::off; }
 
-/// What two views consisted of, one after the other: what was found recently is that of the second.
+/// The report of two consecutive views: counts of recent findings are those of the second.
 FrameReport followed(const FrameReport& first, const FrameReport& second) {
     FrameReport out = joined(first, second);
     out.tiles_damaged = second.tiles_damaged;
@@ -41,7 +42,7 @@ gl::Texture make_faces(FrameSize size, std::size_t count) {
     return gl::make_texture_array("faces", GL_RGBA8, size.width, size.height, GLsizei(count), GL_NEAREST);
 }
 
-/// What views of this size overlap by, as a tangent, if they show `half` alone; up to between texels.
+/// Overlap of views of this size, as a tangent, if each alone covers `half`; ends between texels.
 double overlap(const Intrinsics& view, const Eigen::Vector2d& half) {
     return std::min((view.width / 2.0 - 1) / view.fx - half.x(),
                     (view.height / 2.0 - 1) / view.fy - half.y());

@@ -21,7 +21,7 @@ MarkColor color_of(MeasureLook look) {
     return look == MeasureLook::selected ? blue : look == MeasureLook::unfinished ? white : yellow;
 }
 
-/// Whether a photo is shown as a picture: not to somebody who stands in its camera.
+/// Whether a photo is shown as a picture: not if the viewer is in its camera.
 bool is_in_scene(const PlanScene& scene, std::uint32_t photo, const Session& s, const Vector3d& eye,
                  const Stance& stance) {
     const package::PhotoRecord& p = scene.photos[photo];
@@ -29,7 +29,8 @@ bool is_in_scene(const PlanScene& scene, std::uint32_t photo, const Session& s, 
     return is_shown(s.settings.image_sets, p) && p.levels && !stands_there;
 }
 
-/// The distance at which a ray meets a parallelogram, given by three corners; nothing if it does not.
+/// The distance at which a ray intersects a parallelogram, given by three corners; nothing without an
+/// intersection.
 std::optional<double> meets(const Ray& ray, const Vector3d& corner, const Vector3d& right,
                             const Vector3d& below) {
     const Vector3d a = right - corner, b = below - corner, across = ray.along.cross(b);
@@ -98,7 +99,7 @@ void add_photos(Marks& marks, const Stance& stance, Renderer& renderer, const Se
                 std::optional<std::uint32_t> pointed_at) {
     const PlanScene& scene = renderer.scene();
     const Residency& residency = renderer.resources().store.residency();
-    // Photos that are blended need thumbnails as well.
+    // Blended photos need thumbnails as well.
     const std::size_t pictures = residency.layout().thumbnails / 2;
     std::size_t wanted = 0;
     for (const std::uint32_t i : photos_in_scene(scene, s, eye, stance)) {

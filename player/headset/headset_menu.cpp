@@ -71,7 +71,7 @@ void page_buttons(Controls& c, const MenuContent& m) {
     }
 }
 
-/// The model's own size, if its unit is known.
+/// Original size of the model, if its unit is known.
 void size_controls(Controls& c, Session& s, const MenuContent& m) {
     Locomotion& w = m.locomotion;
     int unit = 0;
@@ -112,7 +112,7 @@ void move_page(Controls& c, Session& s, const MenuContent& m, double now) {
     c.explain("Makes flying more comfortable for many people.");
 }
 
-/// The closest comparison that two eyes can have with a photo.
+/// A replacement for comparing with a photo in stereo.
 void only_this_photo(Controls& c, Session& s, const PlanScene& scene) {
     bool only = s.photos.size() == 1 && s.photos.front() == s.viewpoint.standing_at;
     if (c.checkbox("Only this photo", &only)) {

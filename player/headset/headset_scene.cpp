@@ -18,17 +18,17 @@
 namespace vantage {
 namespace {
 
-constexpr double arms_length = 1;  ///< meters, to what is looked at in a scene of unknown size
-constexpr double nearest = 0.05;   ///< meters, of what is drawn over the picture
+constexpr double arms_length = 1;  ///< meters, to the target in a scene of unknown size
+constexpr double nearest = 0.05;   ///< meters, near limit of overlays
 
-/// Meters in a scene unit, as the command line or the scene's measurements say; 0: unknown.
+/// Meters in a scene unit, from the command line or the scene's measurements; 0: unknown.
 double unit_meters(const PackageReader& package, double given) {
     if (given > 0) return given;
     try {
         SurveyFile file = survey_file_of(package.path(), package.remote());
         const Scale scale = read_survey(file, {}).scale;
         return scale.unit == Unit::unknown ? 0 : scale.length * meters_in(scale.unit);
-    } catch (const Error&) {  // the scene can be shown all the same
+    } catch (const Error&) {  // the scene is shown without them
         return 0;
     }
 }
@@ -49,7 +49,7 @@ HeadsetScene::HeadsetScene(const PackageReader& package, const std::vector<Scene
     session_.window.panels.measure = false;  // a page of the menu
 }
 
-/// The head is where the session's camera is.
+/// Places the head at the session's camera.
 void HeadsetScene::place(const RoomPose& head) {
     const Navigation& at = session_.viewpoint.home;
     const double distance = (at.target - at.eye).norm();
@@ -57,13 +57,13 @@ void HeadsetScene::place(const RoomPose& head) {
     locomotion_.stance = standing(head, at.eye, at.target, up_, locomotion_.usual_scale);
 }
 
-/// The session's camera is the head, for panels that ask where somebody stands.
+/// Moves the session's camera to the head, for panels that depend on the viewer's position.
 void HeadsetScene::follow_head(const HeadsetFrame& frame) {
     const View middle = view_of_eye(locomotion_.stance, {frame.head}, {1, 1});
     session_.viewpoint.camera = stand_at(middle, up_, locomotion_.stance.scale);
 }
 
-/// Hands without a button for it open and close the menu by selecting with both.
+/// If there is no menu button, selecting with both hands opens and closes the menu.
 void HeadsetScene::take_menu_button(const HeadsetFrame& frame) {
     const auto& [left, right] = frame.hands;
     const bool both = !left.has_menu && !right.has_menu && left.select && right.select;
@@ -87,7 +87,7 @@ void HeadsetScene::point(const HeadsetFrame& frame) {
         next_menu_pointer(menu_pointer_, frame.hands, pointed_, selected_, locomotion_.stance, panel_);
 }
 
-/// Whether a hand has just selected what it points at.
+/// Whether a hand has just selected its target.
 bool HeadsetScene::chosen(const Hands& hands, std::size_t hand) const {
     return hands[hand].select && !selected_[hand] && !pointed_[hand].menu;
 }
@@ -135,7 +135,7 @@ void HeadsetScene::move(const HeadsetFrame& frame, double seconds) {
     continue_locomotion(locomotion_, hands, free_hands(), frame.head, seconds, surface);
 }
 
-/// Of a tour, from the time at which the window begins to fly there. Somebody who moves leaves the tour.
+/// Jumps to a tour's stop when the window would start flying there. Locomotion ends the tour.
 void HeadsetScene::stand_at_stop(const HeadsetFrame& frame) {
     const Viewpoint::Flight& flight = *session_.viewpoint.flight;
     const double seconds = frame.time - scene_.active.playing->start;
@@ -148,7 +148,7 @@ void HeadsetScene::stand_at_stop(const HeadsetFrame& frame) {
     stop_ = Stop{to.stop, scene_.active.playing->start, locomotion_.stance};
 }
 
-/// Shows the note that a tour has opened.
+/// Shows the note opened by a tour.
 void HeadsetScene::continue_tour(const HeadsetFrame& frame) {
     if (!scene_.active.playing) return stop_.reset();
     if (session_.viewpoint.flight &&
@@ -161,7 +161,7 @@ void HeadsetScene::continue_tour(const HeadsetFrame& frame) {
     if (!menu_) menu_ = menu_in_front_of(frame.head);
 }
 
-/// Flights of the window are jumps here: moving somebody's eyes makes them sick.
+/// Replaces the window's flights by jumps: involuntary motion causes sickness.
 void HeadsetScene::stand_where_sent(const HeadsetFrame& frame) {
     if (!session_.viewpoint.flight) return;
     if (session_.viewpoint.flight->along)
@@ -234,10 +234,10 @@ void HeadsetScene::mark(const HeadsetFrame& frame) {
     for (std::size_t i = 0; i < 2; ++i) {
         Hand hand = frame.hands[i];
         const Pointed& p = pointed_[i];
-        if (locomotion_.aiming == i) hand.aim.reset();  // the arc is its ray
+        if (locomotion_.aiming == i) hand.aim.reset();  // its ray is the arc
         if (!frame.gazes)
             add_hand(hand_marks_, locomotion_.stance, hand, p.length, p.any());
-        else if (hand.aim && p.any())  // a ray from between the eyes would be in their way
+        else if (hand.aim && p.any())  // a ray from between the eyes would obstruct the view
             add_dot(hand_marks_, locomotion_.stance, hand, p.length);
     }
     mark_pass_.upload(marks_);
@@ -253,7 +253,7 @@ std::array<View, 2> HeadsetScene::views_of(const HeadsetFrame& frame, FrameSize 
 
 void HeadsetScene::frame(HeadsetSession& headset, const HeadsetFrame& frame,
                          const std::function<void(GLuint, FrameSize)>& seen) {
-    if (frame.shown) headset.take_pictures();  // a wait for the runtime is no part of the frame's time
+    if (frame.shown) headset.take_pictures();  // waiting for the runtime does not count as frame time
     clock_.begin();
     drawn_.clear();
     if (frame.shown) {
@@ -283,7 +283,7 @@ void HeadsetScene::draw(HeadsetSession& headset, const HeadsetFrame& frame,
                         const std::function<void(GLuint, FrameSize)>& seen) {
     Session& s = session_;
     s.drawn.pace = pacing_.pace;
-    s.settings.image_sets.how = ImageSetView::mix;  // what divides a picture is at two places for two eyes
+    s.settings.image_sets.how = ImageSetView::mix;  // a divided picture would differ between the eyes
     s.settings.sections = sections_of(s.cut, scene_.plan());
     RenderSettings settings = s.settings;
     settings.capacity = headset.size(0);
@@ -302,7 +302,7 @@ void HeadsetScene::draw(HeadsetSession& headset, const HeadsetFrame& frame,
         });
 }
 
-/// What is beside the model. The menu and the hands are never hidden.
+/// Draws overlays. The menu and the hands are never occluded.
 void HeadsetScene::draw_over(const View& view, const DrawnDepth& depth, GLuint target) {
     if (dims_edges_) vignette_.draw(view, target, locomotion_.vignette);
     EyePicture eye{view, nearest * locomotion_.stance.scale, target, true};
@@ -320,7 +320,7 @@ std::optional<DepthLimits> HeadsetScene::depth_of(HeadsetSession& headset, const
     return depth_.copy(depth, size, locomotion_.stance.scale, headset.depth_target(eye));
 }
 
-/// Sets the pace of frames to come by those that are finished.
+/// Adapts the pace of later frames to finished ones.
 void HeadsetScene::keep_pace() {
     const auto frame = clock_.take();
     if (!frame) return;

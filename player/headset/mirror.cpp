@@ -10,7 +10,8 @@
 namespace vantage {
 namespace {
 
-constexpr double seconds_between = 1.0 / 30;  ///< of copies: the window must not slow down the headset
+constexpr double seconds_between =
+    1.0 / 30;  ///< minimum interval of copies: the window must not slow down the headset
 
 FrameSize window_size(const ShowOptions& o) {
     return o.output.size.empty() ? FrameSize{640, 720} : parse_size(o.output.size);
@@ -25,7 +26,7 @@ Mirror::Mirror(const ShowOptions& o) {
         return;
     }
     window_.emplace(window_size(o), "Vantage", gl::debug_from_environment() == gl::Debug::on);
-    glfwSwapInterval(0);  // the headset sets the pace
+    glfwSwapInterval(0);  // the headset determines the frame rate
 }
 
 void Mirror::show(GLuint framebuffer, FrameSize size) {

@@ -17,13 +17,13 @@
 namespace vantage {
 namespace {
 
-constexpr auto idle = std::chrono::milliseconds(10);  ///< while no frames are wanted
+constexpr auto idle = std::chrono::milliseconds(10);  ///< polling interval while no frames are needed
 
 void tell(const std::string& text) {
     if (output_form() != OutputForm::none) std::fprintf(stderr, "%s\n", text.c_str());
 }
 
-/// One round with a session: what it says, and a frame if it wants one. False when it has ended.
+/// One iteration with a session: its events, and a frame if needed. False when it has ended.
 bool go_on(HeadsetSession& session, HeadsetScene& scene, Mirror& mirror, bool& asked_to_end, bool ends,
            int& frames) {
     session.take_events();

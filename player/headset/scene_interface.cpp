@@ -16,7 +16,7 @@ constexpr float label_height = 300, labels_canvas = 20000, notice_width = 560;  
 
 std::string label_window(std::size_t i) { return "##label " + std::to_string(i); }
 
-/// Sets a context for as long as it lives.
+/// Makes a context current during its lifetime.
 class Within {
   public:
     explicit Within(ImGuiContext* context) : before_(ImGui::GetCurrentContext()) {
@@ -30,7 +30,7 @@ class Within {
     ImGuiContext* before_;
 };
 
-/// What ImGui drew for one window.
+/// ImGui's draw data for one window.
 void upload_window(PanelDrawing& drawing, const ImDrawData& all, std::string_view window) {
     std::vector<ImDrawList*> lists;
     for (ImDrawList* list : lists_of(all))
@@ -38,7 +38,7 @@ void upload_window(PanelDrawing& drawing, const ImDrawData& all, std::string_vie
     drawing.upload(lists);
 }
 
-/// Where a label is, whose window has this corner and size.
+/// Placement of a label whose window has this corner and size.
 std::optional<Panel> panel_of(const SceneLabel& label, const Eigen::Vector2d& corner,
                               const Eigen::Vector2d& size, const View& head) {
     const Pose& pose = head.cam_from_origin;
@@ -65,7 +65,7 @@ SceneInterface::SceneInterface() : context_(ImGui::CreateContext()) {
     io.DisplaySize = ImVec2(float(width), float(height));
     set_look(text_pixels / 14);
     ImGuiStyle& style = ImGui::GetStyle();
-    style.FramePadding = ImVec2(14, 9);  // targets that a ray hits easily
+    style.FramePadding = ImVec2(14, 9);  // large targets for rays
     style.ItemSpacing = ImVec2(12, 10);
     style.ScrollbarSize = 28;
     style.GrabMinSize = 28;
@@ -79,7 +79,7 @@ SceneInterface::SceneInterface() : context_(ImGui::CreateContext()) {
 }
 
 SceneInterface::~SceneInterface() {
-    ImGui::DestroyContext(labels_context_);  // first: the letters are the other one's
+    ImGui::DestroyContext(labels_context_);  // first, since it shares the other context's font
     ImGui::DestroyContext(context_);
 }
 

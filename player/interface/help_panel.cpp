@@ -29,7 +29,7 @@ Shortcuts blend_shortcuts() {
 /// A line of the help.
 struct Line {
     const char *what, *does;
-    bool for_public = false;  ///< also in a kiosk
+    bool for_public = false;  ///< also available in a kiosk
 };
 
 void show_line(const Line& line) {

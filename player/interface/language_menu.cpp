@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// In the language itself, for those who know no other.
+/// In the language itself, for users who do not know the current one.
 std::string own_name(const std::string& code) {
     struct Name {
         const char *code, *name;

@@ -9,7 +9,7 @@ namespace vantage {
 
 void message_line(Controls& c, Message& message, const Area& free, double now) {
     if (message.text.empty()) return;
-    // The frame in which it was said may have been a long one.
+    // The frame that created the message may have been a long one.
     if (!std::exchange(message.shown, true)) message.until = now + message_seconds;
     if (now > message.until) return message.text.clear();
     const float em = ImGui::GetFontSize();

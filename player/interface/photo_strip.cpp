@@ -54,8 +54,7 @@ void PhotoStrip::tooltip(Renderer& renderer, std::uint32_t photo) {
     ImGui::EndTooltip();
 }
 
-/// Not during a flight, nor under the pointer or the keyboard's mark: a target must not move while it is
-/// being clicked.
+/// Not during a flight, nor while hovered or focused: a target must not move while it is being clicked.
 void PhotoStrip::rank(const Session& s, const PlanScene& scene, const View& view, double now) {
     const bool in_use = ImGui::IsWindowHovered() || (s.window.navigates && ImGui::IsWindowFocused());
     if (ranked_at_ < 0 || (now - ranked_at_ > ranking_seconds && !s.viewpoint.flight && !in_use)) {
@@ -74,8 +73,8 @@ std::vector<std::uint32_t> PhotoStrip::order(const Session& s, const PlanScene& 
     return out;
 }
 
-/// By dragging and by the wheel. Whether a press has ended that has moved and is no click, also where frames
-/// are longer than it.
+/// Scrolls by dragging and by the wheel. Returns whether a press has ended that moved and is not a click,
+/// including presses shorter than a frame.
 bool PhotoStrip::scroll(const Area& area) const {
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 pressed = io.MouseClickedPos[0];

@@ -19,12 +19,12 @@
 namespace vantage {
 namespace {
 
-/// A header, and below it the content if it is open.
+/// A header, and its content if open.
 template <class Content>
 void section(Controls& c, const char* name, bool& open, const Content& content) {
     c.section(name, &open);
     if (!open) return;
-    ImGui::PushID(name);  // a control may be named like another section
+    ImGui::PushID(name);  // a control may have the name of another section
     content();
     ImGui::PopID();
     ImGui::Spacing();

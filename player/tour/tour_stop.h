@@ -10,7 +10,8 @@ struct TourStop {
     std::size_t stop;
     double reached;
 };
-/// So many seconds after the tour's start; after its end, the last one. The tour has stops.
+/// State at a time after the tour's start, in seconds; after its end, the last stop. The tour must have
+/// stops.
 TourStop tour_stop(const StoryTour& tour, double seconds);
 
 }  // namespace vantage

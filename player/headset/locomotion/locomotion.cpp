@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-constexpr double pushed = 0.7, middle = 0.3, dead = 0.15;  // of a stick's way
+constexpr double pushed = 0.7, middle = 0.3, dead = 0.15;  // of a stick's range
 constexpr double flying_speed = 2;                         // meters per second
 constexpr double vignette_seconds = 0.2;
 
@@ -54,7 +54,7 @@ void turn(Locomotion& w, const Hands& hands, std::size_t turner, const RoomPose&
     w.stance = turned(w.stance, head, -std::copysign(w.snap_degrees, stick.x()) * std::numbers::pi / 180);
 }
 
-/// Whether the hand aims, or goes on to.
+/// Whether the hand starts or continues aiming.
 bool aims(const Hand& hand, bool aimed, bool sticks) {
     if (!hand.aim) return false;
     if (!sticks) return hand.select;
@@ -75,13 +75,13 @@ void teleport(Locomotion& w, const Hands& hands, const FreeHands& free, const Ro
         w.arc = teleport_arc(w.stance, *hand.aim, surface);
         return;
     }
-    const bool tracked = hand.aim.has_value();  // a hand that is lost does not go where it pointed
+    const bool tracked = hand.aim.has_value();  // without tracking, it does not teleport to its last target
     if (tracked && w.arc && w.arc->landing) w.stance = stood_on(w.stance, head, *w.arc->landing);
     w.aiming.reset();
     w.arc.reset();
 }
 
-/// Meters per second, in the room.
+/// Meters per second, in room coordinates.
 Eigen::Vector3d flying_velocity(const Hand& hand) {
     const double way = hand.stick.norm();
     if (!has_stick(hand) || !(way > dead)) return Eigen::Vector3d::Zero();
@@ -100,7 +100,7 @@ void fly(Locomotion& w, const Hand& hand, double seconds) {
 
 void continue_locomotion(Locomotion& w, const Hands& hands, const FreeHands& free, const RoomPose& head,
                          double seconds, const SurfaceBetween& surface) {
-    seconds = std::clamp(seconds, 0.0, 0.1);  // after a pause, nobody flies off
+    seconds = std::clamp(seconds, 0.0, 0.1);  // limits movement after a pause
     const std::size_t turner = turning_hand(hands);
     note_ready(w, hands, free, turner);
     turn(w, hands, turner, head);

@@ -7,13 +7,13 @@
 namespace vantage {
 namespace {
 
-constexpr double note_reach = 0.02;  ///< how far beside a note's middle one may point, per distance
+constexpr double note_reach = 0.02;  ///< tolerance around a note's center, per distance
 
 Ray ray_of(const Stance& stance, const RoomPose& aim) {
     return {in_scene(stance, aim.at), stance.R * aim.ahead()};
 }
 
-/// How far away a note is, and which one.
+/// A note and its distance.
 struct NoteHit {
     std::size_t note;
     double distance;  ///< scene units

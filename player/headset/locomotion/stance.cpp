@@ -10,13 +10,13 @@ const Eigen::Vector3d room_up = Eigen::Vector3d::UnitY();
 
 Eigen::Matrix3d about_up(double angle) { return Eigen::AngleAxisd(angle, room_up).toRotationMatrix(); }
 
-/// Angle about up, in the room, from ahead (-z) to a direction; 0 for one that is upright.
+/// Angle about up, in the room, from forward (-z) to a direction; 0 for a vertical one.
 double heading(const Eigen::Vector3d& direction) {
     const double x = direction.x(), z = direction.z();
     return std::hypot(x, z) > 1e-6 * direction.norm() ? std::atan2(-x, -z) : 0;
 }
 
-/// Axes of a level room in a scene with this up, whose z is as near to -`ahead` as it can be.
+/// Axes of a level room in a scene with this up, with z as close to -`ahead` as possible.
 Eigen::Matrix3d level_axes(const Eigen::Vector3d& ahead, const Eigen::Vector3d& up) {
     Eigen::Vector3d z = -(ahead - up * up.dot(ahead));
     if (!(z.norm() > 1e-6 * ahead.norm())) z = up.unitOrthogonal();
@@ -26,7 +26,7 @@ Eigen::Matrix3d level_axes(const Eigen::Vector3d& ahead, const Eigen::Vector3d& 
     return R;
 }
 
-/// With the same scale and R, moved so that `room` is at `scene`.
+/// With the same scale and R, translated so that `room` is at `scene`.
 Stance through(Stance s, const Eigen::Vector3d& room, const Eigen::Vector3d& scene) {
     s.at = scene - s.scale * (s.R * room);
     return s;
@@ -75,11 +75,11 @@ Stance held(const Hold& hold, std::span<const Eigen::Vector3d> hands, double sma
     const auto& [before, closed, count] = hold;
     if (count < 2) return through(before, hands[0], in_scene(before, closed[0]));
     const Eigen::Vector3d span = closed[1] - closed[0], now = hands[1] - hands[0];
-    constexpr double least_span = 0.02;  // meters: hands that touch have no direction
+    constexpr double least_span = 0.02;  // meters: below, the direction between hands is undefined
     Stance s = before;
     if (span.norm() > least_span && now.norm() > least_span) {
         s.scale = std::clamp(before.scale * span.norm() / now.norm(), smallest, largest);
-        // Hands above each other do not turn it.
+        // Vertically aligned hands do not turn it.
         const auto level = [](const Eigen::Vector3d& v) { return std::hypot(v.x(), v.z()); };
         if (level(span) > least_span && level(now) > least_span)
             s.R = before.R * about_up(heading(span) - heading(now));

@@ -11,7 +11,7 @@ constexpr double deepest = 3, before_wall = 0.5, wall_height = 10;           // 
 
 bool can_stand_on(const SurfacePoint& s, const Eigen::Vector3d& up) { return s.normal.dot(up) >= steepest; }
 
-/// The floor before a wall or below an overhang.
+/// The floor in front of a wall or below an overhang.
 std::optional<Eigen::Vector3d> foot_of(const SurfacePoint& wall, const Stance& stance,
                                        const SurfaceBetween& surface) {
     const Eigen::Vector3d up = stance.up();
@@ -48,7 +48,7 @@ TeleportArc teleport_arc(const Stance& stance, const RoomPose& aim, const Surfac
         last = next;
     }
     if (!on_floor) return out;
-    // The model has no floor there: what was drawn below the room's is taken back.
+    // The model has no floor there: removes the points below the room's floor.
     while (out.points.size() > 1 && in_room(stance, out.points.back()).y() < 0) out.points.pop_back();
     out.points.push_back(*on_floor);
     out.landing = on_floor;

@@ -12,14 +12,15 @@
 namespace vantage {
 namespace {
 
-/// What the buttons of a controller do; a part without a name is not there.
+/// Bindings of a controller; a null name means that it lacks the part.
 struct Profile {
     const char* name;
     const char* select;
     const char* squeeze;
     std::array<const char*, 2> menu;  ///< left, right
     const char* stick;
-    const char* press;  ///< the stick counts only while this is pressed: a trackpad that thumbs rest on
+    const char*
+        press;  ///< the stick is active only while this is pressed: for a trackpad on which thumbs rest
     bool buzzes;
 };
 
@@ -103,7 +104,7 @@ XrActionStateGetInfo of_side(XrAction action, XrPath side) {
     return {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, side};
 }
 
-/// Nothing if no button of this hand does it.
+/// Nothing if no button of this hand is bound to it.
 std::optional<bool> pressed(XrSession session, XrAction action, XrPath side) {
     const XrActionStateGetInfo info = of_side(action, side);
     auto state = typed<XrActionStateBoolean>(XR_TYPE_ACTION_STATE_BOOLEAN);
@@ -140,7 +141,7 @@ TrackedHands::TrackedHands(const XrRuntime& runtime, XrSession session) : sessio
     expect(xrCreateActionSet(runtime.get(), &info, &set_), "xrCreateActionSet");
     try {
         make_actions(runtime);
-    } catch (...) {  // the set would outlive the session
+    } catch (...) {  // otherwise the set would outlive the session
         xrDestroyActionSet(set_);
         throw;
     }
@@ -199,7 +200,7 @@ void TrackedHands::suggest_all(const XrRuntime& runtime) const {
                                                         nullptr, runtime.path(p.name),
                                                         std::uint32_t(bindings.size()), bindings.data()};
         const XrResult result = xrSuggestInteractionProfileBindings(runtime.get(), &info);
-        if (result == XR_ERROR_PATH_UNSUPPORTED) return;  // the others may do
+        if (result == XR_ERROR_PATH_UNSUPPORTED) return;  // other profiles may be supported
         expect(result, "xrSuggestInteractionProfileBindings");
         any = true;
     };

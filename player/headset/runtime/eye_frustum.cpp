@@ -24,7 +24,7 @@ View view_of_eye(const Stance& stance, const EyeFrustum& eye, FrameSize size) {
     k.fy = size.height / (eye.up - eye.down);
     k.cx = -eye.left * k.fx;
     k.cy = eye.up * k.fy;
-    const Eigen::Vector3d camera_axes(1, -1, -1);  // y down, z ahead
+    const Eigen::Vector3d camera_axes(1, -1, -1);  // y down, z forward
     Pose& pose = out.cam_from_origin;
     pose.R = camera_axes.asDiagonal() * eye.pose.turn.toRotationMatrix().transpose() * stance.R.transpose();
     pose.t = -pose.R * in_scene(stance, eye.pose.at);

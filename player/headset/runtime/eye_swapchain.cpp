@@ -60,7 +60,7 @@ EyeSwapchain::EyeSwapchain(EyeSwapchain&& o) noexcept
       targets_(std::move(o.targets_)) {}
 
 EyeSwapchain::~EyeSwapchain() {
-    targets_.clear();  // before the images that they refer to
+    targets_.clear();  // before the images that they reference
     if (swapchain_) xrDestroySwapchain(swapchain_);
 }
 

@@ -10,7 +10,7 @@
 namespace vantage {
 namespace {
 
-/// The configuration that a context of GLX was made with.
+/// The configuration that a GLX context was created with.
 GLXFBConfig configuration_of(Display* display, GLXContext context) {
     int id = 0, screen = 0, count = 0;
     glXQueryContext(display, context, GLX_FBCONFIG_ID, &id);
@@ -28,7 +28,7 @@ EGLConfig egl_configuration_of(EGLDisplay display, EGLContext context) {
     eglQueryContext(display, context, EGL_CONFIG_ID, &id);
     const EGLint wanted[] = {EGL_CONFIG_ID, id, EGL_NONE};
     EGLConfig out = nullptr;
-    eglChooseConfig(display, wanted, &out, 1, &count);  // none for a context without one
+    eglChooseConfig(display, wanted, &out, 1, &count);  // none for a context without a configuration
     return out;
 }
 
@@ -58,7 +58,7 @@ XrGraphicsBindingEGLMNDX egl_binding() {
     return out;
 }
 
-/// Asks for the versions of OpenGL that the runtime takes, which must come before a session. Throws
+/// Queries the versions of OpenGL that the runtime supports, as required before creating a session. Throws
 /// Error(graphics) if they do not include this context's.
 void expect_version(XrInstance instance, XrSystemId system) {
     PFN_xrGetOpenGLGraphicsRequirementsKHR requirements = nullptr;
@@ -71,7 +71,7 @@ void expect_version(XrInstance instance, XrSystemId system) {
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
     const XrVersion has = XR_MAKE_VERSION(major, minor, 0);
-    // The highest version is the newest one that a runtime was tested with; newer ones work.
+    // The maximum is the newest version that the runtime was tested with; newer ones work.
     if (has < XR_MAKE_VERSION(XR_VERSION_MAJOR(limits.minApiVersionSupported),
                               XR_VERSION_MINOR(limits.minApiVersionSupported), 0))
         throw Error(Exit::graphics, "headset: the OpenXR runtime needs OpenGL " +

@@ -16,7 +16,7 @@ namespace {
 constexpr float usual_eye_height = 1.6f;  // meters
 constexpr XrViewConfigurationType two_eyes = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
 
-/// The first of the runtime's ways to show a picture over what is around, of those that show it whole.
+/// The runtime's preferred blend mode, among those that show the picture opaquely.
 XrEnvironmentBlendMode blend_mode(XrInstance instance, XrSystemId system) {
     const auto modes = enumerated(
         "xrEnumerateEnvironmentBlendModes", XR_ENVIRONMENT_BLEND_MODE_OPAQUE,
@@ -31,14 +31,14 @@ XrSpace make_space(XrSession session, XrReferenceSpaceType type) {
     auto info = typed<XrReferenceSpaceCreateInfo>(XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
     info.referenceSpaceType = type;
     info.poseInReferenceSpace.orientation.w = 1;
-    // The origin is where the eyes were: the floor is assumed as far below as for somebody who stands.
+    // The origin is at the initial eye position: assumes the floor at the eye height of a standing person.
     if (type == XR_REFERENCE_SPACE_TYPE_LOCAL) info.poseInReferenceSpace.position.y = -usual_eye_height;
     XrSpace out = XR_NULL_HANDLE;
     expect(xrCreateReferenceSpace(session, &info, &out), "xrCreateReferenceSpace");
     return out;
 }
 
-/// Standing on the floor where the runtime knows it.
+/// Relative to the floor if the runtime supports it.
 XrReferenceSpaceType room_type(XrSession session) {
     const auto types =
         enumerated("xrEnumerateReferenceSpaces", XR_REFERENCE_SPACE_TYPE_LOCAL,
@@ -51,7 +51,7 @@ XrReferenceSpaceType room_type(XrSession session) {
 
 double seconds_of(XrTime nanoseconds) { return 1e-9 * double(nanoseconds); }
 
-/// As eye_frustum() puts it in order.
+/// Sorted like in eye_frustum().
 XrFovf in_order(const XrFovf& f) {
     const auto [left, right] = std::minmax(f.angleLeft, f.angleRight);
     const auto [down, up] = std::minmax(f.angleDown, f.angleUp);
@@ -88,7 +88,7 @@ HeadsetSession::~HeadsetSession() {
     xrDestroySession(session_);
 }
 
-/// Pictures as large as the runtime recommends.
+/// Allocates pictures of the size recommended by the runtime.
 void HeadsetSession::make_pictures() {
     const auto eyes = enumerated(
         "xrEnumerateViewConfigurationViews", typed<XrViewConfigurationView>(XR_TYPE_VIEW_CONFIGURATION_VIEW),
@@ -118,7 +118,8 @@ void HeadsetSession::take_events() {
         if (header.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING) throw XrLost(true);
         if (header.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;
         const auto& changed = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
-        if (changed.session == session_) change_state(changed.state);  // else of one that was lost
+        if (changed.session == session_)
+            change_state(changed.state);  // otherwise the event is of a lost session
     }
 }
 
@@ -171,7 +172,7 @@ HeadsetFrame HeadsetSession::begin_frame() {
     return frame;
 }
 
-/// False while the headset does not know where it is.
+/// False while the headset's pose is unknown.
 bool HeadsetSession::locate_eyes(HeadsetFrame& frame) {
     auto info = typed<XrViewLocateInfo>(XR_TYPE_VIEW_LOCATE_INFO);
     info.viewConfigurationType = two_eyes;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr char hands_extension[] = "XR_EXT_hand_interaction";  // newer than some packages of the header
 
-/// The loader's own lines would come before ours; whoever looks for a fault can set the variable.
+/// Suppresses the loader's own messages, which would precede the player's; set the variable to debug.
 void quiet_loader() { ::setenv("XR_LOADER_DEBUG", "none", 0); }
 
 [[noreturn]] void fail(const std::string& why) { throw Error(Exit::graphics, "headset: " + why); }

@@ -15,7 +15,7 @@
 namespace vantage {
 namespace {
 
-/// Whether the frame covers a pixel of the view.
+/// Whether the frustum's picture contains a pixel of the view.
 bool covers(const PhotoFrustum& f, const View& view, const Eigen::Vector2d& pixel) {
     int left = 0;
     for (std::size_t c = 0; c < 4; ++c) {

@@ -6,10 +6,10 @@
 namespace vantage {
 namespace {
 
-constexpr double seconds = 0.25;         // of which the speed falls to 1/e
-constexpr double looked_back = 0.1;      // seconds
-constexpr double longest_pause = 0.04;   // seconds without movement before it is let go
-constexpr std::size_t least_frames = 4;  // that are looked at, where frames are slow
+constexpr double seconds = 0.25;         // time constant of the speed's decay
+constexpr double looked_back = 0.1;      // seconds of movement considered
+constexpr double longest_pause = 0.04;   // maximum time in seconds without movement before the release
+constexpr std::size_t least_frames = 4;  // minimum number considered, for low frame rates
 constexpr double least_speed = 50;       // pixels per second
 
 double length(const Drag& d) { return std::hypot(d.right, d.down); }
@@ -31,7 +31,7 @@ void note(Glide& g, const Drags& drags, double now) {
         g.recent.erase(g.recent.begin());
 }
 
-/// How far what was held moves on.
+/// Distance of the movement after a release.
 Drags let_go(const std::vector<Glide::Movement>& recent) {
     Drags moved{};
     int frames = 0;

@@ -15,7 +15,7 @@ std::optional<double> value_at_pixel(const PlanScene& scene, std::span<const flo
     Eigen::Vector3d value;
     for (int c = 0; c < 3; ++c) {
         const std::uint32_t v = scene.indices[3 * std::size_t(triangle) + std::size_t(c)];
-        if (v >= values.size() || !std::isfinite(values[v])) return {};  // background has none
+        if (v >= values.size() || !std::isfinite(values[v])) return {};  // the background has no values
         corner[std::size_t(c)] = scene.positions[v].cast<double>();
         value[c] = double(values[v]);
     }

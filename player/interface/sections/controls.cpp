@@ -22,7 +22,7 @@ std::string shown_name(const char* name) {
 
 namespace {
 
-/// ImGui writes values with a point: where the language has another separator, they are written here.
+/// ImGui formats numbers with a decimal point; this formats them for languages with another separator.
 bool localized_slider(const std::string& label, double* value, const std::array<double, 2>& range,
                       const char* format, ImGuiSliderFlags flags) {
     const bool as_imgui_does = decimal_separator() == std::string_view(".");
@@ -47,7 +47,7 @@ bool localized_slider(const std::string& label, double* value, const std::array<
     return changed;
 }
 
-/// Whether a letter is to be left out (1) of what is typed.
+/// Returns 1 to reject a typed character.
 int only_numbers(ImGuiInputTextCallbackData* data) {
     return data->EventChar > 127 || !std::strchr("0123456789.,+-eE", int(data->EventChar));
 }
@@ -80,7 +80,7 @@ void Controls::note(const char* name) {
 }
 
 void Controls::write_places(const std::filesystem::path& file, bool rests) const {
-    const UnfinishedFile unfinished(file);  // not flushed to the disk in every frame
+    const UnfinishedFile unfinished(file);  // not synchronized to the disk in every frame
     {
         std::ofstream out(unfinished.part());
         out << "frame\t" << frame_ << (rests ? "\trests\n" : "\tmoves\n");
@@ -119,7 +119,7 @@ bool Controls::radio(const char* name, int* value, int choice) {
     return changed;
 }
 
-/// The name for the place beside the next control, or above it, if that is where it fits.
+/// The name for display next to the next control, or above it if it fits only there.
 std::string Controls::name_beside(const char* name) const {
     const float room =
         ImGui::GetContentRegionAvail().x - ImGui::CalcItemWidth() - ImGui::GetStyle().ItemInnerSpacing.x;
@@ -151,7 +151,7 @@ bool Controls::slider(const char* name, double* value, double low, double high, 
     return changed;
 }
 
-/// In place of ImGui's own text field of sliders, which only takes points.
+/// Replaces the text field of ImGui's sliders, which only accepts points.
 bool Controls::type(const std::string& label, double* value, const char* format) {
     if (typed_.begins == Typed::frames_to_begin) ImGui::SetKeyboardFocusHere();
     ImGui::PushID("typed");

@@ -11,7 +11,7 @@
 namespace vantage {
 namespace {
 
-/// Of length 1: the plane lies across it.
+/// The plane's unit normal.
 Eigen::Vector3d axis_of(const Cut& cut) {
     switch (cut.across) {
         case Cut::Across::x:
@@ -25,7 +25,7 @@ Eigen::Vector3d axis_of(const Cut& cut) {
     }
 }
 
-/// A little wider than its numbers say: single precision would cut into a floor that lies on a side of it.
+/// Slightly enlarged: with rounding to single precision, a floor at its boundary would be cut.
 std::vector<SectionPlane> box_of(Cut& cut, const PlanScene& scene) {
     const double margin = 1e-5 * scene.size;
     std::vector<SectionPlane> planes;
@@ -39,7 +39,7 @@ std::vector<SectionPlane> box_of(Cut& cut, const PlanScene& scene) {
     return planes;
 }
 
-/// A slider for a share of the extent from `low` to `high`, in the input's coordinates.
+/// A slider for a fraction of the extent from `low` to `high`, in input coordinates.
 bool share_slider(Controls& c, const char* name, double& share, double low, double high) {
     double at = low + share * (high - low);
     if (!c.slider(name, &at, low, high, "%.3f") || !(high > low)) return false;
@@ -83,7 +83,7 @@ void box_controls(Controls& c, Cut& cut, const PlanScene& scene, const Eigen::Ve
     c.explain("A box around the whole model.");
 }
 
-/// The edges of the box that six planes bound, as box_of() lists them.
+/// The edges of the box bounded by six planes, in the order of box_of().
 void draw_box(ImDrawList& list, std::span<const SectionPlane> planes, const View& view) {
     const auto corner = [&](int bits) {
         Eigen::Vector3d p;

@@ -20,7 +20,7 @@ namespace {
 float legend_height() { return ImGui::GetFontSize(); }
 float histogram_height() { return 3 * ImGui::GetFontSize(); }
 
-/// The value under the pointer, from the triangles that the last frames showed.
+/// The value under the pointer, from the visible triangles of the last frames.
 std::optional<double> value_under_pointer(const Renderer& renderer, const ScalarField& field,
                                           const View& view) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -51,7 +51,7 @@ void legend(const ScalarField& field, const FieldSettings& s, std::optional<doub
     for (std::size_t i = 0; i < field.counts.size(); ++i) {
         const double from = place(field.low + double(i) * bin, s, range),
                      to = place(field.low + double(i + 1) * bin, s, range);
-        // The square root lets few values show beside many.
+        // The square root keeps small counts visible.
         const float height = histogram_height() * std::sqrt(field.counts[i] / most);
         const auto at = [&](double share) { return low.x + width * float(std::clamp(share, -1.0, 2.0)); };
         list.AddRectFilled(ImVec2(at(from), top - height), ImVec2(std::max(at(to), at(from) + 1), top),

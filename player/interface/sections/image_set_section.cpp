@@ -13,13 +13,13 @@
 namespace vantage {
 namespace {
 
-/// Shows another image set; if it is the second one, they change places.
+/// Shows another image set; if it is the second one, they are swapped.
 void show_image_set(ImageSetSettings& b, std::uint32_t image_set) {
     if (b.other == image_set) b.other = b.shown;
     b.shown = image_set;
 }
 
-/// The second image set, and how it is shown.
+/// The second image set, and its display.
 void second_image_set(Controls& c, RenderSettings& settings, const PlanScene& scene) {
     ImageSetSettings& b = settings.image_sets;
     std::vector<const char*> names{tr_in("image set", "none")};

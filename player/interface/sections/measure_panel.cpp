@@ -20,7 +20,7 @@
 namespace vantage {
 namespace {
 
-constexpr double vertex_pixels = 10;  ///< within which points snap to vertices
+constexpr double vertex_pixels = 10;  ///< distance within which points snap to vertices
 
 constexpr const char* measures[] = {marked("point"), marked("distance"), marked("polyline"),
                                     marked("area"),  marked("angle"),    marked("height")};
@@ -64,7 +64,7 @@ MeasurePanel::MeasurePanel(const PackageReader& package)
       origin_(Eigen::Map<const Eigen::Vector3d>(package.scene().origin)),
       file_(survey_file_of(package.path(), package.remote())) {}
 
-/// Another window may have changed the file since the mode was left.
+/// Another program may have changed the file since the mode was last active.
 void MeasurePanel::begin(Session& s, double now) {
     active_ = true;
     survey_.up = up_of(package_->scene());
@@ -131,7 +131,7 @@ void MeasurePanel::look_under_pointer(const Session& s, std::span<const PlacedMe
         under_ = scene_point(meshes, origin_, view, at, snapping(s));
 }
 
-/// Backspace removes the last point. Esc gives up what is being measured, then leaves.
+/// Backspace removes the last point. Esc cancels the current measurement, then leaves the mode.
 void MeasurePanel::take_keys(Session& s) {
     for (const KeyPress& press : std::exchange(s.window.measuring, {})) {
         if (is_enter(press)) {
@@ -177,7 +177,7 @@ void MeasurePanel::add(const SurveyPoint& point) {
     if (next_.points.size() == max_points(next_.measure)) end();
 }
 
-/// Keeps what is being measured, if it has enough points.
+/// Finishes the current measurement if it has enough points.
 void MeasurePanel::end() {
     if (next_.points.size() < fewest_points(next_.measure)) return;
     survey_.measurements.push_back(
@@ -233,7 +233,7 @@ void MeasurePanel::choice_of_measure(Controls& c, bool keyboard) {
         next_.points.clear();
     }
     c.explain("The quantity that the next clicks on the model measure.");
-    if (!keyboard) return;  // nor a pointer that is near vertices
+    if (!keyboard) return;  // nor a pointer near vertices
     ImGui::TextUnformatted(tr(instruction(next_.measure)));
     ImGui::TextDisabled("%s", tr("Backspace removes the last point, Esc leaves."));
     c.checkbox("Snap to vertices", &to_vertices_);
@@ -242,7 +242,7 @@ void MeasurePanel::choice_of_measure(Controls& c, bool keyboard) {
         "surface under it.");
 }
 
-/// As many lines if there is no surface, so that the panel keeps its size.
+/// Uses the same number of lines without a surface, so that the panel keeps its size.
 void MeasurePanel::under_pointer(Controls& c) const {
     ImGui::Separator();
     ImGui::TextDisabled("%s", tr("Under the pointer, in the input's coordinates"));

@@ -15,7 +15,7 @@ std::string of(const SceneObject& object, const std::string& label, const std::s
     return label + "##" + recorded + " " + object.name;
 }
 
-/// Sliders for where an object stands.
+/// Sliders for an object's placement.
 bool placement_sliders(Controls& c, ObjectSet& objects, std::size_t object, double size) {
     const SceneObject& o = objects.at(object);
     Placement p = o.placement;
@@ -47,7 +47,7 @@ bool opacity_slider(Controls& c, ObjectSet& objects, std::size_t object) {
     return true;
 }
 
-/// One object's rows. Sets `removed` if it is to be removed.
+/// Rows of one object. Sets `removed` if it is to be removed.
 bool object_row(Controls& c, ObjectSet& objects, std::size_t object, double size, bool& removed) {
     const SceneObject o = objects.at(object);
     bool shown = o.shown, changed = false;

@@ -58,7 +58,7 @@ void OpenDialog::select(std::size_t entry) {
     focus_ = scroll_ = true;
 }
 
-/// Enters the folder, or opens the file, that is typed or selected.
+/// Enters the typed or selected folder, or opens the file.
 void OpenDialog::accept(WindowState& window) {
     const std::string typed = typed_.data();
     if (typed.empty()) return;
@@ -85,7 +85,7 @@ void OpenDialog::entries(Controls& c, WindowState& window) {
         if (chosen || doubled) select(i);
         if (doubled) {
             accept(window);
-            break;  // of another folder from now on
+            break;  // the list now belongs to another folder
         }
         c.note(label);
         if (scroll_ && i == selected_) ImGui::SetScrollHereY();
@@ -96,7 +96,8 @@ void OpenDialog::entries(Controls& c, WindowState& window) {
 }
 
 void OpenDialog::show(Controls& c, WindowState& window) {
-    const bool open = ImGui::IsPopupOpen(shown_name(title).c_str());  // maybe since another scene was shown
+    const bool open =
+        ImGui::IsPopupOpen(shown_name(title).c_str());  // possibly since another scene was shown
     const bool asked = take_all<ChooseFile>(window.commands);
     if (asked || (open && folder_.empty())) list(start_);
     if (asked) ImGui::OpenPopup(shown_name(title).c_str());
@@ -110,7 +111,7 @@ void OpenDialog::show(Controls& c, WindowState& window) {
     if (!closes_) content(c, window);
     if (closes_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
-    if (closes_) ImGui::SetWindowFocus(nullptr);  // the text field gives the keyboard back at once
+    if (closes_) ImGui::SetWindowFocus(nullptr);  // releases the keyboard immediately
 }
 
 void OpenDialog::content(Controls& c, WindowState& window) {

@@ -15,12 +15,12 @@
 namespace vantage {
 namespace {
 
-constexpr double longest_side = 30000;  // a side: about a gigapixel
+constexpr double longest_side = 30000;  // pixels: about a gigapixel in total
 
-/// 1, 2 or 5 times a power of ten, such that a side has 2000 to 5000 pixels.
+/// 1, 2 or 5 times a power of ten, for a side of 2000 to 5000 pixels.
 double fitting_pixel(double longer_side) { return round_up(std::max(longer_side / 5000, 1e-12)); }
 
-/// The rectangle that the model covers on the plane, in the input's unit.
+/// The size of the model's extent on the plane, in input units.
 Eigen::Vector2d size_on(const std::string& plane, const PackageReader& package) {
     return extent_on(parse_plane(plane, up_of(package.scene())), package.scene()).sizes();
 }

@@ -21,7 +21,7 @@ std::optional<double> error_of(const PhotoList& list, std::uint32_t photo) {
     return photo < errors.size() ? errors[photo] : std::nullopt;
 }
 
-/// Those that the filter and the point leave, in the order in which they are listed.
+/// Photos that match the filter and the point, in display order.
 std::vector<std::uint32_t> listed(const Session& s, const PlanScene& scene) {
     std::vector<std::uint32_t> out;
     const std::string filter = lower_case(s.photo_list.filter.data());
@@ -46,7 +46,7 @@ void use(std::vector<std::uint32_t>& photos, std::uint32_t photo, bool used) {
     if (used) photos.insert(std::ranges::upper_bound(photos, photo), photo);
 }
 
-/// What there is to know of it: at the point, or as a whole.
+/// Details of a photo: at the point, or in general.
 std::string remark(const PhotoList& list, const package::PhotoRecord& photo, std::uint32_t number) {
     const auto at = std::ranges::find(list.showing, number, &Footprint::photo);
     if (!photo.levels) return tr("skipped");

@@ -16,7 +16,7 @@ constexpr float MiB = 1024 * 1024;
 
 void line(const std::string& text) { ImGui::TextUnformatted(text.c_str()); }
 
-/// The time under the pointer is shown here: ImGui would write it with a point.
+/// Displays the time under the pointer, since ImGui would format it with a decimal point.
 void frame_curve(const DrawnFrames& frames) {
     const float highest = *std::ranges::max_element(frames.ms);
     ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, 1);
@@ -32,7 +32,7 @@ void frame_curve(const DrawnFrames& frames) {
     ImGui::SetTooltip("%s", localized("%.1f ms", double(frames.ms[at])).c_str());
 }
 
-/// Noted under its English name.
+/// Recorded under its English name.
 void budget_bar(Controls& c, const char* name, double held, double budget) {
     const std::string text = localized(tr("%.0f of %.0f MiB"), held / double(MiB), budget / double(MiB));
     ImGui::ProgressBar(float(budget > 0 ? held / budget : 0), ImVec2(-4 * ImGui::GetFontSize(), 0),
@@ -42,7 +42,7 @@ void budget_bar(Controls& c, const char* name, double held, double budget) {
     ImGui::TextUnformatted(tr(name));
 }
 
-/// Of a package on a server.
+/// For a remote package.
 void transfer_lines(const Renderer& renderer) {
     const auto traffic = renderer.package().traffic();
     if (!traffic) return;

@@ -19,7 +19,7 @@ bool& fields_open(Session& s) { return s.measured_fields ? *s.measured_fields : 
 void fly_to(Session& s, std::uint32_t photo, const package::PhotoRecord& record, double now) {
     Viewpoint& v = s.viewpoint;
     v.standing_at = s.settings.compare_photo = photo;
-    v.orthographic = false;  // no photo is
+    v.orthographic = false;  // photos are in perspective
     start_flight(v, stand_at(record, v.camera.up), now, 0.7);
 }
 

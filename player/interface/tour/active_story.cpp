@@ -13,7 +13,7 @@
 namespace vantage {
 namespace {
 
-constexpr double flight_seconds = 1.5;  ///< to a note
+constexpr double flight_seconds = 1.5;  ///< duration of a flight to a note
 
 /// The text of a file; empty if there is none.
 std::string text_on_disk(const std::filesystem::path& file) {

@@ -25,14 +25,14 @@ int two_bytes(std::span<const std::byte> b, std::size_t at) {
     return std::to_integer<int>(b[at]) << 8 | std::to_integer<int>(b[at + 1]);
 }
 
-/// The size in the header of a PNG.
+/// The size given in the header of a PNG.
 std::optional<Size> png_size(std::span<const std::byte> b) {
     if (b.size() < 24 || std::to_integer<int>(b[0]) != 0x89 || std::to_integer<int>(b[1]) != 'P') return {};
-    if (two_bytes(b, 16) != 0 || two_bytes(b, 20) != 0) return Size{1 << 16, 1 << 16};  // or more
+    if (two_bytes(b, 16) != 0 || two_bytes(b, 20) != 0) return Size{1 << 16, 1 << 16};  // or larger
     return Size{two_bytes(b, 18), two_bytes(b, 22)};
 }
 
-/// The size in the frame header of a JPEG (ITU-T T.81, B.2.2).
+/// The size given in the frame header of a JPEG (ITU-T T.81, B.2.2).
 std::optional<Size> jpeg_size(std::span<const std::byte> b) {
     if (b.size() < 4 || two_bytes(b, 0) != 0xffd8) return {};
     for (std::size_t at = 2; at + 9 <= b.size();) {

@@ -14,13 +14,13 @@
 namespace vantage {
 namespace {
 
-/// The language that is shown, if the story has it, or else its own.
+/// The displayed language if the story has it, otherwise the story's own.
 std::string edited_language(const ActiveStory& active) {
     const std::vector<std::string> languages = languages_of(active.story);
     return std::ranges::count(languages, active.language) ? active.language : active.story.language;
 }
 
-/// A tour of all notes that have a view, in their order.
+/// A tour of all notes with a view, in their order.
 void make_tour(Story& story) {
     auto tour = std::ranges::find(story.tours, "all", &StoryTour::id);
     if (tour == story.tours.end()) tour = story.tours.insert(tour, {"all", {"All notes", {}}, {}});
@@ -43,7 +43,7 @@ void StoryEditor::add(ActiveStory& active, const Session& s, const View& view, c
     active.changed = true;
 }
 
-/// The texts of the open note become those of the fields.
+/// Copies the texts of the open note to the text fields.
 void StoryEditor::take(const ActiveStory& active) {
     const std::string language = edited_language(active);
     if (edited_ == active.open && language_ == language) return;

@@ -34,20 +34,20 @@ constexpr Tool tools[] = {
 
 constexpr std::size_t tools_on_the_left = 4;
 
-/// What the public needs; there, nobody has chosen a language yet.
+/// Tools for the public, including the language, which has not been chosen yet.
 constexpr Tool kiosk_tools[] = {
     tools[0], tools[1], tools[2], tools[3], {marked("Language"), Icon::language, marked("Choose a language")},
     tools[4]};
 static_assert(tools[4].icon == Icon::help);
 
-/// Each with a gap behind it.
+/// Each is followed by a gap.
 float width_of(std::span<const Tool> shown, bool labels, float gap) {
     float width = 0;
     for (const Tool& tool : shown) width += Controls::icon_button_size(tool.name, labels).x + gap;
     return width;
 }
 
-/// A list above the bar, at a button, with room for fingers between its items. Whether it is open.
+/// A list above the bar, at a button, with items spaced for touch. Returns whether it is open.
 bool list_above(Controls& c, const char* name, const Area& bar, float button) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImVec2(button, float(bar.top) - 0.3f * em), ImGuiCond_Always,

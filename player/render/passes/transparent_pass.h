@@ -34,19 +34,18 @@ class TransparentPass {
     std::uint64_t bytes(int width, int height, Transparency mode) const;
     /// The mode that fit() was called with.
     Transparency mode() const { return mode_; }
-    /// How many fragments the lists hold.
+    /// Capacity of the lists, in fragments.
     std::uint32_t capacity() const { return capacity_; }
 
-    /// Pixels from the first of a row to that of the next one, in the lists' heads.
+    /// Row stride of the lists' heads, in pixels.
     int row() const { return allocated_.width; }
 
-    /// Calls `draw` with targets and lists that are empty and bound, and whatever is behind the frame's depth
-    /// rejected.
+    /// Calls `draw` with empty targets and lists bound, and a depth test against the frame's depth.
     void collect(FrameSize frame, const std::function<void()>& draw);
-    /// Makes what was collected the input of resolve.
+    /// Binds the collected data as the input of resolve.
     void bind() const;
-    /// Starts reading back how many fragments there were, after resolve. Does nothing while an earlier count
-    /// is in flight.
+    /// Starts reading back the number of fragments, after resolve. Does nothing while an earlier count is in
+    /// flight.
     void capture();
     /// Takes the count that has arrived; `wait` waits for the one in flight. True if there is a new one.
     bool update(bool wait);
