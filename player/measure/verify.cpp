@@ -36,7 +36,7 @@ struct Verified {
     std::vector<std::string> lines;  ///< one per finding
     std::vector<GoldenDifference> views;
     double seconds = 0;
-    bool opened = false;  ///< the package could be opened
+    bool opened = false;  ///< whether the package could be opened
 
     void add(Exit code, const std::string& line) {
         exit = code;
@@ -58,7 +58,7 @@ std::string words(const GoldenDifference& d, int tolerance) {
            std::to_string(d.x) + "," + std::to_string(d.y);
 }
 
-/// `inputs`: not to be overwritten.
+/// `inputs`: files that must not be overwritten.
 void verify_view(const VerifyOptions& o, const fs::path& folder, const Inputs& inputs, const Shot& shot,
                  const Picture& now, Verified& out) {
     const fs::path file = folder / (shot.name + ".png");

@@ -13,18 +13,19 @@ namespace vantage {
 namespace {
 
 constexpr float line_texels = 48;
-// Edges of lines of text from line_texels / (2 * spread) pixels, which are far too small to read, have room.
+// Provides room for antialiasing of text lines of at least line_texels / (2 * spread) pixels, which is far
+// too small to read.
 constexpr int spread = 8;
 
 void add_font(ImFontAtlas& fonts) {
     ImFontConfig config;
-    config.OversampleH = config.OversampleV = 1;  // distances are found within texels
+    config.OversampleH = config.OversampleV = 1;  // distances are computed with subtexel accuracy
     config.SizePixels = line_texels;
     add_text_font(fonts, config);
 }
 
-/// Draws a letter where it is in the atlas, by its exact curves: ImGui's are polygons that are up to a third
-/// of a texel beside them, which shows in large text.
+/// Draws a glyph at its place in the atlas from its exact curves: ImGui's polygons deviate by up to a third
+/// of a texel, which is visible in large text.
 void draw_letter(const stbtt_fontinfo& font, const ImFontGlyph& letter, const ImFontAtlas& fonts,
                  std::vector<std::uint8_t>& coverage) {
     const float scale = stbtt_ScaleForPixelHeight(&font, line_texels);
@@ -52,7 +53,7 @@ void draw_letters(const ImFontAtlas& fonts, std::vector<std::uint8_t>& coverage)
         if (letter.Visible) draw_letter(font, letter, fonts, coverage);
 }
 
-/// The texels that ImGui fills shapes from.
+/// The white texels that ImGui uses for filled shapes.
 struct White {
     int left, top, right, bottom;
 };
@@ -70,7 +71,8 @@ void fill(std::vector<T>& texels, int width, const White& white, T value) {
             texels[std::size_t(y) * std::size_t(width) + std::size_t(x)] = value;
 }
 
-/// Letters must show what is outside of their outlines. The field has more rows than the atlas had.
+/// Enlarges glyph rectangles to include the distance field around their outlines. The field has more rows
+/// than the atlas.
 void enlarge_letters(ImFontAtlas& fonts, const DistanceField& field) {
     const float shrink = float(fonts.TexHeight) / float(field.height);
     const auto by = float(spread);
@@ -105,7 +107,7 @@ DistanceField build_distance_field_font(ImFontAtlas& fonts, float text_pixels) {
     DistanceField field{.spread = spread, .distances = {}, .coverage = {}};
     int rows = 0;
     fonts.GetTexDataAsAlpha8(&pixels, &field.width, &rows);
-    field.height = rows + spread;  // below the lowest letters
+    field.height = rows + spread;  // below the lowest glyphs
     field.coverage.assign(pixels, pixels + std::size_t(field.width) * std::size_t(rows));
     field.coverage.resize(std::size_t(field.width) * std::size_t(field.height));
     draw_letters(fonts, field.coverage);

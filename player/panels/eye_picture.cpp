@@ -5,7 +5,7 @@
 namespace vantage {
 
 Eigen::Matrix4d clip_from_origin(const EyePicture& eye) {
-    // Without a test of depth, its precision does not matter.
+    // The depth range is arbitrary: there is no depth test.
     Eigen::Matrix4d clip = clip_from_origin(eye.view, {eye.nearest, 1e15 * eye.nearest});
     if (eye.flip) clip.row(1) *= -1;
     return clip;
@@ -33,7 +33,7 @@ void begin_over_picture(const gl::Program& program, const EyePicture& eye) {
 void end_over_picture() {
     glDisable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ZERO);
-    glBindTextureUnit(shader::depth_unit, 0);  // the depth may be drawn into next
+    glBindTextureUnit(shader::depth_unit, 0);  // the depth may be a render target next
 }
 
 }  // namespace vantage

@@ -8,7 +8,7 @@ namespace vantage {
 void GrowingBuffer::begin(std::size_t bytes) {
     used_ = 0;
     if (bytes <= room_) {
-        if (buffer_) glInvalidateBufferData(buffer_.id());  // draws in progress keep what they read
+        if (buffer_) glInvalidateBufferData(buffer_.id());  // draws in progress keep the old data
         return;
     }
     room_ = std::bit_ceil(bytes);

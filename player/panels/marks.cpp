@@ -26,7 +26,7 @@ bool is_finite(const Mark& m) {
            std::ranges::all_of(m.sizes, finite);
 }
 
-/// Marks without a picture continue a run whatever its texture.
+/// Marks without a picture continue a run of any texture.
 void add(Marks& marks, const Mark& mark, GLuint texture = 0, bool decodes = false) {
     if (!is_finite(mark)) return;
     const bool fits =
@@ -37,7 +37,7 @@ void add(Marks& marks, const Mark& mark, GLuint texture = 0, bool decodes = fals
     ++marks.runs.back().count;
 }
 
-/// A line between two points of a path; beyond its ends are other points, or they are round.
+/// A segment between two points of a path; its ends are joined to neighbors, or round.
 Mark line(std::span<const Vector3d> points, std::size_t begin, MarkSize width, const MarkColor& color,
           const MarkColor& end_color) {
     const bool first = begin == 0, last = begin + 2 == points.size();
@@ -84,7 +84,7 @@ void add_path(Marks& marks, std::span<const Vector3d> points, MarkSize width, co
 
 void add_ring(Marks& marks, const Vector3d& middle, const Vector3d& normal, double inner_radius,
               double outer_radius, const MarkColor& color) {
-    // A disc covers its middle, too, and not half of it.
+    // A disc also covers its center.
     const double inner = inner_radius > 0 ? inner_radius : -outer_radius;
     add(marks, {{floats(middle), floats(normal / normal.norm())},
                 {float(inner), float(outer_radius), 0, 0},

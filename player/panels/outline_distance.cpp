@@ -12,27 +12,27 @@ namespace {
 
 using Eigen::Vector2f;
 
-/// What a texel shows of an outline: a straight piece, around a point.
+/// A straight piece of an outline in a texel.
 struct Piece {
-    Vector2f middle;  ///< texels; the middle of texel (0, 0) is at (0, 0)
-    Vector2f half;    ///< from the middle to an end
-    bool inside;      ///< the middle of the texel
+    Vector2f middle;  ///< texels; the center of texel (0, 0) is at (0, 0)
+    Vector2f half;    ///< from the center to an end
+    bool inside;      ///< whether the texel's center is inside
 };
 
-/// A picture and the outlines in it.
+/// A picture and its outlines.
 struct Outlines {
     std::span<const std::uint8_t> coverage;
     int width, height;
-    std::vector<std::int32_t> piece_at{};  ///< per texel, the number of its piece; -1: none
+    std::vector<std::int32_t> piece_at{};  ///< per texel, the index of its piece; -1: none
     std::vector<Piece> pieces{};
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(width) + std::size_t(x); }
     bool has(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
-    /// Share of a texel that is inside; nothing is, beside the picture.
+    /// Inside fraction of a texel; 0 outside the picture.
     float share(int x, int y) const { return has(x, y) ? float(coverage[index(x, y)]) / 255.0f : 0.0f; }
 };
 
-/// The direction in which the share grows, of length 1; zero in a texel without one.
+/// Unit direction in which coverage increases; zero in a texel without one.
 Vector2f inward(const Outlines& o, int x, int y) {
     constexpr float corner = 1, side = 1.41421356f;
     Vector2f sum = Vector2f::Zero();
@@ -47,18 +47,18 @@ Vector2f inward(const Outlines& o, int x, int y) {
     return length > 1e-4f ? Vector2f(sum / length) : Vector2f::Zero();
 }
 
-/// How far inward of a texel's middle a straight edge is that leaves `share` of the texel inside (Gustavson
-/// and Strand 2011).
+/// Distance of a straight edge from the texel's center, positive inward, that leaves `share` of the texel
+/// inside (Gustavson and Strand 2011).
 float edge_offset(const Vector2f& inward, float share) {
     const float large = std::max(std::abs(inward.x()), std::abs(inward.y())),
                 small = std::min(std::abs(inward.x()), std::abs(inward.y()));
-    const float corner = large > 0 ? small / (2 * large) : 0;  // the share of a triangle at a corner, at most
+    const float corner = large > 0 ? small / (2 * large) : 0;  // maximum share of a triangle at a corner
     if (share < corner) return (large + small) / 2 - std::sqrt(2 * large * small * share);
     if (share > 1 - corner) return -(large + small) / 2 + std::sqrt(2 * large * small * (1 - share));
     return (0.5f - share) * large;
 }
 
-/// The part within the texel of the edge through `off` from its middle.
+/// The part within the texel of the edge through `off` from its center.
 Piece piece_of(const Vector2f& texel, const Vector2f& inward, float offset) {
     const Vector2f off = inward * offset, along(-inward.y(), inward.x());
     float low = -std::numeric_limits<float>::infinity(), high = -low;
@@ -114,13 +114,13 @@ std::vector<std::int32_t> nearest_rows(const Outlines& o) {
     return rows;
 }
 
-/// The columns whose parabolas are lowest somewhere in a row, from left to right, and from where on each is.
+/// The lower envelope of a row's parabolas: their columns, from left to right, and the start of each.
 struct Envelope {
     std::vector<int> columns;
     std::vector<double> from;
 };
 
-/// Of the squared distances to what nearest_rows() found in each column.
+/// From the squared distances to the results of nearest_rows() in each column.
 void find_envelope(const Outlines& o, const std::vector<std::int32_t>& rows, int y, Envelope& e) {
     constexpr double everywhere = -std::numeric_limits<double>::infinity();
     const auto height = [&](int x) { return std::pow(double(rows[o.index(x, y)] - y), 2) + double(x) * x; };
@@ -164,8 +164,8 @@ float distance_to(const Piece& piece, const Vector2f& point) {
     return (off - share * piece.half).norm();
 }
 
-/// To the nearest piece, which need not be that of the nearest texel, but of one beside it, or of the one
-/// nearest to a texel beside this.
+/// Distance to the nearest piece, which may also be in a neighbor of the nearest texel, or be the nearest
+/// piece of a neighboring texel.
 float distance_at(const Outlines& o, const std::vector<std::int32_t>& nearest, int x, int y, float most) {
     const Vector2f point{float(x), float(y)};
     float least = most;

@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-// Up to this level, letters are as far apart in the atlas as texels of the level are large.
+// Maximum mipmap level: the distance of glyphs in the atlas is a texel of this level.
 constexpr int letter_levels = 4;
 
 template <class T>

@@ -10,7 +10,7 @@
 namespace vantage {
 namespace {
 
-/// Calls `found` for each letter, with where it begins. Returns where the text ends.
+/// Calls `found` for each glyph with its position. Returns the end of the text.
 float each_letter(const ImFont& font, const std::string& text,
                   const std::function<void(const ImFontGlyph& letter, float x)>& found) {
     float x = 0;

@@ -27,7 +27,7 @@ namespace {
 constexpr int tile_pixels = 1024;
 constexpr std::int64_t max_row_bytes = std::int64_t(64) << 20;
 
-/// The view of the whole picture; those of its tiles differ in size and principal point only.
+/// The view of the whole picture; those of its tiles only differ in size and principal point.
 View view_of(const Orthophoto& o, const package::SceneRecord& scene) {
     const Eigen::Map<const Eigen::Vector3d> origin(scene.origin);
     const Eigen::Vector3d middle = origin - o.plane.origin;
@@ -52,7 +52,7 @@ RenderSettings orthophoto_settings(const PackageReader& package, const Orthophot
     if (points_only(package.scene()))
         throw Error(Exit::usage, package.path().string() + ": has points only; an orthophoto needs a mesh");
     RenderSettings settings = render_settings(package, o.blending, Purpose::pictures);
-    settings.photos = 0;  // a choice of photos would differ from tile to tile
+    settings.photos = 0;  // a selection of photos would differ between tiles
     settings.background = ShowBackground::off;
     settings.points.show = false;
     settings.fill_holes = o.blending.holes == "shade";
@@ -62,10 +62,10 @@ RenderSettings orthophoto_settings(const PackageReader& package, const Orthophot
 }
 
 struct Files {
-    std::filesystem::path picture, world;  ///< no world file: a TIFF, which needs none
+    std::filesystem::path picture, world;  ///< no world file for a TIFF, which includes its georeference
 };
 
-/// With links followed. Throws Error(usage) if one must not be replaced.
+/// With links resolved. Throws Error(usage) if one must not be replaced.
 Files output_files(const PackageReader& package, const OrthophotoOptions& o) {
     std::filesystem::path file = o.output.file;
     if (file.empty()) file = package.path().stem().string() + "-orthophoto.png";
@@ -112,7 +112,7 @@ TilesNotShown draw_orthophoto(Renderer& renderer, const Orthophoto& o, const Pic
     for (int top = 0; top < o.height; top += tile.height) {
         const int height = std::min(tile.height, o.height - top);
         for (int left = 0; left < o.width; left += tile.width) {
-            // Always of one size, also where less is left: another one would have to be allocated.
+            // All tiles have the same size, even at the border, to avoid another allocation.
             const View view =
                 cut(whole, left, top, std::min(tile.width, o.width), std::min(tile.height, o.height));
             const Picture part = take_picture(renderer, view, spec.settings, spec.photos, spec.side);

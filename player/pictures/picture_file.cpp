@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// Of pictures and videos: names with these are meant as files.
+/// Extensions of pictures and videos: such names are files.
 constexpr const char* file_extensions[] = {".png", ".apng", ".jpg",  ".jpeg", ".jpe",  ".jxl", ".jp2",
                                            ".tif", ".tiff", ".webp", ".avif", ".heic", ".gif", ".bmp",
                                            ".tga", ".ppm",  ".exr",  ".hdr",  ".svg",  ".pdf", ".mp4",

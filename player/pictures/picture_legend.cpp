@@ -14,9 +14,9 @@ namespace {
 using Color = std::array<std::uint8_t, 3>;
 constexpr Color panel{20, 22, 26}, white{240, 240, 240}, gray{170, 175, 185}, black{0, 0, 0};
 constexpr double panel_alpha = 0.8;
-constexpr int smallest_line = 13, lines_per_picture = 45;  ///< of text
+constexpr int smallest_line = 13, lines_per_picture = 45;  ///< text height
 
-/// Lays a color over a pixel, in sRGB codes as texts of windows are; beside the picture, nothing.
+/// Blends a color over a pixel, in sRGB values like text in windows; ignores positions outside the picture.
 void lay_over(Picture& p, int x, int y, const Color& color, double alpha) {
     if (x < 0 || y < 0 || x >= p.width || y >= p.height) return;
     std::uint8_t* pixel = &p.rgba[4 * (std::size_t(y) * std::size_t(p.width) + std::size_t(x))];
@@ -51,7 +51,7 @@ void draw_map(Picture& p, const Box& bar, ColorMap map, int isolines) {
         fill(p, {bar.left + (bar.width - 1) * i / isolines, bar.top, 1, bar.height}, black, 1);
 }
 
-/// At the ends of the color map and in its middle.
+/// At the ends and the center of the color map.
 std::array<std::string, 3> value_texts(const ValueRange& range, bool logarithmic) {
     const double middle =
         logarithmic ? std::sqrt(range.low) * std::sqrt(range.high) : range.low / 2 + range.high / 2;
@@ -68,7 +68,7 @@ bool draw_legend(Picture& p, const ScalarField& field, const FieldSettings& sett
     const std::array<int, 3> widths{text.width(values[0]), text.width(values[1]), text.width(values[2])};
     const char* unit = unit_of(field);
     const int words = std::max(text.width(field.name), unit ? text.width(unit) : 0);
-    // The value in the middle leaves the same room on both sides.
+    // Leaves equal space on both sides of the central value.
     const int width = std::max({14 * line, words, widths[1] + 2 * (line + std::max(widths[0], widths[2]))});
     const int height = (unit ? 4 : 3) * line + space;
     const Box box{space, p.height - height - 3 * space, width + 2 * space, height + 2 * space};

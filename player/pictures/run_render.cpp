@@ -52,7 +52,7 @@ std::vector<Shot> shots(const PackageReader& package, const ShowOptions& options
     return out;
 }
 
-/// With the metadata by which viewers know a panorama, if it is one for one eye: GPano has no field for two.
+/// A mono panorama includes the metadata that identify it to viewers; GPano has no field for stereo.
 void write_picture(const std::filesystem::path& file, const Picture& picture, const ShowOptions& o) {
     if (!o.pictures.panorama || o.stereo.mode != StereoMode::off) return write_png(file, picture);
     PngRows out(file, picture.width, picture.height, panorama_xmp({picture.width, picture.height}));
@@ -62,7 +62,7 @@ void write_picture(const std::filesystem::path& file, const Picture& picture, co
     out.finish();
 }
 
-/// The files for all pictures, with links followed. Throws Error(usage) if one must not be replaced, or if
+/// The files for all pictures, with links resolved. Throws Error(usage) if one must not be replaced, or if
 /// two pictures have the same name.
 std::vector<std::filesystem::path> picture_files(const PackageReader& package, const ShowOptions& o,
                                                  const std::vector<Shot>& shots) {
@@ -91,14 +91,14 @@ std::string consisted_of(const FrameReport& r) {
            (r.tiles_missing ? " (" + std::to_string(r.tiles_missing) + " missing)" : "");
 }
 
-/// For one eye or two.
+/// For one or two eyes.
 Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader& package, const Shot& shot,
                     const PictureSpec& spec, const ShowOptions& o) {
     const FrameSize size = o.output.size.empty() ? FrameSize{4096, 2048} : parse_size(o.output.size);
     const Panorama middle = panorama_at(shot.view, up_of(package.scene()), size);
     if (o.stereo.mode == StereoMode::off) return take_panorama(scene, middle, spec);
     RenderSettings settings = spec.settings;
-    settings.loading = Loading::sparing;  // hundreds of views read nearly the same ones
+    settings.loading = Loading::sparing;  // hundreds of views need nearly the same tiles
     const StereoPanorama panorama =
         stereo_panorama(middle, eye_distance(o.stereo.eyes, shot.distance),
                         nearest_around(scene.meshes(), middle.eye, shot.distance));
@@ -109,13 +109,13 @@ Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader
                                 });
 }
 
-/// Null if none is.
+/// Null if no field is shown.
 const ScalarField* shown_field(const Renderer& renderer, const RenderSettings& settings) {
     const int index = settings.field.index;
     return index < 0 ? nullptr : &renderer.resources().fields.all()[std::size_t(index)];
 }
 
-/// What the ends of the color map stand for, if a field was shown.
+/// Prints the values at the ends of the color map, if a field was shown.
 void print_legend(const Renderer& renderer, const RenderSettings& settings) {
     const ScalarField* const field = shown_field(renderer, settings);
     if (!field) return;

@@ -31,13 +31,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of each eye's picture.
+/// Size of each eye's picture.
 FrameSize size_of_eye(const ShowOptions& o) {
     return o.output.size.empty() ? FrameSize{1280, 720} : parse_size(o.output.size);
 }
 FrameSize size_of_frame(const ShowOptions& o) { return stereo_size(o.stereo.mode, size_of_eye(o)); }
 
-/// Where frames go: one file, or one for each of them.
+/// Destination of frames: one file, or one per frame.
 struct Output {
     fs::path video;  ///< empty: `frames`
     std::vector<fs::path> frames;
@@ -56,7 +56,7 @@ Output output_of(const PackageReader& package, const ShowOptions& o, std::size_t
     return {{}, frame_files(out, name, count, inputs, o.output.force)};
 }
 
-/// Pictures of frames, one after the other.
+/// Renders frames one after the other.
 class Frames {
   public:
     Frames(const PackageReader& package, const ShowOptions& o, const std::vector<SceneObject>& objects,
@@ -72,7 +72,8 @@ class Frames {
         settings_.light = light_settings(o.light);
         settings_.points = point_settings(o.points);
         if (story.background) settings_.plain_background = plain_background_of(*story.background);
-        // Of few photos, which ones changes from frame to frame: they fade, as in the window.
+        // If only some photos are blended, their selection changes between frames: they fade, as in the
+        // window.
         legend_ = o.pictures.legend && settings_.field.index >= 0 && stereo_.mode == StereoMode::off;
         settings_.loading = settings_.photos == 0 ? Loading::complete : Loading::repeatable;
     }
@@ -110,7 +111,7 @@ class Frames {
     bool settled_ = false, legend_ = false;
 };
 
-/// Renders all frames to the output. Returns what they lack.
+/// Renders all frames to the output. Returns their missing tiles.
 TilesNotShown write_frames(Frames& frames, const std::vector<Navigation>& flight, const Output& output,
                            VideoEncoder* encoder, const ShowOptions& o, ProgressLine& progress) {
     const FrameSize size = size_of_eye(o);

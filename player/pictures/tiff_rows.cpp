@@ -28,7 +28,7 @@ bool set_values(TIFF* tiff, std::uint32_t tag, const std::array<Value, count>& v
     return TIFFSetField(tiff, tag, int(count), values.data()) == 1;
 }
 
-/// The corner of the first pixel lies at `upper_left`; no coordinate system of the earth is known.
+/// The corner of the first pixel is at `upper_left`; without a geographic coordinate system.
 bool set_place(TIFF* tiff, const Eigen::Vector2d& upper_left, double resolution) {
     constexpr std::uint16_t model_type = 1024, raster_type = 1025, user_defined = 32767, pixel_is_area = 1;
     constexpr std::array<std::uint16_t, 12> keys{1,           1, 0, 2,             // version 1.1.0, two keys
@@ -60,7 +60,7 @@ bool set_pixels(TIFF* tiff, int width, int height) {
 TiffRows::TiffRows(const std::filesystem::path& file, int width, int height,
                    const Eigen::Vector2d& upper_left, double resolution)
     : file_(file), tiff_(nullptr, TIFFClose) {
-    TIFFSetErrorHandler(nullptr);  // what is wrong is told once, by the exception
+    TIFFSetErrorHandler(nullptr);  // errors are reported by exceptions instead
     TIFFSetWarningHandler(nullptr);
     const bool large = 4 * std::int64_t(width) * height > max_classic_bytes;
     errno = 0;
@@ -79,7 +79,7 @@ void TiffRows::add(std::span<const std::uint8_t> row) {
 
 void TiffRows::finish() {
     errno = 0;
-    // TIFFClose() does not tell whether it could write.
+    // TIFFClose() does not report write errors.
     if (TIFFWriteDirectory(tiff_.get()) != 1 || ::fsync(TIFFFileno(tiff_.get())) != 0) fail();
     tiff_.reset();
     file_.finish();

@@ -24,8 +24,8 @@ namespace {
 
 bool is_mp4(const std::filesystem::path& file) { return lower_extension(file) == ".mp4"; }
 
-/// The arguments of ffmpeg. Its threads do not change the bytes; without its version and the date, the same
-/// frames give the same file.
+/// The arguments of ffmpeg. Its threads do not change the bytes; version and date are omitted, so that equal
+/// frames give equal files.
 std::vector<std::string> arguments(const std::filesystem::path& part, bool mp4, const VideoFormat& f) {
     std::ostringstream rate;
     rate << f.frame_rate;
@@ -52,7 +52,7 @@ std::vector<std::string> arguments(const std::filesystem::path& part, bool mp4, 
     return out;
 }
 
-/// A pipe whose ends programs that are started do not inherit. {read, write}
+/// A pipe whose ends are not inherited by child processes. {read, write}
 std::pair<Descriptor, Descriptor> make_pipe() {
     int ends[2] = {-1, -1};
     if (::pipe2(ends, O_CLOEXEC) != 0)
@@ -60,7 +60,7 @@ std::pair<Descriptor, Descriptor> make_pipe() {
     return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-/// The last line that a file holds.
+/// The last line of a file.
 std::string last_line(int fd) {
     std::array<char, 4096> bytes{};
     const off_t length = ::lseek(fd, 0, SEEK_END), from = std::max<off_t>(0, length - off_t(bytes.size()));
@@ -98,7 +98,7 @@ void VideoEncoder::start() {
     ::posix_spawn_file_actions_adddup2(&files, input.get(), STDIN_FILENO);
     ::posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     ::posix_spawn_file_actions_adddup2(&files, messages_.get(), STDERR_FILENO);
-    // In a group of its own, it does not get the terminal's Ctrl+C.
+    // A separate process group keeps the terminal's Ctrl+C from ffmpeg.
     posix_spawnattr_t attributes;
     ::posix_spawnattr_init(&attributes);
     sigset_t defaults;

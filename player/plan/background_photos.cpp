@@ -13,13 +13,13 @@
 namespace vantage {
 namespace {
 
-/// The weight of a photo near its own camera, beside `label_weight` (shaders/background.frag).
+/// The weight of a photo near its own camera, relative to `label_weight` (shaders/background.frag).
 double own_weight(const PlanScene& s, double apart) {
     const double r = shader::own_angle * 2 * s.spread / std::max(apart, 1e-30);
     return std::min(r * r, 1e6);
 }
 
-/// The triangles of the background that are seen, with repetitions.
+/// The visible triangles of the background, with repetitions.
 std::vector<std::uint32_t> triangles_behind(const VisibleSurface& s) {
     std::vector<std::uint32_t> out;
     for (const std::uint32_t t : s.triangles)
@@ -27,14 +27,13 @@ std::vector<std::uint32_t> triangles_behind(const VisibleSurface& s) {
     return out;
 }
 
-/// A triangle of a cluster of the background has the photo's label.
+/// Whether a triangle of a background cluster has the photo's label.
 bool has_label(const PlanScene& scene, std::uint32_t photo, const package::ClusterRecord& c) {
     const std::size_t words = package::visible_words(scene.triangles);
     return count_bits(scene.visible[photo].subspan(words, words), c.first_triangle, c.triangles) > 0;
 }
 
-/// Whether the background in view has labels of a photo, on more than this share of the frame. `behind`: see
-/// triangles_behind.
+/// Whether a photo's labels cover more than this fraction of the frame. `behind`: see triangles_behind.
 bool paints(const VisibleSurface& s, std::span<const std::uint32_t> behind, std::uint32_t photo,
             double least) {
     if (s.scene.labels[photo] == 0) return false;
@@ -50,7 +49,7 @@ bool paints(const VisibleSurface& s, std::span<const std::uint32_t> behind, std:
 }  // namespace
 
 void find_nearest_shares(const PlanScene& s, const Eigen::Vector3d& eye, std::vector<float>& shares) {
-    // One more than those that have a share; the nearest first.
+    // One more than those with a nonzero weight; the nearest first.
     struct Near {
         std::size_t photo;
         double nearness;
@@ -86,7 +85,7 @@ std::vector<PlannedPhoto> plan_background(const VisibleSurface& s, const PlanSet
     const std::vector<std::uint32_t> behind = triangles_behind(s);
     const double reach = near_distance(s.scene, s.eye);
     std::uint32_t own = own_photo(s.scene, s.view, allowed).value_or(none);
-    if (own != none && s.scene.photos[own].image_set != 0) own = none;  // those show no background
+    if (own != none && s.scene.photos[own].image_set != 0) own = none;  // others show no background
     for (const std::uint32_t photo : allowed) {
         if (s.scene.coverage[photo].empty() || (own != none && photo != own)) continue;
         const float share = shares[photo];

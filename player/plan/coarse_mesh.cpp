@@ -10,7 +10,7 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t least_mesh = 50'000;   // triangles; fewer are drawn as fast as they are
+constexpr std::size_t least_mesh = 50'000;   // triangles; smaller meshes are fast enough
 constexpr std::size_t max_coarse = 100'000;  // triangles
 constexpr std::size_t part_triangles = 1 << 17;
 
@@ -22,14 +22,14 @@ std::size_t opaque_triangles(const PlanScene& scene) {
     return std::min(end, scene.indices.size() / 3);
 }
 
-/// Some triangles, with vertices of their own.
+/// Some triangles, with their own vertex numbering.
 struct Part {
     std::vector<std::uint32_t> indices, vertices;  ///< `vertices`: of the scene, by the part's
     std::vector<Eigen::Vector3f> positions;
 };
 
-/// `number`: of the scene's vertices in the part, or ~0u for all; it is restored. The file may change while
-/// it is shown: triangles with vertices out of range are skipped.
+/// `number`: maps the scene's vertices to the part's, ~0u for all; restored afterward. The file may change
+/// while it is in use: triangles with vertices out of range are skipped.
 Part part_of(const PlanScene& scene, std::size_t first, std::size_t count,
              std::vector<std::uint32_t>& number) {
     Part part;
@@ -55,7 +55,7 @@ Eigen::Vector3f normal_of(const Part& part, std::span<const std::uint32_t, 3> t)
     return (part.positions[t[1]] - a).cross(part.positions[t[2]] - a).stableNormalized();
 }
 
-/// Per coarse triangle: of the part's triangles at its corners, the one that faces most nearly the same way.
+/// Per coarse triangle, the most nearly parallel of the part's triangles at its corners.
 std::vector<std::uint32_t> replaced(const Part& part, std::span<const std::uint32_t> coarse) {
     std::vector<std::uint32_t> at_vertex(part.vertices.size(), 0), out;
     for (std::size_t i = 0; i < part.indices.size(); ++i) at_vertex[part.indices[i]] = std::uint32_t(i / 3);

@@ -24,8 +24,8 @@ bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d
     return !away || faces_away(c, photo);
 }
 
-/// The largest and the smallest weight that a photo has in a cluster, where it sees it, and if no border is
-/// near (shaders/blend.frag); with and without the factor near its own camera.
+/// The largest and the smallest weight of a photo in a cluster, where visible and far from borders
+/// (shaders/blend.frag); with and without the factor near its own camera.
 struct WeightRange {
     double most = 1, least = 1, most_plain = 1, least_plain = 1;
 };
@@ -50,7 +50,7 @@ WeightRange weight_range(const VisibleSurface& s, const PlanSettings& settings, 
     return {most * factor(nearest), least * factor(farthest), most, least};
 }
 
-/// Of each cluster, whether a photo sees all triangles that are seen, at least in part.
+/// Per cluster, whether a photo sees all of its visible triangles, at least in part.
 std::vector<bool> sees_all_seen(const VisibleSurface& s, std::uint32_t photo) {
     std::vector<bool> out(s.scene.clusters.size(), !s.triangles.empty());
     for (std::size_t i = 0; i < s.triangles.size(); ++i)
@@ -58,11 +58,11 @@ std::vector<bool> sees_all_seen(const VisibleSurface& s, std::uint32_t photo) {
     return out;
 }
 
-/// The chosen photos, and what is known of them.
+/// The chosen photos, and related data.
 struct Candidates {
     std::vector<CameraOfPhoto> cameras;
     std::optional<std::size_t> own;  ///< see own_photo()
-    std::vector<bool> own_sees;      ///< per cluster: all that is seen of it
+    std::vector<bool> own_sees;      ///< per cluster: it sees all visible triangles
 };
 
 Candidates candidates_of(const VisibleSurface& s, const PlanSettings& settings,
@@ -78,10 +78,10 @@ Candidates candidates_of(const VisibleSurface& s, const PlanSettings& settings,
     return out;
 }
 
-/// Assigns each cluster to the chosen photos that see it, but for those whose weight relative to a photo that
-/// sees the whole cluster is less than one color code: they would show only where the other photo's weight
-/// maps are 0. A photo at whose own camera the viewer is outweighs others by more, so that they show along
-/// its borders. A reduced plan has only photos that weigh much.
+/// Assigns each cluster to the chosen photos that see it, except for those whose weight relative to a photo
+/// that sees the whole cluster is below one color level: they would be visible only where the other photo's
+/// weight maps are 0. A photo at whose camera the viewer is has an even larger weight, so these photos appear
+/// along its borders. A reduced plan has only photos with large weights.
 void assign_clusters(const VisibleSurface& s, const PlanSettings& settings, const Candidates& candidates,
                      std::vector<PlannedPhoto>& photos) {
     const double least = settings.reduced ? 0.3 : 1.0 / 256, least_own = 1e-5;
@@ -118,8 +118,8 @@ void assign_clusters(const VisibleSurface& s, const PlanSettings& settings, cons
     }
 }
 
-/// Lists the tiles of the photos for their clusters; of what the viewer sees from a photo's own camera, that
-/// photo's only.
+/// Lists the tiles of the photos for their clusters; for surfaces seen from a photo's own camera, only that
+/// photo's tiles.
 void list_tiles(const VisibleSurface& s, const PlanSettings& settings, const Candidates& candidates,
                 std::vector<PlannedPhoto>& photos) {
     std::vector<float> weights(s.scene.clusters.size());

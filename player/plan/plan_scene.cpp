@@ -11,12 +11,12 @@
 namespace vantage {
 namespace {
 
-/// The triangles of the mesh in whole words of VISB; those of the background follow.
+/// The number of mesh triangles, rounded up to whole words of VISB; those of the background follow.
 std::uint32_t first_triangle_behind(std::size_t triangles) {
     return std::uint32_t(64 * package::visible_words(triangles));
 }
 
-/// The mesh's set of bits and then the background', first for triangles seen whole, then in part.
+/// The mesh's bits followed by the background's, first for triangles seen entirely, then in part.
 std::vector<std::uint64_t> joined_bits(std::span<const std::uint64_t> mesh,
                                        const std::vector<std::uint64_t>& behind) {
     const std::size_t m = mesh.size() / 2, n = behind.size() / 2;
@@ -36,7 +36,7 @@ void join_geometry(PlanScene& s, const BackgroundContent& content) {
     positions.insert(positions.end(), content.positions.begin(), content.positions.end());
     indices.assign(s.indices.begin(), s.indices.end());
     for (const std::size_t t : content.hidden) indices[3 * t + 1] = indices[3 * t + 2] = indices[3 * t];
-    // Triangles that no cluster draws fill the last word of the mesh's bits.
+    // Unused triangles fill the last word of the mesh's bits.
     const std::uint32_t first = first_triangle_behind(s.triangles);
     indices.resize(3 * std::size_t(first), 0);
     s.first_surrounding = std::uint32_t(s.clusters.size());
@@ -55,7 +55,7 @@ void join_geometry(PlanScene& s, const BackgroundContent& content) {
     s.labels = content.labels;
 }
 
-/// Of the first image set, whose photos show the background.
+/// Computed for the first image set, whose photos show the background.
 double spread_of(const PlanScene& s) {
     std::vector<Pose> poses;
     for (std::size_t i = 0; i < s.poses.size(); ++i)
@@ -67,7 +67,7 @@ double spread_of(const PlanScene& s) {
     return std::sqrt(squares);
 }
 
-/// Makes the background part of everything that plans read.
+/// Appends the background to all data for plans.
 void join(PlanScene& s, const BackgroundContent& content) {
     join_geometry(s, content);
     s.joined.coverage.resize(s.photos.size());

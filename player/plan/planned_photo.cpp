@@ -5,7 +5,7 @@
 namespace vantage {
 namespace {
 
-/// The tiles of one photo for its clusters, while it is not known which of them are seen.
+/// The tiles of one photo for its clusters, while the visible triangles are unknown.
 TileNeeds needs_of_clusters(const VisibleSurface& s, const PlannedPhoto& p, double samples) {
     std::vector<ClusterLevels> levels;
     const Intrinsics& k = s.scene.intrinsics[p.photo];

@@ -16,7 +16,7 @@ void FramePainter::begin(const PlannedFrame& frame) {
     coarse_ = std::ranges::all_of(frame.eyes, [&](const PlannedEye& eye) {
         return suits_coarse(r, eye.sampled, eye.image_sets.front());
     });
-    // Points share the depth of one surface, and two image sets may differ in theirs.
+    // Points share the depth of one surface, but two image sets may have different surfaces.
     const std::vector<ImageSetFrame>& image_sets = frame.eyes.front().image_sets;
     const RenderSettings& settings = image_sets.front().settings;
     const bool own = image_sets.size() == 1 && !shows_points(settings, r.parts);
@@ -53,13 +53,13 @@ void FramePainter::paint(PlannedFrame& frame, std::size_t number, FrameReport& r
     first.report = report;
     r.targets.depth_terms = depth_terms(first.drawn.view, first.drawn.depth_range);
     draw_surface(number, first.drawn);
-    own.drawn = false;  // once it is painted, it may be drawn over
+    own.drawn = false;  // after painting, it may be overwritten
     if (!is_complete(first.drawn.settings.loading)) eye.readback.capture(r.targets, eye.view);
     draw_photos(first);
     report = first.report;
     for (const ImageSetFrame& b : std::span(eye.image_sets).subspan(1)) {
         PaintedImageSet second = image_set_of(b);
-        // With its own surface, because it may lack background.
+        // Draws its own surface, which may lack the background.
         r.pass_clock.begin(TimedPass::surface);
         r.surface.draw(second.drawn, r.targets);
         draw_photos(second);
@@ -83,7 +83,7 @@ void FramePainter::paint_again(PlannedFrame& frame, const View& view, const Rend
     }
 }
 
-/// The bare surface that an eye sees, unless it has been drawn.
+/// Draws the bare surface of an eye, unless it has been drawn.
 void FramePainter::draw_surface(std::size_t eye, const DrawnView& drawn) {
     FrameTargets& targets = resources_->targets;
     targets.surface_number = how_ == EyeSurfaces::in_turn ? 0 : eye;
@@ -101,12 +101,12 @@ void FramePainter::draw_next_surface(std::size_t eye) {
     resources_->targets.surface_number = eye;
 }
 
-/// Draws the photos on the surface drawn; during a transition also those that they replace.
+/// Draws the photos on the surface; during a transition also those that are being replaced.
 void FramePainter::draw_photos(PaintedImageSet& image_set) {
     const ViewPlan& plan = image_set.drawn.plan;
     const Pass drawn = plan.drawn();
     image_set.report.photos = drawn.size();
-    // Points that photos are drawn on come first: their depth keeps photos off the model behind them.
+    // Points that receive photos come first: their depth keeps photos off the model behind them.
     const SceneParts& parts = resources_->parts;
     const bool shows = shows_points(image_set.drawn.settings, parts),
                first = photos_on_points(image_set.drawn.settings, parts);
@@ -183,7 +183,7 @@ void FramePainter::draw_background(PaintedImageSet& image_set, int into) {
     }
 }
 
-/// What photos are drawn on beside the model.
+/// The points that receive photos.
 PointSurface FramePainter::point_surface(const RenderSettings& settings) const {
     const SceneParts& parts = resources_->parts;
     if (!shows_points(settings, parts) || !photos_on_points(settings, parts)) return {};
@@ -199,7 +199,7 @@ void FramePainter::draw_transparent(PaintedImageSet& image_set) {
     });
 }
 
-/// Pictures wait for the counts of their samples; a window shows what has arrived.
+/// Pictures wait for their own counts; a window shows the latest available.
 void FramePainter::count_fragments(const PaintedImageSet& image_set, FrameReport& report) {
     if (!resources_->transparent) return;
     TransparentPass& pass = *resources_->transparent;

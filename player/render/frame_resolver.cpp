@@ -20,8 +20,8 @@ static_assert(GLuint(Compare::nothing) == shader::compare_nothing &&
 
 constexpr float dimmed_light = 0.2f;  ///< of the dimmed background
 
-/// 1 where photos were taken, 0 farther from all of them than they are spread: in between, one may have left
-/// the background in one direction while still inside in others.
+/// 1 near the cameras, 0 at distances above their spread from all of them: in between, the viewer may be
+/// outside the background in one direction while still inside in others.
 double nearness_to_photos(const PlanScene& scene, const Eigen::Vector3d& eye) {
     return scene.spread > 0 ? std::clamp(2 - distance_from_cameras(scene, eye) / scene.spread, 0.0, 1.0) : 0;
 }
@@ -70,7 +70,7 @@ void FrameResolver::resolve(int sums, const PaintedImageSet& image_set) {
     if (!image_set.second) samples.count = (first ? 0 : samples.count) + side * side;
     bind_target((veiled ? samples.veiled_target : target).id(), resources_->targets.size());
     glDisable(GL_DEPTH_TEST);
-    // The first one replaces all pixels of those before.
+    // The first one replaces the previous sum.
     if (first)
         glDisable(GL_BLEND);
     else
@@ -87,13 +87,13 @@ void FrameResolver::resolve_before(int sums, const PaintedImageSet& image_set) {
     draw_resolved(sums, image_set, true);
 }
 
-/// `before`: the picture that is being replaced, which the other one then mixes in and finishes.
+/// `before`: the picture that is being replaced; the other one then mixes it in and finishes.
 void FrameResolver::draw_resolved(int sums, const PaintedImageSet& image_set, bool before) {
     resources_->pass_clock.begin(TimedPass::resolve);
     const RenderSettings& settings = image_set.drawn.settings;
     const FrameTargets& targets = resources_->targets;
     const double progress = before ? 1 : image_set.drawn.plan.progress();
-    // The picture that is being replaced is lit, and gets its field, with the one that replaces it.
+    // The picture that is being replaced is lit, and gets its field, together with the new one.
     glUseProgram((before ? plain_program_ : program_for(settings)).id());
     if (!before) set_light(settings);
     const bool counts = settings.show == Show::coverage;
@@ -194,7 +194,7 @@ void FrameResolver::show(const View& view, const RenderSettings& settings, const
     const PictureSamples& samples = targets.samples[target.eye];
     const double count = std::max(samples.count, 1.0);
     const auto fills_in = [&](std::uint32_t image_set) {
-        return image_set == 0 && fills_holes(settings, r.parts);  // the background is the first one's
+        return image_set == 0 && fills_holes(settings, r.parts);  // the background belongs to the first one
     };
     const bool fills = fills_in(image_sets.first),
                other_fills = image_sets.second && fills_in(*image_sets.second);

@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// Bytes for points: a quarter of a limit that was given.
+/// Bytes for points: a quarter of a given limit.
 std::uint64_t points_memory(const MemoryBudget& budget) {
     return budget.graphics ? std::min(PointStore::max_bytes, budget.graphics / 4) : PointStore::max_bytes;
 }
@@ -20,7 +20,7 @@ FrameResources::FrameResources(const PackageReader& p, const MemoryBudget& budge
       software(gl::current_device().software),
       layers_by_vertex(epoxy_has_gl_extension("GL_ARB_shader_viewport_layer_array")),
       scene(make_plan_scene(p)),
-      // In software, a frame's uploads are done when the next one begins.
+      // With a software renderer, a frame's uploads are complete when the next one begins.
       store(p, software ? budget.ring / 2 : budget.ring),
       fields(p),
       clusters(p, scene),
@@ -44,8 +44,8 @@ bool shows_transparent(const FrameResources& r, const RenderSettings& settings, 
            settings.show == Show::colors && !plan.in_view().transparent.empty();
 }
 
-/// What is shown for a while only does not decide, because new targets take the place of tiles. At once only
-/// if photos are blended by triangle: drawn again, the model would have to match the surface's depth exactly.
+/// Ignores temporary content, since new targets displace tiles. At once only if photos are blended by
+/// triangle: otherwise the redrawn model would have to match the surface's depth exactly.
 EyeSurfaces eye_surfaces(const FrameResources& r, const RenderSettings& settings, std::size_t eyes) {
     const bool transparent = r.transparent && settings.transparency != Transparency::off;
     if (eyes < 2 || transparent || !r.parts.mesh) return EyeSurfaces::in_turn;

@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t alignment = 256;  // the largest that OpenGL may require of a buffer's offset
+constexpr std::size_t alignment = 256;  // the largest alignment that OpenGL may require of a buffer's offset
 constexpr std::size_t aligned(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
 
 }  // namespace

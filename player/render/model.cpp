@@ -18,7 +18,7 @@ using package::Type;
 
 namespace {
 
-/// Of the mesh, as stored. Of the background, which needs none, the corrections of its color.
+/// For the mesh, as stored. For the background, which has no normals, its color corrections.
 std::vector<Eigen::Vector3f> normals_of(const PackageReader& package, const PlanScene& scene) {
     const auto stored = package.records<Eigen::Vector3f>(Type::normals);
     std::vector<Eigen::Vector3f> out(stored.begin(), stored.end());
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> clusters_of_all(const PlanScene& scene) {
     return clusters_of(scene, triangles);
 }
 
-/// A value and whether there is one.
+/// A value, and a flag that it is valid.
 using Value = std::array<float, 2>;
 
 template <class T>
@@ -72,7 +72,7 @@ gl::Buffer buffer_of(const char* name, std::span<const T> values) {
     return gl::make_buffer(name, values.size_bytes(), values.data());
 }
 
-/// With space behind the values, for as many as `more`.
+/// With space for `more` values at the end.
 gl::Buffer buffer_of(const char* name, std::span<const std::uint32_t> values, std::size_t more) {
     if (more == 0) return buffer_of(name, values);
     gl::Buffer out =

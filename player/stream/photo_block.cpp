@@ -40,7 +40,7 @@ PhotoBlock make_photo_block(const package::PhotoRecord& p, std::uint32_t index, 
 }
 
 FalseColor false_color(std::uint32_t index) {
-    // Hues a golden section apart, so that consecutive photos differ the most.
+    // Hues separated by the golden ratio, so that consecutive photos differ the most.
     const float hue = std::fmod(float(index) * 0.61803399f + 0.05f, 1.0f) * 6,
                 value = index % 2 ? 0.95f : 0.75f;
     const auto channel = [&](float offset) {

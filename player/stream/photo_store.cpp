@@ -53,7 +53,7 @@ void PhotoStore::make_room(std::uint32_t color, std::uint32_t weight_maps, std::
 void PhotoStore::enlarge(std::uint32_t color, std::uint32_t weight_maps, std::uint64_t bytes) {
     ResidencyLayout layout = residency_->layout();
     if (layout.color >= color && layout.weight_maps >= weight_maps) return;
-    // With some to spare: the next picture may need a few more.
+    // With some extra: the next picture may need a few more.
     const auto enough = [](std::uint32_t tiles, std::uint32_t pages) {
         return std::min(tiles + tiles / 4, pages);
     };
@@ -140,7 +140,7 @@ void PhotoStore::sort_wanted() {
 }
 
 std::size_t PhotoStore::stream(std::size_t budget) {
-    // Uploads follow the frame's requests, which mark what it uses, so that nothing in use is evicted.
+    // Uploads follow the frame's requests, which mark used tiles, so that no tile in use is evicted.
     const std::size_t uploaded = residency_->upload(stream_, budget);
     sort_wanted();
     // Fetches no more than there is space for, so that nothing is read and then discarded.
@@ -181,7 +181,7 @@ std::size_t PhotoStore::load(std::size_t budget) {
     wanted_.clear();
     stream_.want(ordered_);
     std::size_t uploaded = 0;
-    // A piece may be larger than what is left of the budget.
+    // A piece may be larger than the remaining budget.
     while (budget - uploaded >= largest_piece_ && stream_.wait())
         uploaded += residency_->upload(stream_, budget - uploaded);
     if (residency_->absent_count() > 0) throw Error(Exit::input, stream_.failure());
@@ -216,7 +216,7 @@ void PhotoStore::write_pages(std::uint32_t photo, PhotoBlock& block, std::byte* 
             next + pages.color_count + pages.weight_maps[l] - pages.weight_map_first;
     }
     const auto write = [&](std::uint32_t entry) { std::memcpy(table + std::size_t(next++) * 4, &entry, 4); };
-    // A first picture, and a photo that becomes one of those shown, has nothing coarser to fade in from.
+    // A first picture, or a photo that was not shown before, has nothing coarser to fade in from.
     const std::uint32_t at_once = pages.color[base_level(photos_[photo])];
     for (std::uint32_t page = pages.color_first; page < pages.color_first + pages.color_count; ++page)
         write(residency_->color_entry(page, page < at_once));

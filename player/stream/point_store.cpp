@@ -10,8 +10,7 @@ namespace vantage {
 namespace {
 
 constexpr std::uint64_t block_bytes = package::point_block * sizeof(package::PackedPoint);
-/// Blocks for which there is space from the start. More is allocated when it is needed: it would delay the
-/// first picture.
+/// Initial capacity in blocks. More is allocated on demand, since it would delay the first picture.
 constexpr std::uint32_t first_capacity = 16;
 
 gl::Buffer buffer_of(std::uint32_t blocks) {

@@ -17,7 +17,7 @@ TileStream::TileStream(const PackageReader& package, std::size_t ring_bytes, uns
     : package_(package), ring_(ring_bytes) {
     if (package.remote())
         remote_ = std::make_unique<RemoteBytes>(package, [this] {
-            { const std::scoped_lock lock(mutex_); }  // no worker is about to wait
+            { const std::scoped_lock lock(mutex_); }  // ensures that no worker is about to wait
             work_.notify_all();
         });
     for (unsigned i = 0; i < std::max(1u, threads); ++i)
@@ -67,7 +67,7 @@ void TileStream::fence() {
 bool TileStream::wait() {
     std::unique_lock lock(mutex_);
     const auto idle = [&] { return wanted_.empty() && begun_.empty(); };
-    // With a timeout: space in a full ring is freed by the graphics card, which signals no thread.
+    // With a timeout: space in a full ring is freed by the graphics card, which does not signal threads.
     fetched_.wait_for(lock, std::chrono::milliseconds(2), [&] { return !done_.empty() || idle(); });
     return !idle();
 }
@@ -116,7 +116,7 @@ Fetched TileStream::carry_out(Task& task, std::uint64_t& read, std::stop_token s
     try {
         const bool valid = fetch(task.request, ring_.memory(*task.piece), read, std::move(stop));
         return {task.request, task.piece, valid ? State::valid : State::damaged};
-    } catch (const Error& e) {  // was fetched, but had to be fetched again
+    } catch (const Error& e) {  // evicted before it was read
         task.failure = e.what();
         return {task.request, task.piece, State::absent};
     }
@@ -153,7 +153,7 @@ bool TileStream::fetch(const StreamRequest& r, std::span<std::byte> to, std::uin
         return read_thumbnail(package_, r.key, to);
     }
     if (r.bytes) {
-        // The pieces of a chunk share its checksum, which the first piece checks.
+        // The pieces of a chunk share its checksum, which is verified with the first piece.
         if (r.first == 0 && !package_.head_valid(*r.chunk) &&
             !(package_.fetch_again(*r.chunk) && package_.head_valid(*r.chunk)))
             return false;

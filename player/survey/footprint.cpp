@@ -10,8 +10,8 @@
 namespace vantage {
 namespace {
 
-/// Share of the way from the camera to the point on which the mesh may not be in between: positions are
-/// single precision.
+/// Fraction of the segment from the camera to the point that must be unobstructed; below 1, since positions
+/// have single precision.
 constexpr double free_share = 1 - 1e-4;
 
 bool is_hidden(const PlanScene& scene, std::uint32_t photo, const Eigen::Vector3d& position) {
@@ -19,7 +19,7 @@ bool is_hidden(const PlanScene& scene, std::uint32_t photo, const Eigen::Vector3
     return first_hit(scene, {eye, position - eye}, {0, free_share}).has_value();
 }
 
-/// As far as the coverage and the frames tell, the smallest first.
+/// Candidates according to coverage and frames, the smallest first.
 std::vector<Footprint> likely_footprints(const PlanScene& scene, std::uint32_t triangle,
                                          const Eigen::Vector3d& position) {
     std::vector<Footprint> out;

@@ -19,7 +19,7 @@ struct Footprint {
 /// no other surface.
 std::vector<Footprint> footprints(const PlanScene& scene, std::uint32_t triangle,
                                   const Eigen::Vector3d& position);
-/// The first of them. Nothing if no photo sees it.
+/// The smallest of them. Nothing if no photo sees the point.
 std::optional<Footprint> smallest_footprint(const PlanScene& scene, std::uint32_t triangle,
                                             const Eigen::Vector3d& position);
 

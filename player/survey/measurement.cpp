@@ -46,14 +46,14 @@ constexpr std::array<Named, std::size_t(Unit::count)> names{
      {MARKED_IN("unit", "ft"), MARKED_IN("unit", "ft²")},
      {MARKED_IN("unit", "in"), MARKED_IN("unit", "in²")}}};
 
-/// A quantity and how it changes as each point moves, in input units.
+/// A quantity and its derivatives with respect to each point, in input units.
 struct Derived {
     std::optional<double> value;
     std::vector<Vector3d> slopes{};
     std::string note{};
 };
 
-/// Any direction if the vector has none: the slope of a length of 0 is 1 in every direction.
+/// Arbitrary for a zero vector: the derivative of a length of 0 is 1 in every direction.
 Vector3d direction(const Vector3d& v) {
     const double length = v.stableNorm();
     return length > 0 ? Vector3d(v / length) : Vector3d::UnitX();
@@ -76,14 +76,14 @@ Derived chain(std::span<const Vector3d> p) {
     return out;
 }
 
-/// At p[1], radians.
+/// Angle at p[1], in radians.
 Derived angle(std::span<const Vector3d> p) {
     const Vector3d a = p[0] - p[1], b = p[2] - p[1];
     const double of_a = a.stableNorm(), of_b = b.stableNorm();
     if (!(of_a > 0) || !(of_b > 0)) return {{}, {}, tr("no angle: two of its points are equal")};
     const Vector3d u = a / of_a, v = b / of_b;
     const double sine = u.cross(v).norm(), cosine = u.dot(v);
-    // Away from the other side; any direction across if the angle is 0 or 180 degrees.
+    // Away from the other side; an arbitrary perpendicular if the angle is 0 or 180 degrees.
     Vector3d from_b = u.unitOrthogonal(), from_a = cosine < 0 ? from_b : Vector3d(-from_b);
     if (sine > 1e-9) from_b = (cosine * u - v) / sine, from_a = (cosine * v - u) / sine;
     const Vector3d of_first = from_b / of_a, of_last = from_a / of_b;
@@ -92,10 +92,10 @@ Derived angle(std::span<const Vector3d> p) {
 
 Derived height(std::span<const Vector3d> p, const Vector3d& up) { return {up.dot(p[1] - p[0]), {-up, up}}; }
 
-/// The plane from which points are off by the least squares; through their mean.
+/// The least-squares plane of points, through their mean.
 struct FittedPlane {
     Vector3d middle = Vector3d::Zero(), normal, along;  ///< `along`: in the plane; both of length 1
-    double farthest = 0;                                ///< of the points
+    double farthest = 0;                                ///< largest distance of a point
 };
 
 FittedPlane plane_of(std::span<const Vector3d> points) {
@@ -134,7 +134,8 @@ bool crosses_itself(std::span<const Eigen::Vector2d> p) {
     return false;
 }
 
-/// The plane counts as fixed: a small turn of it changes the area of a plane polygon to second order only.
+/// The plane is assumed fixed: a small rotation of it changes the area of a planar polygon only to second
+/// order.
 Derived area(std::span<const Vector3d> p, double& off_plane) {
     const FittedPlane plane = plane_of(p);
     off_plane = plane.farthest;
@@ -153,7 +154,7 @@ Derived area(std::span<const Vector3d> p, double& off_plane) {
     return out;
 }
 
-/// Of independent points; nothing if one of them has no uncertainty.
+/// For independent points; nothing if one of them has no uncertainty.
 std::optional<double> propagated(const Measurement& m, std::span<const Vector3d> slopes) {
     double squares = 0;
     for (std::size_t i = 0; i < slopes.size(); ++i) {

@@ -13,7 +13,7 @@ struct Weighted {
     std::uint64_t weight;
 };
 
-/// The lowest value up to which half of the weight is.
+/// The weighted median: the smallest value at which half of the weight is reached.
 std::optional<double> median(std::vector<Weighted> values) {
     std::ranges::sort(values, {}, &Weighted::value);
     std::uint64_t all = 0, below = 0;

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double least_angle = 1e-6;  ///< radians; nearer directions count as the same
+constexpr double least_angle = 1e-6;  ///< radians; smaller angles are treated as zero
 
 /// The finite numbers between commas or spaces; empty if there is anything else.
 std::vector<double> numbers_in(std::string text) {
@@ -26,13 +26,14 @@ std::vector<double> numbers_in(std::string text) {
     return valid ? out : std::vector<double>{};
 }
 
-/// `v` without its part along `axis`, of length 1; nothing left: any such direction.
+/// The component of `v` perpendicular to the unit vector `axis`, normalized; an arbitrary perpendicular if it
+/// is zero.
 Vector3d across(const Vector3d& v, const Vector3d& axis) {
     const Vector3d rest = v - axis * axis.dot(v);
     return rest.norm() > least_angle * v.norm() ? Vector3d(rest.normalized()) : axis.unitOrthogonal();
 }
 
-/// To the right in the front view: along x, or along y if x is up.
+/// Right in the front view: along x, or along y if x is up.
 Vector3d right_of_front(const Vector3d& up) {
     const bool x_is_up = std::abs(up.x()) > 0.9;
     return across(x_is_up ? Vector3d::UnitY() : Vector3d::UnitX(), up);

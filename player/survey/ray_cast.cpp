@@ -9,9 +9,9 @@
 namespace vantage {
 namespace {
 
-constexpr double on_edge = 1e-12;  ///< barycentric: a ray through an edge meets one of its triangles
+constexpr double on_edge = 1e-12;  ///< barycentric: a ray through an edge intersects one of its triangles
 
-/// Whether the ray enters a box before `range` ends.
+/// Whether the ray enters a box within `range`.
 bool enters(const Ray& ray, const Eigen::Vector3d& low, const Eigen::Vector3d& high, RayRange range) {
     for (int axis = 0; axis < 3; ++axis) {
         if (ray.along[axis] == 0) {
@@ -26,7 +26,7 @@ bool enters(const Ray& ray, const Eigen::Vector3d& low, const Eigen::Vector3d& h
     return range.nearest <= range.farthest * (1 + 1e-12) || range.nearest <= range.farthest + 1e-12;
 }
 
-/// Whether a ray comes near enough to the cluster's bounding sphere.
+/// Whether a ray intersects the cluster's bounding sphere.
 bool passes(const Ray& ray, const package::ClusterRecord& c) {
     const Eigen::Vector3d to = Eigen::Vector3d(c.center[0], c.center[1], c.center[2]) - ray.from;
     const double length2 = ray.along.squaredNorm();

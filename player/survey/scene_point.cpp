@@ -40,7 +40,7 @@ std::optional<Found> nearest(std::span<const PlacedMesh> meshes, const Ray& ray,
     return out;
 }
 
-/// Nothing is in front of a vertex, as far as single precision tells.
+/// Whether a vertex is unobstructed, within single precision.
 bool in_sight(std::span<const PlacedMesh> meshes, const View& view, const Eigen::Vector3d& position,
               std::span<const SectionPlane> sections) {
     const Ray ray{view.cam_from_origin.center(), position - view.cam_from_origin.center()};
@@ -49,7 +49,7 @@ bool in_sight(std::span<const PlacedMesh> meshes, const View& view, const Eigen:
     return !hit || length * (1 - hit->distance) < 1e-4 * scale_at(view, length);
 }
 
-/// The vertex in sight that is nearest in the picture, among those of the triangles around the pixel.
+/// The visible vertex that is nearest in the picture, among those of the triangles around the pixel.
 std::optional<Found> nearest_vertex(std::span<const PlacedMesh> meshes, const View& view,
                                     const Eigen::Vector2d& pixel, const Snapping& snapping) {
     constexpr int around = 8;
@@ -79,7 +79,7 @@ std::optional<Found> nearest_vertex(std::span<const PlacedMesh> meshes, const Vi
     return best;
 }
 
-/// With the uncertainty that photos give it.
+/// With the uncertainty from its photos.
 std::optional<SurveyPoint> survey_point(const std::optional<Found>& found, const Eigen::Vector3d& origin) {
     if (!found || !found->position.allFinite()) return {};
     const PlacedMesh& m = *found->mesh;

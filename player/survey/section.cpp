@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// Adds the line in which the plane cuts a triangle, if it does.
+/// Adds the intersection of the plane with a triangle, if any.
 void cut(const std::array<Eigen::Vector3d, 3>& corner, const SectionPlane& plane, const PlacedMesh& m,
          std::vector<SectionLine>& out) {
     std::array<double, 3> before;
@@ -45,7 +45,7 @@ std::span<const std::uint32_t> vertices_of(const PlanScene& scene, const package
     return std::span(scene.indices).subspan(3 * std::size_t(c.first_triangle), 3 * std::size_t(c.triangles));
 }
 
-/// To what is behind the planes; false if that is nothing.
+/// Shortens a line to the part behind the planes; false if nothing remains.
 bool shorten(SectionLine& line, std::span<const SectionPlane> planes) {
     const Ray along{line[0], line[1] - line[0]};
     const RayRange range = behind(planes, along);

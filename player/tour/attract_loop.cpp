@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// Once around the target of `home`.
+/// A full turn around the target of `home`.
 AttractLoop turn_around(const Navigation& home, double seconds) {
     constexpr int positions = 720;  // half a degree apart
     AttractLoop out{turntable(home, positions), {}, seconds};

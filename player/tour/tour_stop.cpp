@@ -3,7 +3,7 @@
 namespace vantage {
 
 TourStop tour_stop(const StoryTour& tour, double seconds) {
-    double left = 0;  // the stop before
+    double left = 0;  // of the previous stop
     for (std::size_t i = 0;; ++i) {
         const StoryStop& stop = tour.stops[i];
         const double reached = left + stop.fly;

@@ -14,7 +14,7 @@ void expect_evaluation_folder(const PackageReader& package, const EvaluateOption
     const Inputs inputs = inputs_of(package);
     expect_result_folder(o.folder, "index.html", Product::page, {"photos.csv", "regions.csv", "regions.ply"},
                          inputs, o.output.force);
-    // Pictures are named for their photos.
+    // Pictures are named after their photos.
     const std::vector<std::string> stems = package.photo_stems();
     const auto for_photo = [&](const std::string& name) {
         return std::ranges::any_of(stems, [&](const auto& stem) { return name.starts_with(stem + "-"); });

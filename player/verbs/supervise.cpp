@@ -42,11 +42,11 @@ void note(const std::filesystem::path& log, const std::string& what) {
 }
 
 struct Run {
-    int code = 0;  ///< of the exit, or 128 and the signal that ended it
+    int code = 0;  ///< exit code, or 128 plus the terminating signal
     bool showed = false, hung = false;
 };
 
-/// Waits until the player ends. Ends it if it is silent.
+/// Waits until the player ends. Terminates it if it is unresponsive.
 Run watch(pid_t child, int heartbeat_fd) {
     Run out;
     for (pollfd p{heartbeat_fd, POLLIN, 0};;) {
@@ -61,7 +61,7 @@ Run watch(pid_t child, int heartbeat_fd) {
             out.hung = true;
             ::kill(child, SIGKILL);
         }
-        break;  // its end of the pipe is closed
+        break;  // the player has closed its end of the pipe
     }
     int status = 0;
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {

@@ -8,8 +8,8 @@
 namespace vantage {
 namespace {
 
-/// Parts of a place that belong together: the target, the logarithms of the distance and of the picture's
-/// half height at distance 1, and the camera's rotation as a quaternion.
+/// Components of a state: the target, the logarithms of the distance and of the picture's half height at
+/// distance 1, and the camera's rotation as a quaternion.
 struct Part {
     int first, count;
 };
@@ -23,7 +23,7 @@ bool is_level(const Navigation& n) {
     return std::abs(n.R.row(0).dot(n.up)) < 1e-6 && std::abs(n.R.row(2).dot(n.up)) < steepest;
 }
 
-/// The rotation of a camera that looks in the same direction, with `up` at the top of the picture.
+/// The rotation of a camera with the same viewing direction and `up` at the top of the picture.
 Eigen::Matrix3d leveled(const Eigen::Matrix3d& R, const Eigen::Vector3d& up) {
     const Eigen::Vector3d ahead = R.row(2);
     const Eigen::Vector3d right = ahead.cross(up);
@@ -35,8 +35,8 @@ Eigen::Matrix3d leveled(const Eigen::Matrix3d& R, const Eigen::Vector3d& up) {
     return out;
 }
 
-/// The speed of one part of a place in the middle of three keys: that of the parabola through them, but no
-/// more than thrice the slower of both sides, so that the curve does not swing. 0 if one side stands still.
+/// The velocity of one component at the middle of three keys: that of the parabola through them, but at most
+/// three times the slower of both sides, to avoid overshooting. 0 if one side is at rest.
 Eigen::VectorXd middle_speed(const Eigen::VectorXd& before, double seconds_before,
                              const Eigen::VectorXd& after, double seconds_after) {
     if (!(seconds_before > 0) || !(seconds_after > 0)) return Eigen::VectorXd::Zero(before.size());
@@ -60,7 +60,7 @@ CameraSpline::CameraSpline(std::span<const KeyView> keys)
         p[fov_at] = std::log(std::tan(n.fov * std::numbers::pi / 360));
         p.segment<4>(rotation_at) = Eigen::Quaterniond(n.R).coeffs();
         if (!knots_.empty() && knots_.back().place.segment<4>(rotation_at).dot(p.segment<4>(rotation_at)) < 0)
-            p.segment<4>(rotation_at) *= -1;  // the same rotation, on the shorter way
+            p.segment<4>(rotation_at) *= -1;  // the same rotation, on the shorter path
         knots_.push_back({key.seconds, p, Place::Zero()});
     }
     for (std::size_t i = 1; i + 1 < knots_.size(); ++i)

@@ -17,7 +17,7 @@ Panorama panorama_at(const View& view, const Vector3d& up, FrameSize size) {
     const Vector3d down = -up.normalized();
     const Pose& pose = view.cam_from_origin;
     Vector3d right = down.cross(pose.direction());
-    // Straight up or down, the picture's upper edge or lower edge says what is ahead.
+    // For a vertical view, the picture's upper or lower edge defines the forward direction.
     if (right.norm() < 1e-6) right = pose.R.row(0).transpose() - pose.R.row(0).dot(down) * down;
     right.normalize();
     Panorama out{pose.center(), {}, size};

@@ -29,7 +29,7 @@ void follow_pinch(Navigation& n, const Pinch& p, const Eigen::Vector3d& point, c
     if (p.spread > 0 && p.spread != 1) approach_point(n, point, 1 / p.spread, nearest, farthest);
     const Eigen::Vector3d axis = n.R.row(2), sight = view.orthographic_depth > 0 ? axis : point - n.eye;
     if (p.turned == 0 || !(sight.norm() > 0)) return;
-    // The world turns with the fingers, clockwise about the line that leads away from the eye.
+    // The world turns with the fingers, clockwise about the viewing direction.
     const Eigen::Matrix3d world = Eigen::AngleAxisd(p.turned, sight.normalized()).toRotationMatrix();
     n.R = n.R * world;
     n.eye = point + world.transpose() * (n.eye - point);

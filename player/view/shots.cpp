@@ -56,7 +56,7 @@ Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std:
 
 namespace {
 
-/// The numbers of a view, as parse_view() describes them, with the field of view and the roll.
+/// The numbers of a view in the format of parse_view(), with the field of view and the roll.
 std::array<double, 8> view_numbers(const std::string& text) {
     std::string spaced = text;
     std::replace(spaced.begin(), spaced.end(), ',', ' ');
@@ -76,7 +76,7 @@ std::array<double, 8> view_numbers(const std::string& text) {
     return {v[0], v[1], v[2], v[3], v[4], v[5], fov, roll};
 }
 
-/// Takes "image-set=NAME" from the end of a line.
+/// Parses and removes "image-set=NAME" at the end of a line.
 std::optional<std::uint32_t> take_image_set(std::string& line, const PackageReader& package) {
     constexpr std::string_view key = "image-set=";
     const std::size_t at = line.find(key);
@@ -87,7 +87,7 @@ std::optional<std::uint32_t> take_image_set(std::string& line, const PackageRead
     return image_set_named(package, name);
 }
 
-/// Takes "at=SECONDS" from the end of a line; not less than `earliest`.
+/// Parses and removes "at=SECONDS" at the end of a line; not less than `earliest`.
 std::optional<double> take_time(std::string& line, double earliest) {
     const std::size_t at = line.find("at=");
     if (at == std::string::npos) return {};

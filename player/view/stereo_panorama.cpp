@@ -13,12 +13,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double largest_jump = 0.5;  ///< pixels, where slices meet
-constexpr double widest = 30;         ///< degrees, of a slice
+constexpr double largest_jump = 0.5;  ///< pixels, between slices
+constexpr double widest = 30;         ///< degrees, width of a slice
 
 double radians_per_column(const StereoPanorama& p) { return 2 * std::numbers::pi / p.middle.size.width; }
 
-/// Of the middle of a slice.
+/// Longitude of a slice's center.
 double longitude(const StereoPanorama& p, int slice) {
     return (p.columns * (slice + 0.5)) * radians_per_column(p) - std::numbers::pi;
 }
@@ -30,7 +30,7 @@ StereoPanorama stereo_panorama(const Panorama& middle, double eye_distance, doub
     if (most < 1)
         throw Error(Exit::usage, "--panorama: a picture " + std::to_string(middle.size.width) +
                                      " pixels wide for two eyes, expected at least 12");
-    // From one slice to the next, an eye moves by `columns` columns' angle on a circle.
+    // Between slices, an eye moves by the angle of `columns` columns on a circle.
     const double moves = eye_distance / 2;
     const double columns = largest_jump * nearest / std::max(moves, 1e-300);
     return {middle, eye_distance, int(std::clamp(columns, 1.0, most))};

@@ -50,7 +50,7 @@ View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, con
 }
 
 Eigen::Matrix3d rolled(const Eigen::Matrix3d& camera, double degrees) {
-    // Turned clockwise, the camera's right side goes down.
+    // For a clockwise rotation, the camera's right side goes down.
     return Eigen::AngleAxisd(-degrees * std::numbers::pi / 180, Eigen::Vector3d::UnitZ()) * camera;
 }
 
@@ -99,7 +99,7 @@ Eigen::Matrix4d clip_from_origin(const View& view, const Eigen::Vector2d& range)
     cam.topRightCorner<3, 1>() = view.cam_from_origin.t;
     Eigen::Matrix4d clip = clip_from_cam(view.intrinsics, range.x(), range.y());
     if (view.orthographic_depth > 0) {
-        // Factors of 1 / z become factors of 1 / orthographic_depth.
+        // Replaces factors of 1 / z by factors of 1 / orthographic_depth.
         const double between = range.y() - range.x();
         clip.col(3).head<2>() = clip.col(2).head<2>();
         clip.topLeftCorner<2, 2>() /= view.orthographic_depth;

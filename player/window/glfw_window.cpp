@@ -39,7 +39,7 @@ struct GlfwWindow::Callbacks {
     static WindowInput& input(GLFWwindow* w) {
         return static_cast<GlfwWindow*>(glfwGetWindowUserPointer(w))->input_;
     }
-    /// Letters count as the keyboard's layout has them, other keys by their place.
+    /// Letters are identified by the keyboard layout, other keys by their position.
     static int key_of(int place, int scancode) {
         const char* name = glfwGetKeyName(place, scancode);
         const bool letter = name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0;
@@ -56,7 +56,7 @@ struct GlfwWindow::Callbacks {
                      action != GLFW_RELEASE);
     }
     static void drop(GLFWwindow* w, int count, const char** files) { input(w).drop({files, files + count}); }
-    /// The mouse is used from now on, and not a finger.
+    /// Switches from touch to the mouse.
     static void show_cursor(GLFWwindow* w) { glfwSetInputMode(w, GLFW_CURSOR, GLFW_CURSOR_NORMAL); }
     static void button(GLFWwindow* w, int button, int action, int) {
         show_cursor(w);
@@ -88,15 +88,15 @@ GlfwWindow::GlfwWindow(FrameSize size, const std::string& title, bool debug) {
     navigate_by_keyboard();
     set_style(text_scale_);
     touch_screen_.emplace(window_);
-    watch_events();  // first: ImGui calls the callbacks that it finds
+    watch_events();  // first: ImGui chains existing callbacks
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
-    watch_mouse();  // again: new_frame() says where it is
+    watch_mouse();  // again: new_frame() reports the position
     ImGui_ImplOpenGL3_Init("#version 450");
 }
 
 namespace {
 
-/// The monitor that shows the middle of the window.
+/// The monitor that contains the center of the window.
 GLFWmonitor* monitor_of(GLFWwindow* window) {
     int x = 0, y = 0, width = 0, height = 0, count = 0;
     glfwGetWindowPos(window, &x, &y);

@@ -14,7 +14,7 @@ Kiosk make_kiosk(Session& s, std::optional<AttractLoop> tour, double home_after)
 
 namespace {
 
-/// Along the tour, or to where it begins.
+/// Flies along the tour, or to its start.
 void start_tour(Kiosk& k, Session& s, double now) {
     const Navigation begin = k.tour->begin();
     const bool at_start = s.viewpoint.camera.eye == begin.eye && s.viewpoint.camera.R == begin.R;

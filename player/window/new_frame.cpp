@@ -35,7 +35,7 @@ void point_before_wheel(GLFWwindow* window) {
     ImGui::GetIO().AddMousePosEvent(at.x, at.y);
 }
 
-// Keys are in ImGui's queue, in which those that were released again have a frame of their own.
+// Keys are in ImGui's queue, where keys released again get a separate frame.
 void new_frame(const PointerState& mouse, const UserInput& input) {
     ImGuiIO& io = ImGui::GetIO();
     const PointerState p = input.pointer.value_or(mouse);
@@ -49,7 +49,7 @@ void new_frame(const PointerState& mouse, const UserInput& input) {
 
 void point_before_wheel(GLFWwindow*) {}
 
-/// Enter, which newer versions take for Space where no text is typed.
+/// Enter, which newer versions treat like Space unless text is being typed.
 bool uses_marked(const KeyPress& p) {
     const ImGuiIO& io = ImGui::GetIO();
     return io.NavVisible && !io.WantTextInput && (p.key == GLFW_KEY_ENTER || p.key == GLFW_KEY_KP_ENTER);

@@ -21,7 +21,7 @@ namespace vantage {
 namespace {
 
 struct Progress {
-    double bytes = 0, of = 0, per_second = 0;  ///< of: 0 while the server is being asked
+    double bytes = 0, of = 0, per_second = 0;  ///< of: 0 while waiting for the server's response
 };
 
 void draw_progress(GLFWwindow* window, const std::string& name, const Progress& p) {
@@ -48,7 +48,7 @@ void draw_progress(GLFWwindow* window, const std::string& name, const Progress& 
     glfwSwapBuffers(window);
 }
 
-/// Draws the progress until the result is there; the user may stop what leads to it.
+/// Draws the progress until the result is available; the user may cancel.
 template <class Result, class Ask>
 Result await(GlfwWindow& window, std::future<Result> result, std::stop_source stop, const std::string& name,
              const Ask& progress) {

@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-/// Calls `field(name, value)` for each remembered number and flag.
+/// Calls `field(name, value)` for each saved number and flag.
 template <class R, class Field>
 void for_fields(R& r, const Field& field) {
     auto& s = r.settings;
@@ -57,7 +57,7 @@ void for_fields(R& r, const Field& field) {
     field("image_set_swipe", s.image_sets.swipe);
 }
 
-/// The same for each remembered choice.
+/// The same for each saved choice.
 template <class R, class Choice>
 void for_choices(R& r, const Choice& choice) {
     choice("blend", r.settings.blend);

@@ -36,8 +36,8 @@
 namespace vantage {
 namespace {
 
-/// Keeps what a session leaves to the next one. A package without image sets leaves those of another; an
-/// exposure refers to a photo of this one.
+/// Saves settings for the next session. Image set names are kept if the package has none; the exposure is
+/// omitted, since it refers to a photo of this package.
 void remember(const Session& session, const PackageReader& package, Remembered& r) {
     r.settings = session.settings;
     r.settings.exposure.reset();
@@ -48,7 +48,7 @@ void remember(const Session& session, const PackageReader& package, Remembered& 
     r.other_image_set = shown.other ? image_sets[*shown.other].name : "";
 }
 
-/// For another package: without those that name what is in the first one.
+/// Options for another package: without those that name parts of the first one.
 ShowOptions options_for(ShowOptions o, const std::string& file) {
     o.package.file = file;
     o.package.photos.clear();
@@ -58,7 +58,7 @@ ShowOptions options_for(ShowOptions o, const std::string& file) {
     return o;
 }
 
-/// What does not depend on a package: the window.
+/// Settings of the window, independent of the package.
 Remembered remembered_window(const ShowOptions& o, const std::filesystem::path& folder) {
     return o.window.fresh ? Remembered{} : read_settings(folder, {});
 }
@@ -101,7 +101,7 @@ std::optional<Requested> requested(GlfwWindow& window, Session& session, const s
         return open_requested(window, file, memory, now);
     } catch (const Error& e) {
         say(session.message, failure_text(cannot_open(file), e),
-            glfwGetTime());  // a server may have taken its time
+            glfwGetTime());  // opening may take long, e.g. from a server
         return {};
     }
 }
@@ -119,23 +119,23 @@ std::optional<Requested> ask_for_package(GlfwWindow& window, WindowState& state,
         }
 }
 
-/// Tells the supervisor of a kiosk that the window lives.
+/// Sends a heartbeat to the kiosk's supervisor.
 void beat(int heartbeat_fd) {
     const char byte = '.';
-    [[maybe_unused]] const auto written = ::write(heartbeat_fd, &byte, 1);  // a full pipe has beats enough
+    [[maybe_unused]] const auto written =
+        ::write(heartbeat_fd, &byte, 1);  // a full pipe already contains enough bytes
 }
 
-/// ImGui needs some frames to react to what has happened.
+/// ImGui needs some frames to react to events.
 constexpr int frames_after_event = 3;
 
-/// Whether the next frame would be the same as the last. `lively`: frames that are still to be drawn after
-/// the last event.
+/// Whether the next frame would equal the last. `lively`: remaining frames after the last event.
 bool is_idle(const WindowState& state, const ShownScene& scene, int lively) {
     return scene.rests() && !keys_in_use(state.input) && lively == 0;
 }
 
-/// Whether a frame is to be drawn: always, unless it `may_rest`. At rest, waits until something happens, or
-/// the scene is to be drawn anyway; frames that are counted then follow each other more slowly.
+/// Whether to draw a frame: always, unless it `may_rest`. At rest, waits for an event or the scene's next
+/// frame; counted frames then follow at a lower rate.
 bool take_events(GlfwWindow& window, WindowState& state, const ShownScene& scene, bool may_rest,
                  int& lively) {
     constexpr double longest_rest = 1, between_counted = 0.03;  // seconds
@@ -158,7 +158,7 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
                                       Controls& controls, const ShowOptions& o, double requested_at) {
     GLFWwindow* window = shown_in.get();
     WindowState& state = session.window;
-    const bool may_rest = o.window.frames == 0 && o.window.controls.empty();  // else frames are counted
+    const bool may_rest = o.window.frames == 0 && o.window.controls.empty();  // otherwise frames are counted
     int lively = frames_after_event;
     for (int frame = 0; state.kiosk || !glfwWindowShouldClose(window);) {
         if (o.window.heartbeat_fd >= 0) beat(o.window.heartbeat_fd);
@@ -210,7 +210,7 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
         expect_content(first.emplace(std::move(package)));
         remembered = start_settings(*first, o, folder);
     };
-    // What is wrong with a file or an option is said without a window.
+    // Errors in a file or an option are reported without a window.
     if (!objects.empty() && !is_url(objects.front().package.native()))
         start(PackageReader(objects.front().package));
     GlfwWindow window(o.output.size.empty() ? remembered.window : parse_size(o.output.size), "Vantage",
@@ -259,7 +259,7 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     if (state.language != language && !o.window.kiosk) remembered.language = state.language;
     try {
         write_settings(folder, remembered);
-    } catch (const Error& e) {  // the window works without them
+    } catch (const Error& e) {  // the window works without settings
         std::fprintf(stderr, "settings are not kept: %s\n", e.what());
     }
     return damaged ? int(Exit::damaged) : int(Exit::ok);

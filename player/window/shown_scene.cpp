@@ -33,12 +33,12 @@ namespace vantage {
 
 namespace {
 
-/// A pixel of a frame in another one that shows the same.
+/// Converts a pixel to another frame of the same view.
 Eigen::Vector2d pixel_in(const Intrinsics& to, const Intrinsics& from, const Eigen::Vector2d& pixel) {
     return {pixel.x() * to.width / from.width, pixel.y() * to.height / from.height};
 }
 
-/// Where other packages are likely to be.
+/// The likely folder of other packages.
 std::filesystem::path package_folder(const PackageReader& package) {
     return package.remote() ? std::filesystem::path(".") : package.path().parent_path();
 }
@@ -58,7 +58,7 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
     kiosk_ = make_kiosk(session, kiosk_tour(package, o.window.tour), home_after);
 }
 
-/// Along the path of the command line, or else as the story says.
+/// The path of the command line, or else the story's content.
 std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
                                                   const std::string& path) const {
     if (path.empty()) try {
@@ -99,7 +99,7 @@ void ShownScene::draw_picture(const View& view, const RenderSettings& shown, dou
     picture_.draw(view, shown, now);
 }
 
-/// The point under the pointer.
+/// Determines the point under the pointer.
 void ShownScene::pick(const View& view) {
     const ImVec2 at = ImGui::GetIO().MousePos;
     const Eigen::Vector2d pixel(double(at.x), double(at.y));
@@ -131,7 +131,7 @@ View ShownScene::update(int width, int height, double now) {
     return view;
 }
 
-/// What an orthographic view cannot show ends it.
+/// Content that requires perspective ends the orthographic projection.
 void ShownScene::choose_projection(double now) {
     Session& s = session_;
     const bool points = scene_.renderer.resources().points && s.settings.points.show;
@@ -144,8 +144,8 @@ void ShownScene::choose_projection(double now) {
         now);
 }
 
-/// Those of the session. An orthographic view leaves out background, and so does a cut, which they would
-/// fill with what it takes away.
+/// The session's settings. Orthographic views and cuts disable the background; for a cut, it would fill the
+/// removed part.
 RenderSettings ShownScene::shown_settings() const {
     RenderSettings settings = session_.settings;
     if (session_.viewpoint.orthographic || !settings.sections.empty())
@@ -186,7 +186,7 @@ void ShownScene::interface(const View& view, double now) {
     note_navigation(s.window);
 }
 
-/// Cuts the model as the session says, and draws where it is cut.
+/// Cuts the model with the session's planes, and draws the section.
 void ShownScene::show_cut(const View& view) {
     Session& s = session_;
     const auto& planes = s.settings.sections = sections_of(s.cut, scene_.plan());
@@ -231,7 +231,7 @@ void ShownScene::stop_recording(double now) {
     path_recorder_.attend(session_, picture_.is_final(), scene_.package(), now);
 }
 
-/// Adds the packages that the session asks for.
+/// Adds packages requested by the session.
 void ShownScene::add_objects(double now) {
     Session& s = session_;
     while (const auto added = take<AddObject>(s.window.commands)) try {

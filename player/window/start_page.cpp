@@ -57,7 +57,7 @@ void page(Controls& c, UserCommands& commands, std::span<const std::string> rece
     ImGui::End();
 }
 
-/// O opens, Ctrl+Q quits; not while a dialog has the keyboard.
+/// O opens, Ctrl+Q quits; not while a dialog has the focus.
 void take_keys(WindowState& state) {
     for (const KeyPress& p : state.input.keys)
         if (p.key == GLFW_KEY_Q && p.with == KeyPress::With::control) state.commands.push_back(Quit{});

@@ -13,14 +13,14 @@
 namespace vantage {
 namespace {
 
-/// Where a frame takes longer than a thirtieth of a second, it may upload as much as those that it replaces:
-/// that makes it hardly longer, and the picture is there sooner.
+/// A frame that takes longer than a thirtieth of a second may upload the amount of the frames that it
+/// replaces: it takes hardly longer, and the picture is complete earlier.
 std::size_t upload_of_frame(std::size_t bytes, double ms) {
     return std::size_t(double(bytes) * std::clamp(ms * 30 / 1000, 1.0, 64.0));
 }
 
-/// What is free for an eye's picture, of this size, in its part of a window of which `free` is: panels at the
-/// sides are over one eye's picture, and so are those below if the pictures are above each other.
+/// The area of an eye's picture of this size that is free of panels, in a window with the area `free`: side
+/// panels cover one eye's picture, and so do those at the bottom if the pictures are above each other.
 Area free_for_eye(StereoMode mode, const Area& free, FrameSize size) {
     Area out = free;
     if (mode == StereoMode::side_by_side) out.left = 0, out.width = size.width;
@@ -28,7 +28,8 @@ Area free_for_eye(StereoMode mode, const Area& free, FrameSize size) {
     return out;
 }
 
-/// The first picture is made of base levels: in software, it need not wait for the pixels between theirs.
+/// The first picture consists of base levels: with a software renderer, it need not be drawn at a higher
+/// resolution.
 Pace pace_of_first_picture(double goal) {
     return goal > 0 && gl::current_device().software ? coarse_pace : Pace{};
 }
@@ -60,29 +61,29 @@ void WindowPicture::end_frame(double now) {
     keep_pace();
 }
 
-/// A damaged package may be restored while it is shown, and a server may be reached again.
+/// A damaged package may be restored while it is open, and a server may become available again.
 bool WindowPicture::looks_again() const {
     return session_.drawn.report.tiles_damaged + session_.drawn.report.tiles_absent > 0;
 }
 
-/// Whether the last frame drew the same.
+/// Whether the last frame was the same.
 bool WindowPicture::unchanged(const View& view, const RenderSettings& shown) const {
     RenderSettings drawn = last_settings_;
-    drawn.swipe = shown.swipe;  // divides what was drawn
+    drawn.swipe = shown.swipe;  // swipe only affects display
     return drawn_ && last_ && same_view(*last_, view) && drawn == shown && last_stereo_ == session_.stereo &&
            last_photos_ == session_.photos;
 }
 
-/// While the view moves or tiles are missing, draws one sample per pixel, half a level sharper; at a pace
-/// that keeps the goal while it moves. After that, accumulates the samples of each pixel, one per frame, and
-/// stops when the picture is final.
+/// While the view moves or tiles are missing, draws one sample per pixel, half a level sharper, at a pace
+/// that meets the frame rate goal while it moves. Then accumulates the samples of each pixel, one per frame,
+/// and stops when the picture is final.
 void WindowPicture::draw_sample(const View& view, const RenderSettings& shown, bool still, double now) {
     Session& s = session_;
     if (looks_again() && now > drawn_at_ + look_again_seconds) samples_ = 0;
     if (still && is_final()) return;
     if (!still) changed_at_ = now;
     if (in_motion(view)) moved_at_ = now;
-    // A coarse frame is refined when the motion has ended, not between two movements of the mouse.
+    // A coarse frame is refined after the motion has ended, not between two mouse movements.
     const bool moves = now < moved_at_ + still_seconds && !holds<SaveScreenshot>(s.window.commands);
     const bool complete = drawn_ && s.drawn.pace == Pace{} && s.drawn.report.settled;
     if (still && !moves && !resting_ && complete && lacks_time(now)) {
@@ -91,8 +92,7 @@ void WindowPicture::draw_sample(const View& view, const RenderSettings& shown, b
     }
     s.drawn.pace = moves || !drawn_ ? pacing_.pace : Pace{};
     drawn_at_ = now;
-    // Once at rest, it stays so while tiles come: where not all fit, those for motion and for rest would
-    // evict each other.
+    // Stays at rest while tiles arrive: if not all fit, those for motion and for rest would evict each other.
     resting_ = still && !moves && (resting_ || complete);
     RenderSettings settings = shown;
     settings.reduced = s.drawn.pace.reduced;
@@ -112,7 +112,7 @@ void WindowPicture::draw_sample(const View& view, const RenderSettings& shown, b
     const PixelSample sample = resting_ ? PixelSample{samples_, rest_side} : PixelSample{};
     const bool valid_so_far = s.drawn.report.tiles_damaged == 0;
     drawn_view_ = scaled(view, s.drawn.pace.scale);
-    // For a picture at rest, nothing is prefetched: it would begin the samples again, or let them wait.
+    // At rest, nothing is prefetched: that would restart or delay the samples.
     const View* const ahead_of = moves ? &next : nullptr;
     if (stereo())
         draw_eyes(shown, settings, sample, now, ahead_of);
@@ -127,7 +127,7 @@ void WindowPicture::draw_sample(const View& view, const RenderSettings& shown, b
     drawn_ = true;
 }
 
-/// An orthographic view is the same for both eyes, and a comparison is with a photo for one.
+/// Orthographic views are equal for both eyes, and a photo for comparison exists for one eye only.
 bool WindowPicture::stereo() const {
     return session_.stereo.mode != StereoMode::off && !session_.viewpoint.orthographic &&
            session_.settings.compare == Compare::nothing;
@@ -161,10 +161,10 @@ void WindowPicture::show(const RenderSettings& shown, double now) {
         enlargement_.show(scene_.objects, *drawn_view_, shown, shown.capacity, {0, true});
 }
 
-/// Whether the samples of a picture at rest would keep the processor busy for too long: on a large screen, in
-/// software, the picture stays as it is.
+/// Whether the samples of a picture at rest would keep the CPU busy for too long: with a software renderer on
+/// a large screen, the picture is not refined.
 bool WindowPicture::lacks_time(double now) const {
-    constexpr double samples = 3;  // they take less time than the frame before, which also loaded tiles
+    constexpr double samples = 3;  // they take less time than the previous frame, which also loaded tiles
     return now + samples * frame_ms_ / 1000 > changed_at_ + rest_seconds;
 }
 
@@ -174,7 +174,7 @@ bool WindowPicture::in_motion(const View& view) const {
     return dragged || (last_ && !same_view(*last_, view));
 }
 
-/// Notes how long the frames took that are finished by now, and sets the pace of those to come.
+/// Records the durations of finished frames, and sets the pace of later ones.
 void WindowPicture::keep_pace() {
     const auto frame = clock_.take();
     if (!frame) return;
@@ -184,12 +184,12 @@ void WindowPicture::keep_pace() {
         pacing_ = next_pacing(pacing_, frame->pace, frame->ms, goal_ms_);
         return;
     }
-    // Frames at rest are slower than those in motion: if they are fast enough, so are these.
+    // Frames at rest are slower than those in motion: if they meet the goal, so do these.
     const Pace first = first_pace(frame->ms, goal_ms_);
     if (pacing_.pace == Pace{} || first == Pace{} || first.scale > pacing_.pace.scale) pacing_ = {first};
 }
 
-/// Says once that frames of this size need more graphics memory than allowed.
+/// Reports once that frames of this size need more graphics memory than allowed.
 void WindowPicture::tell_memory(double now) {
     const std::uint64_t used = scene_.objects.graphics_budget();
     if (memory_limit_ == 0 || used <= memory_limit_) return;

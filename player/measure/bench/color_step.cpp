@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-constexpr double depth_step = 0.01;  ///< of the depth: a point this far behind a surface is hidden
+constexpr double depth_step = 0.01;  ///< of the depth: points this far behind a surface are occluded
 constexpr double least_compared = 0.25;
 
 /// The plane of a triangle numbered from 1.
@@ -29,7 +29,7 @@ std::optional<FacePlane> plane_of(const PlanScene& scene, std::uint32_t triangle
     return FacePlane{corner[0], (corner[1] - corner[0]).cross(corner[2] - corner[0])};
 }
 
-/// Where a ray meets a plane, in multiples of `ahead`; empty if it does not.
+/// Intersection of a ray with a plane, in multiples of `ahead`; empty without one.
 std::optional<double> distance_along(const Eigen::Vector3d& eye, const Eigen::Vector3d& ahead,
                                      const FacePlane& plane) {
     const double t = plane.normal.dot(plane.point - eye) / plane.normal.dot(ahead);

@@ -19,7 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Makes everything that the path needs resident, as far as there is space.
+/// Loads all data that the path needs, as far as there is space.
 void preload(ObjectSet& objects, const CameraPath& path, FrameSize size, RenderSettings settings,
              const std::vector<std::uint32_t>& photos) {
     settings.loading = Loading::complete;
@@ -30,7 +30,7 @@ void preload(ObjectSet& objects, const CameraPath& path, FrameSize size, RenderS
 /// Draws a frame at `now` seconds, and shows it.
 using DrawAndShow = std::function<void(const View& view, const RenderSettings& settings, double now)>;
 
-/// Milliseconds that a frame takes in which a view rests; after a coarse one, as a window's first picture is.
+/// Duration of a frame at rest, in milliseconds; measured after a coarse one, like a window's first picture.
 double time_at_rest(const View& view, RenderSettings settings, FrameTimer& timer, const DrawAndShow& draw) {
     double ms = 0;
     for (int i = 0; i < 4; ++i) {
@@ -67,7 +67,7 @@ ProcessMemory memory_without(std::size_t records) {
     return memory;
 }
 
-/// The last frame is the first that is exact, of those from `first` on, which have the same view.
+/// Determines the first exact frame among those from `first` on, which have the same view.
 void note_exact(Flight& flight, int first) {
     flight.frames_to_exact = int(flight.frames.size()) - 1 - first;
     for (auto f = std::size_t(first); f < flight.frames.size(); ++f)

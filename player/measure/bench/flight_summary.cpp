@@ -13,7 +13,7 @@ namespace vantage {
 
 namespace {
 
-/// Mean milliseconds per frame of each pass that took any.
+/// Mean milliseconds per frame of each pass with a nonzero time.
 nlohmann::json pass_times(const std::vector<const Flight*>& flights) {
     nlohmann::json out = nlohmann::json::object();
     for (std::size_t pass = 0; pass < timed_pass_names.size(); ++pass) {

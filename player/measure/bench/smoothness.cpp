@@ -24,12 +24,12 @@ namespace {
 RenderSettings shown_settings(const PackageReader& package, const SmoothnessOptions& o) {
     RenderSettings settings = render_settings(package, o.blending, Purpose::window);
     settings.loading = o.fades ? Loading::repeatable : Loading::complete;
-    settings.points.show = false;  // colors are followed on the mesh
+    settings.points.show = false;  // colors are compared on the mesh
     settings.transparency = Transparency::off;
     return settings;
 }
 
-/// Median distance of what the photos see, for views from a file, whose targets have no distance.
+/// Median distance of the surfaces in photos, for views from a file, whose targets have no distance.
 double usual_distance(const PackageReader& package) {
     std::vector<double> distances;
     for (const package::PhotoRecord& p : package.photos())

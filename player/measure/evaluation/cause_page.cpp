@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t regions_per_cause = 3;
 
-/// A square in the color of the cause on maps.
+/// A square in the map color of the cause.
 std::string swatch(Cause cause) {
     const auto& c = cause_row(cause).color;
     return "<span class=swatch style='background:rgb(" + std::to_string(c[0]) + ',' + std::to_string(c[1]) +
@@ -47,7 +47,7 @@ void write_total(std::ostream& out, const std::vector<CauseTotal>& totals,
     out << "</table>\n";
 }
 
-/// Holes as shares of the whole frame's error, other causes as shares of the error at colored pixels.
+/// Holes as fractions of the whole frame's error, other causes as fractions of the error at colored pixels.
 void write_per_photo(std::ostream& out, const std::vector<CauseTotal>& totals,
                      const std::vector<PhotoEvaluation>& results) {
     std::vector<Column> columns{{"photo", ""}, {"frame, dB", "PSNR of the whole frame, after gains"}};

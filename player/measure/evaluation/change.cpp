@@ -6,7 +6,7 @@
 namespace vantage {
 namespace {
 
-constexpr double least_change = 3.0;  ///< gray levels, root mean square over a place
+constexpr double least_change = 3.0;  ///< gray levels, root mean square over a region
 
 double squares(const Picture& photo, const Picture& picture, const PictureScore& s, std::size_t pixel) {
     double sum = 0;
@@ -15,7 +15,7 @@ double squares(const Picture& photo, const Picture& picture, const PictureScore&
     return sum;
 }
 
-/// By how much each pixel's squared difference has decreased.
+/// Decrease of each pixel's squared difference.
 Integral improvement(const Picture& photo, const Picture& before, const Picture& after, const Change& change,
                      const std::vector<bool>& scored) {
     Integral out(photo.width, photo.height);

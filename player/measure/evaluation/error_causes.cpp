@@ -8,11 +8,11 @@
 namespace vantage {
 namespace {
 
-/// An explanation must account for this share of the error. For fine detail more is asked: smoothing takes
-/// half away from almost any error.
+/// An explanation must account for this fraction of the error. The threshold for fine detail is higher, since
+/// smoothing halves almost any error.
 constexpr double explained = 0.5, explained_as_detail = 0.75;
-constexpr int coarse_block = 4;       ///< px, of coarse differences
-constexpr double least_judged = 0.5;  ///< share of the colored pixels that the compared pictures show
+constexpr int coarse_block = 4;       ///< px, for coarse differences
+constexpr double least_judged = 0.5;  ///< fraction of the colored pixels that the compared pictures show
 
 /// Mean differences of two pictures over blocks of 4x4 px and their neighbors: a low-pass filter with a
 /// standard deviation of 3 px. Empty blocks have weight 0.
@@ -44,7 +44,7 @@ void smooth(CoarseDifference& d) {
     }
 }
 
-/// Over the pixels `where`.
+/// Uses the pixels `where`.
 template <class Where>
 CoarseDifference coarse_difference(const Picture& a, const Picture& b, const Where& where) {
     CoarseDifference d{
@@ -84,10 +84,11 @@ class Judge {
         Place place;
         double pixels = 0, squares = 0;  ///< of the picture
         double coarse = 0;               ///< of the picture, low-pass filtered, same scale as `squares`
-        double unlike_mean = 0;          ///< of the picture less its mean difference
+        double unlike_mean = 0;          ///< of the picture minus its mean difference
     };
     struct Comparison {
-        double all = 0, judged = 0;  ///< weights: of the window's colored pixels, and where others are given
+        double all = 0,
+               judged = 0;  ///< weights: of the window's colored pixels, and of those colored in others
         double picture = 0, others = 0;  ///< squared differences there
         bool enough() const { return judged > 0 && judged >= least_judged * all; }
     };
@@ -166,7 +167,7 @@ Judge::Window Judge::window(std::size_t cell) const {
     return w;
 }
 
-/// Of a shifted picture from the photo, over a window.
+/// Squared difference of a shifted picture from the photo, over a window.
 double Judge::squares(const Picture& picture, const Place& p, PixelShift shift) const {
     double sum = 0;
     each_pixel(p, cells_.width, judged_, [&](int x, int y, std::size_t i) {
@@ -181,8 +182,8 @@ double Judge::squares(const Picture& picture, const Place& p, PixelShift shift) 
     return sum;
 }
 
-/// Some picture, if shifted, explains the error, and better than a change of brightness or tint: on a gentle
-/// gradient a shift looks like one.
+/// A shift of some picture explains the error, and better than a change of brightness or tint does: on a
+/// smooth gradient the two look alike.
 bool Judge::displaced(const Window& w, std::size_t cell) const {
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
         const PixelShift s = shifts_[k][cell];
@@ -194,7 +195,7 @@ bool Judge::displaced(const Window& w, std::size_t cell) const {
     return false;
 }
 
-/// The picture's and others' low-pass filtered error, where both are given.
+/// Low-pass filtered errors of the picture and of others, where both have values.
 Judge::Comparison Judge::compare(const Place& p, std::span<const CoarseDifference> others) const {
     Comparison c;
     double weights = 0;
@@ -213,9 +214,9 @@ Judge::Comparison Judge::compare(const Place& p, std::span<const CoarseDifferenc
     return c;
 }
 
-/// Do other photos contradict each other? Some do if one of them comes much closer to the photo than the
-/// picture, to which all contribute; or if they differ from each other at least as much as the picture from
-/// the photo.
+/// Whether other photos contradict each other: one of them is much closer to the photo than the picture, to
+/// which all contribute; or they differ from each other at least as much as the picture differs from the
+/// photo.
 Cause Judge::by_others(const Window& w) const {
     for (const CoarseDifference& one : alone_) {
         const Comparison c = compare(w.place, std::span(&one, 1));

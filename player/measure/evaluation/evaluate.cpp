@@ -70,8 +70,8 @@ void write_regions(const std::filesystem::path& file, const PackageReader& packa
     replace_file(file, out.view());
 }
 
-/// Green to red for 0 to 40 gray levels, blue where mostly no other photo shows what a photo sees, gray where
-/// no photo was compared.
+/// Green to red for 0 to 40 gray levels, blue if mostly no other photo shows the photo's surface, gray if no
+/// photo was compared.
 std::array<int, 3> error_color(const RegionError& r) {
     if (r.pixels == 0) return {128, 128, 128};
     if (2 * r.uncolored > r.pixels) return {60, 90, 255};
@@ -129,7 +129,7 @@ void print_remarks(const std::vector<PhotoEvaluation>& results) {
             std::fprintf(text_output(), "%s: %s\n", results[i].name.c_str(), s.c_str());
 }
 
-/// Of the table's first column.
+/// Width of the table's first column.
 int name_width(const PackageReader& package, const std::vector<std::uint32_t>& photos) {
     std::size_t width = 5;
     const std::vector<std::string> stems = package.photo_stems();
@@ -158,7 +158,7 @@ void expect_earlier(const EvaluateOptions& o) {
                     o.against.string() + ": would be overwritten, expected another folder for -o");
 }
 
-/// Cameras that were moved together, on which the held-out photos had a say.
+/// Reports pose refinement, which the held-out photos have influenced.
 void report_pose_refinement(const PackageReader& package) {
     if (effect_on(package.scene(), Effect::pose_refinement) &&
         !package.find(package::Type::pose_refinement_without))
@@ -168,7 +168,7 @@ void report_pose_refinement(const PackageReader& package) {
             "vantage prepare --hold-out\n");
 }
 
-/// The package's results without a photo that is held out.
+/// The package's data with one photo held out.
 class SceneWithout {
   public:
     SceneWithout(const PackageReader& package, bool transient_masks)
@@ -176,7 +176,7 @@ class SceneWithout {
         if (transient_masks && effect_on(package.scene(), Effect::transients))
             transient_.emplace(package, colors_.samples());
     }
-    /// Shows the others' weight maps as they are without the photo. Returns the records.
+    /// Sets the others' weight maps to those without the photo. Returns the records.
     std::vector<package::PhotoRecord> hold_out(std::uint32_t photo, Renderer& renderer) {
         const PhotoColors colors = fits_colors_ ? colors_.colors(photo) : PhotoColors{};
         std::vector<package::PhotoRecord> out = colors_.records(colors, photo);
@@ -214,7 +214,7 @@ int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
     expect_earlier(o);
     make_folder(o.folder);
     RenderSettings settings = render_settings(package, o.blending, Purpose::pictures);
-    settings.fill_holes = false;   // the whole frame is scored besides
+    settings.fill_holes = false;   // the whole frame is scored separately
     settings.points.show = false;  // photos are scored
     settings.transparency = Transparency::off;
     report_pose_refinement(package);
@@ -227,8 +227,8 @@ int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
     print_heading(names);
     for (const std::uint32_t p : held_out) {
         EvaluationPictures pictures;
-        settings.image_sets = {.shown =
-                                   package.photos()[p].image_set};  // the others of its image set predict it
+        settings.image_sets = {
+            .shown = package.photos()[p].image_set};  // predicted by the others of its image set
         const int level = std::min(o.level, int(package.photos()[p].levels) - 1);
         const auto records = without.hold_out(p, renderer);
         results.push_back(

@@ -56,7 +56,7 @@ void row(std::ostream& out, const PhotoEvaluation& r) {
         "");
 }
 
-/// What is likely wrong, photo by photo, worst first.
+/// Likely problems, photo by photo, worst first.
 void write_remarks(std::ostream& out, const std::vector<PhotoEvaluation>& results) {
     if (std::ranges::all_of(results, [](const PhotoEvaluation& r) { return r.remarks.empty(); })) return;
     out << "<h2>Remarks</h2>\n<ul>\n";

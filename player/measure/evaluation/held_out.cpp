@@ -13,10 +13,10 @@ namespace vantage {
 namespace {
 
 constexpr int samples = 2;  ///< per side of a pixel
-/// Gray levels, over all scored pixels, above which an odd photo is worth a remark.
+/// Threshold for remarks about unusual photos, in gray levels over all scored pixels.
 constexpr double odd_rms = 12;
 
-/// The level's pixels that show a surface, by the photo's own weight maps.
+/// The level's pixels that show a surface, according to the photo's own weight maps.
 std::vector<bool> surface_pixels(const PackageReader& package, std::uint32_t photo, int level,
                                  const Picture& like) {
     const int last = weight_map_levels_end(int(package.photos()[photo].levels)) - 1;
@@ -61,8 +61,8 @@ void add_regions(const PlanScene& scene, std::span<const std::uint32_t> triangle
     }
 }
 
-/// The view from single photos: the nearest, and with one sample per pixel those two that agree best with the
-/// view. Fewer if fewer show anything of it. `plan`: of the view.
+/// The view from single photos: the nearest, and with one sample per pixel the two that agree best with the
+/// view. Fewer if fewer photos show part of it. `plan`: of the view.
 std::vector<Picture> pictures_alone(Renderer& renderer, RenderSettings settings,
                                     std::span<const std::uint32_t> others, const View& view,
                                     std::vector<std::uint32_t> plan) {
@@ -76,7 +76,7 @@ std::vector<Picture> pictures_alone(Renderer& renderer, RenderSettings settings,
     return out;
 }
 
-/// Fills in everything that is rendered from the other photos. Returns the triangle at each pixel.
+/// Renders the view from the other photos and stores the results. Returns the triangle at each pixel.
 std::vector<std::uint32_t> render_view(Renderer& renderer, const View& view, const RenderSettings& settings,
                                        std::span<const std::uint32_t> others, EvaluationPictures& p) {
     p.rendered = take_picture(renderer, view, settings, others, samples);
@@ -106,7 +106,7 @@ std::vector<bool> surface_of(std::span<const std::uint32_t> triangles) {
     return out;
 }
 
-/// Scores the whole frame and finds the causes of its error; applies the gains to the pictures.
+/// Scores the whole frame and attributes its error to causes; applies the gains to the pictures.
 void judge_frame(EvaluationPictures& p, std::span<const std::uint32_t> triangles, PhotoEvaluation& out) {
     const std::vector<bool> taken = scored_pixels(p.photo, 0), colored = scored_pixels(p.rendered, 0);
     const Plane errors = squared_errors(p.photo, p.shown, taken, colored, out.score.gain);
@@ -134,7 +134,7 @@ PhotoEvaluation evaluate_held_out(Renderer& renderer, RenderSettings settings, c
     const auto [photo, level, photos, records] = held_out;
     const PackageReader& package = renderer.package();
     renderer.resources().photos.use_records(records);
-    settings.background = ShowBackground::off;  // the photo had a say in their shape
+    settings.background = ShowBackground::off;  // the photo has influenced its shape
     std::vector<std::uint32_t> others(photos.begin(), photos.end());
     std::erase(others, photo);
     p.photo = photo_at_level(package, photo, level);

@@ -8,10 +8,10 @@ namespace {
 
 using Line = Eigen::Map<const Eigen::ArrayXf>;
 
-constexpr int shift_block = cell_margin;  // px: cells and margins are whole blocks
+constexpr int shift_block = cell_margin;  // px: cells and margins consist of whole blocks
 static_assert(cell_size == 2 * shift_block);
 
-/// The plane with `max_shift` more pixels on all sides, equal to the nearest of the edge.
+/// The plane extended by `max_shift` pixels on all sides with its edge pixels.
 Plane extended(const Plane& p) {
     Plane out(p.width + 2 * max_shift, p.height + 2 * max_shift);
     for (int y = 0; y < out.height; ++y)

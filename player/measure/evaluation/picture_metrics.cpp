@@ -8,8 +8,8 @@
 namespace vantage {
 namespace {
 
-/// Energy above half the Nyquist frequency: what the half-image set filter of Deslauriers and Dubuc (1989)
-/// removes, along rows and columns.
+/// Energy above half the Nyquist frequency: the part removed by the half-band filter of Deslauriers and Dubuc
+/// (1989), along rows and columns.
 double fine_energy(const Plane& p, const std::vector<bool>& scored) {
     constexpr std::array<double, 4> half{16 / 32.0, 9 / 32.0, 0, -1 / 32.0};
     constexpr int reach = int(half.size()) - 1;
@@ -31,7 +31,7 @@ double fine_energy(const Plane& p, const std::vector<bool>& scored) {
     return energy;
 }
 
-/// The smallest difference among the worst 0.1 % of the pixels, each judged by its worst channel.
+/// The smallest difference among the worst 0.1 % of the pixels, each represented by its worst channel.
 double worst_thousandth(const Picture& photo, const Picture& picture, const std::vector<bool>& scored,
                         const std::array<double, 3>& gain) {
     std::vector<float> off;
@@ -60,7 +60,7 @@ std::vector<bool> scored_pixels(const Picture& p, int radius) {
         for (int x = 0; x < p.width; ++x) {
             if (p.rgba[4 * (row(y) + std::size_t(x)) + 3] >= 128) continue;
             for (int j = std::max(-radius, -y); j <= std::min(radius, p.height - 1 - y); ++j) {
-                // One row of the disc, its half-width rounded.
+                // Half-width of a row of the disc.
                 const int reach = int(std::lround(std::sqrt(double(radius * radius - j * j))));
                 for (int i = std::max(0, x - reach); i <= std::min(p.width - 1, x + reach); ++i)
                     out[row(y + j) + std::size_t(i)] = false;
@@ -159,7 +159,7 @@ std::array<double, 2> shift_of(const Picture& photo, const Picture& picture,
     for (int y = 1; y + 1 < a.height; ++y)
         for (int x = 1; x + 1 < a.width; ++x) {
             if (!scored[std::size_t(y) * std::size_t(a.width) + std::size_t(x)]) continue;
-            // Gradients of both, so that a shift is not underestimated if one is blurred.
+            // Gradients of both pictures, so that a shift is not underestimated if one is blurred.
             const double gx = (a.at(x + 1, y) - a.at(x - 1, y) + b.at(x + 1, y) - b.at(x - 1, y)) / 4,
                          gy = (a.at(x, y + 1) - a.at(x, y - 1) + b.at(x, y + 1) - b.at(x, y - 1)) / 4,
                          t = a.at(x, y) - b.at(x, y);

@@ -10,9 +10,9 @@
 namespace vantage {
 namespace {
 
-/// Quartiles may be this far from the median, as a share of it.
+/// Maximum distance of the quartiles from the median, as a fraction of it.
 constexpr double spread = 0.5;
-constexpr double darkest = 1e-3;  ///< linear light, below which a ratio is noise
+constexpr double darkest = 1e-3;  ///< linear light; ratios below it are noise
 
 /// BT.709 luminance of linear light.
 double light(const Picture& p, std::size_t pixel) {

@@ -29,7 +29,7 @@ WorstRegion worst_region(const CauseMap& map, Cause cause) {
     return {cause, pixels, sums.over(worst)};
 }
 
-/// Makes a part of a picture gray.
+/// Covers a part of a picture with gray.
 void cover(Picture& picture, const Place& p) {
     for (int y = p.y; y < p.y + p.height; ++y)
         for (int x = p.x; x < p.x + p.width; ++x) {

@@ -15,7 +15,7 @@
 namespace vantage {
 namespace {
 
-/// Shows what has been fetched, four times per second.
+/// Shows the fetched amount, four times per second.
 void show_progress(const PackageReader& package, std::stop_token stop) {
     ProgressLine line(ProgressStyle::bar);
     std::mutex mutex;

@@ -42,7 +42,7 @@ CoverProblem cover_problem(const VisibleSurface& s, const std::vector<Candidate>
             ++problem.runs.back().area;
         else
             problem.runs.push_back({s.triangles[i], 1, 1});
-    // While the visible triangles are unknown, a sample of the clusters in view is good enough.
+    // While the visible triangles are unknown, a sample of the clusters in view is sufficient.
     const std::size_t every = std::max<std::size_t>(1, s.clusters.size() / 128);
     for (std::size_t i = 0; s.triangles.empty() && i < s.clusters.size(); i += every) {
         if (s.clusters[i] >= s.scene.first_surrounding) continue;
@@ -52,7 +52,7 @@ CoverProblem cover_problem(const VisibleSurface& s, const std::vector<Candidate>
     const std::size_t words = package::visible_words(s.scene.triangles);
     for (const Candidate& c : candidates) {
         const auto bits = s.scene.visible[c.photo];
-        // cover() uses the fourth root of a preference: here the hysteresis counts in full.
+        // cover() uses the fourth root of a preference; this compensates it for the hysteresis.
         const double preference = c.rank * (c.previous ? hysteresis * hysteresis * hysteresis : 1);
         problem.sets.push_back({bits.first(words), bits.subspan(words, words), preference});
     }

@@ -54,12 +54,12 @@ Open all_open(const CoverProblem& problem) {
     return open;
 }
 
-/// The area of the runs, where `words(w)` has the words of whole and partial triangles that count.
+/// The covered area of the runs; `words(w)` has the words of entirely and partly covered triangles.
 template <class Words>
 double area_of(std::span<const CoverProblem::Run> runs, const Words& words) {
     double area = 0;
     for (const CoverProblem::Run& run : runs) {
-        if (run.count == 1) {  // most of them: without a library call for the number of bits
+        if (run.count == 1) {  // most runs: avoids a library call for counting bits
             const auto [whole, part] = words(run.first / 64);
             const std::uint32_t bit = run.first % 64;
             area += run.area * (rest_of_part * double(whole >> bit & 1) + double(part >> bit & 1));

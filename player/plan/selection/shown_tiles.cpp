@@ -9,7 +9,7 @@
 namespace vantage {
 namespace {
 
-/// The number of texels shown of each tile of a pyramid, on levels [first, end).
+/// The number of visible texels of each tile of a pyramid, on levels [first, end).
 class Shown {
   public:
     Shown(const package::PhotoRecord& photo, int first, int end) : first_(first) {
@@ -26,7 +26,7 @@ class Shown {
                   y = std::min(int(pixel.y() / (1 << level)) / tile_content, size.rows() - 1);
         texels_[std::size_t(level)][std::size_t(y * size.columns() + x)] += texels;
     }
-    /// Lists the tiles worth loading, by level; the texels of the others count for the next coarser level.
+    /// Lists the tiles worth loading, by level; texels of other tiles are added to the next coarser level.
     void list(double worth, std::array<std::vector<std::uint32_t>, max_levels>& out) {
         constexpr double all = double(tile_content) * tile_content;
         for (int l = first_; l <= last(); ++l)
@@ -54,8 +54,8 @@ class Shown {
     std::vector<std::vector<double>> texels_;
 };
 
-/// Levels of detail that a photo of this weight may lack. A level holds a few gray levels of detail: at a
-/// weight of 1/32 the loss of one is invisible, and at 1/128 that of two.
+/// Number of fine levels that a photo with this weight can omit. A level holds a few gray levels of detail:
+/// at a weight of 1/32 the loss of one is invisible, and at 1/128 that of two.
 double spared_levels(double weight) { return std::clamp(-std::log2(8 * weight) / 2, 0.0, 2.0); }
 
 }  // namespace
@@ -63,7 +63,7 @@ double spared_levels(double weight) { return std::clamp(-std::log2(8 * weight) /
 TileNeeds shown_tiles(const package::PhotoRecord& photo, const LensTable* lens, const Pose& pose,
                       const SampledSurface& surface, double worth, double coarse) {
     const Intrinsics k = intrinsics(photo);
-    constexpr double slight = 0.25;  // a level with a smaller share of the trilinear mix is not loaded
+    constexpr double slight = 0.25;  // a level with a smaller weight in the trilinear mix is not loaded
     Shown color(photo, 0, int(photo.levels)),
         weight_maps(photo, weight_map_level, weight_map_levels_end(int(photo.levels)));
     for (std::size_t i = 0; i < surface.samples.size(); ++i) {

@@ -45,7 +45,7 @@ ViewWeights view_weights(const View& view, std::span<const package::PhotoRecord>
         distances.push_back((center - eye).norm());
         angles.push_back(angle_between(view.cam_from_origin.direction(), direction));
     }
-    // Rounding is relative to the coordinates of the distances, and to the unit vectors of the angles.
+    // Rounding is relative to the coordinates for distances, and to unit vectors for angles.
     double reach = eye.norm();
     for (const double d : distances) reach = std::max(reach, d);
     return {nearest_is_one(distances, 1e-3, 1e-9 * reach), nearest_is_one(angles, 1e-3, 1e-9)};
@@ -60,7 +60,8 @@ std::vector<double> dynamic_weights(const View& view, std::span<const package::P
     };
     if (s.distance) apply(parts.distance);
     if (s.angle && s.angle_per_photo) apply(parts.angle);
-    // Even times the static weights far above the smallest float, so that a single photo gives a color.
+    // Multiplied by the static weights, still far above the smallest float, so that a single photo gives a
+    // color.
     for (double& w : weights) w = std::max(w, 1e-9);
     return weights;
 }

@@ -12,7 +12,7 @@ bool all_current(std::span<const OrderedPlan> views) {
     });
 }
 
-/// Fills `job` with what the views have ordered.
+/// Fills `job` with the views' requests.
 void fill(PlanJob& job, std::span<const OrderedPlan> views) {
     job.plans.resize(views.size());
     for (std::size_t i = 0; i < views.size(); ++i) {
@@ -24,7 +24,7 @@ void fill(PlanJob& job, std::span<const OrderedPlan> views) {
     }
 }
 
-/// Plans that were made for what the views still order.
+/// Stores plans that match the views' current requests.
 void give(std::span<const OrderedPlan> views, const PlanThread::Plans& plans) {
     if (plans.size() != views.size()) return;
     for (std::size_t i = 0; i < plans.size(); ++i)
@@ -35,7 +35,7 @@ void give(std::span<const OrderedPlan> views, const PlanThread::Plans& plans) {
 }  // namespace
 
 void PlanMaker::update(std::span<const OrderedPlan> views, bool at_once, const View* next) {
-    constexpr unsigned every = 4;  // frames; the view to come is further ahead
+    constexpr unsigned every = 4;  // frames; the predicted view is further ahead
     const bool looks_ahead = next && moves_++ % every == 0;
     if (!next) ahead_.clear();
     take(views, false);

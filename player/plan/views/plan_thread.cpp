@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// What the photos of the plans before show of the view expected next. Without memory for it, nothing.
+/// The previous plans' photos, with their tiles for the next expected view. Empty if memory is insufficient.
 std::vector<PlannedPhoto> photos_ahead(const PlanScene& scene, const PlanJob& job) try {
     std::vector<PlannedPhoto> out;
     for (const PlanJob::One& one : job.plans) {

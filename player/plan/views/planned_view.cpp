@@ -8,20 +8,20 @@
 namespace vantage {
 namespace {
 
-/// The eye, or the middle of an orthographic picture, whose eye is far away.
+/// The eye, or the center of an orthographic picture, whose eye is far away.
 Eigen::Vector3d place_of(const View& view) {
     return view.cam_from_origin.center() + view.orthographic_depth * view.cam_from_origin.direction();
 }
 
-/// Whether the surface seen from `before` is a good guess for `now`: turned by at most 20 degrees, moved by
-/// at most a tenth of the model's diagonal.
+/// Whether the surface visible from `before` is a good prediction for `now`: rotation of at most 20 degrees,
+/// translation of at most a tenth of the model's diagonal.
 bool shows_much_of(const View& before, const View& now, const PlanScene& scene) {
     const double turned = before.cam_from_origin.direction().dot(now.cam_from_origin.direction());
     const double moved = (place_of(before) - place_of(now)).norm();
     return turned > std::cos(std::numbers::pi / 9) && moved < 0.1 * scene.size;
 }
 
-/// In motion, photos are chosen anew in every third plan only: choosing takes as long as all the rest.
+/// In motion, photos are selected again only in every third plan: selection takes as long as all the rest.
 bool keeps_choice(const PlanScene& scene, const PlannedView& before, const PlannedView& plan) {
     constexpr int max_plans = 3;
     const PlanOrder &now = plan.made_for, &then = before.made_for;
@@ -31,21 +31,21 @@ bool keeps_choice(const PlanScene& scene, const PlannedView& before, const Plann
            shows_much_of(*before.chosen_for, now.view, scene) && before.plans_of_choice < max_plans;
 }
 
-/// The photos drawn, as a set of their own, unless they are those of the plan.
+/// A separate plan of the drawn photos, unless they are those of the plan.
 std::vector<PlannedPhoto> plan_drawn(const PlanScene& scene, const PlanOrder& order, const Plan& plan) {
     std::vector<std::uint32_t> planned = numbers_of(plan.photos);
     std::ranges::sort(planned);
     if (order.drawn.empty() || order.settings.complete || (order.steady && order.drawn == planned)) return {};
     PlanSettings all = order.settings;
     all.photos = 0;
-    all.background = false;  // it does not change with the photos of the mesh
-    all.tiles = false;       // none is requested for photos that leave
-    // Not all of them may be there: none takes clusters from another.
+    all.background = false;  // independent of the mesh's photos
+    all.tiles = false;       // not requested for photos that are being replaced
+    // Some may not be loaded: no photo may exclude others from a cluster.
     if (!all.reduced) all.sharpness = 0;
     return make_plan(scene, with_samples(order.view), all, order.drawn).photos;
 }
 
-/// What is known before the photos are chosen.
+/// The state before photos are chosen.
 PlannedView begun_plan(const PlanScene& scene, PlanOrder order, const PlannedView* before) {
     PlannedView out;
     const bool same_settings = before && before->made_for.settings == order.settings;
@@ -55,7 +55,7 @@ PlannedView begun_plan(const PlanScene& scene, PlanOrder order, const PlannedVie
     } else {
         const SeenTriangles& seen = order.seen;
         out.uses_seen = !seen.triangles().empty() && shows_much_of(seen.view, order.view, scene);
-        // After other settings, the triangles may be from before the change.
+        // After a change of settings, the triangles may be outdated.
         if (out.uses_seen && same_settings && same_view(seen.view, order.view)) out.at_rest = seen.numbers;
     }
     out.made_for = std::move(order);
@@ -86,7 +86,7 @@ bool is_current(const PlannedView& plan, const PlanOrder& order, const PhotoChoi
 
 bool can_stand_for(const PlanScene& scene, const PlannedView& plan, const PlanOrder& order,
                    std::span<const std::uint32_t> clusters_in_view) {
-    // Photos show the background wherever it is.
+    // All photos show the background.
     const std::span mesh(clusters_in_view.begin(),
                          std::ranges::lower_bound(clusters_in_view, scene.first_surrounding));
     return suits(plan, order) && plan.uses_seen && shows_much_of(plan.made_for.view, order.view, scene) &&

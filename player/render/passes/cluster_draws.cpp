@@ -32,7 +32,7 @@ void ClusterDraws::use_coarse(CoarseMesh mesh) {
     if (add_coarse_mesh(model_, *scene_, mesh)) coarse_ = std::move(mesh);
 }
 
-/// In one draw: it is small.
+/// In one draw, since it is small.
 void ClusterDraws::draw_coarse(Clusters clusters, std::size_t eyes) {
     const FrameRing::Space records = ring_.take(sizeof(DrawRecord));
     const DrawRecord record{std::uint32_t(scene_->triangles), 1};
@@ -55,7 +55,7 @@ std::size_t ClusterDraws::draw(Clusters clusters, std::span<const std::uint32_t>
     return draws;
 }
 
-/// Whatever is wrong with their depth, background never hide the mesh, and from outside they are not seen.
+/// The background never occludes the mesh, even if its depths are wrong; back faces are culled.
 std::size_t ClusterDraws::draw_background(Clusters clusters, std::span<const std::uint32_t> photos,
                                           std::size_t eyes) {
     glDepthRangef(0, background_depth);

@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// Of the model, and of points if they are shown.
+/// Range of the model, and of visible points.
 Eigen::Vector2d depth_range_of(const FrameResources& r, const View& view, const RenderSettings& settings,
                                const ClustersInView& in_view) {
     const double reach = model_reach(r.package.scene(), view.cam_from_origin);
@@ -27,7 +27,7 @@ Eigen::Vector2d depth_range_of(const FrameResources& r, const View& view, const 
     return {std::min(model.x(), cloud.x()), std::max(model.y(), cloud.y())};
 }
 
-/// The distance within which a tenth of the mesh's clusters in view are, scene units.
+/// The distance within which a tenth of the mesh's clusters in view lie, scene units.
 double nearness(const PlanScene& scene, const View& view, std::span<const std::uint32_t> clusters) {
     const Eigen::Vector3d eye = view.cam_from_origin.center();
     std::vector<double> distances;
@@ -59,7 +59,7 @@ DrawnView drawn_view(const FrameResources& r, const View& view, const ImageSetFr
 }
 
 bool suits_coarse(const FrameResources& r, const View& view, const ImageSetFrame& image_set) {
-    constexpr double max_pixels = 1;  // of the frame, which is enlarged
+    constexpr double max_pixels = 1;  // in the enlarged frame
     const RenderSettings& settings = image_set.settings;
     const CoarseMesh& mesh = r.clusters.coarse();
     if (!settings.reduced || settings.light.wireframe || mesh.indices.empty() ||

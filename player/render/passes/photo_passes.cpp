@@ -38,7 +38,7 @@ void uniform(GLint location, const Eigen::Vector3d& v) {
     glUniform3f(location, float(v.x()), float(v.y()), float(v.z()));
 }
 
-/// The view that weights are for.
+/// The view for which weights are computed.
 const View& weighted_from(const DrawnView& drawn) {
     return drawn.settings.weights_from ? *drawn.settings.weights_from : drawn.view;
 }
@@ -51,7 +51,7 @@ std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos
     return out;
 }
 
-/// The numbers of a pass's photos.
+/// The indices of a pass's photos.
 class PhotosOfPass {
   public:
     explicit PhotosOfPass(std::span<const PlannedPhoto* const> pass) : count_(pass.size()) {
@@ -64,7 +64,7 @@ class PhotosOfPass {
     std::size_t count_;
 };
 
-/// Tells which photos of the pass have which label, and which are the nearest, by a bit for each.
+/// Marks the photos of the pass with each label, and the nearest ones, by bits.
 void set_background_bits(std::span<const std::uint32_t> photos, const PlanScene& scene,
                          const std::vector<float>& shares) {
     static_assert(max_photos_per_pass == shader::pass_photos && max_photos_per_pass < 32);
@@ -81,7 +81,7 @@ void set_background_bits(std::span<const std::uint32_t> photos, const PlanScene&
 
 static_assert(shader::lens_cells == LensTable::cells);
 
-/// Of a photo's lens table, in the pass's page table.
+/// Size of a photo's lens table in the pass's page table.
 constexpr std::size_t lens_words = 2 * std::size_t(LensTable::side) * LensTable::side;
 
 void write_lens(const LensTable& lens, PhotoBlock& block, std::byte* table, std::uint32_t& next) {
@@ -178,7 +178,7 @@ std::size_t PhotoPasses::draw(std::span<const PlannedPhoto* const> pass, const D
         glUseProgram(blend_program(settings, transients, on, frame_wise && points.places).id());
         set_uniforms(pass, drawn, on);
     }
-    // The best color so far is copied from target to target, so every cluster is drawn.
+    // The best color so far is copied between targets, so every cluster is drawn.
     const std::uint32_t always = takes_one(settings.blend) ? 1u << max_photos_per_pass : 0;
     cluster_photos_.assign(scene_->clusters.size(), always);
     for (std::size_t i = 0; i < pass.size(); ++i)
@@ -197,7 +197,7 @@ std::size_t PhotoPasses::draw(std::span<const PlannedPhoto* const> pass, const D
     return draws;
 }
 
-/// Blends photos on the triangles that the frame shows.
+/// Blends photos on the triangles visible in the frame.
 void PhotoPasses::draw_on_frame(const FrameTargets& targets, const PointSurface& points) {
     const FrameRing::Space photos = ring_.take(4 * cluster_photos_.size());
     std::memcpy(photos.memory, cluster_photos_.data(), std::size_t(photos.bytes));
@@ -207,7 +207,7 @@ void PhotoPasses::draw_on_frame(const FrameTargets& targets, const PointSurface&
     draw_frame(GL_LESS);
 }
 
-/// Binds what a program reads of the triangles that the frame shows.
+/// Binds the data of the visible triangles for a program.
 void PhotoPasses::bind_frame(const FrameTargets& targets, const PointSurface& points) const {
     const auto bind = [](int binding, const gl::Buffer& buffer) {
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(binding), buffer.id());
@@ -262,7 +262,7 @@ std::size_t PhotoPasses::draw_background(std::span<const PlannedPhoto* const> pa
     return 1;
 }
 
-/// Blends the same photos where the frame shows points. What is behind points failed the test of depth.
+/// Blends the same photos on the frame's points. Surfaces behind points fail the depth test.
 void PhotoPasses::draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                                  const PointSurface& points, bool transients) {
     glUseProgram(blend_program(drawn.settings, transients, BlendOn::points, false).id());
@@ -327,7 +327,7 @@ void PhotoPasses::bind_photos(std::span<const std::uint32_t> photos, std::span<c
 }
 
 void PhotoPasses::with_photo(std::uint32_t photo, const std::function<void()>& draw) {
-    if (photo >= scene_->photos.size()) return draw();  // none to compare with
+    if (photo >= scene_->photos.size()) return draw();  // no photo to compare with
     ring_.begin();
     bind_photos<float>(std::array{photo}, {});
     draw();

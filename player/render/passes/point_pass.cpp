@@ -14,14 +14,14 @@ namespace vantage {
 namespace {
 
 constexpr float largest = 64;    ///< diameter of a point, px
-constexpr float filling = 1.7f;  ///< diameter in spacings at which randomly placed points leave few gaps
+constexpr float filling = 1.7f;  ///< diameter in spacings that leaves few gaps between randomly placed points
 
 struct Command {  ///< of glMultiDrawArraysIndirect
     std::uint32_t count, instances, first, base_instance;
 };
 struct Record {
     float cube[4];
-    std::uint32_t node;  ///< among the drawn ones
+    std::uint32_t node;  ///< index among the drawn ones
 };
 
 enum Binding : GLuint { points_binding, records_binding };
@@ -76,7 +76,7 @@ PointPass::PointPass(const PackageReader& package, PointCloud cloud, std::uint64
       program_(make_point_program({})),
       vertices_(make_vertices()) {
     if (cloud_.nodes.empty()) return;
-    // As base levels do of photos, the coarsest points fill the first frame.
+    // The coarsest points fill the first frame, like the base levels of photos.
     store_.begin_frame(0);
     store_.need(cloud_.nodes.front());
     store_.load();

@@ -35,7 +35,7 @@ void end_sections(std::span<const SectionPlane> sections) {
     for (std::size_t i = 0; i < sections.size(); ++i) glDisable(GL_CLIP_DISTANCE0 + GLenum(i));
 }
 
-/// A program clips by as many planes as there are.
+/// Programs are compiled for a number of planes.
 std::string section_define(const RenderSettings& settings) {
     return "SECTION " + std::to_string(settings.sections.size());
 }
@@ -46,7 +46,8 @@ void set_light(std::span<const DrawnView* const> eyes) {
     const Eigen::Vector3d in_camera(std::cos(e) * std::cos(a), -std::cos(e) * std::sin(a), -std::sin(e));
     const bool raking = s.light == Light::raking;
     const auto facing = raking ? float(std::sin(e)) : 1.0f;
-    // What faces the viewer reflects a light at this angle to its normal away from the viewer by as much.
+    // A surface facing the viewer reflects a light at this angle to its normal at an equal angle from the
+    // viewer.
     const float glint = std::pow(std::max(raking ? facing : 1.0f, 0.0f), 24.0f);
     const float scale =
         1 / (shader::light_ambient + shader::light_diffuse * facing + shader::light_specular * glint);
@@ -123,7 +124,7 @@ void SurfacePass::draw_eyes(DrawnEyes eyes, const gl::Framebuffer& target, Frame
     end_sections(settings.sections);
 }
 
-/// The clusters that are in view of any eye, in order. Valid until the next call.
+/// The clusters in view of any eye, in order. Valid until the next call.
 std::span<const std::uint32_t> SurfacePass::clusters_of(DrawnEyes eyes) {
     const std::vector<std::uint32_t>& first = eyes.front()->plan.in_view().opaque;
     if (eyes.size() == 1) return first;
@@ -132,7 +133,7 @@ std::span<const std::uint32_t> SurfacePass::clusters_of(DrawnEyes eyes) {
     return clusters_of_both_;
 }
 
-/// The uniforms of a surface program; the sections that it is drawn with.
+/// Sets the uniforms of a surface program, including sections.
 void SurfacePass::set_surface(DrawnEyes eyes) {
     for (int i = 0; const DrawnView* eye : eyes) {
         const Eigen::Vector3f at = eye->view.cam_from_origin.center().cast<float>();

@@ -56,7 +56,7 @@ bool TriangleReadback::update(bool wait, std::size_t triangles, std::span<const 
     return changed;
 }
 
-/// Numbers that nothing holds.
+/// A buffer that is not referenced elsewhere.
 TriangleReadback::Numbers TriangleReadback::unused() {
     const auto free = std::ranges::find(others_, 1, &Numbers::use_count);
     if (free == others_.end()) return std::make_shared<std::vector<std::uint32_t>>();

@@ -10,7 +10,7 @@ Coarsening::Coarsening(const PlanScene& scene) {
     thread_ = std::jthread([&scene, promise = std::move(promise)](const std::stop_token& stop) mutable {
         try {
             promise.set_value(make_coarse_mesh(scene, stop));
-        } catch (...) {  // without memory for it, frames are drawn as before
+        } catch (...) {  // without memory for it, frames use the full mesh
             promise.set_value({});
         }
     });

@@ -14,7 +14,7 @@ std::uint64_t tiles_for(FrameSize frame) {
         std::clamp(256 * MiB * frame.width * frame.height / (1280.0 * 720), 256 * MiB, 1024 * MiB));
 }
 
-/// Of all but tiles that frames of the needs' capacity need, beside what is held.
+/// Memory for frames of this capacity, except tiles, in addition to the memory already held.
 std::uint64_t bytes_of(const FrameResources& r, const FrameNeeds& n) {
     const auto [width, height] = n.capacity;
     return FrameTargets::bytes(n.capacity, n.eyes, n.surfaces, n.fine) +
@@ -35,7 +35,7 @@ FrameNeeds needs_of(const FrameResources& r, FrameSize frame, std::span<const Im
     n.capacity = enclosing(frame, settings.capacity);
     n.eyes = eyes;
     n.fine = fine;
-    // A first picture, which may be coarse, does not wait for the memory of those that follow.
+    // A first picture, which may be coarse, does not wait for the memory of later ones.
     n.allocated = settings.loading == Loading::beginning ? frame : n.capacity;
     n.surfaces = eye_surfaces(r, settings, eyes) == EyeSurfaces::in_turn ? 1 : eyes;
     n.coordinates = std::ranges::any_of(

@@ -21,7 +21,7 @@ View sampled(View view, PixelSample s) {
     return view;
 }
 
-/// Points and background are drawn for perspective only. Throws Error(usage).
+/// Points and background require perspective. Throws Error(usage).
 void expect_perspective(const View& view, bool points, bool background) {
     if (view.orthographic_depth > 0 && (points || background))
         throw Error(Exit::usage, "an orthographic view shows neither points nor background");
@@ -39,7 +39,7 @@ FramePlanner::FramePlanner(FrameResources& resources, const MemoryBudget& budget
 }
 
 void FramePlanner::set_budget(const MemoryBudget& budget) {
-    if (budget.graphics != budget_.graphics) resources_->targets = {};  // it has to be divided again
+    if (budget.graphics != budget_.graphics) resources_->targets = {};  // must be divided again
     budget_ = budget;
 }
 
@@ -58,10 +58,10 @@ FrameReport FramePlanner::plan(const FrameRequest& request) {
                        shows_background(settings, r.parts));
     if (settings.weights_from) check_view(*settings.weights_from);
     choose_image_sets(request, settings);
-    if (r.fields.load(settings, r.clusters)) r.targets = {};  // the budget has to be divided again
+    if (r.fields.load(settings, r.clusters)) r.targets = {};  // the budget must be divided again
     fit();
     const DrawnRegion region(r.targets);
-    // What a frame waits for, it shows.
+    // A frame that waits for data shows it at full weight.
     const bool fades = settings.loading == Loading::streamed || settings.loading == Loading::beginning;
     r.store.begin_frame(frame_.now, fades);
     FrameReport report;
@@ -70,7 +70,7 @@ FrameReport FramePlanner::plan(const FrameRequest& request) {
     const auto planning = std::chrono::steady_clock::now();
     ordered_.clear();
     for (PlannedEye& eye : frame_.eyes) order_plans(eye);
-    // Where frames at rest are slow, one more takes longer than its plan.
+    // If frames at rest are slow, one more frame takes longer than its plan.
     maker_.update(ordered_, settings.loading != Loading::streamed, settings.reduced ? nullptr : request.next);
     report.plan_ms = milliseconds_since(planning);
     if (complete) make_room();
@@ -101,12 +101,13 @@ void FramePlanner::choose_image_sets(const FrameRequest& request, const RenderSe
         if (i == 0)
             eye.plans.choose(settings, request.now);
         else
-            eye.plans.follow(eyes.front().plans);  // else one eye might fade while the other has done so
+            eye.plans.follow(
+                eyes.front().plans);  // otherwise one eye might fade after the other has finished
         eye.plans.find_frames(settings, photos, eye.image_sets);
     }
 }
 
-/// Makes targets for the frame, unless it has some.
+/// Allocates targets for the frame, unless they exist.
 void FramePlanner::fit() {
     FrameResources& r = *resources_;
     const std::vector<ImageSetFrame>& image_sets = frame_.eyes.front().image_sets;
@@ -133,15 +134,15 @@ bool FramePlanner::take_seen(PlannedEye& eye, bool wait) {
     return eye.readback.update(wait, resources_->scene.triangles, resources_->clusters.coarse().stands_for);
 }
 
-/// Orders plans for the image sets of an eye. In a frame that is not complete, those of the first eye serve
-/// both: the second one's plan has its photos, and no tiles of its own.
+/// Requests plans for an eye's image sets. In a frame that is not complete, those of the first eye serve
+/// both: the second one's plan uses its photos, and has no tiles of its own.
 void FramePlanner::order_plans(PlannedEye& eye) {
     PlannedEye& first = frame_.eyes.front();
     for (std::size_t b = 0; b < eye.image_sets.size(); ++b) {
         const ImageSetFrame& image_set = eye.image_sets[b];
         const bool complete = is_complete(image_set.settings.loading);
         PlanSettings how = plan_settings(image_set.settings, resources_->trials.anisotropy);
-        // On points, photos show more than the triangles that are seen.
+        // Photos on points show more than the visible triangles.
         const bool on_points = photos_on_points(image_set.settings, resources_->parts);
         if (complete && !on_points && frame_.sample.index == 0) find_seen(eye, image_set);
         OrderedPlan ordered{image_set.plan};
@@ -165,16 +166,16 @@ void FramePlanner::make_room() {
     graphics_budget_ += store.residency().layout().bytes() - before;
 }
 
-/// Finds out which triangles the view shows before photos are chosen for it. Waits for the graphics card.
+/// Determines the view's visible triangles before photos are chosen for it. Waits for the graphics card.
 void FramePlanner::find_seen(PlannedEye& eye, const ImageSetFrame& image_set) {
     FrameResources& r = *resources_;
     const int side = frame_.sample.side;
     const PlanSettings surface = plan_settings(image_set.settings, r.trials.anisotropy);
     image_set.plan->order(eye.view, surface, {}, side, eye.readback.seen());
-    image_set.plan->take(nullptr);  // a picture does not depend on those before
+    image_set.plan->take(nullptr);  // pictures do not depend on previous ones
     r.surface.draw(drawn_view(r, eye.sampled, image_set, side, suits_coarse(r, eye.sampled, image_set)),
                    r.targets);
-    // The range of depths depends on the points, which are not there yet.
+    // The range of depths depends on the points, which are not loaded yet.
     eye.surface_drawn =
         frame_.eyes.size() == 1 && eye.image_sets.size() == 1 && !shows_points(image_set.settings, r.parts);
     take_seen(eye, true);
@@ -182,7 +183,7 @@ void FramePlanner::find_seen(PlannedEye& eye, const ImageSetFrame& image_set) {
     take_seen(eye, true);
 }
 
-/// What the eyes saw, as if each had seen it all.
+/// The triangles visible to any eye, as for a single view.
 const SeenTriangles& FramePlanner::seen_by_both() {
     const SeenTriangles left = frame_.eyes[0].readback.seen(), right = frame_.eyes[1].readback.seen();
     if (const std::uint64_t version = left.version + right.version; version != seen_by_both_.version) {

@@ -17,7 +17,7 @@ void for_photos(const PlannedFrame& frame, const Visit& visit) {
         }
 }
 
-/// Layers that a photo takes, its base among them.
+/// Layers needed by a photo, including its base.
 struct Layers {
     std::size_t color = 0, weight_maps = 0;
 };
@@ -47,7 +47,7 @@ void FrameTiles::need_bases(const PlannedFrame& frame) {
                 resources_->store.need_base(p.photo, with_coordinates);
             for (const PlannedPhoto& p : image_set.plan->kept())
                 resources_->store.need_base(p.photo, with_coordinates);
-            // The first picture waits for photos of the mesh alone.
+            // The first picture only waits for photos of the mesh.
             if (image_set.settings.loading == Loading::beginning) continue;
             for (const PlannedPhoto& p : image_set.plan->plan().behind)
                 resources_->store.need_base(p.photo, false);
@@ -84,7 +84,7 @@ void FrameTiles::stream(const PlannedFrame& frame, std::span<const PlannedPhoto>
     }
     if (report.tiles_missing == 0)
         for (const PlannedPhoto& p : ahead) resources_->store.prefetch(p.photo, p.needs);
-    // Points have taken their part of the frame's budget.
+    // Points have used their part of the frame's budget.
     const std::size_t left = settings.upload_bytes - std::min(settings.upload_bytes, report.uploaded);
     report.uploaded +=
         loading == Loading::uploading ? resources_->store.await(left) : resources_->store.stream(left);
@@ -101,7 +101,7 @@ void FrameTiles::make_room(const PlannedFrame& frame, std::uint64_t bytes) {
 }
 
 void FrameTiles::load(Pass pass, const DrawnView& drawn, double now, FrameReport& report) {
-    resources_->store.begin_frame(now, false);  // what earlier passes used may be evicted
+    resources_->store.begin_frame(now, false);  // tiles of earlier passes may be evicted
     for (const PlannedPhoto* p : pass) {
         resources_->store.need_base(p->photo, coordinates(drawn.settings));
         resources_->store.need(p->photo, p->needs);
@@ -120,7 +120,7 @@ std::size_t FrameTiles::pass_length(Pass rest, const RenderSettings& settings, i
     while (n < most) {
         const Layers more = layers_of(*rest[n], resources_->scene);
         color += more.color, weight_maps += more.weight_maps;
-        // Sums do not depend on the split into passes, so a pass ends when graphics memory is full.
+        // Sums do not depend on the division into passes, so a pass ends when graphics memory is full.
         const auto exceeds = [](std::size_t wanted, std::size_t held, std::size_t all) {
             return wanted > held && held < all;
         };

@@ -26,7 +26,7 @@ void choose_image_set(RenderSettings& settings, std::uint32_t image_set, const P
     if (image_set == 0 || !scene.has_background()) return;
     const bool shown = settings.background != ShowBackground::off;
     settings.background = ShowBackground::off;
-    // As with a background: a change of image sets must not need other data of the photos.
+    // As with a background: changing image sets must not require other data of the photos.
     if (shown && settings.coordinates == Coordinates::automatic) settings.coordinates = Coordinates::fragment;
 }
 
@@ -45,7 +45,7 @@ std::vector<double> weights_in_image_set(const View& view, const WeightSettings&
 
 ShownImageSets ImageSetChange::update(ShownImageSets wanted, double now, bool ready) {
     if (shown_ && *shown_ != wanted.first && !wanted.second) {
-        // Back to the image set that leaves: at once, for its photos are there.
+        // Returning to the previous image set needs no waiting, since its photos are loaded.
         leaving_ = leaving_ == wanted.first ? std::nullopt : shown_;
         begun_ = now;
         ready_at_.reset();

@@ -7,11 +7,11 @@
 namespace vantage {
 
 Pace next_pace(Pace pace, double ms, double goal_ms, double all_photos) {
-    constexpr double aim = 0.82;        // of the goal: frames of a motion differ
-    constexpr double reduced_at = 0.6;  // fewer photos, before a frame gets coarser than this
-    constexpr double all_at = 0.7;      // all photos again, as soon as frames can be as fine as this
+    constexpr double aim = 0.82;        // fraction of the goal, since frames vary during a motion
+    constexpr double reduced_at = 0.6;  // fewer photos before a frame becomes coarser than this
+    constexpr double all_at = 0.7;      // all photos again as soon as frames can be this fine
     if (!(ms > 0) || !(goal_ms > 0) || !std::isfinite(ms)) return pace;
-    // A frame's time does not fall as much as its pixels do: what is left is for the frames to come.
+    // A frame's time decreases less than its pixels; later frames correct the rest.
     const double pixels = std::min(aim * goal_ms / ms, 1.2);
     pace.scale = std::clamp(pace.scale * std::sqrt(pixels), least_scale, 1.0);
     if (pace.scale < reduced_at) pace.reduced = true;
@@ -22,7 +22,7 @@ Pace next_pace(Pace pace, double ms, double goal_ms, double all_photos) {
 
 namespace {
 
-/// Compares a frame with the one before it, if one of them was reduced and the other was not.
+/// Compares a frame with the previous one if exactly one of them was reduced.
 void learn(Pacing& p, bool reduced, double whole) {
     constexpr double least = 1.1, margin = 1.1;
     const double last = std::exchange(p.last, whole);
@@ -35,7 +35,7 @@ void learn(Pacing& p, bool reduced, double whole) {
 
 Pacing next_pacing(Pacing p, Pace drawn, double ms, double goal_ms) {
     constexpr double suddenly = 1.5, as_before = 1.2, caution = 0.85;
-    // If they still took as long, frames at the new pace would take .7 of the goal or more.
+    // If the slowdown persisted, frames at the new pace would take .7 of the goal or more.
     constexpr double passed = 0.63;
     constexpr int watched = 8;
     if (!(ms > 0) || !(goal_ms > 0) || !std::isfinite(ms)) return p;
@@ -49,7 +49,7 @@ Pacing next_pacing(Pacing p, Pace drawn, double ms, double goal_ms) {
             return p;
         }
     } else if (ms > goal_ms && p.full_frame_ms > 0 && whole > suddenly * p.full_frame_ms) {
-        // With as many photos: only then do the frames to come show whether it has passed.
+        // Only with the same photos do later frames show whether the slowdown has ended.
         p.before = p.pace, p.watched = watched;
         p.pace = {next_pace(drawn, ms, caution * goal_ms).scale, p.pace.reduced};
         return p;

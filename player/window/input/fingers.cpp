@@ -7,7 +7,7 @@
 namespace vantage {
 
 void Fingers::take(const TouchEvent& event, double text_scale, double now, double late, UserInput& input) {
-    constexpr double tap_reach = 12, second_reach = 40;  // pixels of a plain display
+    constexpr double tap_reach = 12, second_reach = 40;  // pixels at normal text scale
     pointer_.click_reach = tap_reach * text_scale;
     pointer_.second_reach = second_reach * text_scale;
     pointer_.late = late;
@@ -29,7 +29,7 @@ void Fingers::begin(const TouchEvent& event, double now, UserInput& input) {
         drags_ = false;
     } else if (down_.size() == 2) {
         pointer_.down[0] = acts_ = turns_ = false;
-        pointer_.last = {};  // a pinch is no click
+        pointer_.last = {};  // a pinch is not a click
         to_show_.clear();
         twist_ = 0;
         begins_ = true;
@@ -54,7 +54,7 @@ void Fingers::move_to(Finger& finger, const Eigen::Vector2d& at) {
 }
 
 void Fingers::drag_to(const Eigen::Vector2d& at) {
-    // A finger is never quite still. What it drags starts from where that is noticed.
+    // A finger is never entirely still. Its drag starts where movement is detected.
     if (!drags_ && std::hypot(at.x() - pointer_.x, at.y() - pointer_.y) > pointer_.click_reach) {
         pointer_.x = at.x();
         pointer_.y = at.y();
@@ -71,7 +71,8 @@ void Fingers::end(std::uint32_t id, UserInput& input) {
         if (drags_) to_show_.push_back({pointer(true, true)});
         to_show_.push_back({pointer(false, true)});
     }
-    if (pinches() && pinch_) pinch_->center = (down_[0].at + down_[1].at) / 2;  // others, of more than two
+    if (pinches() && pinch_)
+        pinch_->center = (down_[0].at + down_[1].at) / 2;  // others, if there are more than two
 }
 
 void Fingers::report(UserInput& input) {
@@ -81,7 +82,7 @@ void Fingers::report(UserInput& input) {
         input.pointer = to_show_.front().pointer;
         to_show_.pop_front();
     }
-    if (!begins) {  // first, what it drags is to be found under the pointer
+    if (!begins) {  // the drag's anchor is determined first
         const Drag by = std::exchange(moved_, {}).drags[0];
         input.drags[0].right += by.right;
         input.drags[0].down += by.down;

@@ -25,10 +25,10 @@
 namespace vantage {
 namespace {
 
-/// How far the eye may be from what it approaches or leaves, as a share of the scene's size.
+/// Limits of the eye's distance from its target, as fractions of the scene's size.
 constexpr double nearest = 1e-3, farthest = 30;
 
-/// A point under the pointer: of the mesh, or else as far away as the target.
+/// A point under the pointer: on the mesh, or else at the target's distance.
 struct UnderPointer {
     Eigen::Vector3d point;
     bool on_mesh;
@@ -42,7 +42,7 @@ UnderPointer under_pointer(const View& view, const Session& s, const PlanScene& 
     return {ray.from + depth_in(view, s.viewpoint.camera.target) * ray.along, false};
 }
 
-/// Dragging by the window's width turns by half a turn; what is dragged follows the pointer.
+/// Dragging by the window's width turns by half a turn; panned points follow the pointer.
 void drag(Session& s, const View& view, const PlanScene& scene, const Eigen::Vector2d& pointer,
           const Drags& drags) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -66,7 +66,7 @@ void drag(Session& s, const View& view, const PlanScene& scene, const Eigen::Vec
         -depth / focal * Eigen::Vector3d(right.right + middle.right, right.down + middle.down, 0));
 }
 
-/// The wheel moves closer to what is under the pointer, or away; a double click flies there.
+/// The wheel zooms to or from the point under the pointer; a double click flies there.
 void move_to_pointer(Session& s, const View& view, const PlanScene& scene, const Eigen::Vector2d& pointer,
                      double now) {
     const double wheel = double(ImGui::GetIO().MouseWheel);
@@ -78,7 +78,7 @@ void move_to_pointer(Session& s, const View& view, const PlanScene& scene, const
         fly_to_point(s.viewpoint, at.point, now);
 }
 
-/// What is under two fingers follows them.
+/// The point under two fingers follows them.
 void pinch(Session& s, const View& view, const PlanScene& scene) {
     const Pinch& p = *s.window.input.pinch;
     if (s.window.input.pinch_begins || !s.steering.grip)
@@ -87,7 +87,7 @@ void pinch(Session& s, const View& view, const PlanScene& scene) {
                  farthest * scene.size);
 }
 
-/// What the pointer drags in this frame, or what was let go moves on by. Other movements end a glide.
+/// Movement of the drag in this frame, or of its inertia. Other movements end the inertia.
 Drags dragged_by(Session& s, bool free, bool held, bool moves_otherwise, double now) {
     if (moves_otherwise || s.viewpoint.flight || (!s.steering.inertia && !held)) s.steering.glide = {};
     if (held && !s.steering.glide.held) s.steering.grip.reset();
@@ -114,7 +114,7 @@ void move_by_pointer(Session& s, const PlanScene& scene, double now) {
     if (!s.window.input.pinch && !held && !dragged) s.steering.grip.reset();
 }
 
-/// The pointer as the top of a hemisphere over the frame: low at its edge, at the viewer in its middle.
+/// Maps the pointer to a hemisphere over the frame: low at its edge, at the viewer in its center.
 void move_lamp(Session& s) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool still = io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
@@ -129,7 +129,7 @@ void move_lamp(Session& s) {
     s.settings.light.elevation = std::max(5.0, degrees * std::acos(std::min(std::hypot(x, y), 1.0)));
 }
 
-/// By keys that are down, or were released before the frame began.
+/// Handles keys that are down, or were released since the last frame.
 void move_by_keys(Session& s) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyCtrl || io.KeyAlt || io.KeySuper) return;
@@ -146,7 +146,7 @@ void move_by_keys(Session& s) {
     s.viewpoint.flight.reset();
     s.steering.glide = {};
     step *= (io.KeyShift ? 2.0 : 0.5) * s.steering.flying_speed * std::min(io.DeltaTime, 0.1f);
-    if (s.viewpoint.orthographic) {  // ahead, nothing would change
+    if (s.viewpoint.orthographic) {  // moving forward would have no effect
         approach(s.viewpoint.camera, std::exp(-step.z()));
         step.z() = 0;
     }
@@ -170,7 +170,7 @@ void fly_on(Session& s, const PlanScene& scene, int by, double now) {
     }
 }
 
-/// Ends what can be ended: help, a flight, a comparison. Never closes the window.
+/// Cancels the current mode: help, a flight, a comparison. Never closes the window.
 void leave(Session& s, double now) {
     if (s.window.panels.help)
         s.window.panels.help = false;
@@ -182,7 +182,7 @@ void leave(Session& s, double now) {
         say(s.message, tr("Ctrl+Q quits"), now);
 }
 
-/// F1 and so on. A section of the sidebar is shown with the sidebar.
+/// F1 and so on. Showing a section also shows the sidebar.
 void toggle_panel(Session& s, int number) {
     Panels& p = s.window.panels;
     struct Part {
@@ -215,7 +215,7 @@ void change_text(WindowState& window, float factor) {
 void run_command(WindowState& window, int key) {
     if (key == GLFW_KEY_Q && !window.kiosk) window.commands.push_back(Quit{});
     if (key == GLFW_KEY_E && !window.kiosk) window.panels.story_editor = !window.panels.story_editor;
-    if (!ImGui::GetIO().WantTextInput && !window.kiosk) {  // else they are of a text field
+    if (!ImGui::GetIO().WantTextInput && !window.kiosk) {  // otherwise they belong to a text field
         if (key == GLFW_KEY_C) window.commands.push_back(CopyView{});
         if (const char* text = key == GLFW_KEY_V ? ImGui::GetClipboardText() : nullptr)
             window.commands.push_back(PasteView{text});
@@ -224,7 +224,7 @@ void run_command(WindowState& window, int key) {
     if (key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT) change_text(window, 1 / text_step);
 }
 
-/// Whether a kiosk lets the public use the key.
+/// Whether a kiosk allows the key.
 bool is_public(int key) {
     constexpr int keys[] = {GLFW_KEY_N, GLFW_KEY_B,  GLFW_KEY_C,         GLFW_KEY_X,
                             GLFW_KEY_H, GLFW_KEY_F1, GLFW_KEY_BACKSPACE, GLFW_KEY_ESCAPE};
@@ -287,7 +287,7 @@ void apply_input(Session& session, const PlanScene& scene, double now) {
     for (const KeyPress& p : session.window.input.keys)
         if (p.with == With::control) run_command(session.window, p.key);
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || io.WantCaptureKeyboard) return;  // a dialog is open, or a control in use
+    if (io.WantTextInput || io.WantCaptureKeyboard) return;  // a dialog is open, or a control has the focus
     if (session.window.menu_open && take_key(session.window.input, GLFW_KEY_ESCAPE))
         session.window.commands.push_back(CloseMenus{});
     leave_keys_to_navigation(session.window);

@@ -11,14 +11,14 @@ void move(Pointer& p, double x, double y, UserInput& input) {
     p.y = y;
 }
 
-// Double clicks are found here: where a frame is longer than two clicks, ImGui sees one.
+// Double clicks are detected here: in a frame longer than two clicks, ImGui detects only one.
 void press(Pointer& p, std::size_t button, double now, UserInput& input) {
     constexpr double max_seconds = 0.4;
     if (button >= p.down.size()) return;
     p.down[button] = true;
     if (button != 0) return;
     const bool second = !p.last.second &&
-                        now - p.last.at <= max_seconds + p.late &&  // a third click begins anew
+                        now - p.last.at <= max_seconds + p.late &&  // a third click starts a new one
                         std::hypot(p.x - p.last.x, p.y - p.last.y) <= p.second_reach;
     input.double_clicked |= second;
     p.last = {now, p.x, p.y, second};

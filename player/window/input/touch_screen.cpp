@@ -13,7 +13,7 @@
 #include <thread>
 #include <utility>
 
-// Of GLFW's native access, without the headers of Xlib; the GLFW for Wayland does not have it.
+// GLFW's native access, declared without Xlib headers; missing in GLFW for Wayland.
 extern "C" [[gnu::weak]] unsigned long glfwGetX11Window(GLFWwindow*);
 
 namespace vantage {
@@ -31,7 +31,7 @@ struct Free {
 template <class T>
 using Reply = std::unique_ptr<T, Free<T>>;
 
-/// A connection that is told of touches on the window; empty if the server has none to tell.
+/// A connection that receives touch events of the window; empty if the server does not support them.
 Connection listen_to_touches(xcb_window_t window) {
     Connection c(xcb_connect(nullptr, nullptr));
     if (xcb_connection_has_error(c.get())) return {};
@@ -52,11 +52,11 @@ Connection listen_to_touches(xcb_window_t window) {
     return refused ? Connection() : std::move(c);
 }
 
-/// Of an event of the connection; empty if it is another one.
+/// Converts an event of the connection; empty if it is another kind.
 std::optional<TouchEvent> touch_of(const xcb_generic_event_t& event) {
     constexpr int sent_bit = 0x80;
     if ((event.response_type & ~sent_bit) != XCB_GE_GENERIC) return {};
-    // Update and end are laid out like begin.
+    // Update and end events have the layout of begin.
     const auto& touch = reinterpret_cast<const xcb_input_touch_begin_event_t&>(event);
     const auto pixels = [](xcb_input_fp1616_t fixed) { return double(fixed) / 65536; };
     const auto made = [&](TouchEvent::What what) {

@@ -25,7 +25,7 @@ void copy(Session& s, const PackageReader& package, double now) {
     say(s.message, tr("The view is copied as a command line"), now);
 }
 
-/// The numbers of a command line's --view, or all of a text without.
+/// The numbers after --view in a command line, or otherwise the whole text.
 std::string view_in(const std::string& text) {
     const std::string option = "--view";
     const std::size_t at = text.find(option);

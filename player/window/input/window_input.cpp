@@ -25,7 +25,7 @@ void WindowInput::button(std::size_t button, bool down, double now) {
         press(m, button, now, events_.input);
         return show(true);
     }
-    if (std::hypot(m.x - m.last.x, m.y - m.last.y) > m.click_reach) show(false);  // what was dragged follows
+    if (std::hypot(m.x - m.last.x, m.y - m.last.y) > m.click_reach) show(false);  // dragged points follow
     release(m, button, events_.input);
     show(false);
 }
@@ -55,7 +55,7 @@ WindowEvents WindowInput::take(double now) {
     return std::exchange(events_, {});
 }
 
-/// Where a button was pressed comes first, and then what was dragged from there.
+/// The position of a press is reported first, and then the drag from there.
 void WindowInput::report_mouse() {
     UserInput& input = events_.input;
     bool pressed = false;
