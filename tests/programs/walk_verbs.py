@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Walks through all verbs of both programs, by their own descriptions (--describe): each knows --help, --version, -q and
---json, whose results fit docs/results.schema.json, ends with the same exit codes, and reports errors in one line.
+"""Tests all verbs of both programs, as listed by --describe: each supports --help, --version, -q and --json, whose results
+match docs/results.schema.json, returns the expected exit codes, and reports errors in one line.
 
     walk_verbs.py VANTAGE VANTAGE_PLAYER SOURCE_FOLDER [--table]     --table: prints the runs
 """
@@ -16,8 +16,8 @@ PROGRAMS = dict(zip(('vantage', 'vantage-player'), map(os.path.abspath, sys.argv
 SOURCE = os.path.abspath(sys.argv[3])
 SCHEMA = json.load(open(os.path.join(SOURCE, 'docs/results.schema.json')))
 
-# For each verb, the arguments of a successful run in a folder with the scene and its package; each run replaces the files of the
-# previous one. None: the verb shows a window until it is closed.
+# For each verb, the arguments of a successful run in a folder with the scene and its package; each run replaces the previous
+# run's files. None: the verb shows a window until it is closed.
 SUCCEEDS = {
     'vantage synth': f'{SOURCE}/data/tiny.toml -o scene',
     'vantage inspect': 'scene',
@@ -42,9 +42,9 @@ SUCCEEDS = {
     'vantage-player bench': 'p.vantage --paths still --modes resident --path-frames 2 --size 64x48 -o flights',
     'vantage-player smoothness': 'p.vantage --step 30 --size 64x48 -o steps',
 }
-# The tiny scene has too few features for align, which reports that.
+# The tiny scene has too few features for align, which reports this.
 ENDS_WITH = {'vantage align': 13}
-# A missing file is the first argument, except for these verbs.
+# Arguments with a missing file, for verbs that need more than the file.
 MISSING = {
     'vantage synth': 'none.toml -o none',
     'vantage inspect': 'none',
@@ -112,7 +112,7 @@ def succeeds(command, arguments):
 
 
 def walk(command):
-    """A row of the table."""
+    """Tests one verb; returns its row of the table."""
     row = [f'`{command}`']
     code, version, _ = run(command, ['--version'])
     expect(code == 0 and version.startswith(command.split()[0] + ' '), command, f'--version: {code} {version}')
@@ -130,7 +130,7 @@ def walk(command):
 
 
 def options_say_why():
-    """Options without a useful answer in earlier versions."""
+    """Messages for options that cannot have an effect."""
     _, out, _ = run('vantage prepare', ['scene', '-o', 'p.vantage', '--explain'])
     expect('is current' in out and 'explain' in out, 'vantage prepare', f'--explain of a current package: {out}')
     open('church.toml', 'w').close()
