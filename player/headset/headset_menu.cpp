@@ -82,7 +82,7 @@ void size_controls(Controls& c, Session& s, const MenuContent& m) {
         w.usual_scale = 1 / m.unit_meters;
         w.stance = rescaled(w.stance, s.viewpoint.camera.eye, w.usual_scale);
     }
-    c.explain("The unit of the input's coordinates, which its files do not state.");
+    c.explain("The unit of the input's coordinates; its files do not state it.");
     double size = w.usual_scale / w.stance.scale;
     if (c.slider("Size", &size, 0.01, 100.0, "%.2f", ImGuiSliderFlags_Logarithmic))
         w.stance = rescaled(w.stance, s.viewpoint.camera.eye, w.usual_scale / size);
@@ -119,7 +119,7 @@ void only_this_photo(Controls& c, Session& s, const PlanScene& scene) {
         use_all(s.photos, scene);
         if (only) std::erase_if(s.photos, [&](std::uint32_t p) { return p != s.viewpoint.standing_at; });
     }
-    c.explain("The model with only the photo you stand at, to compare it with all of them.");
+    c.explain("The model with only the photo at your position, to compare it with all photos.");
 }
 
 void photos_page(Controls& c, Session& s, const MenuContent& m, double now) {

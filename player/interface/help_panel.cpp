@@ -46,7 +46,7 @@ void help_panel(Controls& c, WindowState& window) {
         {marked("drag, or one finger"), marked("orbit the model"), true},
         {marked("drag, right or middle button"), marked("pan"), true},
         {marked("Ctrl and drag"), marked("look around")},
-        {marked("wheel"), marked("closer to the point under the pointer, or away"), true},
+        {marked("wheel"), marked("zoom to or from the point under the pointer"), true},
         {marked("double click, or two taps"), marked("move closer to the point under the pointer"), true},
         {marked("two fingers"), marked("pan, move closer or away, turn"), true},
         {marked("W A S D, Q E"), marked("fly; faster with Shift")},

@@ -19,7 +19,7 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
     if (c.menu_item("Home", "H")) fly_home(s, now);
     side_views_menu(c, s.viewpoint, renderer.package(), now);
     toggle("Orthographic", "", s.viewpoint.orthographic);
-    c.explain("Without perspective: what is farther away looks as large.");
+    c.explain("Without perspective: equal lengths appear equal at any distance.");
     ImGui::Separator();
     toggle("Photo strip", "F4", s.window.panels.photos);
     toggle("Cameras in the scene", "F5", s.window.panels.frusta);

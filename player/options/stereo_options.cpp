@@ -18,12 +18,12 @@ void add_stereo_options(const Command& c, StereoSettings& s) {
                  "picture, or of the window")
             .group(group);
     c.real("--eye-separation", s.eyes.distance, 1e-9, 1e9,
-           "between the eyes, in scene units (default: a thirtieth of the convergence)")
+           "distance between the eyes, in scene units (default: a thirtieth of the convergence)")
         .group(group)
         .needs(mode);
     c.real("--convergence", s.eyes.convergence, 1e-9, 1e9,
-           "depth that appears at the screen, in scene units; nearer things come out of it (default: that of "
-           "what the view looks at)")
+           "depth that appears at the screen, in scene units; nearer objects come out of it (default: depth "
+           "of the view's target)")
         .group(group)
         .needs(mode);
 }

@@ -10,8 +10,7 @@ void add_video_options(const Command& c, VideoOptions& o) {
         c.flag("--turntable", o.turntable,
                "around the whole model, or with --view or --photo around that view's target")
             .group(group);
-    c.real("--arc", o.arc, 1, 360,
-           "degrees of the turntable; below 360, the camera swings to both sides and back")
+    c.real("--arc", o.arc, 1, 360, "degrees of the turntable; below 360, the camera swings back and forth")
         .group(group)
         .needs(turntable);
     c.text("--tour", o.tour, "along this tour of the package's story, by its id or title").group(group);

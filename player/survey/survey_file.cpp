@@ -145,7 +145,7 @@ Survey read_survey(SurveyFile& file, const Survey& otherwise) {
 void write_survey(SurveyFile& file, const Survey& survey) {
     if (content_of(file.path) != file.content)
         throw Error(Exit::storage, file.path.string() +
-                                       ": is not as it was left, so that it is not replaced; "
+                                       ": was changed by another program and is not replaced; "
                                        "move it away to save measurements");
     const std::string text = survey_text(survey);
     replace_file(file.path, text);

@@ -34,8 +34,8 @@ void add_flights(const Command& c, BenchOptions& o) {
         .group(group);
     c.choices(
          "--modes", o.modes, {"stream", "resident", "whole", "adaptive"},
-         "stream: within the upload budget of each frame; resident: everything loaded beforehand; whole: "
-         "each photo uploaded whole when it is chosen; adaptive: as stream, in motion as in a window "
+         "stream: within the upload budget of each frame; resident: everything loaded in advance; whole: "
+         "photos uploaded completely when they are selected; adaptive: like stream, with a window's pace "
          "(--fps)")
         .commas()
         .group(group);

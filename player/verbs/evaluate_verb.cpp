@@ -47,7 +47,7 @@ void add_evaluate(const Command& program) {
         .group(group);
     c.integer("--worst", o->worst, 0, 1 << 20, "number of worst photos to show first").group(group);
     c.file("--against", o->against,
-           "folder of an earlier evaluation: shows what has changed per photo, and where most")
+           "folder of an earlier evaluation: shows the changes per photo, and their worst and best regions")
         .type("FOLDER")
         .group(group);
     c.notes(
@@ -56,7 +56,7 @@ void add_evaluate(const Command& program) {
         "evaluation).\n"
         "Columns, over the colored pixels: PSNR and SSIM, each before and after the best gain per channel. "
         "Over the\n"
-        "whole frame as the window shows it, holes included: PSNR and SSIM after that gain. Then: dB above "
+        "whole frame as in the window, including holes: PSNR and SSIM after that gain. Then: dB above "
         "the nearest\n"
         "photo alone; percent of the photo's surface that the others color; stops brighter than the others; "
         "offset of\n"
@@ -64,7 +64,7 @@ void add_evaluate(const Command& program) {
         "to the photo's.\n"
         "A second table divides the squared error by cause: share of the whole frame's error and of that at "
         "colored\n"
-        "pixels, each with the dB that would be gained without it (docs/method.md).\n"
+        "pixels, each with the gain in dB without it (docs/method.md).\n"
         "Examples:\n"
         "  vantage-player evaluate chapel.vantage\n"
         "  vantage-player evaluate chapel.vantage --every 10 --level 2 -o quick\n"

@@ -28,12 +28,11 @@ void add_orthophoto(const Command& program) {
         .group(group);
     c.integer("--samples", o->samples, 1, 8, "samples per side of a pixel").group(group);
     c.notes(
-        "Writes a picture, transparent where nothing is: a GeoTIFF (.tif), or a PNG and beside it a world "
-        "file\n"
-        "(.pgw). Both tell its place on the plane.\n"
-        "With z up, top has the model's x to the right and y upwards, and front is seen along y. The plane's "
+        "Writes a picture, transparent outside the model: a GeoTIFF (.tif), or a PNG with a world file\n"
+        "(.pgw). Both store its position on the plane.\n"
+        "With z up, top has the model's x to the right and y upward, and front looks along y. The plane's "
         "coordinates\n"
-        "begin at the model's origin, or at the point that is given.\n"
+        "begin at the model's origin, or at the given point.\n"
         "Examples:\n"
         "  vantage-player orthophoto chapel.vantage --resolution 0.005 -o plan.tif\n"
         "  vantage-player orthophoto chapel.vantage --plane front --resolution 0.002 --extent -3,0,3,5 -o "

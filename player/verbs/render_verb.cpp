@@ -29,7 +29,7 @@ void add_render(const Command& program) {
               "--blend", "--max-photos", "--holes", "--background", "--field", "--light", "--stereo",
               "--panorama", "--exclude", "--add"});
     c.notes(
-        "Writes PNG, transparent where nothing is unless --holes shade.\n"
+        "Writes PNG, with transparent holes and background unless --holes shade.\n"
         "Examples:\n"
         "  vantage-player render chapel.vantage --photo 0003 -o 0003.png\n"
         "  vantage-player render chapel.vantage --view 4,-9,2,0,0,1,40 --size 1920x1080 -o view.png\n"

@@ -39,23 +39,21 @@ void add_smoothness(const Command& program) {
     add_background_option(c, o->blending);
     const std::string group = "Smoothness";
     c.file("--path", o->path,
-           "file of views to fly along (default: through the photos' cameras, or those of --photo, from each "
-           "to the nearest that is left)")
+           "file of views to fly along (default: past the photos' cameras, or those of --photo, from each to "
+           "the nearest remaining one)")
         .group(group);
-    c.real("--step", o->step, 0.01, 90, "degrees that the camera turns or moves around its target per frame")
+    c.real("--step", o->step, 0.01, 90,
+           "rotation of the camera, or movement around its target, in degrees per frame")
         .group(group);
     c.integer("--worst", o->worst, 0, 1000, "number of steps to save as PNG, the largest first").group(group);
     c.notes(
-        "Each frame is drawn as in the window (640x360 by default, 30 per second, 4 photos), every tile in "
-        "place, and again\nwith the photos and weights of the next frame: the difference is how far the "
-        "color "
-        "of a surface jumps, without any\nmovement. It is averaged in cells of 1/40 of the picture's width. "
-        "Printed: the mean of a picture's cells, and what its\nworst hundredth exceeds, each over the frames "
-        "and per degree of movement.\n"
-        "Writes steps.csv, summary.json, steps.svg and the worst steps as step-FRAME.png (the frame, the "
-        "same "
-        "with the next\none's weights, eight times the difference) into the folder given by -o (default "
-        "smoothness).\n"
+        "Each frame is drawn as in the window (640x360 by default, 30 per second, 4 photos), with all tiles "
+        "loaded, and\nagain with the photos and weights of the next frame: the difference is the color jump "
+        "of surfaces without\nmovement. It is averaged in cells of 1/40 of the picture's width. Prints the "
+        "mean over a picture's cells and their\n99th percentile, per frame and per degree of movement.\n"
+        "Writes steps.csv, summary.json, steps.svg and the largest steps as step-FRAME.png (the frame, the "
+        "frame with the\nnext one's weights, eight times the difference) into the folder given by -o "
+        "(default smoothness).\n"
         "Examples:\n"
         "  vantage-player smoothness chapel.vantage\n"
         "  vantage-player smoothness chapel.vantage --original-colors -o as-taken\n"

@@ -103,16 +103,16 @@ int supervise(const std::function<int(int heartbeat_fd)>& run, const std::filesy
     bool showed = false;
     for (auto pause = std::chrono::seconds(1);; pause = std::min(2 * pause, std::chrono::seconds(60))) {
         const Run r = run_once(run);
-        if (told_to_end) return note(log, "told to end"), 0;
+        if (told_to_end) return note(log, "ended by SIGTERM or SIGINT"), 0;
         showed |= r.showed;
-        note(log, r.hung          ? "no sign of life for a minute: restarted"
+        note(log, r.hung          ? "unresponsive for a minute: restarted"
                   : r.code >= 128 ? "ended by signal " + std::to_string(r.code - 128) + ": restarted"
                                   : "ended with exit code " + std::to_string(r.code) + ": restarted");
         const Exit code = Exit(r.code);
         if (!showed && (code == Exit::usage || code == Exit::input || code == Exit::damaged)) return r.code;
         if (r.showed) pause = std::chrono::seconds(1);
         std::this_thread::sleep_for(pause);
-        if (told_to_end) return note(log, "told to end"), 0;
+        if (told_to_end) return note(log, "ended by SIGTERM or SIGINT"), 0;
     }
 }
 

@@ -140,7 +140,7 @@ void ShownScene::choose_projection(double now) {
         return;
     s.viewpoint.orthographic = false;
     say(s.message,
-        tr("In perspective again: points, several objects and comparisons are not shown orthographically"),
+        tr("Perspective restored: points, several objects and comparisons cannot be shown orthographically"),
         now);
 }
 

@@ -207,7 +207,8 @@ void TrackedHands::suggest_all(const XrRuntime& runtime) const {
     for (const Profile& p : controllers) suggest(p);
     if (runtime.extensions().microsoft_hands) suggest(microsoft_hands);
     if (runtime.extensions().hands) suggest(bare_hands);
-    if (!any) throw Error(Exit::graphics, "headset: the OpenXR runtime knows none of the usual controllers");
+    if (!any)
+        throw Error(Exit::graphics, "headset: the OpenXR runtime supports none of the known controllers");
 }
 
 std::optional<Hands> TrackedHands::at(XrTime time, XrSpace room) {

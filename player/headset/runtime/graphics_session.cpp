@@ -19,7 +19,7 @@ GLXFBConfig configuration_of(Display* display, GLXContext context) {
     GLXFBConfig* found = glXChooseFBConfig(display, screen, wanted, &count);
     const GLXFBConfig out = count > 0 ? found[0] : nullptr;
     if (found) XFree(found);
-    if (!out) throw Error(Exit::graphics, "headset: the window's configuration of GLX is not found");
+    if (!out) throw Error(Exit::graphics, "headset: the window's GLX configuration was not found");
     return out;
 }
 

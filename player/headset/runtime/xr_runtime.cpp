@@ -72,7 +72,7 @@ XrRuntime::XrRuntime() {
         return false;
     };
     if (!use(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME))
-        fail("the OpenXR runtime does not show OpenGL (XR_KHR_opengl_enable)");
+        fail("the OpenXR runtime does not support OpenGL (XR_KHR_opengl_enable)");
     extensions_.egl = use(XR_MNDX_EGL_ENABLE_EXTENSION_NAME);
     extensions_.depth = use(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
     extensions_.microsoft_hands = use(XR_MSFT_HAND_INTERACTION_EXTENSION_NAME);

@@ -116,7 +116,7 @@ void false_color_legend(Controls& c, const Session& s) {
     const float em = ImGui::GetFontSize(), x = float(s.window.free.left) + em,
                 y = float(s.window.free.top + s.window.free.height) - 2 * em;
     if (s.settings.show == Show::sources)
-        plate(c, x, y, 0, tr("each color is a photo: the one outlined in that color in the strip"));
+        plate(c, x, y, 0, tr("each color is a photo, outlined in the same color in the strip"));
     if (s.settings.show != Show::coverage) return;
     const std::string most = std::to_string(s.drawn.report.photos);
     const std::string before = tr("photos that show the surface: 0 ");

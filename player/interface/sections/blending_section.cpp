@@ -29,10 +29,10 @@ void blend_controls(Controls& c, RenderSettings& r) {
     ImGui::EndDisabled();
     c.explain("How strongly near photos are preferred. For Average.");
     c.checkbox("Reject outliers", &r.transients);
-    c.explain("Leaves out colors that differ from those of most photos.");
+    c.explain("Excludes colors that differ from those of most photos.");
     in_second_column("Fill holes");
     c.checkbox("Fill holes", &r.fill_holes);
-    c.explain("Continues colors into surface that no photo sees.");
+    c.explain("Extends colors to surfaces that no photo sees.");
 }
 
 void weights_of_average(Controls& c, WeightSettings& w, bool average) {
@@ -56,7 +56,7 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
     c.checkbox("One ray per photo", &w.angle_per_photo);
     c.explain("Compares one ray per photo, instead of one for each point.");
     c.checkbox("Occlusion", &w.depth_weight);
-    c.explain("Leaves out surface that is hidden from a photo.");
+    c.explain("Excludes surfaces that are hidden from a photo.");
     in_second_column("Soft borders");
     c.checkbox("Soft borders", &w.border_weight);
     c.explain("Fades photos out towards their edges and towards silhouettes.");
@@ -69,7 +69,7 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
     c.explain("Compares distances as if all photos had your field of view.");
     c.checkbox("Aim at visible part", &w.corrected_directions);
     c.explain(
-        "Takes a photo's direction to be that to the middle of its visible surface, not that of its lens.");
+        "Uses the direction to the center of a photo's visible surface instead of its viewing direction.");
     in_second_column("Freeze weights");
     if (c.checkbox("Freeze weights", &s.freeze)) {
         s.settings.weights_from.reset();
@@ -81,19 +81,19 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
 void photo_controls(Controls& c, RenderSettings& r, const Renderer& renderer) {
     static const char* const choices[] = {marked("cover the view"), MARKED_IN("photos", "nearest")};
     choice(c, "Select by", r.choice, choices);
-    c.explain("Which photos are blended: those that cover the view together, or those nearest to you.");
+    c.explain("The blended photos: those that together cover the view, or those nearest to you.");
     c.slider(MARKED_IN("number", "Photos"), &r.photos, 1, std::max(1, int(renderer.scene().photos.size())));
-    c.explain("How many photos are blended. More photos take more time.");
+    c.explain("Number of blended photos. More photos take more time.");
     c.slider("Per pass", &r.photos_per_pass, 1, max_photos_per_pass);
-    c.explain("How many photos are drawn at once. Does not change the picture.");
+    c.explain("Number of photos drawn at once. Does not change the picture.");
     c.slider("Angle limit", &r.angle_limit, 10.0, 180.0, "%.0f°");
-    c.explain("Leaves out photos that look in a direction further than this from yours.");
+    c.explain("Excludes photos whose direction differs from yours by more than this angle.");
     static const char* const coordinates[] = {marked("as the scene requires"), marked("per vertex"),
                                               marked("per fragment")};
     ImGui::BeginDisabled(!has_coordinates(renderer.package()));
     choice(c, "Coordinates", r.coordinates, coordinates);
     ImGui::EndDisabled();
-    c.explain("Whether the mesh's vertices or every pixel is projected into the photos.");
+    c.explain("Projects the mesh's vertices or every pixel into the photos.");
 }
 
 }  // namespace

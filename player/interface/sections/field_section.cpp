@@ -119,7 +119,7 @@ void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, cons
                                        marked("cividis"), marked("coolwarm")};
     choice(c, "Colors", s.map, maps);
     c.slider("Over photos", &s.share, 0.0, 1.0);
-    c.explain("How much of the field's colors is shown, and how much of the photos.");
+    c.explain("The mix of the field's colors and the photos.");
     c.slider("Isolines", &s.isolines, 0, 20);
     c.explain("Lines of equal value: the number of steps between them.");
     if (c.checkbox("Logarithmic", &s.logarithmic)) s.range.reset();

@@ -253,7 +253,7 @@ void MeasurePanel::under_pointer(Controls& c) const {
                             under_->photo.c_str());
     else
         ImGui::TextDisabled("%s", under_ ? tr("uncertainty unknown: no photo sees it") : " ");
-    c.explain("Standard uncertainty: the size of a pixel there, in the photo that shows it finest.");
+    c.explain("Standard uncertainty: the size of a pixel there, in the photo with the finest pixels.");
 }
 
 void MeasurePanel::scale_section(Controls& c) {
@@ -264,7 +264,7 @@ void MeasurePanel::scale_section(Controls& c) {
         scale = unit_at(unit) == Unit::unknown ? Scale{} : Scale{1, unit_at(unit), unit_at(unit)};
         changed();
     }
-    c.explain("The unit of the input's coordinates, which its files do not state.");
+    c.explain("The unit of the input's coordinates; its files do not state it.");
     ImGui::BeginDisabled(scale.unit == Unit::unknown);
     if (c.choice("Shown in", &shown, unit_texts, int(std::size(unit_texts))) &&
         unit_at(shown) != Unit::unknown) {

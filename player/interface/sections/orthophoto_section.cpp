@@ -41,7 +41,7 @@ void orthophoto_section(Controls& c, Session& s, const PackageReader& package) {
                                          marked("left"), marked("right"), marked("my view")};
     const auto before = o.plane;
     choice(c, "Seen from", o.plane, planes);
-    c.explain("The side of the model that the picture shows, at right angles and true to scale.");
+    c.explain("The side from which the model is projected, true to scale.");
     const Eigen::Vector2d size = size_on(plane_option(o.plane, s.viewpoint.camera), package);
     if (o.pixel <= 0 || o.plane != before) o.pixel = fitting_pixel(size.maxCoeff());
     c.number("Size of a pixel", &o.pixel, "%.6g");
@@ -56,7 +56,7 @@ void orthophoto_section(Controls& c, Session& s, const PackageReader& package) {
     ImGui::BeginDisabled(o.writing);
     if (c.button("Write the orthophoto")) s.window.commands.push_back(SaveOrthophoto{});
     ImGui::EndDisabled();
-    c.explain("Writes the picture into the current folder, while the window can be used.");
+    c.explain("Writes the picture into the current folder; the window remains usable.");
     if (o.writing) ImGui::TextUnformatted(tr("being written..."));
 }
 

@@ -38,7 +38,7 @@ void light_controls(Controls& c, Session& s) {
     if (s.window.keyboard) {
         in_second_column("Follows pointer");
         c.checkbox("Follows pointer", &s.lamp_follows);
-        c.explain("The lamp is where the pointer is over the picture: low near its edges.");
+        c.explain("The lamp follows the pointer over the picture: low near the edges.");
     }
     if (c.slider("Lamp azimuth", &l.azimuth, 0.0, 360.0, "%.0f°")) s.lamp_follows = false;
     c.explain("0: from the right, 90: from above.");
@@ -68,7 +68,7 @@ void stereo_controls(Controls& c, Session& s) {
     double percent = 100 * stereo.eyes.share;
     if (c.slider("Eye separation", &percent, 0.2, 20.0, "%.1f %%", ImGuiSliderFlags_Logarithmic))
         stereo.eyes.share = percent / 100, stereo.eyes.distance = 0;
-    c.explain("In percent of the distance from which the model is seen. More is deeper, and harder to view.");
+    c.explain("In percent of the viewing distance. More is deeper, and harder to view.");
 }
 
 }  // namespace
@@ -77,7 +77,9 @@ void picture_content(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
     static const char* const shows[] = {marked("photos"), marked("which photo"), marked("how many photos")};
     choice(c, "Show", r.show, shows);
-    c.explain("The photos, or false colors: the photo that counts most, or how many photos see each point.");
+    c.explain(
+        "The photos, or false colors: the photo with the largest weight, or the number of photos that see "
+        "each point.");
     exposure_controls(c, s, renderer);
     if (renderer.scene().has_background()) {
         static const char* const background[] = {MARKED_IN("background", "shown"),
@@ -96,7 +98,7 @@ void picture_content(Controls& c, Session& s, const Renderer& renderer) {
     if (!points_only(renderer.package().scene())) {
         light_controls(c, s);
         c.checkbox("Triangles", &r.light.wireframe);
-        c.explain("Draws the borders of the mesh's triangles over the picture.");
+        c.explain("Draws the edges of the mesh's triangles over the picture.");
     }
 }
 
@@ -105,7 +107,7 @@ void picture_section(Controls& c, Session& s, const Renderer& renderer) {
     comparison_controls(c, s, renderer);
     stereo_controls(c, s);
     c.checkbox("Orthographic", &s.viewpoint.orthographic);
-    c.explain("Without perspective: what is farther away looks as large.");
+    c.explain("Without perspective: equal lengths appear equal at any distance.");
     c.slider("Flying speed", &s.steering.flying_speed, 0.1, 10.0, "%.1f", ImGuiSliderFlags_Logarithmic);
     c.explain("Of the keys W A S D, Q and E; Shift is four times as fast.");
     c.checkbox("Inertia", &s.steering.inertia);

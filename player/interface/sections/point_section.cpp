@@ -63,7 +63,7 @@ void controls(Controls& c, Session& session, const Renderer& renderer) {
     double millions = double(p.budget) / 1e6;
     if (c.slider("Million points", &millions, 0.05, 20.0, "%.2f", ImGuiSliderFlags_Logarithmic))
         p.budget = std::uint64_t(millions * 1e6);
-    c.explain("How many points are drawn per frame at most.");
+    c.explain("Maximum number of points drawn per frame.");
     ImGui::TextDisabled(tr("%zu of %llu points drawn%s"), session.drawn.report.points,
                         static_cast<unsigned long long>(renderer.resources().points->cloud().points),
                         renderer.resources().points->plan().whole ? "" : tr(" (limit reached)"));

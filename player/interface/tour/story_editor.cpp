@@ -123,11 +123,11 @@ void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View&
         return ImGui::End();
     const bool fixed = active.file.empty() || !active.trouble.empty();
     if (fixed)
-        ImGui::TextWrapped("%s", active.file.empty() ? tr("A package on a server cannot get a story here.")
+        ImGui::TextWrapped("%s", active.file.empty() ? tr("A package on a server cannot have a story here.")
                                                      : active.trouble.c_str());
     ImGui::BeginDisabled(fixed);
     if (c.button("Add a note here")) add(active, s, view, surface);
-    c.explain("At the surface in the middle of the view; keeps this view.");
+    c.explain("On the surface at the center of the view; stores this view.");
     ImGui::SameLine();
     if (c.button("Set the opening view")) {
         active.story.opening = story_view(s.viewpoint.camera, active.axes);

@@ -26,7 +26,7 @@ constexpr Tool tools[] = {
     {MARKED_IN("tool", "Photos"), Icon::photos,
      marked("Show or hide the photos; click on one to view the scene from there (F4)")},
     {MARKED_IN("tool", "Compare"), Icon::compare,
-     marked("Fly to the photo that is closest, and compare the model with it (C)")},
+     marked("Fly to the closest photo and compare the model with it (C)")},
     {MARKED_IN("tool", "Light"), Icon::light, marked("Move a lamp over the surface, to see its shape")},
     {marked("Help"), Icon::help, marked("Mouse and keyboard (F1)")},
     {marked("Full screen"), Icon::full_screen, marked("Full screen, or a window again (F11)")},

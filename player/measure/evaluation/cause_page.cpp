@@ -28,12 +28,11 @@ std::string cell(double share, bool given = true) {
 void write_total(std::ostream& out, const std::vector<CauseTotal>& totals,
                  const std::vector<PhotoEvaluation>& results) {
     const Column columns[] = {
-        {"cause", "what most likely makes the picture differ from the photo"},
+        {"cause", "most likely cause of the difference between picture and photo"},
         {"whole frame", "share of the squared error of all whole frames, after gains"},
-        {"dB without it",
-         "by how much PSNR of the whole frame would rise without this error: mean over the photos"},
+        {"dB without it", "rise of the whole frame's PSNR without this error, mean over the photos"},
         {"colored pixels", "share of the squared error where other photos color the picture"},
-        {"dB without it", "by how much PSNR there would rise: mean over the photos"},
+        {"dB without it", "rise of the PSNR there, mean over the photos"},
         {"most in", "the photo with most of this error"},
         {"meaning", ""}};
     out << explained_table(columns);
@@ -114,12 +113,10 @@ void write_regions_of(std::ostream& out, const PhotoEvaluation& r) {
 void write_causes(std::ostream& out, const std::vector<PhotoEvaluation>& results) {
     const std::vector<CauseTotal> totals = cause_totals(results);
     if (totals.empty()) return;
-    out << "<h2>Where the error comes from</h2>\n<p>Shares of the squared error after gains: of the whole "
-           "frame "
-           "as the window shows it, and of its colored pixels; with the decibels that would be gained on "
-           "average without that error. Then photo by photo: holes as shares of the whole frame's error, "
-           "other "
-           "causes of that at colored pixels.</p>\n";
+    out << "<h2>Causes of the error</h2>\n<p>Shares of the squared error after gains: of the whole "
+           "frame as displayed in the window, and of its colored pixels; with the average gain in decibels "
+           "without that error. Then per photo: holes as shares of the whole frame's error, other causes as "
+           "shares of that at colored pixels.</p>\n";
     write_total(out, totals, results);
     write_per_photo(out, totals, results);
     out << "<h2>Worst regions by cause</h2>\n<p>Left to right, after gains: the photo, the picture, their "

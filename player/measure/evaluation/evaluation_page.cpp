@@ -82,30 +82,30 @@ void figure(std::ostream& out, const PhotoEvaluation& r) {
 const Column photo_columns[] = {
     {"photo", ""},
     {"PSNR, dB",
-     "likeness of the picture to the photo where other photos color it: 10 log10(255\u00b2 / mean squared "
+     "similarity of picture and photo where other photos color it: 10 log10(255\u00b2 / mean squared "
      "difference "
      "of sRGB codes). Higher is better; 6 dB more: half the difference"},
-    {"after gain", "the same after the factor per channel that fits best, so that exposure does not count"},
-    {"SSIM", "likeness of structure there, at most 1 (Wang et al. 2004)"},
-    {"after gain", "the same after that factor"},
-    {"whole frame, dB", "PSNR after gain over the whole frame as the window shows it, holes included"},
+    {"after gain", "the same after the best gain per channel, independent of exposure"},
+    {"SSIM", "structural similarity there, at most 1 (Wang et al. 2004)"},
+    {"after gain", "the same after that gain"},
+    {"whole frame, dB", "PSNR after gain over the whole frame as displayed in the window, including holes"},
     {"SSIM", "the same over the whole frame"},
-    {"over nearest, dB", "PSNR gained over showing the nearest photo alone; positive: blending pays"},
-    {"colored", "share of the surface in the photo that other photos show"},
+    {"over nearest, dB", "PSNR gain over the nearest photo alone; positive: blending helps"},
+    {"colored", "share of the photo's surface that other photos show"},
     {"stops", "typical brightness of the photo relative to the picture: +1 is twice the light, -1 half"},
     {"right, px", "offset of the photo's content from the picture's, in px of the full size"},
     {"down, px", "the same downward"},
     {"sharp",
-     "energy of the finest detail in the picture relative to the photo: 1 is as sharp, less is blurred"},
+     "energy of the finest detail in the picture relative to the photo: 1 is equally sharp, less is blurred"},
     {"", ""}};
 
 const Column change_columns[] = {
     {"photo", ""},
     {"before, dB", "PSNR after gain in the earlier evaluation"},
     {"now", "the same in this one, in dB"},
-    {"change", "now less before, in dB; positive is better"},
+    {"change", "now minus before, in dB; positive is better"},
     {"SSIM", "change of SSIM; positive is better"},
-    {"sharp before", "energy of the finest detail relative to the photo: 1 is as sharp"},
+    {"sharp before", "energy of the finest detail relative to the photo: 1 is equally sharp"},
     {"now", "the same in this evaluation"},
     {"", ""}};
 
@@ -119,7 +119,8 @@ void crop(std::ostream& out, const std::string& name, const char* kind, const ch
 void changes(std::ostream& out, const std::vector<PhotoEvaluation>& results) {
     const std::vector<std::size_t> order = by_change(results);
     if (order.empty()) return;
-    out << "<h2>Against the earlier evaluation</h2>\n<p>After gains, over the pixels that both color; the "
+    out << "<h2>Changes since the earlier evaluation</h2>\n<p>After gains, over the pixels colored in both; "
+           "the "
            "largest loss first. Crops: the photo, before, now.</p>\n"
         << explained_table(change_columns);
     for (const std::size_t i : order) {
@@ -135,8 +136,8 @@ void changes(std::ostream& out, const std::vector<PhotoEvaluation>& results) {
     for (const std::size_t i : order) {
         const Change& c = *results[i].change;
         const std::string name = escaped(results[i].name);
-        if (c.worse) crop(out, name, "worse", "where it lost most");
-        if (c.better) crop(out, name, "better", "where it gained most");
+        if (c.worse) crop(out, name, "worse", "largest loss");
+        if (c.better) crop(out, name, "better", "largest gain");
     }
     out << "</div>\n";
 }

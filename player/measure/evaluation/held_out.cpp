@@ -179,7 +179,7 @@ void remark(std::vector<PhotoEvaluation>& results) {
                           "something in front of it, gloss, or other light",
                           100 * odd));
         if (r.colored < 0.95)
-            r.remarks.push_back(formatted("the others show %.0f %% of what it sees", 100 * r.colored));
+            r.remarks.push_back(formatted("the others show %.0f %% of its surface", 100 * r.colored));
         if (r.remarks.empty() && r.score.ssim < middle - 3 * usual)
             r.remarks.emplace_back("differs for another reason: motion, gloss, or a rough mesh");
     }

@@ -32,29 +32,30 @@ void add_blending_options(const Command& c, BlendingOptions& o) {
         .type("PHOTO")
         .group(blending_group);
     c.flag("--original-colors", r.refined_colors,
-           "photos as exposed, without gains and vignetting; for comparison", false)
+           "original colors, without gains and vignetting; for comparison", false)
         .group(blending_group);
     c.flag("--thumbnails", r.thumbnails, "use only the coarsest levels of photos").group(blending_group);
     add_image_set_option(c, o.image_sets);
 }
 
 void add_blended_option(const Command& c, BlendingOptions& o) {
-    c.integer("--max-photos", o.photos, 0, 1 << 20,
-              "photos to blend; more if the view needs more to be covered; 0: all (default 4 in the window, "
-              "all for pictures)")
+    c.integer(
+         "--max-photos", o.photos, 0, 1 << 20,
+         "photos to blend; more if necessary to cover the view; 0: all (default 4 in the window, all for "
+         "pictures)")
         .group(blending_group);
 }
 
 void add_holes_option(const Command& c, BlendingOptions& o) {
     c.choice("--holes", o.holes, {"transparent", "shade"},
-             "what no photo shows: transparent (default for pictures without a background) or shade")
+             "surfaces without photos: transparent (default for pictures without a background) or shade")
         .group(blending_group);
 }
 
 void add_background_option(const Command& c, BlendingOptions& o) {
     c.choice("--background", o.render.background,
              {{"on", ShowBackground::on}, {"dimmed", ShowBackground::dimmed}, {"off", ShowBackground::off}},
-             "what photos show beside the mesh, if the package has it")
+             "photographed background, if the package has one")
         .group(blending_group);
 }
 

@@ -10,16 +10,17 @@ void add_field_options(const Command& c, FieldOptions& o) {
     const std::string group = "Scalar fields";
     const Option name =
         c.text("--field", o.name,
-               "show this field of values instead of the photos: one of the package ('vantage info' lists "
-               "them under scalar-fields), photo-count (how many photos see the surface) or photo-density "
-               "(pixels per input unit of the finest of them)")
+               "show this scalar field instead of the photos: one of the package ('vantage info' lists "
+               "them under scalar-fields), photo-count (number of photos that see the surface) or "
+               "photo-density (pixels per input unit of the finest of them)")
             .group(group);
     c.pair("--field-range", o.range,
            "values at the ends of the color map, LOW,HIGH; beyond, the end's color (default: lowest and "
            "highest value)")
         .group(group)
         .needs(name);
-    c.integer("--isolines", o.shown.isolines, 0, 100, "lines that divide the color map into this many parts")
+    c.integer("--isolines", o.shown.isolines, 0, 100,
+              "isolines that divide the color map into this many intervals")
         .group(group)
         .needs(name);
 }

@@ -43,8 +43,8 @@ void add_second_image_set_options(const Command& c, ImageSetOptions& o) {
              {{"mix", ImageSetView::mix},
               {"swipe", ImageSetView::swipe},
               {"side-by-side", ImageSetView::side_by_side}},
-             "how: mixed by its share; to the right of that share of the width; or beside the first, the "
-             "middle half of each picture")
+             "mix: by its share; swipe: to the right of that share of the width; side-by-side: the middle "
+             "half of each picture")
         .group(image_sets_group)
         .needs(second);
 }

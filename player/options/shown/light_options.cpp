@@ -18,8 +18,8 @@ void add_light_options(const Command& c, LightOptions& o) {
                  "the viewer)")
             .group(group);
     c.pair("--lamp", o.lamp,
-           "where the raking light comes from, AZIMUTH,ELEVATION in degrees: azimuth 0 from the right of the "
-           "picture, 90 from above; elevation over the picture's plane, 1 to 90 (default 135,15)")
+           "direction of the raking light, AZIMUTH,ELEVATION in degrees: azimuth 0 from the right of the "
+           "picture, 90 from above; elevation above the picture's plane, 1 to 90 (default 135,15)")
         .group(group)
         .needs(light);
 }

@@ -6,7 +6,7 @@ namespace vantage {
 
 void add_object_options(const Command& c, ObjectOptions& o) {
     c.list("--add", o.added,
-           "show this package, too, in the same coordinates; a scene file (NAME.toml, in place of the "
+           "also show this package, in the same coordinates; a scene file (NAME.toml, in place of the "
            "package) also moves, turns, scales and fades objects")
         .type("PACKAGE")
         .commas();

@@ -63,7 +63,7 @@ TEST_F(SurveySavers, SayWhyASurveyIsNotWrittenAndWriteTheNext) {
     fs::rename(path, dir / "away.json");
     std::ofstream(path) << "of another program";
     saver.save(named("lost"));
-    EXPECT_NE(trouble_of(saver).find("is not as it was left"), std::string::npos);
+    EXPECT_NE(trouble_of(saver).find("was changed by another program"), std::string::npos);
     EXPECT_EQ(saver.take_trouble(), "") << "reported once";
     fs::remove(path);
     fs::rename(dir / "away.json", path);

@@ -117,7 +117,7 @@ TEST_F(Evaluate, WritesTablePagePicturesAndRegions) {
     for (const char* column : {",ssim_gain,", ",frame_psnr_gain,", ",frame_ssim_gain,", ",error_odd_photo"})
         EXPECT_NE(csv.find(column), csv.npos) << column;
     const std::string page = slurp(options.folder / "index.html");
-    EXPECT_NE(page.find("Where the error comes from"), page.npos);
+    EXPECT_NE(page.find("Causes of the error"), page.npos);
     EXPECT_EQ(page.find("nan"), page.npos);
     std::size_t crops = 0;
     for (const fs::directory_entry& e : fs::directory_iterator(options.folder))

@@ -97,7 +97,7 @@ TEST_F(HeadsetProgram, SaysInOneLineWhatIsMissing) {
     says({{"get_system", "XR_ERROR_FORM_FACTOR_UNAVAILABLE"}}, "finds no headset");
     says({{"get_system", "XR_ERROR_FORM_FACTOR_UNSUPPORTED"}}, "finds no headset");
     says({{"create_session", "XR_ERROR_INITIALIZATION_FAILED"}}, "XR_ERROR_INITIALIZATION_FAILED");
-    says({{"extensions", {"XR_MNDX_egl_enable"}}}, "does not show OpenGL");
+    says({{"extensions", {"XR_MNDX_egl_enable"}}}, "does not support OpenGL");
     says({{"extensions", {"XR_KHR_opengl_enable"}}}, "needs an X display");
     says({{"formats", {"GL_RGBA16F"}}}, "no sRGB pictures");
     says({{"events",
