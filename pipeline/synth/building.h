@@ -12,9 +12,8 @@ namespace vantage {
 struct SynthModel {
     Mesh mesh;
     std::vector<Material> materials;
-    bool clouds = false;  ///< in the sky
-    std::vector<float>
-        sky;  ///< fraction of the sky visible from each vertex, for daylight.h; empty: simple lighting
+    bool clouds = false;     ///< in the sky
+    std::vector<float> sky;  ///< visible sky fraction per vertex, for daylight.h; empty: simple lighting
 };
 
 /// A building with its facade along x at y = 0, facing -y, with z up: coarse walls, windows in deep recesses,

@@ -19,9 +19,8 @@ struct SynthSpec {
         double distance = 3;  ///< from the facade
     } object;
     struct Garden {
-        double radius = 0;  ///< of the lawn or meadow; 0: no garden, and a sky without clouds
-        double hill =
-            8;  ///< height of the hill around it, at twice the radius; of a chapel's hills, 4 km away
+        double radius = 0;   ///< of the lawn or meadow; 0: no garden, and a sky without clouds
+        double hill = 8;     ///< height of the hill at twice the radius; of a chapel's hills, 4 km away
         double railing = 0;  ///< thickness of the bars in front of the upper windows; 0: none
     } garden;                ///< in the photos, but not in the mesh
     struct Glass {
@@ -47,7 +46,7 @@ struct SynthSpec {
     } lens;
     struct Exposure {
         double stops = 0;          ///< random exposure of each photo, up to +/- this
-        double white_balance = 0;  ///< in addition, random per channel, up to +/- this many stops
+        double white_balance = 0;  ///< additional random variation per channel, up to +/- this many stops
         double vignetting = 0;     ///< fraction of the light lost at the corners
     } exposure;
     struct Error {

@@ -14,7 +14,7 @@ struct SurfacePoint {
 /// Appearance of a weathered surface.
 struct Finish {
     Eigen::Vector3f albedo;  ///< linear RGB, [0, 1]
-    double slope;            ///< of the relief that is not in the mesh, along `toward`
+    double slope;            ///< slope along `toward` of the relief that is not in the mesh
 };
 
 /// For the materials of the chapel and its country, from ashlar on. Detail is limited to the footprint.

@@ -40,7 +40,7 @@ class Composition {
     FrameSize allocated_, frame_;
     gl::Texture colors_, depths_, nearest_;
     std::vector<Layer> layers_;
-    std::vector<float> opacities_;  ///< of the frame's objects
+    std::vector<float> opacities_;  ///< opacities of the frame's objects
     gl::Framebuffer nearest_target_;
     gl::Program depth_program_, compose_program_, nearest_program_;
     gl::VertexArray no_vertices_;

@@ -12,8 +12,7 @@
 namespace vantage {
 namespace {
 
-constexpr double finer =
-    1.5;  ///< resolution of faces relative to the panorama: four samples then cover all of it
+constexpr double finer = 1.5;  ///< resolution of faces relative to the panorama, for four samples
 /// Fraction of a face by which it overlaps its neighbors if holes are filled: without an overlap, the
 /// fillings would have visible edges.
 constexpr double fading = 0.2;

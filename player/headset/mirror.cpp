@@ -10,8 +10,7 @@
 namespace vantage {
 namespace {
 
-constexpr double seconds_between =
-    1.0 / 30;  ///< minimum interval of copies: the window must not slow down the headset
+constexpr double seconds_between = 1.0 / 30;  ///< minimum interval, to avoid slowing down the headset
 
 FrameSize window_size(const ShowOptions& o) {
     return o.output.size.empty() ? FrameSize{640, 720} : parse_size(o.output.size);

@@ -12,7 +12,7 @@ struct PictureOptions {
     double scale = 1;
     bool panorama = false;  ///< covers all directions
     int samples = 0;        ///< per side of a pixel; 0: depends on the content
-    bool legend = true;     ///< of a scalar field, in sufficiently large pictures
+    bool legend = true;     ///< legend of a scalar field, in sufficiently large pictures
 };
 void add_view_option(const Command& command, PictureOptions& options);
 void add_path_option(const Command& command, PictureOptions& options, const std::string& help);

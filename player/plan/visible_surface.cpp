@@ -12,8 +12,7 @@
 namespace vantage {
 namespace {
 
-constexpr double agreement_angle =
-    0.35;  ///< radians; larger than for blending, to rank distant photos as well
+constexpr double agreement_angle = 0.35;  ///< radians; larger than for blending, to rank distant photos
 
 /// Pixels covered by a cluster's bounding sphere, at most those of the frame, even for NaN.
 double area_in_view(const package::ClusterRecord& c, const View& view) {

@@ -6,16 +6,15 @@ namespace vantage {
 /// Statistics of a frame.
 struct FrameReport {
     std::size_t clusters = 0, photos = 0, passes = 0, draws = 0;
-    std::size_t tiles = 0;          ///< needed
-    std::size_t tiles_missing = 0;  ///< needed and not resident: coarser ones were shown
-    std::size_t tiles_to_come =
-        0;  ///< and thumbnails: missing ones that will be loaded within the available memory
+    std::size_t tiles = 0;                   ///< needed
+    std::size_t tiles_missing = 0;           ///< needed and not resident: coarser ones were shown
+    std::size_t tiles_to_come = 0;           ///< missing tiles and thumbnails that fit into memory
     std::size_t tiles_damaged = 0;           ///< found recently
     std::size_t tiles_absent = 0;            ///< not delivered by the server recently
-    std::size_t points = 0;                  ///< of the cloud, drawn
-    std::size_t nodes_missing = 0;           ///< of the cloud, needed and not resident
-    std::size_t fragments = 0;               ///< of transparent surfaces, in the last frame read back
-    std::size_t fragments_approximated = 0;  ///< of these: not sorted, for lack of space
+    std::size_t points = 0;                  ///< drawn points of the cloud
+    std::size_t nodes_missing = 0;           ///< needed nodes of the cloud that are not resident
+    std::size_t fragments = 0;               ///< transparent fragments in the last frame read back
+    std::size_t fragments_approximated = 0;  ///< unsorted ones, for lack of space
     std::size_t uploaded = 0;                ///< bytes
     double plan_ms = 0;                      ///< time for choosing photos and tiles
     double uncovered = 0;  ///< fraction of the surface visible in photos that no chosen photo sees

@@ -18,7 +18,7 @@ static_assert(GLuint(Compare::nothing) == shader::compare_nothing &&
               GLuint(Compare::swipe) == shader::compare_swipe &&
               GLuint(Compare::difference) == shader::compare_difference);
 
-constexpr float dimmed_light = 0.2f;  ///< of the dimmed background
+constexpr float dimmed_light = 0.2f;  ///< brightness of the dimmed background
 
 /// 1 near the cameras, 0 at distances above their spread from all of them: in between, the viewer may be
 /// outside the background in one direction while still inside in others.

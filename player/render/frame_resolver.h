@@ -18,7 +18,7 @@ struct PaintedImageSet {
     PixelSample sample{};
     double now = 0;  ///< seconds
     std::size_t eye = 0;
-    bool second = false;       ///< of two image sets, whose samples are accumulated separately
+    bool second = false;       ///< one of two image sets, whose samples are accumulated separately
     bool transparent = false;  ///< transparent surfaces are shown
     FrameReport report{};
 };

@@ -41,7 +41,7 @@ struct FieldSettings {
     std::optional<ValueRange> range;  ///< whole_range() by default; values outside have the end's color
     bool logarithmic = false;         ///< non-positive values count as missing
     int isolines = 0;                 ///< intervals between lines; 0: no lines
-    double share = 1;                 ///< of the field's color in a mix with photos
+    double share = 1;                 ///< weight of the field's color in a mix with photos
     bool operator==(const FieldSettings&) const = default;
 };
 
@@ -106,7 +106,7 @@ struct ImageSetSettings {
     std::uint32_t shown = 0;
     std::optional<std::uint32_t> other{};  ///< a second image set
     ImageSetView how = ImageSetView::mix;
-    double share = 0;    ///< of the other image set in a mix, 0 to 1
+    double share = 0;    ///< weight of the other image set in a mix, 0 to 1
     double swipe = 0.5;  ///< fraction of the width at which the other image set begins
     bool operator==(const ImageSetSettings&) const = default;
 };
@@ -166,7 +166,7 @@ struct RenderSettings {
     std::optional<View> weights_from;  ///< weights are frozen as for this view [M]
     double swipe = 0.5;                ///< fraction of the width
     bool refined_colors = true;        ///< apply gains and vignetting if the package's effects are enabled
-    std::optional<std::uint32_t> exposure;  ///< of this photo, instead of the view's
+    std::optional<std::uint32_t> exposure;  ///< exposure of this photo instead of the view's
     Loading loading = Loading::complete;
     bool reduced = false;                                                ///< see PlanSettings::reduced
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< per frame

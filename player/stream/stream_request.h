@@ -27,8 +27,8 @@ struct StreamRequest {
     std::uint32_t block = 0;                          ///< in a chunk with blocks
     std::uint64_t first = 0, bytes = 0;               ///< in a chunk without blocks
     const package::DirectoryEntry* second = nullptr;  ///< chunk whose block of the same number follows
-    bool reweighted = false;                ///< of weight maps: with the transient weights of `weights`
-    const TransientMap* weights = nullptr;  ///< see set_weights
+    bool reweighted = false;                          ///< weight maps get the transient weights of `weights`
+    const TransientMap* weights = nullptr;            ///< see set_weights
 
     /// Size in the upload ring; of tiles, decoded.
     std::uint64_t size() const;

@@ -90,7 +90,7 @@ class TileStream {
     std::unordered_map<std::uint64_t, bool> begun_;  ///< in flight, or fetched and not taken
     StreamedSoFar streamed_;
     std::string failure_;
-    std::unique_ptr<RemoteBytes> remote_;  ///< of a package on a server; uses the mutex
+    std::unique_ptr<RemoteBytes> remote_;  ///< for a remote package; uses the mutex
     std::vector<std::jthread> threads_;    ///< last: they use all members above
 };
 

@@ -23,9 +23,9 @@ enum class Measure {
     point,     ///< coordinates
     distance,  ///< between two points
     polyline,  ///< the length of a chain of points
-    area,      ///< of a polygon, on the best-fitting plane of its corners
+    area,      ///< area of a polygon, on the best-fitting plane of its corners
     angle,     ///< at the second of three points, 0 to 180 degrees
-    height,    ///< of the second point above the first
+    height,    ///< height of the second point above the first
     count
 };
 /// "point", "distance", ...

@@ -22,7 +22,7 @@ struct PlacedMesh {
 
 /// Constraints on points that the user sets.
 struct Snapping {
-    std::span<const SectionPlane> sections{};  ///< of the scene: excludes points that are cut away
+    std::span<const SectionPlane> sections{};  ///< the scene's planes: excludes points that are cut away
     double vertex_pixels =
         0;  ///< snaps to the nearest visible vertex within this distance in the picture; 0: does not snap
 };

@@ -122,8 +122,7 @@ std::optional<Requested> ask_for_package(GlfwWindow& window, WindowState& state,
 /// Sends a heartbeat to the kiosk's supervisor.
 void beat(int heartbeat_fd) {
     const char byte = '.';
-    [[maybe_unused]] const auto written =
-        ::write(heartbeat_fd, &byte, 1);  // a full pipe already contains enough bytes
+    [[maybe_unused]] const auto written = ::write(heartbeat_fd, &byte, 1);  // a full pipe is no error
 }
 
 /// ImGui needs some frames to react to events.

@@ -22,7 +22,7 @@ class WindowPicture {
     void draw(const View& view, const RenderSettings& shown, double now);
     /// Shows the last drawn picture.
     void show(const RenderSettings& shown, double now);
-    /// Enclose the GPU work of a frame. The measured time sets the pace of later frames.
+    /// Called before and after the GPU work of a frame. The measured time sets the pace of later frames.
     void begin_frame() { clock_.begin(); }
     void end_frame(double now);
 

@@ -19,8 +19,7 @@ struct Profile {
     const char* squeeze;
     std::array<const char*, 2> menu;  ///< left, right
     const char* stick;
-    const char*
-        press;  ///< the stick is active only while this is pressed: for a trackpad on which thumbs rest
+    const char* press;  ///< the stick is active only while pressed, for trackpads
     bool buzzes;
 };
 

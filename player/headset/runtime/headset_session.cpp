@@ -118,8 +118,7 @@ void HeadsetSession::take_events() {
         if (header.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING) throw XrLost(true);
         if (header.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;
         const auto& changed = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
-        if (changed.session == session_)
-            change_state(changed.state);  // otherwise the event is of a lost session
+        if (changed.session == session_) change_state(changed.state);  // else: of a lost session
     }
 }
 

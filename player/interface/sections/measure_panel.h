@@ -81,7 +81,7 @@ class MeasurePanel {
     std::optional<SurveyPoint> under_;
     std::optional<std::size_t> selected_;
     std::array<char, 256> name_{};  ///< name of the selected one, as edited
-    double known_length_ = 0;       ///< of the selected distance, to set the scale
+    double known_length_ = 0;       ///< known length of the selected distance, to set the scale
 };
 
 }  // namespace vantage

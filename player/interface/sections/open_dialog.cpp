@@ -96,8 +96,7 @@ void OpenDialog::entries(Controls& c, WindowState& window) {
 }
 
 void OpenDialog::show(Controls& c, WindowState& window) {
-    const bool open =
-        ImGui::IsPopupOpen(shown_name(title).c_str());  // possibly since another scene was shown
+    const bool open = ImGui::IsPopupOpen(shown_name(title).c_str());  // even after a change of scene
     const bool asked = take_all<ChooseFile>(window.commands);
     if (asked || (open && folder_.empty())) list(start_);
     if (asked) ImGui::OpenPopup(shown_name(title).c_str());

@@ -41,7 +41,7 @@ struct OrthophotoRequest {
 struct PhotoList {
     std::array<char, 100> filter{};  ///< part of a name
     bool worst_first = false;
-    std::vector<std::optional<double>> errors;  ///< of all photos, pixels; see photo_errors()
+    std::vector<std::optional<double>> errors;  ///< errors of all photos, pixels; see photo_errors()
     bool by_point = false;                      ///< lists only photos that show a clicked point
     std::optional<Eigen::Vector3d> point;
     std::vector<Footprint> showing;  ///< the photos that show it
@@ -49,7 +49,7 @@ struct PhotoList {
 
 /// State of camera control by keys, drags and touch.
 struct Steering {
-    double flying_speed = 1;  ///< of the keys, in multiples of the default speed
+    double flying_speed = 1;  ///< speed with the keys, in multiples of the default speed
     bool inertia = true;      ///< drags released while moving continue
     Glide glide;
     /// The anchor of a drag or a two-finger gesture.
@@ -72,7 +72,7 @@ struct Session {
     StereoSettings stereo;              ///< for the pictures of two eyes
     bool freeze = false;                ///< weights are frozen
     bool lamp_follows = true;           ///< the raking light follows the pointer
-    /// Whether the section of layers is open for a package without fields of its own.
+    /// Whether the section of layers is open for a package without stored fields.
     std::optional<bool> measured_fields;
     Viewpoint viewpoint;
     Steering steering;

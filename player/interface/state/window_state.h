@@ -24,8 +24,8 @@ struct Panels {
 struct WindowState {
     Panels panels;
     bool full_screen = false;
-    bool keyboard = true;  ///< and mouse; otherwise nothing can be typed or clicked in the picture
-    bool kiosk = false;    ///< for the public: without opening, saving, settings or quitting
+    bool keyboard = true;  ///< keyboard and mouse; otherwise the picture accepts no input
+    bool kiosk = false;    ///< public mode: no opening, saving, settings or quitting
     float text_scale = 1;
     /// Language of the window and of stories, such as "de-AT"; empty: English, and the story's default.
     std::string language;
@@ -33,7 +33,7 @@ struct WindowState {
 
     UserInput input;                  ///< unhandled input
     std::vector<KeyPress> measuring;  ///< keys for measuring mode
-    bool menu_open = false;           ///< or a list, in the last frame
+    bool menu_open = false;           ///< a menu or list was open in the last frame
     bool navigates = false;           ///< a control had the keyboard focus in the last frame
     bool touched = false;             ///< any input since the last frame
     UserCommands commands;

@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-constexpr double depth_step = 0.01;  ///< of the depth: points this far behind a surface are occluded
+constexpr double depth_step = 0.01;  ///< fraction of the depth: points this far behind a surface are occluded
 constexpr double least_compared = 0.25;
 
 /// The plane of a triangle numbered from 1.

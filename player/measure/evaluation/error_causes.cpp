@@ -83,12 +83,12 @@ class Judge {
     struct Window {
         Place place;
         double pixels = 0, squares = 0;  ///< of the picture
-        double coarse = 0;               ///< of the picture, low-pass filtered, same scale as `squares`
-        double unlike_mean = 0;          ///< of the picture minus its mean difference
+        double coarse = 0;               ///< squared error after low-pass filtering, same scale
+        double unlike_mean = 0;          ///< the same after subtracting the mean difference
     };
     struct Comparison {
         double all = 0,
-               judged = 0;  ///< weights: of the window's colored pixels, and of those colored in others
+               judged = 0;               ///< weights: of colored pixels, and of those also in others
         double picture = 0, others = 0;  ///< squared differences there
         bool enough() const { return judged > 0 && judged >= least_judged * all; }
     };
@@ -105,9 +105,9 @@ class Judge {
     std::vector<bool> judged_;
     std::vector<Picture> candidates_;              ///< the picture, and single photos completed by it
     std::vector<std::vector<PixelShift>> shifts_;  ///< per candidate and cell
-    CoarseDifference off_;                         ///< of the picture from the photo
-    std::vector<CoarseDifference> alone_;          ///< of single photos from the photo
-    std::vector<CoarseDifference> pairs_;          ///< of single photos from each other
+    CoarseDifference off_;                         ///< difference of the picture from the photo
+    std::vector<CoarseDifference> alone_;          ///< differences of single photos from the photo
+    std::vector<CoarseDifference> pairs_;          ///< differences between single photos
 };
 
 Judge::Judge(const CauseEvidence& e) : e_(e), cells_{e.photo.width, e.photo.height}, judged_(e.taken) {

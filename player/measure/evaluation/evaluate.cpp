@@ -227,8 +227,7 @@ int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
     print_heading(names);
     for (const std::uint32_t p : held_out) {
         EvaluationPictures pictures;
-        settings.image_sets = {
-            .shown = package.photos()[p].image_set};  // predicted by the others of its image set
+        settings.image_sets = {.shown = package.photos()[p].image_set};  // predicted by its image set
         const int level = std::min(o.level, int(package.photos()[p].levels) - 1);
         const auto records = without.hold_out(p, renderer);
         results.push_back(

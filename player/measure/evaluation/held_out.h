@@ -41,8 +41,7 @@ struct EvaluationPictures {
     Picture causes;              ///< see cause_picture
     std::vector<Picture> alone;  ///< from single photos, after gains: the nearest, and those that agree best
     std::vector<Picture> worst;  ///< of PhotoEvaluation::worst, see region_picture
-    std::vector<bool>
-        scored;  ///< one flag per pixel: visible in the photo and colored in the rendered picture
+    std::vector<bool> scored;    ///< per pixel: visible in the photo and colored in the rendered picture
 };
 
 /// A photo to hold out.

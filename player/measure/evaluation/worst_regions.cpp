@@ -9,7 +9,7 @@
 namespace vantage {
 namespace {
 
-constexpr double least_share = 0.01;    ///< of the squared error
+constexpr double least_share = 0.01;    ///< fraction of the squared error
 constexpr double brightest_rms = 40.0;  ///< gray levels
 
 WorstRegion worst_region(const CauseMap& map, Cause cause) {

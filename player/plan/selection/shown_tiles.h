@@ -10,8 +10,7 @@ namespace vantage {
 /// Samples of a surface, each of which represents `pixels` samples of the picture.
 struct SampledSurface {
     std::span<const SurfaceSample> samples;
-    std::span<const float>
-        weights;  ///< of the photo at each sample, in [0, 1]; 0: the photo does not show it
+    std::span<const float> weights;  ///< per sample, in [0, 1]; 0: the photo does not show it
     double pixels = 1;
 };
 

@@ -20,12 +20,12 @@ struct SurfaceTargets {
 /// targets of sums (best photo and transient masking read one and write the other), and the samples of each
 /// eye's picture. They may be allocated for larger frames.
 struct FrameTargets {
-    int width = 0, height = 0;  ///< of the frame, pixels; up to `allocated`
+    int width = 0, height = 0;  ///< frame size in pixels; up to `allocated`
     FrameSize allocated;        ///< of the largest frame
     int fine = 1;               ///< samples per side of a pixel; each has a texel of surface and sums
-    SurfaceTargets layers;      ///< of both eyes, if each has its own surface
+    SurfaceTargets layers;      ///< surfaces of both eyes, if each has its own
     std::vector<SurfaceTargets> surfaces;  ///< one per eye, from `layers`; or one that the eyes use in turn
-    std::size_t surface_number = 0;        ///< of the last painted eye
+    std::size_t surface_number = 0;        ///< index of the last painted eye's surface
     gl::Texture sums[2], before;           ///< all but the first are allocated on demand
     std::vector<std::array<gl::Framebuffer, 2>> sums_targets;  ///< per surface, which provides the depth
     gl::Framebuffer before_target;

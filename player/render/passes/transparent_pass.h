@@ -11,8 +11,8 @@ namespace vantage {
 
 /// Fragments of transparent surfaces.
 struct FragmentCount {
-    std::size_t fragments = 0;     ///< in front of opaque surfaces
-    std::size_t approximated = 0;  ///< of these: not sorted, for lack of space
+    std::size_t fragments = 0;     ///< fragments in front of opaque surfaces
+    std::size_t approximated = 0;  ///< fragments that were not sorted, for lack of space
 };
 
 /// The buffers in which transparent surfaces are collected: weighted sums (McGuire and Bavoil 2013) and, in

@@ -101,8 +101,7 @@ void FramePlanner::choose_image_sets(const FrameRequest& request, const RenderSe
         if (i == 0)
             eye.plans.choose(settings, request.now);
         else
-            eye.plans.follow(
-                eyes.front().plans);  // otherwise one eye might fade after the other has finished
+            eye.plans.follow(eyes.front().plans);  // keeps the eyes' fades in step
         eye.plans.find_frames(settings, photos, eye.image_sets);
     }
 }

@@ -14,7 +14,7 @@ struct ImageSetFrame {
     RenderSettings settings{};
     std::vector<std::uint32_t> photos{};
     ViewPlan* plan = nullptr;
-    bool second = false;  ///< of two image sets
+    bool second = false;  ///< second of two image sets
 };
 
 /// The plans of the one or two shown image sets; each image set keeps its plan as long as it is shown.

@@ -13,7 +13,7 @@ struct ShownImageSets {
     std::uint32_t first = 0;
     std::optional<std::uint32_t> second{};
     ImageSetView how = ImageSetView::mix;
-    double share = 0;  ///< of the second in a mix; of the width at which it begins
+    double share = 0;  ///< weight of the second in a mix; fraction of the width at which it begins
 };
 
 /// Resolves settings for a scene with this many image sets: numbers out of range become the first image set

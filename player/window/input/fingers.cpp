@@ -71,8 +71,7 @@ void Fingers::end(std::uint32_t id, UserInput& input) {
         if (drags_) to_show_.push_back({pointer(true, true)});
         to_show_.push_back({pointer(false, true)});
     }
-    if (pinches() && pinch_)
-        pinch_->center = (down_[0].at + down_[1].at) / 2;  // others, if there are more than two
+    if (pinches() && pinch_) pinch_->center = (down_[0].at + down_[1].at) / 2;  // other than the first two
 }
 
 void Fingers::report(UserInput& input) {

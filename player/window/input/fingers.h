@@ -47,7 +47,7 @@ class Fingers {
     std::vector<Finger> down_;  ///< in order of touching
     Pointer pointer_;           ///< of the first one
     bool acts_ = false;         ///< it acts as the left button
-    bool drags_ = false;        ///< and has moved away from its start
+    bool drags_ = false;        ///< it has moved away from its start
     struct Shown {
         PointerState pointer;
         bool begins = false;  ///< the finger has just touched

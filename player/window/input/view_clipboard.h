@@ -4,7 +4,7 @@
 namespace vantage {
 
 /// Copies the view to the clipboard as a command line, or flies to a pasted view, at the session's request.
-/// `package`: reference of the coordinates.
+/// `package` defines the coordinates.
 void use_clipboard(Session& session, const PackageReader& package, double now);
 
 }  // namespace vantage
