@@ -135,7 +135,7 @@ def options_say_why():
     expect('is current' in out and 'explain' in out, 'vantage prepare', f'--explain of a current package: {out}')
     open('church.toml', 'w').close()
     code, _, err = run('vantage align', ['church.toml', '-o', 'a.toml'])
-    expect(code == 2 and 'is a scene file' in err, 'vantage align', f'of a scene file: {code} {err}')
+    expect(code == 2 and 'found a scene file' in err, 'vantage align', f'of a scene file: {code} {err}')
     code, _, err = run('vantage-player evaluate', ['p.vantage', '--show', 'coverage'])
     expect(code == 2 and 'no option --show' in err, 'vantage-player evaluate', f'scores false colors: {code} {err}')
     expect('scene file' not in run('vantage align', ['--help'])[1].split('Options')[0], 'vantage align', '--help')

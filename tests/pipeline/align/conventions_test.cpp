@@ -129,9 +129,9 @@ TEST(Conventions, AMeshThatFitsNowhereStopsTheRun) {
         } catch (const Error& e) {
             EXPECT_EQ(e.code(), Exit::misplaced);
             const std::string what = e.what();
-            const std::size_t at = what.find("projects ");
+            const std::size_t at = what.find("project ");
             ASSERT_NE(at, what.npos) << what;
-            EXPECT_GT(std::stod(what.substr(at + 9)), px) << what;
+            EXPECT_GT(std::stod(what.substr(at + 8)), px) << what;
             EXPECT_EQ(what.find('\n'), what.npos);
         }
         scene.warnings = right.warnings;
