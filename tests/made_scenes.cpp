@@ -74,7 +74,7 @@ fs::path collection() {
     return folder;
 }
 
-/// The file or folder of this key, made by `make` unless it already exists.
+/// The file or folder for this key, made by `make` unless it already exists.
 fs::path once(const std::string& key, const std::string& extension,
               const std::function<void(const fs::path&)>& make) {
     std::ostringstream name;

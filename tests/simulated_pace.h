@@ -21,7 +21,7 @@ struct PacedMotion {
     Machine machine;
     double goal_ms;
     int delay = 0;  ///< frames until a frame's time is known, beyond the next one
-    std::function<double(int frame)> load = {};  ///< factor of every frame's time; none: 1
+    std::function<double(int frame)> load = {};  ///< factor of every frame's time; if empty, 1
     double noise = 0.04;                         ///< relative standard deviation of a frame's time
     int frames = 1000;
 };

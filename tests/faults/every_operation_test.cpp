@@ -16,7 +16,8 @@ class EveryOperation : public WrittenPackage {
     std::string fault(int n, const std::string& how) const {
         return "FAULT=any:" + std::to_string(n) + ":" + how + " FAULT_FOLDER=" + dir.string();
     }
-    /// The number of operations of the undisturbed command; with "BAD_PAGE", of pages that it maps.
+    /// The number of operations of the undisturbed command; with "BAD_PAGE", the number of pages that it
+    /// maps.
     int operations_of(const WritingCommand& c, const std::string& how = "SHORT_ONCE") const {
         start(c);
         const fs::path count = fs::temp_directory_path() / (dir.filename().string() + ".count");
@@ -32,7 +33,7 @@ class EveryOperation : public WrittenPackage {
         const bool fails = o.code != int(Exit::ok) && o.code != int(Exit::incomplete);
         EXPECT_EQ(std::ranges::count(o.err, '\n'), fails ? 1 : 0) << when << ": " << o.err;
     }
-    /// Lets about `at_most` operations of each command fail, one per run, in each of these ways.
+    /// Makes about `at_most` operations of each command fail, one per run, in each of these ways.
     void expect_nothing_lost(int at_most, const std::vector<const char*>& ways) const {
         for (const WritingCommand& c : commands) {
             const int operations = operations_of(c);

@@ -6,7 +6,7 @@
 //      WAIT, the N-th call waits until the file FAULT_CONTINUE exists (flock only);
 //      BAD_PAGE, the N-th page of mapped files cannot be read: touching it raises SIGBUS (mmap
 //      only).
-// FAULT_CLOCK=1 moves the clock forward and back by a year at alternate calls.
+// FAULT_CLOCK=1 moves the clock forward and back by a year on alternate calls.
 // FAULT_LOG=FILE records all operations that change files below FAULT_FOLDER (tests/faults/disk_log.h).
 // FAULT_COUNT=FILE receives the number of calls (or mapped pages) at exit.
 #include <dlfcn.h>
@@ -91,8 +91,8 @@ void spoil_page(void* mapping, std::size_t size, int fd) {
 
 enum class Fate { real, fails, is_short };
 
-/// Counts a call and returns its fate; `path`: of its file. Kills the process if it is to be killed before
-/// the call.
+/// Counts a call and returns its fate; `path`: the path of its file. Kills the process if it is to be killed
+/// before the call.
 Fate fate_of(const char* name, const std::string& path, bool& killed_after) {
     Fault& f = fault();
     if (f.is("BAD_PAGE")) return Fate::real;
@@ -116,8 +116,8 @@ T failed() {
         return -1;
 }
 
-/// The result of the real call, or the simulated failure. `real` gets the number of bytes, 0 for calls
-/// without; `record` gets the result of a successful call.
+/// The result of the real call, or the simulated failure. `real` gets the number of bytes, 0 for calls that
+/// transfer none; `record` gets the result of a successful call.
 template <class Real, class Record>
 auto perform(const char* name, const std::string& path, std::size_t bytes, Real real, Record record)
     -> decltype(real(bytes)) {

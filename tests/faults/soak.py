@@ -9,8 +9,8 @@ random time, with little memory, with little disk space; then again without dist
 or the player's picture from a photo's camera. The expected answer follows from the changes. While one worker changes a package,
 others read it: they may see the old one or the new one.
 
-Prints a line per wrong verdict and, at the end, the operations by kind, the wrong verdicts and the largest memory of a command
-by tenth of the run. Exit code 1 if a verdict was wrong."""
+Prints a line per wrong verdict and, at the end, the operations by kind, the wrong verdicts and the largest
+memory of a command in each tenth of the run. Exit code 1 if a verdict was wrong."""
 import argparse
 import collections
 import os

@@ -85,7 +85,7 @@ Bits random_cover(std::mt19937& random, std::uint32_t triangles, std::size_t set
     return b;
 }
 
-/// uncovered_share() by its definition, triangle by triangle.
+/// uncovered_share() computed from its definition, triangle by triangle.
 double counted_share(const CoverProblem& p, const std::vector<std::size_t>& chosen) {
     const auto seen = [](const auto& bits, std::uint32_t t) { return bits[t / 64] >> (t % 64) & 1; };
     double all = 0, left = 0;

@@ -42,7 +42,7 @@ bool write_heic(const fs::path& file, const std::vector<std::uint8_t>& rgb, cons
     return encodes;
 }
 
-/// The largest difference of a photo's bytes from the colors that were written.
+/// The largest difference between a photo's bytes and the colors that were written.
 template <class T>
 double error_of(const RgbaImage& photo, const RgbSpace& space, const std::vector<T>& stored, int channels) {
     double most = 0;

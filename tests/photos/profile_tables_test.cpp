@@ -42,8 +42,8 @@ std::string with_profile(std::string jpeg, const std::string& icc, std::size_t c
     return jpeg.insert(2, segments);
 }
 
-/// A profile with a table of colors, such as those of scanners and presses: `lab_of` gives CIE L*a*b*,
-/// relative to D50, of values in [0, 1].
+/// A profile with a table of colors, such as those of scanners and presses: `lab_of` maps values in [0, 1]
+/// to CIE L*a*b* relative to D50.
 std::string table_profile(cmsColorSpaceSignature space, cmsProfileClassSignature device, int points,
                           cmsSAMPLER16 lab_of) {
     cmsHPROFILE profile = cmsCreateProfilePlaceholder(nullptr);

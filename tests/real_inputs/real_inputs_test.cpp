@@ -1,9 +1,9 @@
 // Realistic inputs: every row of the table is written to disk, given to the programs, and its outcome
 // compared with the expected answer. `vantage` runs in a fork of this process, which saves its startup time;
-// every twentieth row of a family, and at length every fifth, runs the program itself. Of the rows that make
-// a package, every fourth is run, and at length all of them. ROW=TEXT runs the rows whose name contains this
-// text. VANTAGE_WRITE_DOCS=1 writes the table to README.md beside this file; docs/real-inputs.md has the
-// rules.
+// every twentieth row of a family, in the full set every fifth, runs the program itself. Of the rows that
+// make a package, every fourth is run, in the full set all of them. ROW=TEXT runs the rows whose name
+// contains this text. VANTAGE_WRITE_DOCS=1 writes the table to README.md beside this file;
+// docs/real-inputs.md has the rules.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -47,7 +47,7 @@ std::string colmap_cameras_bin();
 std::string bundle(std::size_t cameras = 3);
 /// A MeshLab project with these file names.
 std::string meshlab(const Names& names);
-/// Replaces the cameras by a Bundler file and this list.txt.
+/// Replaces the cameras with a Bundler file and this list.txt.
 void use_bundler(Scan& scan, const std::string& list);
 void use_meshlab(Scan& scan, const Names& names);
 

@@ -253,7 +253,7 @@ TEST_F(WindowEventsTest, WhatIsLetGoInMotionMovesOn) {
 
 TEST_F(WindowEventsTest, FingersOrbitPinchAndTap) {
     HeadlessWindow w(package_of(WindowScene::tiny));
-    w.touch(What::begin, 1, 450, 180), w.touch(What::move, 1, 450, 200), w.frames(2);  // no tap any more
+    w.touch(What::begin, 1, 450, 180), w.touch(What::move, 1, 450, 200), w.frames(2);  // no longer a tap
     const double before = elevation(w);
     for (int i = 1; i <= 6; ++i) w.touch(What::move, 1, 450, 200 + 10 * i), w.frames();
     w.wait(0.3), w.touch(What::end, 1, 450, 260), w.frames(3);

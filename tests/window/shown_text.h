@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// What is written in ImGui's last frame, read from the letters that it draws: in the order in which they are
+/// The text in ImGui's last frame, read from the letters that it draws: in the order in which they are
 /// drawn, with a space where the next letter is not close by.
 std::string shown_text();
 

@@ -72,7 +72,7 @@ TEST_F(UpsideDown, NeighborsTell) {
     expect_found(all);
 }
 
-/// A photo with EXIF orientation 2 or 4, which other programs take as displayed.
+/// A photo with EXIF orientation 2 or 4, which other programs treat as the displayed photo.
 TEST_F(UpsideDown, AMirroredPhotoIsFound) {
     VANTAGE_DATASET(scan, "sceaux-small");
     for (const int orientation : {2, 4}) {

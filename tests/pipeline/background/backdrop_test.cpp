@@ -20,7 +20,7 @@ double quantile(std::vector<double> values, double share) {
     return values.at(std::size_t(share * double(values.size() - 1)));
 }
 
-/// Errors of the backdrop in directions that at least three photos show, by the part of the yard.
+/// Errors of the backdrop in directions that at least three photos show, for each part of the yard.
 struct ByContent {
     std::vector<double> ground, hill;  ///< relative error of the distance
     std::vector<double> sky;           ///< distance

@@ -6,7 +6,7 @@ using namespace vantage;
 
 namespace {
 
-/// A judgment of photos with these gains in dB, and seams of 1 before and `seams` after.
+/// The validation of photos with these gains in dB, and with seams of 1 before and `seams` after.
 Judgment validated(const std::vector<double>& gains, double seams = 1) {
     std::vector<ValidatedPhoto> photos;
     for (const double g : gains)

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// The direction towards the viewer of the plane.
+/// The direction from the plane toward its viewer.
 Vector3d viewer(const PicturePlane& p) { return p.right.cross(p.up); }
 
 void expect_plane(const char* name, const Vector3d& scene_up, const Vector3d& from, const Vector3d& up) {

@@ -29,7 +29,7 @@ Placed random_placed(Random& random) {
     return p;
 }
 
-/// By the definition of an orthographic projection.
+/// Computed from the definition of an orthographic projection.
 Eigen::Vector2d pixel_of(const Placed& p, const Vector3d& point) {
     return {p.view.intrinsics.cx + p.pixels * p.right.dot(point - p.middle),
             p.view.intrinsics.cy + p.pixels * p.down.dot(point - p.middle)};

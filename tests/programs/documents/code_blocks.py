@@ -34,21 +34,21 @@ def command_of(line):
 
 
 def words_of(command):
-    """The words of a command, from the program on."""
+    """The words of a command, starting with the program."""
     words = shlex.split(command)
     return words[next(i for i, word in enumerate(words) if word.split('/')[-1] in ('vantage', 'vantage-player')):]
 
 
 def first_words(text):
-    """Of the lines that are not indented."""
+    """The first words of the lines that are not indented."""
     return [line.split()[0] for line in text.splitlines() if line[:1].strip()]
 
 
 def block_after(file, text):
-    """The block of a page whose first line has the text, such as a file that is shown."""
+    """The block of a page whose first line contains the text, for example the content of a file."""
     return next('\n'.join(line for _, line in b) for b in blocks(file) if text in b[0][1])
 
 
 def comment_after(file, text):
-    """The comment in the line of a block that has the text."""
+    """The comment on the line of a block that contains the text."""
     return next(line.split('# ', 1)[1] for b in blocks(file) for _, line in b if text in line)

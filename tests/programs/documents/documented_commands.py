@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Runs every command of the README and the guides as it is written there.
 
-    documented_commands.py VANTAGE VANTAGE_PLAYER SOURCE_FOLDER [--all] [PAGE...]     --all: also those that take long
+    documented_commands.py VANTAGE VANTAGE_PLAYER SOURCE_FOLDER [--all] [PAGE...]     --all: also commands that take long
 
 Commands are the lines of code blocks that run vantage or vantage-player. Each page has a temporary folder, in which its commands
-run in their order through `bash -c`; an input that no command of the page has written is made first. A command ends with exit code
-0, and its outputs exist; a window is ended by SIGTERM after its first picture and must have had no error; a turntable's video, by
-SIGINT after its first frames. Where a block shows the
-output of the commands before it, the first words of its lines must be printed. The only substitutions: https://example.org and
-https://museum.org are a server of this test, and the folders /collection and /scans are those of the page.
+run in order through `bash -c`; an input that no command of the page writes is made first. A command must end with exit code 0,
+and its outputs must exist; a window is closed by SIGTERM after its first picture, and must not have reported an error; a
+turntable's video is interrupted by SIGINT after its first frames. Where a block shows the output of the commands before it, the
+first words of its lines must be printed. The only substitutions: https://example.org and https://museum.org are a server of this
+test, and the folders /collection and /scans are those of the page.
 """
 import json
 import os
@@ -30,7 +30,7 @@ from inputs import Inputs, server
 FEWEST = 60  # commands in all pages
 DIFFERENT = 10  # exit code of diff
 INTERRUPTED = 8
-# What takes more than a few seconds of processor time on a small scene.
+# Commands that take more than a few seconds of processor time on a small scene.
 LONG = re.compile(r'--turntable|vantage-player (bench|smoothness)|--panorama|--extent|vantage align|synth data/demo|inspect demo|data/hard')
 ERROR = re.compile(r'(?m)^vantage(-player)?: ')
 
@@ -56,7 +56,7 @@ class Commands:
         return words[0].endswith('vantage-player') and (words + [''])[1] not in self.without_window
 
     def why_not(self, command, words):
-        """Why a command cannot be run; an empty text if it can."""
+        """Why a command cannot be run; an empty string if it can."""
         if not self.at_length and LONG.search(command):
             return 'only with --all'
         if 'headset' in words and not (os.environ.get('XR_RUNTIME_JSON') or os.path.exists('/etc/xdg/openxr/1/active_runtime.json')):
@@ -67,13 +67,13 @@ class Commands:
         return 'ffmpeg is not installed' if video and not shutil.which('ffmpeg') else ''
 
     def run(self, command, folder):
-        """Exit code and what was printed."""
+        """Exit code and output."""
         done = subprocess.run(['bash', '-c', command], cwd=folder, env=self.environment, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         return done.returncode, done.stdout
 
     def run_video(self, command, folder):
-        """Exit code of a video, 0 if it was interrupted while frames were drawn, as it should be; and what was printed."""
+        """Exit code of a video, 0 if it was interrupted while frames were drawn, as intended; and its output."""
         log = self.home / 'log'
         with log.open('w') as out:
             video = subprocess.Popen(['bash', '-c', 'exec ' + command], cwd=folder, env=self.environment, stdin=subprocess.DEVNULL,
@@ -87,7 +87,7 @@ class Commands:
         return 0 if interrupted and code == INTERRUPTED else code, log.read_text()
 
     def run_window(self, command, folder):
-        """Exit code of a window that is closed after its first picture, or what is wrong with it; and what was printed."""
+        """Exit code of a window that is closed after its first picture, or its fault; and its output."""
         log = self.home / 'log'
         with log.open('w') as out:
             window = subprocess.Popen(['bash', '-c', command], cwd=folder, env=self.environment, stdin=subprocess.DEVNULL, stdout=out,
@@ -116,7 +116,7 @@ class Commands:
             beside(folder)
 
     def faults(self, command, folder, page):
-        """Runs a command; what is wrong, and what was printed."""
+        """Runs a command; returns its faults and its output."""
         words = words_of(command)
         # verify writes -o only if pictures differ.
         named = {'>', '--junit'} if 'verify' in words else {'>', '--junit', '-o', '--output'}

@@ -17,7 +17,7 @@ photos = {count = 8, width = 331, height = 250, fov = 60, radius = 2.5, low = 0.
 
 
 class Inputs:
-    """Makes inputs by their names, with the programs in FOLDER/bin."""
+    """Makes inputs by name, with the programs in FOLDER/bin."""
 
     def __init__(self, folder, source, environment, at_length):
         self.bin, self.made, self.source, self.environment = folder / 'bin', folder / 'made', source, environment
@@ -37,7 +37,7 @@ class Inputs:
         self.beside = {'docs/story.md': self.story, 'docs/video.md': self.quick_story}  # chapel.story.json, which no command names
 
     def need(self, to, name, page=None):
-        """Makes the input of that name, unless it is there."""
+        """Makes the input of that name, unless it exists."""
         make = self.of_page.get(page, {}).get(name) or self.makers.get(name)
         if make and (not to.exists() or name in ('scans', 'golden')):
             to.parent.mkdir(parents=True, exist_ok=True)
@@ -52,7 +52,7 @@ class Inputs:
         return make
 
     def two(self, make, extension=''):
-        """Makes the files or folders of a chapel and an altar, in a folder, or in that of a pattern."""
+        """Makes two files or folders, chapel and altar, in a folder or, for a pattern of files, in its folder."""
         def make_two(to):
             folder = to.parent if extension else to
             folder.mkdir(exist_ok=True)
@@ -63,7 +63,7 @@ class Inputs:
 
     @functools.lru_cache(None)
     def scan(self, spec=None):
-        """A small scan, by a specification in data/ or SMALL, whose mesh has a scalar field named deviation."""
+        """A small scan from a specification, in data/ or SMALL, whose mesh has a scalar field named deviation."""
         out = self.made / f'scan of {spec}'
         (self.made / 'scan.toml').write_text((self.source / 'data' / spec).read_text() if spec else SMALL)
         self.run('vantage', 'synth', 'scan.toml', '-o', out)
@@ -76,13 +76,13 @@ class Inputs:
         return out
 
     def mesh(self, scan):
-        """Header and body of its mesh."""
+        """Header and body of the scan's mesh."""
         return (scan / 'mesh.ply').read_bytes().split(b'end_header\n', 1)
 
     @functools.lru_cache(None)
     def package(self, spec=None):
         out = self.made / f'package of {spec}.vantage'
-        self.run('vantage', 'prepare', self.scan(spec) if spec else self.scan(), '-o', out)  # scan() is cached as it is called
+        self.run('vantage', 'prepare', self.scan(spec) if spec else self.scan(), '-o', out)  # scan(None) has its own cache entry
         return out
 
     @functools.lru_cache(None)
@@ -121,7 +121,7 @@ class Inputs:
         cameras.write_text(re.sub(r'visible/(\d+)', r'\1_vis', cameras.read_text()).replace('infrared/', 'ir/'))
 
     def image_sets(self, to):
-        """As the comment beside its command says."""
+        """Writes the image_sets.toml shown in the comment after the command in docs/scenes.md."""
         to.write_text(comment_after(self.source / 'docs/scenes.md', '--image-sets image_sets.toml').replace('  and  ', '\n'))
 
     def church(self, to):
@@ -130,7 +130,7 @@ class Inputs:
             self.need(to.parent / name, name)
 
     def chapel(self, to):
-        """As align writes it, which runs at length only."""
+        """The scene file as align writes it; align itself runs in the full set of tests only."""
         self.need(to.parent / 'scans/chapel', 'scans/chapel')
         to.write_text('[[object]]\ninput = "scans/chapel"\n')
 
@@ -140,7 +140,7 @@ class Inputs:
         shutil.copy(self.scan() / 'images/0000.jpg', folder / 'pictures/clock.jpg')
 
     def quick_story(self, folder):
-        """The same with a tour of less than a second, for a video."""
+        """The same story with a tour of less than a second, for a video."""
         self.story(folder)
         told = folder / 'chapel.story.json'
         told.write_text(re.sub(r'"(fly|stay)": \d+', r'"\1": 0.1', told.read_text()))
@@ -150,7 +150,7 @@ class Inputs:
 
 
 def server(package):
-    """A web server with a package under every path, by ranges."""
+    """A web server that returns a package under every path, and supports range requests."""
 
     class Server(http.server.BaseHTTPRequestHandler):
         protocol_version = 'HTTP/1.1'

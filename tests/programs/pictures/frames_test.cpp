@@ -67,7 +67,7 @@ double ms_of(const std::function<void()>& draw) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Compares a picture with sections with rays that are clipped by them.
+/// Compares a picture of sections with rays that the sections clip.
 void expect_cut(const PackageReader& package, const View& view, std::vector<SectionPlane> sections,
                 std::span<const std::uint32_t> photos) {
     Renderer renderer(package, MemoryBudget{});
@@ -94,8 +94,8 @@ void expect_cut(const PackageReader& package, const View& view, std::vector<Sect
     EXPECT_LT(wrong, cut.size() / 200) << "except at edges";
 }
 
-/// The largest difference of two pictures of the frame last drawn, except at pixels whose triangle is seen at
-/// less than 3 degrees, where derivatives are not differences of neighbors.
+/// The largest difference between two pictures of the frame last drawn, except at pixels whose triangle is
+/// seen at less than 3 degrees, where derivatives are not differences of neighbors.
 int largest_difference(Renderer& renderer, const View& view, const Picture& a, const Picture& b) {
     constexpr double grazing = 0.05;
     const std::vector<std::uint32_t> triangles = read_triangles(renderer.resources().targets);

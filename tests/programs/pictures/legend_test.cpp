@@ -33,7 +33,7 @@ class Legend : public TemporaryFolder {
     }
 };
 
-/// Where two pictures of one size differ: left, top, right, bottom.
+/// The bounding box of the differences between two pictures of one size: left, top, right, bottom.
 std::array<int, 4> difference(const Picture& a, const Picture& b) {
     std::array<int, 4> out{a.width, a.height, -1, -1};
     for (int y = 0; y < a.height; ++y)
@@ -45,7 +45,7 @@ std::array<int, 4> difference(const Picture& a, const Picture& b) {
     return out;
 }
 
-/// The most colors of a map that a row of the picture runs through in order.
+/// The largest number of colors of a map that occur in order in a row of the picture.
 std::size_t colors_in_a_row(const Picture& p, const ColorTable& table) {
     std::size_t most = 0;
     for (int y = 0; y < p.height; ++y) {

@@ -212,7 +212,7 @@ TEST_F(PointScenes, NeedNoPhotos) {
     std::size_t shown = 0;
     for (std::size_t i = 3; i < p.rgba.size(); i += 4) shown += p.rgba[i] > 0;
     EXPECT_GT(shown, p.rgba.size() / 4 / 10);
-    // Of points with z down, a view stands upright with a roll of half a turn.
+    // If z of the points is down, a view is upright with a roll of half a turn.
     run(player + " render " + package + " --view 0,-14,5,0,0,3,45,180 --size 200x150 -o " + at +
         "/rolled.png");
     const Picture rolled = read_png(dir / "rolled.png");
@@ -234,7 +234,7 @@ TEST_F(PointScenes, NeedNoPhotos) {
 }
 
 TEST_F(PointScenes, AreObjectsOfASceneBeforeAndBehindOthers) {
-    // A wall of points before the building, whose front is at y = -3 or so.
+    // A wall of points in front of the building, whose front is at y = -3 or so.
     std::vector<PlyPoint> wall;
     for (int x = -100; x <= 100; ++x)
         for (int z = 0; z <= 100; ++z) wall.push_back({{0.02 * x, -5, 0.03 * z}, magenta});

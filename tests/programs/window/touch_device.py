@@ -49,7 +49,8 @@ class Device:
             self.down[finger] = (x, y)
 
     def move(self, paths, rest=STEP):
-        """Moves fingers together along their paths, functions of 0 to 1; they pause for some seconds at the end."""
+        """Moves the fingers together along their paths, functions of t in [0, 1], then holds them
+        for `rest` seconds before lifting them."""
         for finger, at in enumerate(paths):
             self.touch(finger, BEGIN, *at(0))
         for step in range(1, 21):

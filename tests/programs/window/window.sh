@@ -1,5 +1,5 @@
 # Functions for tests of the window, to be sourced: real mouse and key events through the X server. Needs xvfb-run, xdotool and
-# inotifywait. Changes appear in files that the player moves to the folder, of which `places` comes with every frame.
+# inotifywait. Changes appear in files that the player moves to the folder; the file `places` is written with every frame.
 
 # Runs the calling script again under Xvfb, with a screen of this size, in an empty folder $dir; once under Xvfb, continues.
 # under_xvfb WIDTHxHEIGHT "$@"
@@ -12,7 +12,7 @@ under_xvfb() {
     done
     export VANTAGE_WINDOW_TEST=$(mktemp -d)
     trap 'rm -rf "$VANTAGE_WINDOW_TEST"' EXIT
-    # The display number comes from the process's: with -a alone, tests that start simultaneously may get the same display.
+    # The display number is derived from the process ID: with -a alone, tests that start simultaneously may get the same display.
     xvfb-run -n $((1000 + $$ % 30000)) -a -s "-screen 0 ${screen}x24" "$0" "$@"
     exit $?
   fi
@@ -100,7 +100,7 @@ END
   kill $xorg 2>/dev/null
   return 1
 }
-# finger GESTURE...: of touch_device.py; waits until it is done
+# finger GESTURE...: makes a gesture of touch_device.py, and waits until it is done
 finger() {
   local answer
   echo "$*" >&"${TOUCH[1]}"
@@ -206,7 +206,7 @@ rests() {
   done
   return 1
 }
-await_exit() {  # await_exit WHAT [CODE]: expects the player to exit with this code or 0; WHAT: what it was told by
+await_exit() {  # await_exit WHAT [CODE]: expects the player to exit with this code or 0; WHAT: the input that ends it
   local code
   timeout 10 tail --pid=$pid -s 0.05 -f /dev/null || { kill -9 $pid; fail "$1 did not quit"; return; }
   wait $pid

@@ -1,4 +1,4 @@
-// Areas that no photo shows take the surrounding colors.
+// Areas that no photo shows take on the surrounding colors.
 #include "player/render/passes/hole_filling.h"
 
 #include <gtest/gtest.h>

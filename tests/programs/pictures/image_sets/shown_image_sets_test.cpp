@@ -50,7 +50,7 @@ double mixed(int a, int b, double share) {
     return 255 * srgb_from_linear(root * root);
 }
 
-/// The largest difference of a mix from the mean of two pictures, in 8-bit values.
+/// The largest difference between a mix and the mean of two pictures, in 8-bit values.
 double largest_error(const Picture& a, const Picture& b, const Picture& mix, double share) {
     double worst = 0;
     for (std::size_t i = 0; i < mix.rgba.size(); i += 4) {

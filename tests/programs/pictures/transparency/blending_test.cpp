@@ -177,7 +177,7 @@ TEST_F(Transparent, WhatFindsNoRoomIsApproximatedAndCounted) {
         EXPECT_NEAR(double(four.fragments), 4.0 * double(r.fragments), 0.02 * double(r.fragments))
             << "of all samples";
     }
-    // From nearer, the stack fills the frame.
+    // From a shorter distance, the stack fills the frame.
     Renderer renderer(package, MemoryBudget{});
     const View near = facing(package, 5);
     const auto shown = light(renderer, near, shown_as(Transparency::exact)),

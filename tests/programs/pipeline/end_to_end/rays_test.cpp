@@ -48,8 +48,8 @@ struct Colored {
     std::size_t seen = 0, colored = 0;
 };
 
-/// Of every `step`-th pixel in both directions, counts those whose surface some photo sees, and how many of
-/// these are colored.
+/// Among every `step`-th pixel in both directions, counts those whose surface some photo sees, and those of
+/// them that are colored.
 Colored count_colored(const Picture& picture, const Camera& from, const RayScene& rays,
                       const std::vector<Camera>& cameras, int step) {
     Colored count;
