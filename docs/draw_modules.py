@@ -3,8 +3,9 @@
 
 usage: draw_modules.py BUILD/modules.txt [OUT.svg]        default: modules.svg beside this script
 
-A module stands above those that it uses. Arrows join modules of one frame; small letters name those of lower frames. What follows
-from other arrows is not drawn: a module that uses `refine` may also use all below `refine`. Fails if modules use each other in a circle, or one uses a module of a higher folder."""
+A module stands above those that it uses. Arrows join modules of one frame; small letters name those of lower frames. Arrows
+that follow from others are not drawn: a module that uses `refine` may also use all below `refine`. Fails if modules form a
+cycle, or one uses a module of a higher folder."""
 import pathlib
 import sys
 
@@ -35,7 +36,7 @@ def read(path):
 
 
 def reach(uses):
-    """All that each module uses, directly or through others."""
+    """All modules that each module uses, directly or through others."""
     done, open_ = {}, set()
 
     def of(name):
@@ -67,7 +68,7 @@ def layers(names, uses):
 
 
 def place(names, direct, left, bottom, width):
-    """Middles of boxes, rows upwards from `bottom`; and of arrows, the points where they pass rows between."""
+    """Centers of the boxes, in rows upward from `bottom`; and for each arrow, the points where it passes other rows."""
     rows = layers(names, direct)
     row = {n: r for r, ns in enumerate(rows) for n in ns}
     joined = {}  # an item of a row -> items of the next rows that lead to it
@@ -100,7 +101,7 @@ def place(names, direct, left, bottom, width):
 
 
 def arrow(points):
-    """A smooth line down through these points, straight beside the boxes of the rows that it passes."""
+    """A smooth line down through these points, vertical next to the boxes of the rows that it passes."""
     x, y = points[0]
     path = f"M{x:g} {y:g}"
     for to, (u, v) in enumerate(points[1:], 2):

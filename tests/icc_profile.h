@@ -62,8 +62,8 @@ inline std::string gray_profile(double gamma) {
     return icc_bytes(cmsCreateGrayProfile(&white, curve_of(gamma).get()), "Gray");
 }
 
-/// Converts a color in [0, 1] to linear sRGB by the equations: to XYZ, to the other white point (Bradford, as
-/// in ICC profiles), from XYZ.
+/// Converts a color in [0, 1] to linear sRGB with the equations: to XYZ, to the other white point (Bradford,
+/// as in ICC profiles), from XYZ.
 inline Eigen::Vector3d srgb_light(const RgbSpace& space, const Eigen::Vector3d& color) {
     using Eigen::Matrix3d, Eigen::Vector3d;
     const auto xyz = [](const std::array<double, 2>& xy) {

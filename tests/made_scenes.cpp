@@ -57,7 +57,7 @@ std::string key_of(const fs::path& scan) {
     return out.str();
 }
 
-/// The folder for scenes made by this build of the program: those of an earlier build may be outdated.
+/// The folder for scenes made by this build of the program: scenes from an earlier build may be outdated.
 fs::path collection() {
     static const fs::path folder = [] {
         const fs::path program = fs::read_symlink("/proc/self/exe");

@@ -224,7 +224,7 @@ class Soak:
             os.remove(picture)
 
     def read_while_written(self, p):
-        """Any state is allowed, but the answer must be that of a complete package, without a crash."""
+        """Any state is allowed, but the answer must be correct for a complete package, without a crash."""
         code, text = self.run([self.o.vantage, 'check', '--deep', p.file])
         self.expect('check while it may change', code, text, {0, 3, DAMAGED, INCOMPLETE})
         code, text = self.run([self.o.vantage, 'info', p.file])

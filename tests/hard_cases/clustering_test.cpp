@@ -67,7 +67,7 @@ struct Bits {
     CoverProblem problem;
 };
 
-/// Random sets over `triangles`; no photo sees those of the last cluster.
+/// Random sets over `triangles`; no photo sees the triangles of the last cluster.
 Bits random_cover(std::mt19937& random, std::uint32_t triangles, std::size_t sets) {
     Bits b;
     const std::size_t words = package::visible_words(triangles);

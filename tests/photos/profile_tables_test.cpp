@@ -1,4 +1,4 @@
-// Color profiles with tables, such as those of scanners and presses, and unusable profiles.
+// Color profiles with tables, as for scanners and presses, and unusable profiles.
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
@@ -42,7 +42,7 @@ std::string with_profile(std::string jpeg, const std::string& icc, std::size_t c
     return jpeg.insert(2, segments);
 }
 
-/// A profile with a table of colors, such as those of scanners and presses: `lab_of` maps values in [0, 1]
+/// A profile with a table of colors, as for scanners and presses: `lab_of` maps values in [0, 1]
 /// to CIE L*a*b* relative to D50.
 std::string table_profile(cmsColorSpaceSignature space, cmsProfileClassSignature device, int points,
                           cmsSAMPLER16 lab_of) {

@@ -109,7 +109,7 @@ TEST_F(ProfiledPhotos, MakeThePackageOfTheSamePhotosInSrgb) {
 }
 
 TEST_F(ProfiledPhotos, MasksKeepTheirThreshold) {
-    // Half of the mask is dark as stored, but bright if converted by its profile.
+    // Half of the mask is dark as stored, but bright if converted with its profile.
     std::vector<float> values;
     for (int i = 0; i < size_.width * size_.height; ++i)
         values.push_back(i < size_.width * size_.height / 2 ? 100 / 255.0f : 1.0f);

@@ -72,7 +72,7 @@ TEST_F(UpsideDown, NeighborsTell) {
     expect_found(all);
 }
 
-/// A photo with EXIF orientation 2 or 4, which other programs treat as the displayed photo.
+/// A photo with EXIF orientation 2 or 4, whose camera other programs have fitted to the photo as displayed.
 TEST_F(UpsideDown, AMirroredPhotoIsFound) {
     VANTAGE_DATASET(scan, "sceaux-small");
     for (const int orientation : {2, 4}) {
@@ -83,7 +83,7 @@ TEST_F(UpsideDown, AMirroredPhotoIsFound) {
     }
 }
 
-/// The camera has no size, so it may be that of the photo as stored or as displayed.
+/// The camera has no size, so it may belong to the photo as stored or as displayed.
 TEST_F(UpsideDown, APhotoTurnedBy90DegreesIsFoundAndTurned) {
     VANTAGE_DATASET(scan, "sceaux-small");
     for (const int orientation : {5, 6, 7, 8}) {

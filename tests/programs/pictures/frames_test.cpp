@@ -181,7 +181,7 @@ TEST_F(Frames, ACoarseMeshInMotionLooksLikeTheMesh) {
     for (std::size_t i = 0; i < coarse.rgba.size(); ++i)
         squares += std::pow(int(coarse.rgba[i]) - int(of_mesh.rgba[i]), 2);
     EXPECT_GT(10 * std::log10(255 * 255 / (squares / double(coarse.rgba.size()))), 30);
-    // The triangle under a pixel is one of the mesh.
+    // The triangle under a pixel belongs to the mesh.
     const auto triangles = renderer.planner().seen().triangles();
     ASSERT_FALSE(triangles.empty());
     EXPECT_LE(std::ranges::max(triangles), renderer.scene().triangles);

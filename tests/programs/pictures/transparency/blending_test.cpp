@@ -33,7 +33,7 @@ bool crosses(std::vector<TransparentLayers::Fragment> fragments, double opaque) 
     return false;
 }
 
-/// Gives coplanar fragments the same distance, so that their order is that of the triangles.
+/// Gives coplanar fragments the same distance, so that they are ordered like the triangles.
 void tie(std::vector<TransparentLayers::Fragment>& fragments) {
     std::ranges::sort(fragments, {}, &TransparentLayers::Fragment::z);
     for (std::size_t i = 1; i < fragments.size(); ++i)

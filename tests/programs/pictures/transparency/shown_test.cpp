@@ -178,7 +178,7 @@ TEST_F(TransparentAtLength, PhotosLookThroughAGlassCase) {
     runs(vantage + " prepare " + glass + " -o " + package + " --vertex-coordinates");
     runs(vantage + " check --deep --against " + glass + " " + package);
     EXPECT_NE(runs(vantage + " info " + package).find("transparency       on"), std::string::npos);
-    // The photos' visibility data is that of the same scene without the case.
+    // The photos have the same visibility data as in the scene without the case.
     SynthSpec spec = spec_named("glass");
     spec.glass.alpha = 0;
     copy_scene(spec, dir / "bare");

@@ -22,7 +22,8 @@ inline double encoded(double l) {
     return l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
 }
 
-/// The largest difference of channels, in 8-bit values. The second color may be that of empty pixels.
+/// The largest difference of channels, in 8-bit values. The second color may also be the color of empty
+/// pixels.
 inline double codes_apart(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
     double most = 255 * std::abs(a[3] - b[3]);
     for (int c = 0; c < 3; ++c) most = std::max(most, 255 * std::abs(encoded(a[c]) - encoded(b[c])));
