@@ -10,7 +10,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// Computed from the definition, from sorted coordinates and distances.
+/// Computed from the definition, using sorted coordinates and distances.
 std::vector<std::uint32_t> strays_by_definition(const Points& points) {
     const std::size_t n = points.size(), most = std::min(std::max<std::size_t>(3, n / 100), n / 4);
     Eigen::Vector3d median;

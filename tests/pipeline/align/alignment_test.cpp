@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The median displacement of vertices in the photos, in px, by an independent projection.
+/// The median displacement of vertices in the photos, in px, computed with an independent projection.
 double median_off(const SceneInput& right, const SceneInput& moved, const Similarity& mesh_from_cameras) {
     std::vector<double> off;
     const Similarity& s = mesh_from_cameras;

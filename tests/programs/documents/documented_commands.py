@@ -73,7 +73,7 @@ class Commands:
         return done.returncode, done.stdout
 
     def run_video(self, command, folder):
-        """Exit code of a video, 0 if it was interrupted while frames were drawn, as intended; and its output."""
+        """Exit code of a video, 0 if it was interrupted while frames were drawn, as intended, and its output."""
         log = self.home / 'log'
         with log.open('w') as out:
             video = subprocess.Popen(['bash', '-c', 'exec ' + command], cwd=folder, env=self.environment, stdin=subprocess.DEVNULL,
@@ -87,7 +87,7 @@ class Commands:
         return 0 if interrupted and code == INTERRUPTED else code, log.read_text()
 
     def run_window(self, command, folder):
-        """Exit code of a window that is closed after its first picture, or its fault; and its output."""
+        """Exit code of a window that is closed after its first picture, or its fault, and its output."""
         log = self.home / 'log'
         with log.open('w') as out:
             window = subprocess.Popen(['bash', '-c', command], cwd=folder, env=self.environment, stdin=subprocess.DEVNULL, stdout=out,

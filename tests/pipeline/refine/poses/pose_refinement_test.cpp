@@ -257,7 +257,7 @@ TEST(RealPoseRefinementAtLength, StaysOffOnAccurateScenes) {
         const PoseRefinement& r = done.agreement->pose_refinement;
         EXPECT_FALSE(r.decision.on) << r.decision.evidence;
         EXPECT_TRUE(r.warnings.empty()) << r.warnings.front();
-        // By dense flow: 0.42 and 0.61 px.
+        // Measured by dense optical flow: 0.42 and 0.61 px.
         EXPECT_NEAR(median_displacement(r.pairs), 0.5, 0.15) << name;
         fs::remove(file);
     }
