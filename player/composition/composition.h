@@ -21,13 +21,13 @@ struct ObjectFrame {
 class Composition {
   public:
     /// Shows the frames, all of the size of `view`, in the framebuffer `target`, for the eye drawn last.
-    /// `settings`: background, and whether it is filled.
+    /// `settings` provides the background, and whether it is filled.
     void show(std::span<const ObjectFrame> frames, const View& view, const RenderSettings& settings,
               const ShowTarget& target);
 
     /// Depth of the nearest object with an opacity above 0 at each pixel of the last frame shown: 32-bit
-    /// values `near / z`, top row first, 0 without a surface. `near` is in scene units; depths in front of it
-    /// are above 1.
+    /// values `near / z`, top row first, 0 without a surface. `near` is in scene units; surfaces nearer than
+    /// `near` have values above 1.
     const gl::Texture& nearest_depth(double near);
 
   private:

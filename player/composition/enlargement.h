@@ -8,14 +8,14 @@ namespace vantage {
 /// Belongs to the OpenGL thread.
 class Enlargement {
   public:
-    /// Allocates space for frames of at most this size, unless it exists.
+    /// Allocates space for frames of at most this size, unless it has already been allocated.
     void fit(FrameSize size);
     /// Shows the last frame of `objects`, drawn for the view `drawn`, in the framebuffer `target` of this
     /// size, which stays bound. If `drawn` is smaller, fit() must have been called for its size.
     void show(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
               const ShowTarget& target);
-    /// The same if nothing has changed since show(): from the second call on, copies the picture if space has
-    /// been allocated for it.
+    /// Like show(), if nothing has changed since then: from the second call on, copies the picture if space
+    /// has been allocated for it.
     void show_again(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
                     const ShowTarget& target);
 

@@ -65,7 +65,7 @@ void ObjectSet::remove(std::size_t object) {
     divide_budget();
 }
 
-/// A given limit is divided evenly; otherwise each object gets what its frame needs.
+/// A given limit is divided evenly; otherwise each object gets the memory that its frame needs.
 void ObjectSet::divide_budget() {
     const std::uint64_t held = sum([](const Renderer& r) { return r.held(); });
     MemoryBudget share = budget_;

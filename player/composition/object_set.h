@@ -19,9 +19,9 @@ struct DrawnDepth {
     Eigen::Vector2d terms;
 };
 
-/// The objects of a scene: the first one, drawn by the caller's renderer, in whose coordinates the scene is;
-/// and others with renderers of their own. Each blends its own photos; at each pixel the nearest object is
-/// shown. Belongs to the OpenGL thread.
+/// The objects of a scene: the first one, drawn by the caller's renderer, whose coordinates are those of the
+/// scene, and others with renderers of their own. Each blends its own photos; at each pixel the nearest
+/// object is shown. Belongs to the OpenGL thread.
 class ObjectSet {
   public:
     static constexpr std::size_t max_objects = 16;
@@ -45,7 +45,7 @@ class ObjectSet {
     void set_opacity(std::size_t object, double opacity);
     /// Shows only this object.
     void show_only(std::size_t object);
-    /// As a scene file lists them.
+    /// The objects as listed in a scene file.
     std::vector<SceneObject> objects() const;
     /// The meshes of the visible objects, except the placeholder meshes of point-only scenes.
     std::vector<PlacedMesh> meshes() const;
@@ -56,13 +56,13 @@ class ObjectSet {
     /// Applies to all renderers.
     void use_trials(const RenderTrials& trials);
 
-    /// Like Renderer::samples() for all objects; only one per sample with stereo or several objects.
+    /// Like Renderer::samples(), for all objects; with stereo or several objects, always one frame per
+    /// sample.
     std::vector<PixelSample> samples(std::span<const View> eyes, const RenderSettings& settings,
                                      int side) const;
     /// Draws all visible objects like Renderer::draw; `settings.upload_bytes` is shared by all, but each may
-    /// upload at least one tile.
-    /// `photos`: of the first object; others blend all of theirs. Scalar fields, image sets, background and
-    /// comparisons are those of the first object.
+    /// upload at least one tile. `photos`: photos of the first object to blend; the other objects blend all
+    /// of theirs. Scalar fields, image sets, background and comparisons are those of the first object.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
     /// The same for one or two eyes, see Renderer::prepare. Calls `drawn` after each eye; until the other eye
@@ -104,7 +104,8 @@ class ObjectSet {
     Composition composition_;
 };
 
-/// Draws `side` * `side` samples per pixel; `now` as for Renderer::draw. Returns the report of the last one.
+/// Draws `side` * `side` samples per pixel; `now` as for Renderer::draw. Returns the report of the last
+/// sample.
 FrameReport draw_samples(ObjectSet& objects, const View& view, const RenderSettings& settings,
                          std::span<const std::uint32_t> photos, int side, double now = 0);
 

@@ -8,8 +8,8 @@
 
 namespace vantage {
 
-/// Pictures of parts of the sphere: layers of a texture from `first` on, with the viewing direction at the
-/// center of each.
+/// Pictures of parts of the sphere: layers of a texture from `first` on, each with its viewing direction at
+/// the center.
 struct PanoramaFaces {
     GLuint pictures;
     int first;

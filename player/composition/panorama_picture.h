@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// Renders all directions around an eye by way of the faces of a cube, with the samples per pixel of `spec`;
+/// Renders all directions around an eye via the faces of a cube, with the samples per pixel given in `spec`;
 /// each pixel of the panorama then takes four samples. Throws Error(usage) if the graphics card cannot draw
 /// this size.
 Picture take_panorama(ObjectSet& objects, const Panorama& panorama, const PictureSpec& spec);
@@ -16,8 +16,8 @@ Picture take_stereo_panorama(ObjectSet& objects, StereoPicture& stereo, StereoMo
                              const StereoPanorama& panorama, const PictureSpec& spec,
                              const std::function<void(std::size_t done, std::size_t count)>& finished);
 
-/// The distance of the nearest surface around a point, relative to the scene's origin, by casting rays in all
-/// directions; `otherwise` if there is none.
+/// The distance from a point, given relative to the scene's origin, to the nearest surface around it, found
+/// by casting rays in all directions; `otherwise` if there is none.
 double nearest_around(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& point, double otherwise);
 
 }  // namespace vantage

@@ -21,7 +21,7 @@ MarkColor color_of(MeasureLook look) {
     return look == MeasureLook::selected ? blue : look == MeasureLook::unfinished ? white : yellow;
 }
 
-/// Whether a photo is shown as a picture: not if the viewer is in its camera.
+/// Whether a photo is shown as a picture: not if the viewer is at its camera.
 bool is_in_scene(const PlanScene& scene, std::uint32_t photo, const Session& s, const Vector3d& eye,
                  const Stance& stance) {
     const package::PhotoRecord& p = scene.photos[photo];
@@ -29,7 +29,7 @@ bool is_in_scene(const PlanScene& scene, std::uint32_t photo, const Session& s, 
     return is_shown(s.settings.image_sets, p) && p.levels && !stands_there;
 }
 
-/// The distance at which a ray intersects a parallelogram, given by three corners; nothing without an
+/// The distance at which a ray intersects a parallelogram, given by three corners; nullopt without an
 /// intersection.
 std::optional<double> meets(const Ray& ray, const Vector3d& corner, const Vector3d& right,
                             const Vector3d& below) {

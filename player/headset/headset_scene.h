@@ -61,7 +61,7 @@ class HeadsetScene {
     Eigen::Vector3d up_;      ///< of the scene
     double unit_meters_;      ///< scene units to meters; 0: unknown
     double fps_;              ///< as for frame_goal(); below 0: the headset's rate
-    std::string controls_;    ///< file with the positions of the menu's controls
+    std::string controls_;    ///< output file for the positions of the menu's controls
     Locomotion locomotion_;
     bool placed_ = false, dims_edges_ = true;
 

@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// Shows a scene in a headset until the user quits there or closes the mirror window. Returns the exit code.
-/// Throws Error; Error(graphics) if there is no runtime or no headset.
+/// Shows a scene in a headset until the user quits in the headset or closes the mirror window. Returns the
+/// exit code. Throws Error; Error(graphics) if there is no runtime or no headset.
 int run_headset(const ShowOptions& options, const std::vector<SceneObject>& objects);
 
 }  // namespace vantage

@@ -14,12 +14,12 @@ namespace vantage {
 
 /// A pointer on a panel.
 struct PanelPointer {
-    std::optional<Eigen::Vector2d> at{};  ///< panel pixels; nothing: not on the panel
+    std::optional<Eigen::Vector2d> at{};  ///< panel pixels; nullopt: not on the panel
     bool pressed = false;
     double scroll = 0;  ///< lines, up
 };
 
-/// A text in the scene.
+/// A text label in the scene.
 struct SceneLabel {
     std::string text;
     Eigen::Vector3d at;          ///< next to its lower left corner
@@ -41,9 +41,9 @@ class SceneInterface {
     SceneInterface(const SceneInterface&) = delete;
     SceneInterface& operator=(const SceneInterface&) = delete;
 
-    /// Begins a frame. ImGui calls until end() make the menu.
+    /// Begins a frame. The ImGui calls until end() build the menu.
     void begin(const PanelPointer& pointer, double seconds);
-    /// Ends it, with these labels: upright, facing `head`, and of constant apparent size.
+    /// Ends the frame, with these labels: upright, facing `head`, and of constant apparent size.
     void end(std::vector<SceneLabel> labels, const View& head);
 
     Controls& controls() { return controls_; }
@@ -56,7 +56,7 @@ class SceneInterface {
         SceneLabel label;
         Eigen::Vector2d corner, size;  ///< of its window, panel pixels
         PanelDrawing drawing;
-        std::optional<Panel> panel;  ///< nothing: behind the head
+        std::optional<Panel> panel;  ///< nullopt: behind the head
     };
     void make_label(std::size_t i);
 

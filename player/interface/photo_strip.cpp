@@ -73,7 +73,7 @@ std::vector<std::uint32_t> PhotoStrip::order(const Session& s, const PlanScene& 
     return out;
 }
 
-/// Scrolls by dragging and by the wheel. Returns whether a press has ended that moved and is not a click,
+/// Scrolls by dragging and with the wheel. Returns whether a press has ended that was a drag and not a click,
 /// including presses shorter than a frame.
 bool PhotoStrip::scroll(const Area& area) const {
     const ImGuiIO& io = ImGui::GetIO();

@@ -10,8 +10,8 @@
 
 namespace vantage {
 
-/// Thumbnails of the photos at the bottom, by decreasing agreement with the view. A click flies to the photo;
-/// wheel and drag scroll.
+/// Thumbnails of the photos at the bottom of the window, in order of decreasing agreement with the view. A
+/// click flies to the photo; wheel and drag scroll.
 class PhotoStrip {
   public:
     ~PhotoStrip();
@@ -35,7 +35,7 @@ class PhotoStrip {
     GLuint picture(const Residency& residency, std::uint32_t layer);
     void forget();
 
-    GLuint array_ = 0;                          ///< texture that pictures_ are views of
+    GLuint array_ = 0;                          ///< texture of which pictures_ are views
     std::map<std::uint32_t, GLuint> pictures_;  ///< by layer
     std::vector<double> agreements_;
     double ranked_at_ = -1;

@@ -13,7 +13,7 @@
 namespace vantage {
 namespace {
 
-/// Where the image set's photos were taken; around points without photos, on four sides.
+/// The cameras of the image set's photos; for a point-only scene without photos, cameras on four sides of it.
 std::vector<Navigation> stands_of(const PackageReader& package, std::uint32_t image_set,
                                   const Eigen::Vector3d& up) {
     std::vector<Navigation> out;

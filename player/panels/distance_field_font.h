@@ -16,9 +16,9 @@ struct DistanceField {
     std::vector<std::uint8_t> coverage;    ///< 255: the texel is entirely inside
 };
 
-/// Replaces the atlas's content by DejaVu Sans if installed, and otherwise ImGui's own font. Text lines are
-/// `text_pixels` panel pixels high, above 0. Drawing then requires the field; the atlas's own texture data
-/// are released, so the atlas must not be used for a window.
+/// Replaces the atlas's contents with DejaVu Sans if it is installed, otherwise with ImGui's own font. Text
+/// lines are `text_pixels` panel pixels high, above 0. Drawing then requires the field; the atlas's own
+/// texture data are released, so the atlas must not be used for a window.
 DistanceField build_distance_field_font(ImFontAtlas& fonts, float text_pixels);
 
 /// Sets the height of text lines in panel pixels, above 0.

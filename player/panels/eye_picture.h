@@ -26,7 +26,7 @@ struct EyePicture {
 /// Clip-from-origin matrix for overlays, with the target's row order and no far limit.
 Eigen::Matrix4d clip_from_origin(const EyePicture& eye);
 
-/// Makes a program current that blends over the picture and includes hidden.glsl, and sets its uniforms.
+/// Makes a program, which blends over the picture and includes hidden.glsl, current and sets its uniforms.
 void begin_over_picture(const gl::Program& program, const EyePicture& eye);
 
 /// Restores the blending state that other passes expect.

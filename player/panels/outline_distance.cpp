@@ -58,7 +58,8 @@ float edge_offset(const Vector2f& inward, float share) {
     return (0.5f - share) * large;
 }
 
-/// The part within the texel of the edge through `off` from its center.
+/// The part of an edge that lies within the texel. The edge is perpendicular to `inward`, `offset` from the
+/// texel's center.
 Piece piece_of(const Vector2f& texel, const Vector2f& inward, float offset) {
     const Vector2f off = inward * offset, along(-inward.y(), inward.x());
     float low = -std::numeric_limits<float>::infinity(), high = -low;
@@ -96,7 +97,7 @@ void find_pieces(Outlines& o) {
 
 constexpr std::int32_t nowhere = -1;
 
-/// Per texel the row of the nearest texel of its column with a piece.
+/// For each texel, the row of the nearest texel in its column that contains a piece.
 std::vector<std::int32_t> nearest_rows(const Outlines& o) {
     std::vector<std::int32_t> rows(o.coverage.size(), nowhere);
     for (int x = 0; x < o.width; ++x) {
@@ -120,7 +121,7 @@ struct Envelope {
     std::vector<double> from;
 };
 
-/// From the squared distances to the results of nearest_rows() in each column.
+/// Computes it from each column's squared distance to the row given by nearest_rows().
 void find_envelope(const Outlines& o, const std::vector<std::int32_t>& rows, int y, Envelope& e) {
     constexpr double everywhere = -std::numeric_limits<double>::infinity();
     const auto height = [&](int x) { return std::pow(double(rows[o.index(x, y)] - y), 2) + double(x) * x; };
@@ -139,7 +140,8 @@ void find_envelope(const Outlines& o, const std::vector<std::int32_t>& rows, int
     }
 }
 
-/// Per texel the nearest one with a piece; exact, in linear time (Felzenszwalb and Huttenlocher 2012).
+/// For each texel, the nearest texel that contains a piece; exact, in linear time (Felzenszwalb and
+/// Huttenlocher 2012).
 std::vector<std::int32_t> nearest_texels(const Outlines& o) {
     const std::vector<std::int32_t> rows = nearest_rows(o);
     std::vector<std::int32_t> nearest(o.coverage.size(), nowhere);

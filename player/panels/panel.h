@@ -28,8 +28,8 @@ struct PanelHit {
 };
 
 /// Intersection of the ray from `from` along `along`, of any nonzero length, with the front of the panel's
-/// plane, including beside the panel, so that sliders can be dragged there. Nothing for a ray that comes from
-/// behind, points away, is parallel to it, has no direction, or is not finite.
+/// plane, including beside the panel, so that sliders can be dragged there. Returns nullopt for a ray that
+/// comes from behind, points away, is parallel to the plane, has no direction, or is not finite.
 std::optional<PanelHit> pixel_on_plane(const Panel& panel, const Eigen::Vector3d& from,
                                        const Eigen::Vector3d& along);
 

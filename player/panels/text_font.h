@@ -3,10 +3,10 @@
 
 namespace vantage {
 
-/// Adds DejaVu Sans if installed, and otherwise ImGui's own font, with the letters of all languages in Latin
-/// script. `config`: ImGui's configuration, including the size.
+/// Adds DejaVu Sans if it is installed, otherwise ImGui's own font, with the letters of all languages in
+/// Latin script. `config`: ImGui's configuration, including the size.
 void add_text_font(ImFontAtlas& fonts, const ImFontConfig& config);
-/// Builds fonts that only have Latin letters, and replaces missing punctuation by similar characters.
+/// Builds fonts that only have Latin letters, and replaces missing punctuation with similar characters.
 void replace_missing_letters(ImFontAtlas& fonts);
 
 }  // namespace vantage

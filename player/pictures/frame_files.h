@@ -12,7 +12,7 @@ namespace vantage {
 std::vector<std::filesystem::path> frame_files(const std::filesystem::path& folder, const std::string& name,
                                                std::size_t count, const Inputs& inputs, bool force);
 
-/// The number of further frames of that name in the folder, from a longer video.
+/// The number of additional frames with that name in the folder, left over from a longer video.
 std::size_t frames_beyond(const std::filesystem::path& folder, const std::string& name, std::size_t count);
 
 }  // namespace vantage

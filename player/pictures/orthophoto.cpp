@@ -65,7 +65,7 @@ struct Files {
     std::filesystem::path picture, world;  ///< no world file for a TIFF, which includes its georeference
 };
 
-/// With links resolved. Throws Error(usage) if one must not be replaced.
+/// The output files, with links resolved. Throws Error(usage) if one must not be replaced.
 Files output_files(const PackageReader& package, const OrthophotoOptions& o) {
     std::filesystem::path file = o.output.file;
     if (file.empty()) file = package.path().stem().string() + "-orthophoto.png";

@@ -51,7 +51,7 @@ void draw_map(Picture& p, const Box& bar, ColorMap map, int isolines) {
         fill(p, {bar.left + (bar.width - 1) * i / isolines, bar.top, 1, bar.height}, black, 1);
 }
 
-/// At the ends and the center of the color map.
+/// The values at the ends and the center of the color map.
 std::array<std::string, 3> value_texts(const ValueRange& range, bool logarithmic) {
     const double middle =
         logarithmic ? std::sqrt(range.low) * std::sqrt(range.high) : range.low / 2 + range.high / 2;

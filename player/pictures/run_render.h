@@ -7,9 +7,9 @@
 
 namespace vantage {
 
-/// Renders the pictures given by the options, without a display. `objects` are those of the scene, of which
-/// the first is that of the package. Returns the exit code: damaged if a tile's checksum mismatched and a
-/// coarser one was shown. Throws Error.
+/// Renders the pictures given by the options, without a display. `objects`: the objects of the scene; the
+/// first one is the package. Returns the exit code: damaged if a tile's checksum mismatched and a coarser one
+/// was shown. Throws Error.
 int run_render(const PackageReader& package, const ShowOptions& options,
                const std::vector<SceneObject>& objects);
 

@@ -49,7 +49,7 @@ bool paints(const VisibleSurface& s, std::span<const std::uint32_t> behind, std:
 }  // namespace
 
 void find_nearest_shares(const PlanScene& s, const Eigen::Vector3d& eye, std::vector<float>& shares) {
-    // One more than those with a nonzero weight; the nearest first.
+    // One photo more than have a nonzero weight; the nearest first.
     struct Near {
         std::size_t photo;
         double nearness;

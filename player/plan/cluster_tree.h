@@ -33,10 +33,10 @@ std::vector<std::uint32_t> clusters_in_view(const ClusterTree& tree,
 void find_clusters_in_view(const ClusterTree& tree, std::span<const package::ClusterRecord> clusters,
                            const View& view, std::vector<std::uint32_t>& found);
 
-/// All triangles of the cluster face away from `eye`, by its normal cone.
+/// Whether all triangles of the cluster face away from `eye`, according to its normal cone.
 bool faces_away(const package::ClusterRecord& cluster, const Eigen::Vector3d& eye);
 
-/// Near and far plane that enclose the clusters' bounding spheres; `reach` as for clip_range, not used for
+/// Near and far planes that enclose the clusters' bounding spheres; `reach` as for clip_range, not used for
 /// orthographic views.
 Eigen::Vector2d depth_range(std::span<const package::ClusterRecord> clusters,
                             std::span<const std::uint32_t> in_view, const View& view,

@@ -50,7 +50,7 @@ WeightRange weight_range(const VisibleSurface& s, const PlanSettings& settings, 
     return {most * factor(nearest), least * factor(farthest), most, least};
 }
 
-/// Per cluster, whether a photo sees all of its visible triangles, at least in part.
+/// For each cluster, whether a photo sees all of its visible triangles, at least in part.
 std::vector<bool> sees_all_seen(const VisibleSurface& s, std::uint32_t photo) {
     std::vector<bool> out(s.scene.clusters.size(), !s.triangles.empty());
     for (std::size_t i = 0; i < s.triangles.size(); ++i)

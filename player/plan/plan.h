@@ -18,12 +18,12 @@ struct Plan {
     std::vector<PlannedPhoto> behind;     ///< of the background, see plan_background
     PhotoChoice choice;  ///< the full selection, including photos that show none of the clusters
     double uncovered =
-        0;  ///< fraction of the surface in view and in some allowed photo that no chosen photo sees
+        0;  ///< fraction of the surface in view of the viewer and of allowed photos that no chosen photo sees
 };
 
-/// Knowledge about a view from previous frames.
+/// Information about a view from previous frames.
 struct PlanContext {
-    std::span<const std::uint32_t> previous{};  ///< photos with a slight preference, to avoid flicker
+    std::span<const std::uint32_t> previous{};  ///< photos that are slightly preferred, to avoid flicker
     /// With the visible triangles, the plan covers the visible surface; without them, everything in view.
     Seen seen{};
     const PhotoChoice* chosen = nullptr;  ///< fixed choice of photos, as made for another view

@@ -35,12 +35,12 @@ struct PlanScene {
     std::span<const Eigen::Vector3f> positions;
     std::span<const std::uint32_t> indices;
 
-    std::uint32_t first_transparent = ~0u;  ///< cluster of the mesh; beyond all if the mesh is opaque
+    std::uint32_t first_transparent = ~0u;  ///< cluster of the mesh; past the last if the mesh is opaque
     bool has_transparency() const {
         return first_transparent < std::min<std::size_t>(first_surrounding, clusters.size());
     }
     /// Clusters, triangles and vertices of the background follow those of the mesh.
-    std::uint32_t first_surrounding = ~0u;  ///< cluster; beyond all if there is no background
+    std::uint32_t first_surrounding = ~0u;  ///< cluster; past the last if there is no background
     // One per vertex of the background, see BackgroundContent.
     std::vector<std::array<std::uint8_t, 4>> surrounding_colors;
     std::vector<std::array<std::int8_t, 4>> surrounding_corrections;
@@ -53,7 +53,7 @@ struct PlanScene {
         std::vector<std::vector<std::uint64_t>> visible;
     } joined;
     bool has_background() const { return first_surrounding < clusters.size(); }
-    /// First triangle of the background; beyond all if there is none.
+    /// First triangle of the background; past the last triangle if there is none.
     std::size_t first_triangle_behind() const {
         return has_background() ? clusters[first_surrounding].first_triangle : triangles;
     }

@@ -16,8 +16,8 @@ struct PlanSettings {
     double angle_limit = 0;  ///< radians between viewing directions; photos beyond it are used only for
                              ///< surfaces that no other photo sees; 0: no limit
     double samples = 1;      ///< per side of a pixel
-    /// Near its own camera, a photo outweighs all others (shaders/blend.frag). For complete plans only:
-    /// others skip photos above a weight at which these would still be visible along that photo's borders.
+    /// Near its own camera, a photo outweighs all others (shaders/blend.frag). For complete plans only: other
+    /// plans also skip photos whose weights are large enough to be visible along that photo's borders.
     bool own_views = false;
     /// Clusters up to this distance outside the frame are planned as well, so that a moving view can be drawn
     /// with the previous plan; fraction of the frame's width.

@@ -21,8 +21,8 @@ struct PlannedPhoto {
 
 std::vector<std::uint32_t> numbers_of(std::span<const PlannedPhoto> photos);
 
-/// Lists the tiles of a photo that its clusters need. `weight`: of the photo at a point of the surface, in
-/// [0, 1]; 0 if the photo does not show it. Its weight maps are also read at the level `coarse` if that is
+/// Lists the tiles of a photo that its clusters need. `weight`: the photo's weight at a point of the surface,
+/// in [0, 1]; 0 if the photo does not show it. Its weight maps are also read at the level `coarse` if that is
 /// coarser.
 void add_needs(PlannedPhoto& photo, const VisibleSurface& surface, const PlanSettings& settings,
                const std::function<float(std::size_t point)>& weight, double coarse = 0);

@@ -14,7 +14,7 @@ namespace vantage {
 struct PointPlan {
     std::vector<std::uint32_t> nodes;
     std::uint64_t points = 0;  ///< of these nodes
-    bool whole = true;         ///< no useful node was dropped for the budget
+    bool whole = true;         ///< no useful node was dropped to meet the budget
 };
 
 /// Maximum number of nodes in a plan.

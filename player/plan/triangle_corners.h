@@ -11,8 +11,8 @@ namespace vantage {
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
-/// The corners of a triangle, numbered from 0. Nothing if the file was overwritten and an index is out of
-/// range.
+/// The corners of a triangle, numbered from 0. Returns nullopt if the file was overwritten and an index is
+/// out of range.
 std::optional<Corners> corners_of(const PlanScene& scene, std::uint32_t triangle);
 
 /// The distance along a ray to a triangle, in lengths of its direction (Moeller and Trumbore 1997); NaN if

@@ -59,7 +59,7 @@ VisibleSurface visible_surface(const PlanScene& scene, const View& view, const S
 /// the angle; 0 if it sees none of it.
 double agreement(const VisibleSurface& surface, std::uint32_t photo);
 
-/// The photo sees a triangle at least in part.
+/// Whether the photo sees a triangle, at least in part.
 bool sees(const PlanScene& scene, std::uint32_t photo, std::uint32_t triangle);
 
 /// Angle between the rays from a point to the viewer and to a photo, radians.

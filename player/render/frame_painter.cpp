@@ -134,7 +134,7 @@ void FramePainter::draw_points(PaintedImageSet& image_set) {
     image_set.report.draws += points.drawn().size();
 }
 
-/// Blends photos into empty sums. Returns the number of the sums.
+/// Blends photos into empty sums. Returns the index of the sums.
 int FramePainter::draw_set(Pass photos, PaintedImageSet& image_set) {
     const RenderSettings& settings = image_set.drawn.settings;
     resources_->pass_clock.begin(TimedPass::photos);
@@ -166,7 +166,7 @@ void FramePainter::draw_passes(Pass photos, PaintedImageSet& image_set, bool tra
     }
 }
 
-/// Adds the photos of the background to these sums.
+/// Adds the background's photos to the sums with index `into`.
 void FramePainter::draw_background(PaintedImageSet& image_set, int into) {
     FrameResources& r = *resources_;
     const RenderSettings& settings = image_set.drawn.settings;

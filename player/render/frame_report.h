@@ -14,7 +14,7 @@ struct FrameReport {
     std::size_t points = 0;                  ///< drawn points of the cloud
     std::size_t nodes_missing = 0;           ///< needed nodes of the cloud that are not resident
     std::size_t fragments = 0;               ///< transparent fragments in the last frame read back
-    std::size_t fragments_approximated = 0;  ///< unsorted ones, for lack of space
+    std::size_t fragments_approximated = 0;  ///< not sorted, for lack of space
     std::size_t uploaded = 0;                ///< bytes
     double plan_ms = 0;                      ///< time for choosing photos and tiles
     double uncovered = 0;  ///< fraction of the surface visible in photos that no chosen photo sees

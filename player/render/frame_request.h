@@ -26,7 +26,7 @@ struct FrameRequest {
     const RenderSettings& settings;
     /// Indices. Held-out photos and those of hidden image sets are skipped.
     std::span<const std::uint32_t> photos;
-    PixelSample sample{};        ///< added to the samples drawn since sample 0, unless it is all
+    PixelSample sample{};        ///< added to the samples drawn since sample 0, unless all are drawn
     double now = 0;              ///< seconds, for fading
     const View* next = nullptr;  ///< the next expected view, for prefetching
 };

@@ -49,7 +49,7 @@ struct FrameResources {
 /// with counts or false colors, they would give wrong values.
 bool shows_transparent(const FrameResources& resources, const RenderSettings& settings, const ViewPlan& plan);
 
-/// How a frame's bare surfaces are drawn: for two eyes according to the trials; never automatic.
+/// How a frame's bare surfaces are drawn: for two eyes, according to the trials. Never returns `automatic`.
 EyeSurfaces eye_surfaces(const FrameResources& resources, const RenderSettings& settings, std::size_t eyes);
 
 }  // namespace vantage

@@ -25,7 +25,7 @@ struct Model {
 /// Sets the attribute `value` to a field's values, one per vertex of the mesh.
 void show_values(Model& model, const PlanScene& scene, std::span<const float> values);
 
-/// Appends a coarse mesh of the scene after its triangles. False if it has too many triangles.
+/// Appends a coarse mesh of the scene after its triangles. Returns false if it has too many triangles.
 bool add_coarse_mesh(Model& model, const PlanScene& scene, const CoarseMesh& mesh);
 
 /// Throws Error(damaged) for a checksum mismatch or a triangle with a vertex out of range.

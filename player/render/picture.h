@@ -15,7 +15,7 @@ struct Picture {
     FrameReport report;
 };
 
-/// Parameters of taking a picture.
+/// Parameters for taking a picture.
 struct PictureSpec {
     const RenderSettings& settings;
     std::span<const std::uint32_t> photos;  ///< indices

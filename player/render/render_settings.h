@@ -30,7 +30,7 @@ enum class ShowBackground { on, dimmed, off, count };
 
 inline constexpr int max_photos_per_pass = 16;
 /// Photos that a window blends: 4 look as good as 8 and take two thirds to four fifths of the time
-/// (vantage-bench, "blending").
+/// (`vantage-bench --only blending`).
 inline constexpr int window_photos = 4;
 
 /// A scalar field instead of the photos, or mixed with them. Its colors are not shaded, so that they match
@@ -38,7 +38,7 @@ inline constexpr int window_photos = 4;
 struct FieldSettings {
     int index = -1;  ///< -1: none
     ColorMap map = ColorMap::automatic;
-    std::optional<ValueRange> range;  ///< whole_range() by default; values outside have the end's color
+    std::optional<ValueRange> range;  ///< whole_range() by default; values outside get the end's color
     bool logarithmic = false;         ///< non-positive values count as missing
     int isolines = 0;                 ///< intervals between lines; 0: no lines
     double share = 1;                 ///< weight of the field's color in a mix with photos
@@ -120,8 +120,8 @@ struct PlainBackground {
     bool operator==(const PlainBackground&) const = default;
 };
 
-/// For a scene without a photographed background: neutral, with the brightness around the model in its
-/// photos.
+/// For a scene without a photographed background: neutral, with the brightness that the photos show around
+/// the model.
 PlainBackground plain_background_of(const package::SceneRecord& scene);
 
 /// The tiles and points that a frame waits for.
@@ -143,7 +143,7 @@ inline bool waits_for_tiles(Loading l) { return is_complete(l) || l == Loading::
 /// How a view is rendered.
 struct RenderSettings {
     Blend blend = Blend::lumigraph;
-    bool transients = false;  ///< outlying colors have lower weights: needs a second round of passes
+    bool transients = false;  ///< outlying colors get lower weights: needs a second round of passes
     Coordinates coordinates = Coordinates::automatic;
     WeightSettings weights;
     Choice choice = Choice::cover;
@@ -163,7 +163,7 @@ struct RenderSettings {
     ImageSetSettings image_sets;
     Compare compare = Compare::nothing;
     std::uint32_t compare_photo = 0;
-    std::optional<View> weights_from;  ///< weights are frozen as for this view [M]
+    std::optional<View> weights_from;  ///< if set, the weights are those for this view, frozen [M]
     double swipe = 0.5;                ///< fraction of the width
     bool refined_colors = true;        ///< apply gains and vignetting if the package's effects are enabled
     std::optional<std::uint32_t> exposure;  ///< exposure of this photo instead of the view's

@@ -20,7 +20,7 @@ class Renderer {
     /// The sequence of samples that gives each pixel `side` * `side` samples for one eye: one frame for all,
     /// or one frame per sample.
     std::vector<PixelSample> samples(const View& view, const RenderSettings& settings, int side) const;
-    /// Draws one sample of each pixel of `view`, or all, see FrameRequest. Throws Error(usage) for a view
+    /// Draws one or all samples of each pixel of `view`, see FrameRequest. Throws Error(usage) for a view
     /// that cannot be drawn.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
@@ -29,9 +29,9 @@ class Renderer {
     FrameReport prepare(const FrameRequest& request);
     /// Draws an eye of the last prepared frame. Adds to its report.
     void paint(std::size_t eye, FrameReport& report);
-    /// Replaces the picture of the last draw() by the same photos, in their current state of fading, from
-    /// another view of the same size, with one sample per pixel. The plan and the fading do not change. With
-    /// settings.weights_from of that draw's view, surfaces keep their weights.
+    /// Replaces the picture of the last draw() with one of the same photos, in their current state of fading,
+    /// from another view of the same size, with one sample per pixel. The plan and the fading do not change.
+    /// With settings.weights_from of that draw's view, surfaces keep their weights.
     void redraw(const View& view, const RenderSettings& settings);
     /// Shows the samples of an eye in a framebuffer of the view's size.
     void show(const View& view, const RenderSettings& settings, const ShowTarget& target);
@@ -51,7 +51,7 @@ class Renderer {
     std::uint64_t held() const { return held_; }
 
   private:
-    std::uint64_t held_ = gl::memory_held();  ///< during construction: the amount held by others
+    std::uint64_t held_ = gl::memory_held();  ///< the amount held by others during construction
     FrameResources resources_;
     FramePlanner planner_;
     FrameResolver resolver_;

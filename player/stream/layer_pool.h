@@ -15,7 +15,7 @@ class LayerPool {
     /// Marks a page as used in `frame`; false if it is not resident.
     bool use(std::uint32_t page, std::uint64_t frame);
     /// Assigns a layer to the page, evicting the least recently used page if none is free, and marks it as
-    /// used in `frame`. Empty if every layer was used in `frame`.
+    /// used in `frame`. Returns nullopt if every layer was used in `frame`.
     std::optional<std::uint32_t> place(std::uint32_t page, std::uint64_t frame);
 
     /// The number of non-resident pages for which place() would find a layer.

@@ -32,8 +32,8 @@ class PhotoStore {
     std::uint64_t bytes() const { return residency_ ? residency_->bytes() : 0; }
     bool has_coordinates() const { return residency_ && residency_->layout().coordinates > 0; }
 
-    /// Replaces the stored transient weights in the weight maps: `weights` returns a photo's map, see
-    /// set_weights; it is called when a tile of its weight maps is to be fetched, and must remain valid.
+    /// Replaces the stored transient weights in the weight maps: `weights` returns a photo's map (see
+    /// set_weights); it is called when a tile of its weight maps is to be fetched, and must remain valid.
     /// Evicts all weight maps. Requires that nothing is in flight. Empty: the stored weights.
     void use_weights(std::function<const TransientMap*(std::uint32_t photo)> weights);
 

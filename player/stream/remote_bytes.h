@@ -21,7 +21,7 @@ namespace vantage {
 /// Thread-safe.
 class RemoteBytes {
   public:
-    /// `arrived` is called by those threads when bytes have arrived or could not be fetched.
+    /// `arrived` is called on those threads when bytes have arrived or could not be fetched.
     RemoteBytes(const PackageReader& package, std::function<void()> arrived);
     ~RemoteBytes();
 
@@ -44,9 +44,9 @@ class RemoteBytes {
         std::stop_source stop;
     };
     void work(std::stop_token stop);
-    /// With the mutex: the most urgent requests that are neither in flight nor arrived.
+    /// The most urgent requests that are neither in flight nor arrived. The mutex must be locked.
     std::vector<StreamRequest> next_requests() const;
-    /// Fetches without the mutex.
+    /// Fetches with the mutex unlocked.
     void fetch(Group& group, std::unique_lock<std::mutex>& lock);
     Held hold(const Group& group) const;
 

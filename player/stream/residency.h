@@ -109,7 +109,7 @@ class Residency {
     std::uint32_t entry(const LayerPool& pool, const std::vector<double>& arrivals, std::uint32_t page,
                         bool fades) const;
     /// Copies from offset `source` of the unpack buffer, or from address `source` if no buffer is bound.
-    /// False if nothing can be evicted.
+    /// Returns false if no layer can be evicted.
     bool store(const StreamRequest& request, std::uintptr_t source, GLuint unpack_buffer);
 
     const PackageReader* package_;

@@ -35,7 +35,7 @@ struct StreamRequest {
     std::uint64_t identity() const { return std::uint64_t(resource) << 32 | key; }
 };
 
-/// The tiles that a request reads; none unless it is of color or weight maps.
+/// The tiles that a request reads; none unless it is for color or weight maps.
 std::vector<TilePlace> tiles_of(const PackageReader& package, const StreamRequest& request);
 
 }  // namespace vantage

@@ -34,7 +34,7 @@ struct Fetched {
 };
 
 /// Worker threads that copy or decode pieces of the mapped package into the upload ring; pieces of a remote
-/// package are fetched first. All functions are for the OpenGL thread; only wait() blocks.
+/// package are fetched first. All functions must be called on the OpenGL thread; only wait() blocks.
 class TileStream {
   public:
     TileStream(const PackageReader& package, std::size_t ring_bytes, unsigned threads);
@@ -58,7 +58,7 @@ class TileStream {
     std::size_t ring_bytes() const { return ring_.bytes(); }
     std::size_t waiting() const;
     StreamedSoFar streamed() const;
-    /// Reason of the last failed fetch; empty if there was none.
+    /// Reason for the last failed fetch; empty if none has failed.
     std::string failure() const;
 
   private:
@@ -68,10 +68,10 @@ class TileStream {
         Held held;
         std::string failure;
     };
-    /// With the mutex: removes and returns the next request that can be started.
+    /// Removes and returns the next request that can be started. The mutex must be locked.
     std::optional<Task> next_task();
     std::optional<Task> next_arrival();
-    /// Without the mutex.
+    /// Must be called with the mutex unlocked.
     Fetched carry_out(Task& task, std::uint64_t& read, std::stop_token stop);
     void work(std::stop_token stop);
     /// Adds the number of bytes read from the package to `read`.

@@ -22,7 +22,7 @@ class UploadRing {
         std::size_t offset, bytes;
         std::uint64_t number;
     };
-    /// Empty if the ring does not have enough space now.
+    /// Returns nullopt if the ring does not currently have enough space.
     std::optional<Piece> take(std::size_t bytes);
     std::span<std::byte> memory(const Piece& piece) { return {mapped_ + piece.offset, piece.bytes}; }
     /// Must be called when the piece has been uploaded (before the next fence()) or is no longer needed.

@@ -19,7 +19,7 @@ bool is_hidden(const PlanScene& scene, std::uint32_t photo, const Eigen::Vector3
     return first_hit(scene, {eye, position - eye}, {0, free_share}).has_value();
 }
 
-/// Candidates according to coverage and frames, the smallest first.
+/// Candidates: photos that cover the triangle and have the position in their frame; smallest footprint first.
 std::vector<Footprint> likely_footprints(const PlanScene& scene, std::uint32_t triangle,
                                          const Eigen::Vector3d& position) {
     std::vector<Footprint> out;

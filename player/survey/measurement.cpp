@@ -154,7 +154,7 @@ Derived area(std::span<const Vector3d> p, double& off_plane) {
     return out;
 }
 
-/// For independent points; nothing if one of them has no uncertainty.
+/// For independent points; nullopt if one of them has no uncertainty.
 std::optional<double> propagated(const Measurement& m, std::span<const Vector3d> slopes) {
     double squares = 0;
     for (std::size_t i = 0; i < slopes.size(); ++i) {

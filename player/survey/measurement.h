@@ -14,7 +14,7 @@ namespace vantage {
 struct SurveyPoint {
     Eigen::Vector3d position;  ///< in input coordinates
     std::optional<double>
-        uncertainty{};    ///< standard, per coordinate: see smallest_footprint(); nothing: unknown
+        uncertainty{};    ///< standard, per coordinate: see smallest_footprint(); nullopt: unknown
     std::string photo{};  ///< the photo with these pixels; empty: unknown
 };
 
@@ -44,8 +44,8 @@ struct Measurement {
 /// Result of a measurement.
 struct Measured {
     std::optional<double>
-        value{};  ///< nothing: invalid, with the reason in `note`; for Measure::point always nothing
-    std::optional<double> uncertainty{};  ///< standard; nothing: unknown, since a point's is unknown
+        value{};  ///< nullopt: invalid, with the reason in `note`; always nullopt for Measure::point
+    std::optional<double> uncertainty{};  ///< standard; nullopt: unknown, since a point's is unknown
     const char* unit = "";                ///< such as "cm", "cm2", "deg"
     std::string note{};                   ///< additional remark, or empty
 };

@@ -13,12 +13,12 @@ struct PicturePlane {
                     up;  ///< the last two of length 1, perpendicular
 };
 
-/// A plane by its name: top, bottom, front, back, left or right, viewed from that side; through the origin of
-/// the input coordinates. `scene_up` is up in the scene. In the front view, x points right if it is level,
-/// and also in the top view, as on a map: with z up, the front view looks along y, and the top view has y
-/// upward. Or nine numbers separated by commas: a point of the plane, its normal toward the viewer, and the
-/// picture's up direction; without the last three, up is `scene_up`, or any direction if that is along the
-/// normal. Throws Error(usage).
+/// Parses the name of a plane through the origin of the input coordinates: top, bottom, front, back, left or
+/// right, viewed from that side. `scene_up` is up in the scene. In the front view, x points right if it is
+/// level, and also in the top view, as on a map: with z up, the front view looks along y, and the top view
+/// has y upward. Also parses nine numbers separated by commas: a point of the plane, its normal toward the
+/// viewer, and the picture's up direction; without the last three, up is `scene_up`, or any direction if that
+/// is along the normal. Throws Error(usage).
 PicturePlane parse_plane(const std::string& text, const Eigen::Vector3d& scene_up);
 
 /// The rectangle of the plane covered by the model's bounds.

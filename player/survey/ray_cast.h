@@ -23,7 +23,8 @@ struct RayRange {
 
 /// The first intersection of a ray with the mesh, from either side; includes transparent surfaces, but not
 /// the background. Computed in double precision, independently of rendering (Moeller and Trumbore 1997),
-/// using the tree of clusters. Nothing for a miss, and for a ray that is not finite or has no direction.
+/// using the tree of clusters. Returns nullopt for a miss, and for a ray that is not finite or has no
+/// direction.
 std::optional<MeshHit> first_hit(const PlanScene& scene, const Ray& ray, RayRange range = {});
 
 }  // namespace vantage

@@ -28,8 +28,8 @@ struct Snapping {
 };
 
 /// The nearest point of the meshes at a position in the view's picture, in pixels, in coordinates of the
-/// scene's first input, whose origin is `origin`; with the uncertainty from its photos. Nothing if there is
-/// no surface.
+/// scene's first input, whose origin is `origin`; with the uncertainty from its photos. Returns nullopt if
+/// there is no surface.
 std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
                                        const View& view, const Eigen::Vector2d& pixel,
                                        Snapping snapping = {});
@@ -42,7 +42,8 @@ std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const
 struct SurfacePoint {
     Eigen::Vector3d at, normal;
 };
-/// The first one on a ray, up to `farthest` lengths of its direction. Nothing for a degenerate triangle.
+/// The first one on a ray, up to `farthest` lengths of its direction. Returns nullopt for a degenerate
+/// triangle.
 std::optional<SurfacePoint> surface_on(std::span<const PlacedMesh> meshes, const Ray& ray, double farthest,
                                        std::span<const SectionPlane> sections = {});
 

@@ -28,7 +28,7 @@ RayRange behind(std::span<const SectionPlane> planes, const Ray& ray);
 /// Minimum and maximum of normal . p over the mesh's vertices, without the background.
 std::array<double, 2> extent_along(const PlanScene& scene, const Eigen::Vector3d& normal);
 
-/// Caches extent_along() of one scene per direction: it has to visit all vertices.
+/// Caches extent_along() of one scene for each direction, since it visits all vertices.
 class KnownExtents {
   public:
     std::array<double, 2> along(const PlanScene& scene, const Eigen::Vector3d& normal);

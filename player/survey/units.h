@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// Units of length. `unknown`: the input's, if its files do not specify them.
+/// Units of length. `unknown`: the input's units, if its files do not specify them.
 enum class Unit { unknown, m, cm, mm, ft, in, count };
 
 /// "m", "cm", "mm", "ft", "in", or "units".
@@ -30,7 +30,7 @@ Unit shown_unit(const Scale& scale);
 double shown_length(const Scale& scale);
 
 /// The scale for which a length of `measured` input units, with its standard uncertainty, equals `known` in
-/// `unit`. Nothing unless both lengths are positive and finite, and the unit is known.
+/// `unit`. Returns nullopt unless both lengths are positive and finite, and the unit is known.
 std::optional<Scale> scale_from(double measured, double uncertainty, double known, Unit unit);
 
 }  // namespace vantage

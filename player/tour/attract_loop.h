@@ -17,7 +17,7 @@ struct AttractLoop {
     Navigation begin() const { return along ? along->at(0) : positions.front(); }
 };
 
-/// The story's content for an idle kiosk whose first view is `home`; nothing if it has none. Throws
+/// The story's content for an idle kiosk whose first view is `home`; nullopt if it has none. Throws
 /// Error(input) naming `story_file` for a stop without a view.
 std::optional<AttractLoop> attract_loop(const Story& story, const Navigation& home, const InputAxes& axes,
                                         const std::string& story_file);

@@ -141,7 +141,7 @@ std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double st
 
 namespace {
 
-/// The roll as an additional number after `separator`; nothing if it is 0.
+/// The roll as an additional number after `separator`; empty if it is 0.
 std::string roll_text(const Navigation& n, const char* separator) {
     const double roll = std::round(roll_of(n.R, n.up) * 1e4) / 1e4;
     return roll == 0 ? "" : separator + formatted("%.7g", roll);

@@ -32,8 +32,8 @@ std::vector<KeyView> path_keys(const std::string& file, const PackageReader& pac
 std::vector<Navigation> recorded_stops(const std::string& file, const PackageReader& package,
                                        double distance = 1);
 
-/// Stops at the photos' cameras, from the first one always to the nearest remaining one. Photos without
-/// pixels are skipped.
+/// Stops at the photos' cameras, starting at the first one and always continuing to the nearest remaining
+/// one. Photos without pixels are skipped.
 std::vector<Navigation> photo_stops(const PackageReader& package, std::span<const std::uint32_t> photos);
 
 /// Positions in straight lines from stop to stop, in equal steps of at most `step` radians: the camera's

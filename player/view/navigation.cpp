@@ -43,7 +43,7 @@ namespace {
 
 constexpr double fov_of_all = 45;  // degrees
 
-/// From which all of the model is seen, with a margin.
+/// The distance from which the whole model is visible, with a margin.
 double distance_to_all(const package::SceneRecord& scene) {
     constexpr double margin = 1.1;
     const Eigen::Map<const Eigen::Vector3d> low(scene.bounds_min), high(scene.bounds_max);
@@ -117,7 +117,7 @@ void approach_point(Navigation& n, const Eigen::Vector3d& point, double factor, 
                     double farthest) {
     const double distance = (n.eye - point).norm();
     if (!(distance > 0)) return;
-    // From beyond a limit, only back towards it.
+    // Beyond a limit, the eye may only move back toward it.
     const double least = std::min(nearest, distance), most = std::max(farthest, distance),
                  scale = std::clamp(distance * factor, least, most) / distance;
     n.eye = point + scale * (n.eye - point);

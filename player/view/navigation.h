@@ -32,7 +32,7 @@ Navigation stand_beside(const package::SceneRecord& scene, const Eigen::Vector3d
 /// At the photo's camera, or in front of the model if the package has no photos.
 Navigation home_of(const PackageReader& package, std::uint32_t photo);
 
-/// The view that `prepare` chose for the scene; for other image sets than that of its photo, at the camera of
+/// The view that `prepare` chose for the scene; for image sets other than that of its photo, at the camera of
 /// their nearest photo.
 Navigation first_view(const PackageReader& package, std::uint32_t image_set);
 

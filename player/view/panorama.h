@@ -19,14 +19,15 @@ struct Panorama {
 /// for a size that is not twice as wide as high.
 Panorama panorama_at(const View& view, const Eigen::Vector3d& up, FrameSize size);
 
-/// Position of a direction, along the axes of R, in the picture: pixels from its upper left corner.
+/// The position in the picture of a direction given along the axes of R, in pixels from the upper left
+/// corner.
 Eigen::Vector2d pixel_of(const Panorama& panorama, const Eigen::Vector3d& direction);
 
 /// The views of a cube's faces around the eye: front, right, back, left, top and bottom. Each shows 90
-/// degrees and a margin, a fraction of that, of at least two pixels. At the center of a face, their
-/// resolution is `finer` times that of the panorama.
+/// degrees plus `margin`, a fraction of that, which is at least two pixels wide. At the center of a face,
+/// their resolution is `finer` times that of the panorama.
 std::array<View, 6> cube_views(const Panorama& panorama, double finer, double margin);
-/// From the panorama's axes to those of each face.
+/// Rotations from the panorama's axes to those of each face.
 std::array<Eigen::Matrix3d, 6> cube_axes();
 
 /// The XMP packet that identifies a panorama to viewers (Google's Photo Sphere metadata, GPano).

@@ -14,8 +14,8 @@ namespace vantage {
 struct Shot {
     std::string name;
     View view;
-    std::optional<std::uint32_t> image_set{};  ///< nothing: unspecified
-    std::optional<double> at{};                ///< seconds after a flight begins; nothing: unspecified
+    std::optional<std::uint32_t> image_set{};  ///< nullopt: unspecified
+    std::optional<double> at{};                ///< seconds after a flight begins; nullopt: unspecified
     double distance = 1;                       ///< from the eye to its target
 };
 
@@ -26,8 +26,8 @@ FrameSize parse_size(const std::string& text);
 /// Error(usage) for an unknown or ambiguous name.
 std::vector<std::uint32_t> named_photos(const PackageReader& package, const std::vector<std::string>& names);
 
-/// From the photo's own camera, with its intrinsics at `scale`, or with the whole photo fitted into `size`.
-/// `name`: of the picture.
+/// A shot from the photo's own camera, with its intrinsics at `scale`, or with the whole photo fitted into
+/// `size`. `name`: the picture's name.
 Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std::optional<FrameSize> size,
                 double scale);
 

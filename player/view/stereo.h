@@ -28,13 +28,13 @@ struct StereoSettings {
 FrameSize eye_size(StereoMode mode, FrameSize frame);
 /// The frame size for two pictures of this size.
 FrameSize stereo_size(StereoMode mode, FrameSize eye);
-/// Each eye's picture has a separate part of the frame.
+/// Whether each eye's picture has a separate part of the frame.
 inline bool divides_frame(StereoMode mode) {
     return mode == StereoMode::side_by_side || mode == StereoMode::over_under;
 }
 
-/// In scene units. `looked_at`: the depth at which the eyes converge unless set in `eyes`. Throws
-/// Error(usage) unless it is positive and finite.
+/// The eye separation in scene units. `looked_at`: the depth at which the eyes converge unless set in `eyes`.
+/// Throws Error(usage) unless the separation is positive and finite.
 double eye_distance(const Eyes& eyes, double looked_at);
 
 /// The views of the left and the right eye, on both sides of `middle`: parallel, with sheared frusta that

@@ -27,7 +27,7 @@ ColumnRange columns_of(const StereoPanorama& panorama, int slice);
 
 /// Views of a slice, upward, forward and downward, in steps of 60 degrees.
 inline constexpr std::size_t slice_views = 3;
-/// From the panorama's axes to those of a slice's views.
+/// Rotations from the panorama's axes to those of a slice's views.
 std::array<Eigen::Matrix3d, slice_views> slice_axes(const StereoPanorama& panorama, int slice);
 /// Extent from its center that each view alone covers, as tangents.
 Eigen::Vector2d slice_half(const StereoPanorama& panorama);

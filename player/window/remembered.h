@@ -20,7 +20,7 @@ struct Remembered {
     Panels panels;
     std::string language;                    ///< chosen in the window; empty: system language
     std::string image_set, other_image_set;  ///< names, since numbers differ between packages
-    std::vector<std::string> recent;         ///< packages and scene files, the last one first
+    std::vector<std::string> recent;         ///< packages and scene files, most recent first
 };
 /// The settings in the folder's player.json; missing or invalid ones are taken from `otherwise`.
 Remembered read_settings(const std::filesystem::path& folder, Remembered otherwise);

@@ -8,23 +8,23 @@
 
 namespace vantage {
 
-/// Throws Error(damaged) if there is neither a photo nor a point, or if META is damaged, which is not needed
-/// for display.
+/// Throws Error(damaged) if there is neither a photo nor a point, or if META is damaged, although it is not
+/// needed for display.
 void expect_content(const PackageReader& package);
 
-/// The settings of the command line, or else the saved ones in the folder, if any.
+/// The settings from the command line, or else those saved in the folder, if any.
 Remembered start_settings(const PackageReader& package, const ShowOptions& options,
                           const std::filesystem::path& folder);
 
-/// The language of the command line, or else the saved one, or the system's.
+/// The language from the command line, or else the saved one, or the system's.
 std::string chosen_language(const ShowOptions& options, const Remembered& remembered);
 
 /// A session at the first photo of --photo, or the middle one; without photos, in front of the model.
 Session start_session(const PackageReader& package, const ShowOptions& options, const Remembered& remembered,
                       WindowState& window);
 
-/// Initializes a session for the loaded scene: the photos in use and their errors, and the story's first
-/// view, unless given on the command line, and background.
+/// Initializes a session for the loaded scene: the photos in use and their errors, the story's background,
+/// and its first view unless one is given on the command line.
 void begin_in_scene(Session& session, const PackageReader& package, const ActiveStory& active,
                     const ShowOptions& options);
 

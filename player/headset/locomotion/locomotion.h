@@ -26,17 +26,19 @@ struct Locomotion {
 };
 inline constexpr double max_scaling = 200;
 
-/// Functions available to a hand. A hand that points at a panel has neither; selecting may have another use.
+/// Functions available to a hand: neither if it points at a panel; `select` is false while selecting has
+/// another use.
 struct FreeHand {
     bool move = true;    ///< stick and squeeze
     bool select = true;  ///< teleporting by selecting, without a stick
 };
 using FreeHands = std::array<FreeHand, 2>;
 
-/// Advances by one frame, after `seconds`. The right (or only) stick turns in steps if moved sideways; pushed
-/// forward it aims an arc, and released it teleports to the arc's end. The other stick flies in its hand's
-/// pointing direction. Without a stick, select aims. A stick that was already deflected when it became active
-/// must be released first. Squeezing grabs the scene: one hand moves it, two also turn and scale it.
+/// Advances by one frame, after `seconds`. The right (or only) stick turns the user in steps if moved
+/// sideways; while pushed forward it aims an arc, and when released it teleports to the arc's end. The other
+/// stick flies in its hand's pointing direction. Without a stick, select aims. A stick that was already
+/// deflected when it became active must be released first. Squeezing grabs the scene: one hand moves it, two
+/// also turn and scale it.
 void continue_locomotion(Locomotion& locomotion, const Hands& hands, const FreeHands& free,
                          const RoomPose& head, double seconds, const SurfaceBetween& surface);
 

@@ -33,8 +33,8 @@ struct PointingTargets {
 };
 Pointed pointed_by(const Hand& hand, const Stance& stance, const PointingTargets& targets);
 
-/// The hand that controls the menu: the one that pressed there, until released, even beside the menu;
-/// otherwise the one that points at it, the right one if both do.
+/// The hand that controls the menu: the hand that pressed its button on the menu, until the button is
+/// released, even beside the menu; otherwise the hand that points at it, the right one if both do.
 struct MenuPointer {
     std::optional<std::size_t> hand{};
     bool holds = false;  ///< the press began in the menu

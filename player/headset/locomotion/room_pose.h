@@ -13,7 +13,7 @@ struct RoomPose {
     Eigen::Vector3d ahead() const { return -(turn * Eigen::Vector3d::UnitZ()); }
 };
 
-/// Whether all its numbers are finite and the rotation is nonzero.
+/// Whether all numbers are finite and the rotation is nonzero.
 inline bool is_valid(const RoomPose& pose) {
     return pose.at.allFinite() && std::abs(pose.turn.squaredNorm() - 1) < 0.01;
 }

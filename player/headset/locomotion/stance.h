@@ -34,7 +34,7 @@ Stance moved(Stance stance, const Eigen::Vector3d& by);
 /// Translates so that the head is above `point`, which is on the floor.
 Stance stood_on(Stance stance, const RoomPose& head, const Eigen::Vector3d& point);
 
-/// State when the hands grabbed: the room's stance and the hands' positions in the room.
+/// State when the hands grabbed the scene: the room's stance and the hands' positions in the room.
 struct Hold {
     Stance stance;
     std::array<Eigen::Vector3d, 2> hands;

@@ -15,7 +15,7 @@ using SurfaceBetween =
 /// The ballistic arc of a teleport and its landing point.
 struct TeleportArc {
     std::vector<Eigen::Vector3d> points;     ///< in the scene
-    std::optional<Eigen::Vector3d> landing;  ///< nothing: not a place to stand
+    std::optional<Eigen::Vector3d> landing;  ///< nullopt: no place to stand
 };
 
 /// Starts from a hand's aim. Lands on surfaces with a slope of at most 45 degrees; half a meter in front of

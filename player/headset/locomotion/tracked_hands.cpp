@@ -103,7 +103,7 @@ XrActionStateGetInfo of_side(XrAction action, XrPath side) {
     return {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, side};
 }
 
-/// Nothing if no button of this hand is bound to it.
+/// Returns nullopt if no button of this hand is bound to the action.
 std::optional<bool> pressed(XrSession session, XrAction action, XrPath side) {
     const XrActionStateGetInfo info = of_side(action, side);
     auto state = typed<XrActionStateBoolean>(XR_TYPE_ACTION_STATE_BOOLEAN);

@@ -16,7 +16,8 @@ class TrackedHands {
     TrackedHands(const TrackedHands&) = delete;
     TrackedHands& operator=(const TrackedHands&) = delete;
 
-    /// Current button states, and poses predicted for `time`, in the space `room`. Nothing without focus.
+    /// Current button states, and poses predicted for `time`, in the space `room`. Returns nullopt without
+    /// input focus.
     std::optional<Hands> at(XrTime time, XrSpace room);
     /// A short vibration, if the controller supports it.
     void buzz(std::size_t hand) const;

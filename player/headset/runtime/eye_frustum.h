@@ -14,7 +14,7 @@ struct EyeFrustum {
 };
 
 /// Angles in radians, as headsets report them. Swapped angles of upside-down or mirrored pictures are sorted.
-/// Nothing unless they are finite, within 89.9 degrees of the axis, and distinct.
+/// Returns nullopt unless they are finite, within 89.9 degrees of the axis, and distinct.
 std::optional<EyeFrustum> eye_frustum(const RoomPose& pose, double left, double right, double up,
                                       double down);
 

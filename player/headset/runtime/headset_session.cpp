@@ -31,7 +31,8 @@ XrSpace make_space(XrSession session, XrReferenceSpaceType type) {
     auto info = typed<XrReferenceSpaceCreateInfo>(XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
     info.referenceSpaceType = type;
     info.poseInReferenceSpace.orientation.w = 1;
-    // The origin is at the initial eye position: assumes the floor at the eye height of a standing person.
+    // The origin is at the initial eye position: assumes that the floor is below it by the eye height of a
+    // standing person.
     if (type == XR_REFERENCE_SPACE_TYPE_LOCAL) info.poseInReferenceSpace.position.y = -usual_eye_height;
     XrSpace out = XR_NULL_HANDLE;
     expect(xrCreateReferenceSpace(session, &info, &out), "xrCreateReferenceSpace");
@@ -51,7 +52,7 @@ XrReferenceSpaceType room_type(XrSession session) {
 
 double seconds_of(XrTime nanoseconds) { return 1e-9 * double(nanoseconds); }
 
-/// Sorted like in eye_frustum().
+/// The angles are sorted as in eye_frustum().
 XrFovf in_order(const XrFovf& f) {
     const auto [left, right] = std::minmax(f.angleLeft, f.angleRight);
     const auto [down, up] = std::minmax(f.angleDown, f.angleUp);

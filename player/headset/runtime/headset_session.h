@@ -36,8 +36,8 @@ struct DrawnEye {
 };
 
 /// A session of an OpenXR runtime with a headset: spaces, pictures, hands, and frames. Belongs to the OpenGL
-/// thread and the context that was current at construction. All functions throw XrLost if it is lost and
-/// Error(graphics) for other failures.
+/// thread and the context that was current at construction. All functions throw XrLost if the session is
+/// lost, and Error(graphics) for other failures.
 class HeadsetSession {
   public:
     explicit HeadsetSession(const XrRuntime& runtime);
@@ -51,7 +51,7 @@ class HeadsetSession {
     bool runs() const { return running_; }
     /// The session was ended by the user, the runtime or ask_to_end().
     bool ended() const { return ended_; }
-    /// Asks the runtime to end it; ended() follows.
+    /// Asks the runtime to end the session; ended() then becomes true.
     void ask_to_end();
 
     /// Waits for the next frame and begins it.

@@ -2,9 +2,9 @@
 
 namespace vantage {
 
-/// Makes the session's OpenGL context usable around calls of the runtime. Some runtimes leave errors in it,
-/// or another context current (SteamVR). Construct it before a call of OpenXR that may draw or create; its
-/// destructor makes the context current again and clears errors.
+/// Keeps the session's OpenGL context usable around calls to the runtime. Some runtimes leave errors in it,
+/// or another context current (SteamVR). Construct it before an OpenXR call that may draw or create objects;
+/// its destructor makes the context current again and clears errors.
 class SharedContext {
   public:
     SharedContext();

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// The runtime's extensions, among those that this program uses.
+/// Extensions used by this program that the runtime supports.
 struct XrExtensions {
     bool egl = false, depth = false, microsoft_hands = false, hands = false;
 };

@@ -19,7 +19,7 @@ struct Glide {
 
 /// Movement in the frame at `now` (seconds) for the input `drags`; while held, it equals `drags`. A drag
 /// glides if it moved in two frames of the last tenth of a second before its release, faster than 50 pixels
-/// per second. It then moves on by the distance of a quarter of a second at that speed.
+/// per second. It then continues for the distance that it would cover in a quarter of a second at that speed.
 Drags move_on(Glide& glide, const Drags& drags, bool held, double now);
 
 }  // namespace vantage

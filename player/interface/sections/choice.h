@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// A drop-down list for an enum that ends with `count`, with a text per value.
+/// A drop-down list for an enum that ends with `count`, with one text per value.
 template <class Enum, int count>
 void choice(Controls& c, const char* name, Enum& value, const char* const (&texts)[count]) {
     static_assert(count == int(Enum::count));

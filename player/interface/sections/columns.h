@@ -2,7 +2,7 @@
 
 namespace vantage {
 
-/// Places the next control, a check box or radio button of this name, next to the last one: in the second
+/// Places the next control, a check box or radio button with this name, next to the last one: in the second
 /// column, or directly after it. If there is no space, it gets its own line.
 void in_second_column(const char* name);
 void behind_the_last(const char* name);

@@ -119,7 +119,7 @@ bool Controls::radio(const char* name, int* value, int choice) {
     return changed;
 }
 
-/// The name for display next to the next control, or above it if it fits only there.
+/// The name to display next to the following control, or above it if it fits only there.
 std::string Controls::name_beside(const char* name) const {
     const float room =
         ImGui::GetContentRegionAvail().x - ImGui::CalcItemWidth() - ImGui::GetStyle().ItemInnerSpacing.x;

@@ -42,7 +42,7 @@ class Controls {
     bool checkbox(const char* name, bool* value);
     bool radio(const char* name, int* value, int choice);
     bool slider(const char* name, int* value, int low, int high);
-    /// Uses the decimal separator of the language. Ctrl+click turns it into a number().
+    /// A slider that uses the language's decimal separator; Ctrl+click turns it into a number().
     bool slider(const char* name, double* value, double low, double high, const char* format = "%.2f",
                 ImGuiSliderFlags flags = 0);
     /// A text field for a number; accepts a point or a comma.

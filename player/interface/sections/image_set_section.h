@@ -4,7 +4,8 @@
 
 namespace vantage {
 
-/// Selects image sets of a package with several: one, or two mixed, side by side or with a swipe.
+/// For a package with several image sets, selects one, or two that are mixed, shown side by side or divided
+/// by a swipe.
 void image_set_section(Controls& controls, RenderSettings& settings, const Renderer& renderer);
 
 /// Whether a photo belongs to a shown image set.

@@ -26,16 +26,16 @@ class MeasurePanel {
     explicit MeasurePanel(const PackageReader& package);
 
     /// Handles the session's input, and draws measurements and the panel while session.window.panels.measure.
-    /// `meshes`: the visible ones.
+    /// `meshes`: the visible meshes.
     void show(Controls& controls, Session& session, std::span<const PlacedMesh> meshes, const View& view,
               double now);
 
-    /// The same in steps, for pointers outside the window. Enters and leaves the mode as set in the session;
-    /// returns whether it is active.
+    /// The functions below do the same in steps, for pointers outside the window. Enters and leaves the mode
+    /// as set in the session; returns whether it is active.
     bool attend(Session& session, double now);
     /// Whether measurements are being saved, or attend() has a result of saving to report.
     bool saves() const { return file_.busy(); }
-    /// Sets the surface point under the pointer; nothing: none.
+    /// Sets the surface point under the pointer; nullopt: none.
     void point_at(const std::optional<SurveyPoint>& point) { under_ = point; }
     /// Adds the point under the pointer to the measurement.
     void set_point(Session& session, double now);

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// The list of objects: visibility, placement, adding and removing. `size`: of the first object, in input
+/// The list of objects: visibility, placement, adding and removing. `size`: the first object's size, in input
 /// units. Returns whether the picture changed.
 bool object_section(Controls& controls, UserCommands& commands, ObjectSet& objects, double size);
 

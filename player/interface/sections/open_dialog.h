@@ -35,7 +35,7 @@ class OpenDialog {
     std::string trouble_;       ///< error while listing the folder
     std::size_t selected_ = 0;  ///< entries_.size(): none
     std::array<char, 4096> typed_{};
-    int texts_ = 0;  ///< changes by the program, which an active text field would ignore
+    int texts_ = 0;  ///< counts changes by the program, which an active text field would ignore
     bool focus_ = false, scroll_ = false, closes_ = false;
 };
 

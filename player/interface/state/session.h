@@ -20,7 +20,8 @@ struct Cut {
     enum class By { plane, box, count } by = By::plane;
     /// The box that is kept, along the input's axes, in fractions of the model's extent.
     std::array<double, 3> low{0, 0, 0}, high{1, 1, 1};
-    /// The plane's normal: the viewing direction when this was selected, or an axis of the input.
+    /// The plane's normal: the viewing direction at the time this option was selected, or an axis of the
+    /// input.
     enum class Across { facing, x, y, z, count };
     bool on = false, other_side = false;
     Across across = Across::facing;

@@ -9,7 +9,7 @@ namespace vantage {
 
 /// A key press.
 struct KeyPress {
-    int key;    ///< GLFW code; of a letter, according to the keyboard layout
+    int key;    ///< GLFW code; for letters, according to the keyboard layout
     int place;  ///< GLFW code of the key's position on a US keyboard
     enum class With { nothing, control, other } with = With::nothing;  ///< other: also Alt or Super
     bool repeated = false;                                             ///< key repeat while held

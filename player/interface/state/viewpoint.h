@@ -45,7 +45,7 @@ struct RecordedPath {
 void begin_at(Viewpoint& viewpoint, const Navigation& camera);
 /// Starts a flight to a camera.
 void start_flight(Viewpoint& viewpoint, const Navigation& to, double now, double seconds);
-/// Starts a flight toward a point that covers half of the distance.
+/// Starts a flight that covers half of the distance to a point.
 void fly_to_point(Viewpoint& viewpoint, const Eigen::Vector3d& point, double now);
 /// Starts a flight along the recorded path, at the recorded speed.
 void replay(Viewpoint& viewpoint, const RecordedPath& path, double now);

@@ -11,7 +11,7 @@ namespace vantage {
 
 /// The story of the shown scene, and its playback state.
 struct ActiveStory {
-    std::filesystem::path file;  ///< empty: no file can be stored, as with a remote package
+    std::filesystem::path file;  ///< empty: no file can be written, as for a remote package
     InputAxes axes;
     Story story;
     std::string language;               ///< of the shown texts
@@ -42,7 +42,7 @@ void play_tour(ActiveStory& active, Session& session, std::size_t tour, double n
 /// with its flight, or when input interrupts it.
 void continue_tour(ActiveStory& active, const Viewpoint& viewpoint, double now);
 
-/// The opening view, or nothing if the story has none.
+/// The opening view, or nullopt if the story has none.
 std::optional<Navigation> opening_of(const ActiveStory& active);
 
 /// Applies a new language, chosen in the window or the story, to both if it differs from the current one.

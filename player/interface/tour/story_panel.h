@@ -8,8 +8,8 @@ namespace vantage {
 
 /// The notes and tours of a story, and its languages if there are several.
 void story_content(Controls& controls, ActiveStory& active, Session& session, double now);
-/// The picture, the text and the buttons of the open note. `room`: maximum width of both and maximum height
-/// of the picture, in pixels.
+/// The picture, the text and the buttons of the open note. `room`: maximum width of the content, and maximum
+/// height of the picture, in pixels.
 void note_content(Controls& controls, ActiveStory& active, NotePicture& picture, Viewpoint& viewpoint,
                   ImVec2 room, double now);
 /// "2  The portal"

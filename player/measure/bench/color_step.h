@@ -32,8 +32,8 @@ struct ColorStep {
 int step_cell(int width, int height);
 
 /// Compares two pictures of one view, pixel by pixel: `now`, and `then`, with the photos and weights of the
-/// frame `next`. Only compares surfaces that both show and that are also visible in `next`, and cells of
-/// which at least a quarter is compared. All zero if there are none.
+/// frame `next`. Only compares surfaces that are visible in both pictures and in `next`, and only uses cells
+/// of which at least a quarter is compared. All values are 0 if there are no such cells.
 ColorStep color_step(const PlanScene& scene, const SeenFrame& now, const SeenFrame& then,
                      const SeenFrame& next);
 

@@ -12,7 +12,7 @@ struct NonFinite {
     std::size_t depth = 0, surface = 0, sums = 0, samples = 0;
     std::size_t all() const { return depth + surface + sums + samples; }
 };
-/// Counts in the last frame. Waits for the GPU and reads back all targets, so only for verification.
+/// Counts them in the last frame. Waits for the GPU and reads back all targets, so only for verification.
 NonFinite count_non_finite(const FrameTargets& targets);
 
 /// A one-line message.

@@ -22,7 +22,7 @@ struct SmoothnessOptions {
 struct FrameStep {
     ColorStep color;
     std::size_t photos = 0,
-                changed = 0;  ///< photos drawn in the next frame; of both frames' photos, those not in both
+                changed = 0;  ///< photos drawn in the next frame; photos drawn in only one of the two
     std::size_t tiles_missing = 0;
 };
 

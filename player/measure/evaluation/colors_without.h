@@ -16,7 +16,8 @@ class ColorsWithout {
 
     /// Gains, and vignetting if enabled, fitted without `photo` to the others of its image set.
     PhotoColors colors(std::uint32_t photo) const;
-    /// The package's records with these colors, as far as the effects are enabled for the photo's image set.
+    /// The package's records with these colors, to the extent that the effects are enabled for the photo's
+    /// image set.
     std::vector<package::PhotoRecord> records(const PhotoColors& colors, std::uint32_t photo) const;
     std::vector<package::PhotoRecord> records(std::uint32_t photo) const {
         return records(colors(photo), photo);

@@ -182,8 +182,8 @@ double Judge::squares(const Picture& picture, const Place& p, PixelShift shift) 
     return sum;
 }
 
-/// A shift of some picture explains the error, and better than a change of brightness or tint does: on a
-/// smooth gradient the two look alike.
+/// Whether a shift of some picture explains the error, and does so better than a change in brightness or
+/// tint: on a smooth gradient the two look alike.
 bool Judge::displaced(const Window& w, std::size_t cell) const {
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
         const PixelShift s = shifts_[k][cell];

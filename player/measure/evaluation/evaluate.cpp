@@ -176,7 +176,7 @@ class SceneWithout {
         if (transient_masks && effect_on(package.scene(), Effect::transients))
             transient_.emplace(package, colors_.samples());
     }
-    /// Sets the others' weight maps to those without the photo. Returns the records.
+    /// Sets the other photos' weight maps to those computed without this photo. Returns the records.
     std::vector<package::PhotoRecord> hold_out(std::uint32_t photo, Renderer& renderer) {
         const PhotoColors colors = fits_colors_ ? colors_.colors(photo) : PhotoColors{};
         std::vector<package::PhotoRecord> out = colors_.records(colors, photo);

@@ -31,10 +31,10 @@ std::vector<bool> scored_pixels(const Picture& picture, int radius = 3);
 std::array<double, 3> fitted_gain(const Picture& photo, const Picture& picture,
                                   const std::vector<bool>& scored);
 
-/// dB of a sum of squared differences over three channels; `pixels` > 0. At most 168 dB.
+/// PSNR in dB for a sum of squared differences over three channels; `pixels` > 0. At most 168 dB.
 double psnr_of(double squares, std::size_t pixels);
 
-/// dB after the given gain, over the scored pixels; 0 if there are none.
+/// PSNR in dB after the given gain, over the scored pixels; 0 if there are none.
 double psnr_after(const std::array<double, 3>& gain, const Picture& photo, const Picture& picture,
                   const std::vector<bool>& scored);
 

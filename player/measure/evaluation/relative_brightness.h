@@ -10,13 +10,13 @@ namespace vantage {
 struct RelativeBrightness {
     double stops = 0, lower = 0, upper = 0;
 
-    /// Whether the whole photo differs in brightness, as by its exposure, and not only an occluded or
-    /// shadowed part of it: both quartiles are near the median.
+    /// Whether the whole photo differs in brightness, as with a different exposure, and not only an occluded
+    /// or shadowed part of it: both quartiles are near the median.
     bool throughout() const;
 };
 
-/// Over cells of which at least half is `scored` (one flag per pixel). Cell means are insensitive to slight
-/// displacement.
+/// Uses the cells of which at least half is `scored` (one flag per pixel). Cell means are insensitive to
+/// slight displacement.
 RelativeBrightness relative_brightness(const Picture& photo, const Picture& picture,
                                        const std::vector<bool>& scored);
 

@@ -9,7 +9,7 @@ namespace vantage {
 
 class Command;
 
-/// Photos to blend, and their blending.
+/// Which photos to blend, and how.
 struct BlendingOptions {
     RenderSettings render;
     int photos = -1;  ///< number of photos to blend; -1: default, 0: all

@@ -12,8 +12,8 @@ namespace vantage {
 
 inline constexpr std::uint32_t max_levels = 12;
 
-/// Tiles of one photo, by level; each list is ascending and without duplicates. Depth has the tiles of the
-/// weight maps.
+/// Tiles of one photo, by level; each list is ascending and without duplicates. Depth needs the same tiles as
+/// the weight maps.
 struct TileNeeds {
     std::array<std::vector<std::uint32_t>, max_levels> color, weight_maps;
     std::size_t tiles() const;  ///< number; weight maps and depth of a tile count once

@@ -60,8 +60,8 @@ std::vector<double> dynamic_weights(const View& view, std::span<const package::P
     };
     if (s.distance) apply(parts.distance);
     if (s.angle && s.angle_per_photo) apply(parts.angle);
-    // Multiplied by the static weights, still far above the smallest float, so that a single photo gives a
-    // color.
+    // Even multiplied by the static weights, this is far above the smallest float, so that a single photo
+    // yields a color.
     for (double& w : weights) w = std::max(w, 1e-9);
     return weights;
 }

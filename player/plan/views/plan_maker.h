@@ -22,7 +22,8 @@ class PlanMaker {
     explicit PlanMaker(const PlanScene& scene) : scene_(&scene) {}
 
     /// Makes the plans requested by the frame's views; views whose photos are shared come first. `at_once`:
-    /// before returning. `next`: the next expected view, whose tiles are planned as well; null: none.
+    /// makes them before returning. `next`: the next expected view, whose tiles are planned as well; null:
+    /// none.
     void update(std::span<const OrderedPlan> views, bool at_once, const View* next);
     /// Whether the views have their requested plans.
     bool current() const { return current_; }
@@ -39,7 +40,7 @@ class PlanMaker {
     PlanJob job_;  ///< reused for its memory
     std::vector<PlannedPhoto> ahead_;
     bool current_ = false;
-    unsigned moves_ = 0;  ///< frames with a predicted view
+    unsigned moves_ = 0;  ///< number of frames with a predicted view
 };
 
 }  // namespace vantage

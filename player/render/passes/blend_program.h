@@ -25,7 +25,7 @@ struct BlendVariant {
     bool trilinear;
     int anisotropy;
     bool refined_colors;
-    EffectSet effects = 0;        ///< effects of the photos' image set, if the scene has several
+    EffectSet effects = 0;        ///< effects of the photos' image set, if there are several image sets
     BlendOn on = BlendOn::model;  ///< all others imply per_fragment
     bool behind_points = false;   ///< points may occlude the frame's surface
 

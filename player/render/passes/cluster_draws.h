@@ -6,7 +6,8 @@
 
 namespace vantage {
 
-/// A depth between the background and the mesh. Depth falls with distance; points are in front of it, too.
+/// A depth between the background and the mesh. Depth decreases with distance; points are also in front of
+/// it.
 inline constexpr float depth_behind_mesh = 0x1p-55f;
 
 /// Draws clusters of the model with the current program. Belongs to the OpenGL thread; the scene must outlive

@@ -38,7 +38,7 @@ struct FrameTargets {
     /// Allocates optional targets: the second sums, `before`.
     void add_second_sums();
     void add_before();
-    /// Of the last painted eye. Targets must exist.
+    /// The surface of the last painted eye. The targets must exist.
     const SurfaceTargets& surface() const { return surfaces[surface_number]; }
     const gl::Framebuffer& sums_target(int sums) const {
         return sums_targets[surface_number][std::size_t(sums)];
@@ -62,7 +62,7 @@ class DrawnRegion {
     DrawnRegion& operator=(const DrawnRegion&) = delete;
 };
 
-/// The triangle at each pixel's last sample of the last frame, row by row from the top, numbered from 1; 0:
+/// The triangle at each pixel's last sample in the last frame, row by row from the top, numbered from 1; 0:
 /// none. Waits for the graphics card.
 std::vector<std::uint32_t> read_triangles(const FrameTargets& targets);
 

@@ -8,9 +8,9 @@
 
 namespace vantage {
 
-/// Fills pixels without photos with surrounding colors, by a pyramid of means that is averaged downward and
-/// filled in upward (after the pull-push of Gortler et al. 1996). Holes contribute their own color with a low
-/// weight, so that it is visible only far from all others. For holes in the background, the mesh's colors
+/// Fills pixels without photos with surrounding colors, using a pyramid of means that is averaged downward
+/// and filled in upward (after the pull-push of Gortler et al. 1996). Holes contribute their own color with a
+/// low weight, so that it is visible only far from all others. For holes in the background, the mesh's colors
 /// have a low weight, since they belong to nearer surfaces.
 class HoleFilling {
   public:

@@ -58,7 +58,8 @@ class PhotoPasses {
     void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn, BlendOn on);
     void draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                         const PointSurface& points, bool transients);
-    /// Writes the photos and their pages into the ring, and binds them. `weights`: by number; empty: all 1.
+    /// Writes the photos and their pages into the ring, and binds them. `weights`: per photo of the scene;
+    /// empty: all 1.
     template <class Weight>
     void bind_photos(std::span<const std::uint32_t> photos, std::span<const Weight> weights);
     const gl::Program& blend_program(const RenderSettings& settings, bool transients, BlendOn on,

@@ -15,7 +15,7 @@ struct PictureSamples {
     gl::Framebuffer sum_target, other_target, veiled_target;
     double count = 0;  ///< per pixel
 
-    /// Allocates `other` if necessary; all 0.
+    /// Allocates `other`, filled with zeros, if necessary.
     void add_other();
     /// Allocates `veil` and `clean` if necessary. `veiled_target` writes them and the sum.
     void add_veil();

@@ -12,8 +12,8 @@
 
 namespace vantage {
 
-/// Draws a package's point cloud, with occlusion by the model: plans, streams, draws. Belongs to the OpenGL
-/// thread; the package must outlive it.
+/// Plans, streams and draws a package's point cloud, occluded by the model. Belongs to the OpenGL thread; the
+/// package must outlive it.
 class PointPass {
   public:
     /// `bytes`: graphics memory for points.
@@ -48,10 +48,10 @@ class PointPass {
                      const PointSettings& settings);
     /// Linear light, with 1 in alpha at points.
     GLuint picture() const { return picture_.id(); }
-    /// Per pixel the distance of its point along the view's axis, 0 without one, and the spacing of points
-    /// there.
+    /// For each pixel, the distance of its point along the view's axis (0 without a point), and the spacing
+    /// of points there.
     GLuint places() const { return places_.id(); }
-    /// Per pixel the number of its point, for point_numbered(); 0: none.
+    /// For each pixel, the number of its point, for point_numbered(); 0: none.
     GLuint numbers() const { return numbers_.id(); }
     /// The nodes drawn by the last draw().
     const std::vector<DrawnNode>& drawn() const { return drawn_; }

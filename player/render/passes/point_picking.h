@@ -17,7 +17,7 @@ struct PickedPoint {
     std::array<std::uint8_t, 3> color;  ///< sRGB
 };
 
-/// The point with this `number` (PointPass::numbers()), with `nodes` drawn; nothing for 0 and invalid
+/// The point with this `number` (PointPass::numbers()), with `nodes` drawn; nullopt for 0 and invalid
 /// numbers.
 std::optional<PickedPoint> point_numbered(const PackageReader& package, const PointCloud& cloud,
                                           std::span<const DrawnNode> nodes, std::uint32_t number);

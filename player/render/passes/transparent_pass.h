@@ -47,7 +47,8 @@ class TransparentPass {
     /// Starts reading back the number of fragments, after resolve. Does nothing while an earlier count is in
     /// flight.
     void capture();
-    /// Takes the count that has arrived; `wait` waits for the one in flight. True if there is a new one.
+    /// Takes the count that has arrived; `wait` waits for the one in flight. Returns whether there is a new
+    /// one.
     bool update(bool wait);
     const FragmentCount& count() const { return count_; }
 

@@ -26,9 +26,9 @@ class TriangleReadback {
     void release();
     /// Starts reading the triangles of `view` in `targets`. Does nothing while an earlier frame is in flight.
     void capture(const FrameTargets& targets, const View& view);
-    /// Takes the triangles that have arrived; `wait` waits for those in flight. True if they have changed.
-    /// Numbers above `triangles`, the scene's count, are those of a coarse mesh and are mapped to the
-    /// triangles that they replace.
+    /// Takes the triangles that have arrived; `wait` waits for those in flight. Returns whether they have
+    /// changed. Numbers above `triangles`, the scene's count, are those of a coarse mesh and are mapped to
+    /// the triangles that they replace.
     bool update(bool wait, std::size_t triangles, std::span<const std::uint32_t> stands_for);
 
     /// Valid as long as it is held.

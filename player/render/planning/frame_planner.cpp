@@ -133,8 +133,8 @@ bool FramePlanner::take_seen(PlannedEye& eye, bool wait) {
     return eye.readback.update(wait, resources_->scene.triangles, resources_->clusters.coarse().stands_for);
 }
 
-/// Requests plans for an eye's image sets. In a frame that is not complete, those of the first eye serve
-/// both: the second one's plan uses its photos, and has no tiles of its own.
+/// Requests plans for an eye's image sets. In a frame that is not complete, the first eye's plans serve both
+/// eyes: the second eye's plan uses their photos and has no tiles of its own.
 void FramePlanner::order_plans(PlannedEye& eye) {
     PlannedEye& first = frame_.eyes.front();
     for (std::size_t b = 0; b < eye.image_sets.size(); ++b) {

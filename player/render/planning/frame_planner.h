@@ -40,7 +40,7 @@ class FramePlanner {
     /// Makes the coarse mesh for reduced frames on another thread, and uses it when finished; `wait`: before
     /// returning.
     void coarsen(bool wait);
-    /// Current limit of graphics memory, in bytes: the budget's, or more if a frame needs more.
+    /// Current limit on graphics memory, in bytes: the budget's, or more if a frame needs more.
     std::uint64_t graphics_budget() const { return graphics_budget_; }
     const MemoryBudget& budget() const { return budget_; }
     /// Applies from the next frame.

@@ -24,7 +24,8 @@ ShownImageSets shown_image_sets(const ImageSetSettings& settings, std::size_t im
 /// is shown only with it.
 void choose_image_set(RenderSettings& settings, std::uint32_t image_set, const PlanScene& scene);
 
-/// Dynamic weights per photo, relative to the others of the image set; 1 for photos of other image sets.
+/// Dynamic weights per photo, relative to the other photos of the image set; 1 for photos of other image
+/// sets.
 std::vector<double> weights_in_image_set(const View& view, const WeightSettings& settings,
                                          std::uint32_t image_set, const PlanScene& scene);
 

@@ -23,7 +23,7 @@ class FrameClock {
     explicit FrameClock(bool software);
     /// Begins a frame; an unfinished one, after an error, is not measured.
     void begin();
-    /// Ends the frame, which was drawn at `pace`; nothing: discards the measurement.
+    /// Ends the frame, which was drawn at `pace`; nullopt: discards the measurement.
     void end(std::optional<Pace> pace);
     /// The newest measured frame that has finished since the last call.
     std::optional<Frame> take();

@@ -10,18 +10,18 @@ struct Pace {
     bool reduced = false;  ///< see RenderSettings::reduced
     bool operator==(const Pace&) const = default;
 };
-/// Coarser frames would hardly be faster: the time for the triangles remains.
+/// Minimum scale of a frame. Coarser frames would hardly be faster: the time for the triangles remains.
 inline constexpr double least_scale = 0.15;
 
 /// Maximum ratio of the duration of a full frame to that of a reduced one.
 inline constexpr double max_for_all_photos = 3;
 
-/// For a first picture, which consists of base levels.
+/// The pace of a first picture, which consists of base levels.
 inline constexpr Pace coarse_pace{0.25, true};
 
 /// The pace of the next frame, after one at `pace` that took `ms`, with a goal of `goal_ms`. Slows down
 /// immediately, and speeds up by at most a fifth of the pixels per frame. Without a time or a positive goal,
-/// the same pace. `all_photos`: ratio of the duration of a full frame to that of a reduced one.
+/// returns the same pace. `all_photos`: ratio of the duration of a full frame to that of a reduced one.
 Pace next_pace(Pace pace, double ms, double goal_ms, double all_photos = max_for_all_photos);
 
 /// The pace of the next frame, and the state from previous frames.
@@ -31,14 +31,14 @@ struct Pacing {
     Pace before{};             ///< pace before a sudden slowdown
     int watched = 0;  ///< remaining frames in which the slowdown may prove temporary; 0: none recently
     double all_photos = max_for_all_photos;  ///< as for next_pace(), estimated from frames
-    double last = 0;  ///< estimated duration of a full-size frame from the last time, in ms; 0: none
+    double last = 0;  ///< duration of a full-size frame, estimated from the last one, in ms; 0: none
     bool last_reduced = false;  ///< of that frame
 };
 
-/// The same from a series of frames, of which one `drawn` at this pace took `ms`; it may be some frames old.
-/// Keeps the pace while frames take .72 to .92 of the goal, so that the resolution does not change in every
-/// frame; evaluates a new pace only by its own frames; and returns to the former pace immediately after a
-/// temporary slowdown.
+/// The same for a series of frames, one of which was `drawn` at this pace and took `ms`; it may be some
+/// frames old. Keeps the pace while frames take .72 to .92 of the goal, so that the resolution does not
+/// change in every frame; evaluates a new pace only by its own frames; and returns to the former pace
+/// immediately after a temporary slowdown.
 Pacing next_pacing(Pacing pacing, Pace drawn, double ms, double goal_ms);
 
 /// The pace at the start of a motion, if a frame at rest takes `ms`. Conservative, since the part of the time

@@ -27,7 +27,7 @@ class Fingers {
     void report(UserInput& input);
     /// Whether further frames have input even without new events.
     bool unreported() const { return !to_show_.empty(); }
-    /// The mouse is used again.
+    /// Records that the mouse is used again.
     void leave_to_mouse() { last_used_ = false; }
 
   private:

@@ -14,7 +14,7 @@ struct WrittenTexts {
 };
 
 /// Writes to the file free_name(stem, extension); `extension` with its dot. Returns `done` with WHAT and FILE
-/// for its two %s, or `failed` with FILE and the reason why `write` threw an Error. Thread-safe.
+/// in place of its two %s, or `failed` with FILE and the reason why `write` threw an Error. Thread-safe.
 std::string written_numbered(const std::string& stem, const char* extension, const WrittenTexts& texts,
                              const std::function<void(const std::string& file)>& write);
 /// The same, and shows the message "WHAT written to FILE".
