@@ -10,7 +10,7 @@ namespace vantage {
 /// A frame of one of several objects.
 struct ObjectFrame {
     Renderer* renderer;
-    const View& view;  ///< as last drawn by the renderer
+    const View& view;  ///< view last drawn by the renderer
     const RenderSettings& settings;
     double scale;    ///< scene units per unit of the object
     double opacity;  ///< 0 to 1

@@ -18,8 +18,8 @@
 namespace vantage {
 namespace {
 
-constexpr double arms_length = 1;  ///< meters, to the target in a scene of unknown size
-constexpr double nearest = 0.05;   ///< meters, near limit of overlays
+constexpr double arms_length = 1;  ///< distance in meters to the target in a scene of unknown size
+constexpr double nearest = 0.05;   ///< near limit of overlays, meters
 
 /// Meters in a scene unit, from the command line or the scene's measurements; 0: unknown.
 double unit_meters(const PackageReader& package, double given) {

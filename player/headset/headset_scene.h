@@ -57,10 +57,10 @@ class HeadsetScene {
 
     LoadedScene scene_;
     Session& session_;
-    Eigen::Vector3d origin_;  ///< of the package, in input coordinates
+    Eigen::Vector3d origin_;  ///< the package's origin, in input coordinates
     Eigen::Vector3d up_;      ///< of the scene
     double unit_meters_;      ///< scene units to meters; 0: unknown
-    double fps_;              ///< as for frame_goal(); below 0: the headset's rate
+    double fps_;              ///< target rate, see frame_goal(); below 0: the headset's rate
     std::string controls_;    ///< output file for the positions of the menu's controls
     Locomotion locomotion_;
     bool placed_ = false, dims_edges_ = true;

@@ -54,7 +54,7 @@ class SceneInterface {
     static constexpr std::size_t max_labels = 64;
     struct Label {
         SceneLabel label;
-        Eigen::Vector2d corner, size;  ///< of its window, panel pixels
+        Eigen::Vector2d corner, size;  ///< corner and size of its window, panel pixels
         PanelDrawing drawing;
         std::optional<Panel> panel;  ///< nullopt: behind the head
     };

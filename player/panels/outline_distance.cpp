@@ -15,7 +15,7 @@ using Eigen::Vector2f;
 /// A straight piece of an outline in a texel.
 struct Piece {
     Vector2f middle;  ///< texels; the center of texel (0, 0) is at (0, 0)
-    Vector2f half;    ///< from the center to an end
+    Vector2f half;    ///< vector from the center to an end
     bool inside;      ///< whether the texel's center is inside
 };
 
@@ -23,7 +23,7 @@ struct Piece {
 struct Outlines {
     std::span<const std::uint8_t> coverage;
     int width, height;
-    std::vector<std::int32_t> piece_at{};  ///< per texel, the index of its piece; -1: none
+    std::vector<std::int32_t> piece_at{};  ///< for each texel, the index of its piece; -1: none
     std::vector<Piece> pieces{};
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(width) + std::size_t(x); }

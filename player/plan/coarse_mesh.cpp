@@ -24,7 +24,7 @@ std::size_t opaque_triangles(const PlanScene& scene) {
 
 /// Some triangles, with their own vertex numbering.
 struct Part {
-    std::vector<std::uint32_t> indices, vertices;  ///< `vertices`: of the scene, by the part's
+    std::vector<std::uint32_t> indices, vertices;  ///< `vertices`: the scene's, indexed by the part's
     std::vector<Eigen::Vector3f> positions;
 };
 

@@ -14,8 +14,8 @@ namespace vantage {
 /// The clusters and photos that a view is drawn from; photos by decreasing agreement.
 struct Plan {
     std::vector<std::uint32_t> clusters;  ///< opaque
-    std::vector<PlannedPhoto> photos;     ///< of the mesh
-    std::vector<PlannedPhoto> behind;     ///< of the background, see plan_background
+    std::vector<PlannedPhoto> photos;     ///< photos of the mesh
+    std::vector<PlannedPhoto> behind;     ///< photos of the background, see plan_background
     PhotoChoice choice;  ///< the full selection, including photos that show none of the clusters
     double uncovered =
         0;  ///< fraction of the surface in view of the viewer and of allowed photos that no chosen photo sees

@@ -13,10 +13,10 @@ namespace vantage {
 
 struct PlannedPhoto {
     std::uint32_t photo;
-    double agreement;                     ///< with the view, see agreement(), in [0, 1]
+    double agreement;                     ///< agreement with the view, see agreement(), in [0, 1]
     std::vector<std::uint32_t> clusters;  ///< drawn with this photo, ascending
     std::vector<float> weights;           ///< one per cluster, relative to the best photo's, at most 1
-    TileNeeds needs;                      ///< for the visible parts of the clusters
+    TileNeeds needs;                      ///< tiles for the visible parts of the clusters
 };
 
 std::vector<std::uint32_t> numbers_of(std::span<const PlannedPhoto> photos);

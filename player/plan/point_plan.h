@@ -13,7 +13,7 @@ namespace vantage {
 /// largest spacing of points in the picture, that is, the nearest and coarsest.
 struct PointPlan {
     std::vector<std::uint32_t> nodes;
-    std::uint64_t points = 0;  ///< of these nodes
+    std::uint64_t points = 0;  ///< number of points in these nodes
     bool whole = true;         ///< no useful node was dropped to meet the budget
 };
 

@@ -38,8 +38,8 @@ Eigen::Vector3d spread_point(const Corners& corner, std::size_t number) {
     return corner[0] + a * (corner[1] - corner[0]) + b * (corner[2] - corner[0]);
 }
 
-/// Selects visible triangles that get points: about `most`, evenly spaced. Returns the number of triangles
-/// that each represents.
+/// Selects about `most` evenly spaced visible triangles that get points. Returns the number of triangles that
+/// each represents.
 double draw_points(const Seen& seen, std::size_t most, std::vector<std::size_t>& out) {
     const std::size_t all = seen.triangles.size();
     if (!seen.view) {

@@ -37,7 +37,7 @@ struct FrameResources {
     std::optional<PointPass> points;             ///< if there is a cloud
     std::optional<TransparentPass> transparent;  ///< if some of the mesh is transparent
     std::optional<HoleFilling> filling;          ///< if there is a background
-    FrameTargets targets;                        ///< of the last frame
+    FrameTargets targets;                        ///< targets of the last frame
     PassClock pass_clock{};                      ///< off unless started by a measurement
 
     /// Reason why a server recently failed to deliver requested data; empty without a failure, and for a

@@ -15,7 +15,7 @@ namespace vantage {
 struct Model {
     gl::Buffer positions, normals, colors, indices;
     gl::Buffer triangle_clusters;  ///< cluster of each triangle, if photos can be blended by_triangle
-    gl::Buffer values;             ///< of the last scalar field shown, if any
+    gl::Buffer values;             ///< values of the last scalar field shown, if any
     gl::VertexArray vertices;
     std::uint32_t vertex_count = 0;  ///< of the mesh
     /// Capacity of indices and triangle_clusters for additional triangles after the scene's.

@@ -87,7 +87,7 @@ class PhotoStore {
   private:
     /// Urgency of a missing piece, in increasing order.
     enum class Urgency {
-        prefetch,     ///< for future frames
+        prefetch,     ///< needed for future frames
         panel,        ///< thumbnails that only panels show
         tile,         ///< coarse levels before fine ones
         coordinates,  ///< required to draw a photo with coordinates per vertex

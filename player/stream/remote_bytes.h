@@ -31,7 +31,7 @@ class RemoteBytes {
     struct Arrival {
         StreamRequest request;
         Held held;            ///< null if its bytes could not be fetched
-        std::string failure;  ///< reason of the failure
+        std::string failure;  ///< reason for the failure
     };
     /// Removes and returns the most urgent request that has arrived, unless `accepts` rejects it. `accepts`
     /// is called only for fetched bytes.
@@ -55,7 +55,7 @@ class RemoteBytes {
     mutable std::mutex mutex_;
     std::condition_variable_any work_;
     std::vector<StreamRequest> wanted_;                    ///< not taken
-    std::unordered_map<std::uint64_t, Arrival> arrivals_;  ///< by identity, not taken
+    std::unordered_map<std::uint64_t, Arrival> arrivals_;  ///< arrivals not yet taken, by identity
     std::unordered_set<std::uint64_t> fetching_;
     std::vector<Group*> groups_;         ///< in flight
     std::vector<std::jthread> threads_;  ///< last: they use all members above

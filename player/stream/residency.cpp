@@ -16,7 +16,7 @@ using package::Type;
 // Usual maximum of a first picture: up to four tiles of color for each of ten photos, and one of weight maps
 // for four. Allocating space for all tiles would take longer than the picture.
 constexpr std::uint32_t first_color = 40, first_weight_maps = 4;
-constexpr std::uint64_t piece_bytes = 256 * 1024;  ///< of texture coordinates
+constexpr std::uint64_t piece_bytes = 256 * 1024;  ///< size of a piece of texture coordinates
 
 std::uint32_t pieces_of(std::uint32_t vertices) {
     return std::uint32_t((std::uint64_t(vertices) * 8 + piece_bytes - 1) / piece_bytes);

@@ -39,7 +39,7 @@ class Residency {
     static constexpr double retry_seconds = 5;
     struct Failure {
         double at;     ///< time of the last failure, seconds
-        bool damaged;  ///< otherwise it could not be fetched
+        bool damaged;  ///< false: it could not be fetched
     };
 
     Residency(const PackageReader& package, const PackagePages& pages, const ResidencyLayout& layout);

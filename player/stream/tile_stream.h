@@ -85,12 +85,12 @@ class TileStream {
     UploadRing ring_;
     mutable std::mutex mutex_;
     std::condition_variable_any work_, fetched_;
-    std::vector<StreamRequest> wanted_;  ///< the next one last
+    std::vector<StreamRequest> wanted_;  ///< in reverse order: the next one is last
     std::deque<Fetched> done_;
     std::unordered_map<std::uint64_t, bool> begun_;  ///< in flight, or fetched and not taken
     StreamedSoFar streamed_;
     std::string failure_;
-    std::unique_ptr<RemoteBytes> remote_;  ///< for a remote package; uses the mutex
+    std::unique_ptr<RemoteBytes> remote_;  ///< exists for a remote package; uses the mutex
     std::vector<std::jthread> threads_;    ///< last: they use all members above
 };
 

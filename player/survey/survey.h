@@ -13,7 +13,7 @@ namespace vantage {
 /// The measurements of a scene, and their units.
 struct Survey {
     Scale scale{};
-    Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< of length 1, in input coordinates
+    Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< unit vector, in input coordinates
     std::vector<Measurement> measurements{};
 };
 

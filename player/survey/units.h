@@ -14,7 +14,7 @@ std::optional<Unit> unit_named(std::string_view name);
 
 /// Length of an input unit, and the displayed unit.
 struct Scale {
-    double length = 1;           ///< of an input unit, in `unit`; above 0
+    double length = 1;           ///< length of an input unit, in `unit`; above 0
     Unit unit = Unit::unknown;   ///< unknown: `length` is 1
     Unit shown = Unit::unknown;  ///< unknown: same as `unit`
     double relative = 0;         ///< standard uncertainty of `length`, relative to it

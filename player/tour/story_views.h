@@ -10,7 +10,7 @@ namespace vantage {
 
 /// Relation of a package's own coordinates to those of the input.
 struct InputAxes {
-    Eigen::Vector3d origin;  ///< of the package's coordinates
+    Eigen::Vector3d origin;  ///< origin of the package's coordinates
     Eigen::Vector3d up;      ///< of the photos
 };
 InputAxes input_axes(const PackageReader& package);

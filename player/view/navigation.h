@@ -25,7 +25,7 @@ Navigation stand_at(const View& view, const Eigen::Vector3d& up, double distance
 Navigation stand_before(const package::SceneRecord& scene, const Eigen::Vector3d& up);
 
 /// In front of the whole model, in the viewing direction of a picture with these axes (of length 1,
-/// perpendicular); `up`: of the scene.
+/// perpendicular); `up`: the scene's up direction.
 Navigation stand_beside(const package::SceneRecord& scene, const Eigen::Vector3d& right,
                         const Eigen::Vector3d& picture_up, const Eigen::Vector3d& up);
 

@@ -15,8 +15,8 @@ struct Panorama {
     FrameSize size;
 };
 
-/// At the eye of a view, level, with the view's target in the center. `up`: of the scene. Throws Error(usage)
-/// for a size that is not twice as wide as high.
+/// At the eye of a view, level, with the view's target in the center. `up`: the scene's up direction. Throws
+/// Error(usage) for a size that is not twice as wide as high.
 Panorama panorama_at(const View& view, const Eigen::Vector3d& up, FrameSize size);
 
 /// The position in the picture of a direction given along the axes of R, in pixels from the upper left

@@ -16,7 +16,7 @@ struct Shot {
     View view;
     std::optional<std::uint32_t> image_set{};  ///< nullopt: unspecified
     std::optional<double> at{};                ///< seconds after a flight begins; nullopt: unspecified
-    double distance = 1;                       ///< from the eye to its target
+    double distance = 1;                       ///< distance from the eye to its target
 };
 
 /// "1280x720". Throws Error(usage).

@@ -50,7 +50,7 @@ View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, con
 }
 
 Eigen::Matrix3d rolled(const Eigen::Matrix3d& camera, double degrees) {
-    // For a clockwise rotation, the camera's right side goes down.
+    // In a clockwise rotation, the camera's right side moves down.
     return Eigen::AngleAxisd(-degrees * std::numbers::pi / 180, Eigen::Vector3d::UnitZ()) * camera;
 }
 

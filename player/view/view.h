@@ -13,7 +13,7 @@ namespace vantage {
 /// corners, as in PhotoRecord.
 struct Exposure {
     std::array<float, 3> gain{1, 1, 1}, vignetting{0, 0, 0};
-    std::uint32_t image_set = 0;  ///< reference of the gain
+    std::uint32_t image_set = 0;  ///< image set that the gain refers to
     bool operator==(const Exposure&) const = default;
 };
 /// The photo's exposure and lens.

@@ -21,7 +21,7 @@ namespace vantage {
 namespace {
 
 struct Progress {
-    double bytes = 0, of = 0, per_second = 0;  ///< of: 0 while waiting for the server's response
+    double bytes = 0, of = 0, per_second = 0;  ///< `of` is 0 while waiting for the server's response
 };
 
 void draw_progress(GLFWwindow* window, const std::string& name, const Progress& p) {

@@ -14,7 +14,7 @@ class PathRecorder {
   private:
     struct Recording {
         double begin;
-        Navigation last;  ///< of the last frame
+        Navigation last;  ///< camera of the last frame
         double last_at;
     };
     std::optional<Recording> recording_;

@@ -48,7 +48,7 @@ void remember(const Session& session, const PackageReader& package, Remembered& 
     r.other_image_set = shown.other ? image_sets[*shown.other].name : "";
 }
 
-/// Options for another package: without those that name parts of the first one.
+/// Options for another package, without those that name parts of the first one.
 ShowOptions options_for(ShowOptions o, const std::string& file) {
     o.package.file = file;
     o.package.photos.clear();
@@ -72,7 +72,7 @@ float text_scale(const ShowOptions& o, const Remembered& remembered, const GlfwW
 struct Requested {
     std::string file;  ///< a package or a scene file
     std::vector<SceneObject> objects;
-    PackageReader package;  ///< of the first one
+    PackageReader package;  ///< package of the first object
     double at;              ///< seconds
 };
 
@@ -106,7 +106,7 @@ std::optional<Requested> requested(GlfwWindow& window, Session& session, const s
     }
 }
 
-/// Lets the user choose a package; empty if the window was closed.
+/// Asks the user to choose a package; empty if the window was closed.
 std::optional<Requested> ask_for_package(GlfwWindow& window, WindowState& state, Controls& controls,
                                          const ShowOptions& o, std::span<const std::string> recent) {
     glfwSetWindowTitle(window.get(), "Vantage");

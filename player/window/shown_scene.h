@@ -42,7 +42,7 @@ class ShownScene {
     const PlanScene& scene() const { return scene_.plan(); }
 
   private:
-    static constexpr double blink_seconds = 0.3;  ///< of a text field's cursor
+    static constexpr double blink_seconds = 0.3;  ///< blinking interval of a text field's cursor
 
     std::optional<AttractLoop> kiosk_tour(const PackageReader& package, const std::string& path) const;
     void choose_projection(double now);

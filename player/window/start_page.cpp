@@ -82,7 +82,7 @@ void draw(GLFWwindow* window) {
 std::string start_page(GlfwWindow& window, WindowState& state, Controls& c,
                        std::span<const std::string> recent, const std::string& trouble,
                        const std::string& places) {
-    constexpr double blink_seconds = 0.3;  // of a text field's cursor
+    constexpr double blink_seconds = 0.3;  // blinking interval of a text field's cursor
     Message message;
     OpenDialog dialog(".");
     SystemChooser chooser;

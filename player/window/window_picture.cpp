@@ -66,7 +66,7 @@ bool WindowPicture::looks_again() const {
     return session_.drawn.report.tiles_damaged + session_.drawn.report.tiles_absent > 0;
 }
 
-/// Whether the last frame was the same.
+/// Whether the last frame was drawn for the same view, photos and settings.
 bool WindowPicture::unchanged(const View& view, const RenderSettings& shown) const {
     RenderSettings drawn = last_settings_;
     drawn.swipe = shown.swipe;  // swipe only affects display

@@ -61,21 +61,21 @@ class WindowPicture {
 
     LoadedScene& scene_;
     Session& session_;
-    std::uint64_t memory_limit_;  ///< requested, bytes; 0: none, or the user was told that frames need more
+    std::uint64_t memory_limit_;  ///< requested, bytes; 0: none, or the user was already notified
     FrameClock clock_;
     Enlargement enlargement_;
     StereoPicture pair_;
-    double goal_ms_;       ///< for frames in motion; 0: none, frames are always drawn at full size
-    Pacing pacing_;        ///< of frames in motion
-    double frame_ms_ = 0;  ///< of the last measured frame
+    double goal_ms_;       ///< target for frames in motion; 0: none, frames always have full size
+    Pacing pacing_;        ///< pace of frames in motion
+    double frame_ms_ = 0;  ///< duration of the last measured frame
     std::optional<View> last_, drawn_view_;
-    RenderSettings last_settings_;  ///< of the last frame, like the photos
+    RenderSettings last_settings_;  ///< settings of the last frame
     StereoSettings last_stereo_;    ///< likewise
     std::vector<std::uint32_t> last_photos_;
     std::optional<Navigation> before_;
     int samples_ = 0;
     bool drawn_ = false, resting_ = false;
-    bool same_settings_ = false;  ///< as in the previous frame
+    bool same_settings_ = false;  ///< the settings are the same as in the previous frame
     double drawn_at_ = 0, moved_at_ = 0, changed_at_ = 0;
 };
 

@@ -18,7 +18,7 @@ struct Pointed {
     std::optional<std::uint32_t> photo{};
     std::optional<std::size_t> note{};
     std::optional<SurveyPoint> surface{};  ///< while measuring
-    double length = 3;                     ///< of the ray, meters
+    double length = 3;                     ///< length of the ray, meters
     bool any() const { return menu || photo || note || surface; }
 };
 
@@ -26,7 +26,7 @@ struct Pointed {
 struct PointingTargets {
     const std::optional<Panel>& menu;
     std::span<const PlacedMesh> meshes;
-    const Eigen::Vector3d& origin;  ///< of the package, in input coordinates
+    const Eigen::Vector3d& origin;  ///< the package's origin, in input coordinates
     const Story& story;
     const PlanScene& scene;
     const Session& session;

@@ -15,7 +15,7 @@ namespace vantage {
 /// State of a headset's frame.
 struct HeadsetFrame {
     double time = 0;                   ///< predicted display time, seconds
-    double period = 0;                 ///< of the display, seconds; 0: unknown
+    double period = 0;                 ///< refresh period of the display, seconds; 0: unknown
     bool shown = false;                ///< is to be drawn; `eyes` are known
     std::array<EyeFrustum, 2> eyes{};  ///< left, right
     RoomPose head{};                   ///< between the eyes
@@ -31,11 +31,11 @@ struct DepthLimits {
 };
 /// The picture drawn for an eye.
 struct DrawnEye {
-    FrameSize size;  ///< from the picture's lower left corner
+    FrameSize size;  ///< drawn part, from the picture's lower left corner
     std::optional<DepthLimits> depth{};
 };
 
-/// A session of an OpenXR runtime with a headset: spaces, pictures, hands, and frames. Belongs to the OpenGL
+/// A session with an OpenXR runtime and a headset: spaces, pictures, hands, and frames. Belongs to the OpenGL
 /// thread and the context that was current at construction. All functions throw XrLost if the session is
 /// lost, and Error(graphics) for other failures.
 class HeadsetSession {
@@ -82,7 +82,7 @@ class HeadsetSession {
     XrEnvironmentBlendMode blend_ = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
     std::vector<EyeSwapchain> colors_, depths_;  ///< per eye; no depths if the runtime accepts none
     std::optional<TrackedHands> hands_;
-    XrFrameState state_;            ///< of the last frame begun
+    XrFrameState state_;            ///< state of the last frame begun
     std::array<XrView, 2> views_;   ///< likewise
     std::array<XrFovf, 2> fovs_{};  ///< likewise, sorted
     bool running_ = false, ended_ = false;

@@ -11,7 +11,7 @@ struct Glide {
         double at;  ///< seconds
         Drags drags;
     };
-    bool held = false;             ///< by a mouse button or a finger
+    bool held = false;             ///< held by a mouse button or a finger
     std::vector<Movement> recent;  ///< movements in the frames of the drag
     Drags ahead{};                 ///< remaining movement, pixels
     double at = 0;                 ///< time of the last frame, seconds

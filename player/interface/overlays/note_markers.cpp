@@ -51,7 +51,7 @@ std::optional<std::size_t> draw_note_markers(Controls& controls, const std::vect
     std::optional<std::size_t> clicked;
     const float side = 1.6f * ImGui::GetFontSize();
     for (const NoteMarker& m : markers) {
-        // A window of the marker's size catches the click before the camera control.
+        // A window of the marker's size catches the click before the camera controls do.
         const std::string name = "Note " + std::to_string(m.note + 1);
         ImGui::SetNextWindowPos(ImVec2(float(m.at.x()) - side / 2, float(m.at.y()) - side / 2));
         ImGui::SetNextWindowSize(ImVec2(side, side));

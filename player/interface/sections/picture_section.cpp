@@ -10,7 +10,7 @@
 namespace vantage {
 namespace {
 
-/// Only if the package's exposures were refined.
+/// Shown only if the package's exposures were refined.
 void exposure_controls(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
     const package::SceneRecord& scene = renderer.package().scene();

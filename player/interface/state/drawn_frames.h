@@ -9,9 +9,9 @@ namespace vantage {
 
 /// Statistics of the drawn frames.
 struct DrawnFrames {
-    FrameReport report;                                     ///< of the last one
+    FrameReport report;                                     ///< report of the last one
     Pace pace;                                              ///< likewise
-    std::vector<float> ms = std::vector<float>(240, 0.0f);  ///< of the last 240 frames, newest last
+    std::vector<float> ms = std::vector<float>(240, 0.0f);  ///< durations of the last 240 frames, newest last
     FrameStatistics statistics;                             ///< of these
 };
 

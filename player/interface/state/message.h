@@ -7,7 +7,7 @@ namespace vantage {
 struct Message {
     std::string text;    ///< empty: nothing
     double until = 0;    ///< earliest end, seconds
-    bool shown = false;  ///< otherwise its time starts when first shown
+    bool shown = false;  ///< false: its time starts when it is first shown
 };
 
 inline constexpr double message_seconds = 6;

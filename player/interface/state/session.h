@@ -70,7 +70,7 @@ struct Session {
     WindowState& window;
     RenderSettings settings;
     std::vector<std::uint32_t> photos;  ///< allowed for blending
-    StereoSettings stereo;              ///< for the pictures of two eyes
+    StereoSettings stereo;              ///< settings for the pictures of two eyes
     bool freeze = false;                ///< weights are frozen
     bool lamp_follows = true;           ///< the raking light follows the pointer
     /// Whether the section of layers is open for a package without stored fields.

@@ -19,12 +19,12 @@ struct KeyPress {
 struct Drag {
     double right = 0, down = 0;
 };
-using Drags = std::array<Drag, 3>;  ///< by button: left, right, middle
+using Drags = std::array<Drag, 3>;  ///< one per button: left, right, middle
 
 /// A click of the left mouse button without movement.
 struct Click {
     double x, y;  ///< pixels from the window's upper left corner
-    bool second;  ///< of a double click
+    bool second;  ///< the second click of a double click
 };
 
 /// The pointer of a frame: the mouse at the time of a button event; a finger that acts as the left button; or
@@ -32,7 +32,7 @@ struct Click {
 struct PointerState {
     double x, y;               ///< pixels from the window's upper left corner
     std::array<bool, 3> down;  ///< buttons: left, right, middle
-    bool there = true;         ///< otherwise the finger was lifted, and there is no pointer
+    bool there = true;         ///< false: the finger was lifted, and there is no pointer
 };
 
 /// Keyboard, mouse and touch input since the last frame.

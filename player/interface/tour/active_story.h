@@ -14,7 +14,7 @@ struct ActiveStory {
     std::filesystem::path file;  ///< empty: no file can be written, as for a remote package
     InputAxes axes;
     Story story;
-    std::string language;               ///< of the shown texts
+    std::string language;               ///< language of the shown texts
     std::string trouble;                ///< error in the file, or reason why it is read-only; empty: none
     std::string on_disk;                ///< the file's text when read or saved; empty: no file
     bool changed = false;               ///< edited since then

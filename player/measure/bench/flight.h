@@ -31,8 +31,8 @@ struct FlightOptions {
     PointOptions points;
     StereoSettings stereo;  ///< frames are drawn in stereo unless off
     int frames = 120;
-    double fps = -1;           ///< for the mode "adaptive", see frame_goal()
-    double minutes = 0;        ///< instead of `frames`
+    double fps = -1;           ///< target rate in the mode "adaptive", see frame_goal()
+    double minutes = 0;        ///< duration, instead of `frames`
     bool until_exact = false;  ///< end a path when the view is constant and its picture exact
     bool warm = false;         ///< keep the package in the page cache
     std::filesystem::path folder = "bench";
@@ -51,11 +51,11 @@ struct Flight {
     std::string path, mode;
     int repeat;
     std::vector<FrameRecord> frames;
-    PassTimes pass_ms{};  ///< of the first object, sum over all frames
+    PassTimes pass_ms{};  ///< times of the first object, summed over all frames
     StreamedSoFar streamed{};
     std::uint64_t graphics_budget = 0;
     // For "still", and for the jump in "jump", if there is only one object:
-    int frames_to_exact = -1;  ///< until no tile was missing; -1: never
+    int frames_to_exact = -1;  ///< frames until no tile was missing; -1: never
     double ms_to_exact = 0;
     StreamedSoFar streamed_to_exact{};
     std::uint64_t touched_bytes = 0;

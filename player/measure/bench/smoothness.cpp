@@ -29,7 +29,7 @@ RenderSettings shown_settings(const PackageReader& package, const SmoothnessOpti
     return settings;
 }
 
-/// Median distance of the surfaces in photos, for views from a file, whose targets have no distance.
+/// Median distance of the surfaces in the photos, used for views from a file, whose targets have no distance.
 double usual_distance(const PackageReader& package) {
     std::vector<double> distances;
     for (const package::PhotoRecord& p : package.photos())

@@ -88,7 +88,7 @@ class Judge {
     };
     struct Comparison {
         double all = 0,
-               judged = 0;               ///< weights: of colored pixels, and of those also in others
+               judged = 0;  ///< weights of the colored pixels, and of those that others also show
         double picture = 0, others = 0;  ///< squared differences there
         bool enough() const { return judged > 0 && judged >= least_judged * all; }
     };

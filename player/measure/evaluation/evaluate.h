@@ -15,7 +15,7 @@ struct EvaluateOptions {
     BlendingOptions blending;
     MemoryOptions memory;
     OutputOptions output;
-    int level = 1;  ///< of the photos' pyramids: 0 is full size, 1 is half size
+    int level = 1;  ///< level of the photos' pyramids: 0 is full size, 1 is half size
     int every = 1;  ///< every n-th photo is held out
     int worst = 3;  ///< number of photos shown first on the page
     std::filesystem::path folder = "evaluation";

@@ -12,8 +12,8 @@ namespace vantage {
 struct CauseTotal {
     Cause cause = Cause::count;
     double share = 0, colored_share = 0;        ///< fraction of all photos' squared errors, see CauseSquares
-    double decibels = 0, colored_decibels = 0;  ///< mean gain in PSNR over the photos without this error: for
-                                                ///< the frame, for the colored pixels
+    double decibels = 0, colored_decibels = 0;  ///< mean gain in PSNR over the photos without this error, for
+                                                ///< the frame and for the colored pixels
     std::size_t worst = 0;                      ///< index of the photo with the largest such error
 };
 

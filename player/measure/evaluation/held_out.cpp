@@ -62,7 +62,7 @@ void add_regions(const PlanScene& scene, std::span<const std::uint32_t> triangle
 }
 
 /// The view from single photos: the nearest, and with one sample per pixel the two that agree best with the
-/// view. Fewer if fewer photos show part of it. `plan`: of the view.
+/// view. Returns fewer if fewer photos show part of it. `plan`: the plan of the view.
 std::vector<Picture> pictures_alone(Renderer& renderer, RenderSettings settings,
                                     std::span<const std::uint32_t> others, const View& view,
                                     std::vector<std::uint32_t> plan) {

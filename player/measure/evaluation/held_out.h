@@ -25,7 +25,7 @@ struct PhotoEvaluation {
     std::array<double, 2> shift{0, 0};  ///< photo pixels at full size, see shift_of
     RelativeBrightness brightness;      ///< of the photo
     std::vector<std::string> remarks;   ///< likely problems
-    std::optional<Change> change;       ///< since an earlier evaluation of the same photo
+    std::optional<Change> change;       ///< change since an earlier evaluation of the same photo
 };
 
 /// The error of the pictures on a part of the model.
@@ -39,8 +39,8 @@ struct EvaluationPictures {
     Picture photo, rendered, difference;
     Picture shown;               ///< the whole frame, see as_in_window; gains applied
     Picture causes;              ///< see cause_picture
-    std::vector<Picture> alone;  ///< from single photos, after gains: the nearest, and those that agree best
-    std::vector<Picture> worst;  ///< of PhotoEvaluation::worst, see region_picture
+    std::vector<Picture> alone;  ///< from single photos, after gains: the nearest and the best agreeing ones
+    std::vector<Picture> worst;  ///< pictures of PhotoEvaluation::worst, see region_picture
     std::vector<bool> scored;    ///< per pixel: visible in the photo and colored in the rendered picture
 };
 
@@ -57,7 +57,7 @@ struct HeldOut {
 PhotoEvaluation evaluate_held_out(Renderer& renderer, RenderSettings settings, const HeldOut& held_out,
                                   std::vector<RegionError>& regions, EvaluationPictures& pictures);
 
-/// Adds remarks about likely problems to the photos; an unusually low SSIM is relative to all results.
+/// Adds remarks about likely problems to the photos; whether an SSIM is unusually low depends on all results.
 void remark(std::vector<PhotoEvaluation>& results);
 
 }  // namespace vantage

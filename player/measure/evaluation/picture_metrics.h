@@ -14,8 +14,8 @@ struct PictureScore {
     std::size_t pixels = 0;  ///< compared pixels; if 0, all other values are 0
     double psnr = 0;         ///< dB, 10 log10(255^2 / mean squared difference) over three channels
     double psnr_gain = 0;    ///< the same after the best gain per channel: independent of exposure
-    double ssim = 0;         ///< of luminance (Wang et al. 2004), windows normalized to the scored pixels
-    double ssim_gain = 0;    ///< the same after the gain of psnr_gain, rounded to 8 bits
+    double ssim = 0;       ///< SSIM of luminance (Wang et al. 2004); windows normalized to the scored pixels
+    double ssim_gain = 0;  ///< the same after the gain of psnr_gain, rounded to 8 bits
     double sharpness =
         0;  ///< energy of luminance above half the Nyquist frequency, relative to the photo's; 0 if that is 0
     double worst = 0;  ///< gray levels, after gains: the worst 0.1 % of the pixels differ by this or more

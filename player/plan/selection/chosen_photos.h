@@ -6,13 +6,13 @@ namespace vantage {
 
 struct ChosenPhoto {
     std::uint32_t photo;
-    double agreement;  ///< with the view, see agreement()
+    double agreement;  ///< agreement with the view, see agreement()
     bool operator==(const ChosenPhoto&) const = default;
 };
 
 /// Result of choose_photos().
 struct PhotoChoice {
-    std::vector<ChosenPhoto> photos;  ///< by decreasing agreement
+    std::vector<ChosenPhoto> photos;  ///< in order of decreasing agreement
     double uncovered = 0;             ///< see uncovered_share()
 };
 

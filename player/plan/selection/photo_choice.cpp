@@ -52,7 +52,8 @@ CoverProblem cover_problem(const VisibleSurface& s, const std::vector<Candidate>
     const std::size_t words = package::visible_words(s.scene.triangles);
     for (const Candidate& c : candidates) {
         const auto bits = s.scene.visible[c.photo];
-        // cover() uses the fourth root of a preference; this compensates it for the hysteresis.
+        // cover() uses the fourth root of a preference; the additional factors of the hysteresis compensate
+        // for that.
         const double preference = c.rank * (c.previous ? hysteresis * hysteresis * hysteresis : 1);
         problem.sets.push_back({bits.first(words), bits.subspan(words, words), preference});
     }

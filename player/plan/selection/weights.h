@@ -15,7 +15,7 @@ struct WeightSettings {
     bool angle_weight = true, depth_weight = true, border_weight = true, transient_mask = true;
     bool fov_normalization = false;  ///< compare distances as if all fields of view were equal [M] 4.1 to 4.3
     bool corrected_directions = false;  ///< [P]: a photo's direction points to the center of its visible area
-    double exponent = 2;                ///< of the distance and per-photo angle weights
+    double exponent = 2;                ///< exponent of the distance and per-photo angle weights
     double sharpness =
         shader::default_sharpness;  ///< radians: the angle between rays at which the weight is 1/e
     bool operator==(const WeightSettings&) const = default;

@@ -8,10 +8,10 @@
 
 namespace vantage {
 
-/// The clusters in view, the newest plan for it, and the transition from the previously drawn photos to those
-/// of the plan. During a transition both sets are drawn, each blended separately at full weight, and the two
-/// pictures are mixed: fading a single photo's weight would make a dominant photo appear in the first frame
-/// and disappear in the last one.
+/// The clusters in view, the newest plan for the view, and the transition from the previously drawn photos to
+/// those of the plan. During a transition both sets are drawn, each blended separately at full weight, and
+/// the two pictures are mixed: fading a single photo's weight would make a dominant photo appear in the first
+/// frame and disappear in the last one.
 class ViewPlan {
   public:
     explicit ViewPlan(const PlanScene& scene)

@@ -10,7 +10,7 @@ struct BlendRow {
     Blend blend;
     const char* name;    ///< on the command line
     const char* label;   ///< in the blending panel
-    const char* help;    ///< for --help: the criterion of a photo's weight
+    const char* help;    ///< the criterion for a photo's weight, for --help
     const char* define;  ///< preprocessor symbol of its weight, "" for the shader's default
     bool by_angle;       ///< it decreases with the angle between the rays, so distant photos can be skipped
     bool takes_one;      ///< the photo with the largest weight gives the color, instead of a weighted mean

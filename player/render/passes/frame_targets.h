@@ -21,7 +21,7 @@ struct SurfaceTargets {
 /// eye's picture. They may be allocated for larger frames.
 struct FrameTargets {
     int width = 0, height = 0;  ///< frame size in pixels; up to `allocated`
-    FrameSize allocated;        ///< of the largest frame
+    FrameSize allocated;        ///< size of the largest frame
     int fine = 1;               ///< samples per side of a pixel; each has a texel of surface and sums
     SurfaceTargets layers;      ///< surfaces of both eyes, if each has its own
     std::vector<SurfaceTargets> surfaces;  ///< one per eye, from `layers`; or one that the eyes use in turn

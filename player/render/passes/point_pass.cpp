@@ -14,9 +14,9 @@ namespace vantage {
 namespace {
 
 constexpr float largest = 64;    ///< diameter of a point, px
-constexpr float filling = 1.7f;  ///< diameter in spacings that leaves few gaps between randomly placed points
+constexpr float filling = 1.7f;  ///< diameter in spacings; leaves few gaps between randomly placed points
 
-struct Command {  ///< of glMultiDrawArraysIndirect
+struct Command {  ///< a draw of glMultiDrawArraysIndirect
     std::uint32_t count, instances, first, base_instance;
 };
 struct Record {

@@ -26,7 +26,7 @@ void choose_image_set(RenderSettings& settings, std::uint32_t image_set, const P
     if (image_set == 0 || !scene.has_background()) return;
     const bool shown = settings.background != ShowBackground::off;
     settings.background = ShowBackground::off;
-    // As with a background: changing image sets must not require other data of the photos.
+    // Treated as if there were a background: changing image sets must not require other data of the photos.
     if (shown && settings.coordinates == Coordinates::automatic) settings.coordinates = Coordinates::fragment;
 }
 

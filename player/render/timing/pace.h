@@ -6,7 +6,7 @@ namespace vantage {
 
 /// Quality of frames in motion, adapted to the time limit.
 struct Pace {
-    double scale = 1;      ///< of the frame's width and height, least_scale to 1
+    double scale = 1;      ///< fraction of the frame's width and height, least_scale to 1
     bool reduced = false;  ///< see RenderSettings::reduced
     bool operator==(const Pace&) const = default;
 };
@@ -30,14 +30,14 @@ struct Pacing {
     double full_frame_ms = 0;  ///< duration of a full-size frame; 0: unknown
     Pace before{};             ///< pace before a sudden slowdown
     int watched = 0;  ///< remaining frames in which the slowdown may prove temporary; 0: none recently
-    double all_photos = max_for_all_photos;  ///< as for next_pace(), estimated from frames
+    double all_photos = max_for_all_photos;  ///< ratio as for next_pace(), estimated from frames
     double last = 0;  ///< duration of a full-size frame, estimated from the last one, in ms; 0: none
-    bool last_reduced = false;  ///< of that frame
+    bool last_reduced = false;  ///< that frame was reduced
 };
 
 /// The same for a series of frames, one of which was `drawn` at this pace and took `ms`; it may be some
 /// frames old. Keeps the pace while frames take .72 to .92 of the goal, so that the resolution does not
-/// change in every frame; evaluates a new pace only by its own frames; and returns to the former pace
+/// change in every frame; evaluates a new pace only from frames drawn at it; and returns to the former pace
 /// immediately after a temporary slowdown.
 Pacing next_pacing(Pacing pacing, Pace drawn, double ms, double goal_ms);
 

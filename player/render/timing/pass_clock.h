@@ -39,7 +39,7 @@ class PassClock {
     bool on_ = false;
     std::deque<Mark> marks_;  ///< possibly not reached yet
     std::vector<gl::Query> unused_;
-    std::size_t pass_ = timed_pass_names.size();  ///< of the last mark reached
+    std::size_t pass_ = timed_pass_names.size();  ///< pass of the last mark reached
     double since_ = 0;                            ///< ms
     PassTimes ms_{};
 };

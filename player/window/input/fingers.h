@@ -19,8 +19,8 @@ struct TouchEvent {
 /// after which all must be lifted before one acts as the button again.
 class Fingers {
   public:
-    /// `text_scale`: of the window; the size of a finger in pixels is proportional to it. `now` and `late`:
-    /// seconds, see Pointer.
+    /// `text_scale`: the window's text scale; the size of a finger in pixels is proportional to it. `now` and
+    /// `late`: seconds, see Pointer.
     void take(const TouchEvent& event, double text_scale, double now, double late, UserInput& input);
     /// Input for the next frame: the pinch, the drag, and the pointer. A touch shorter than a frame is
     /// reported as a press in one frame and a release in the next.
@@ -45,20 +45,20 @@ class Fingers {
     }
 
     std::vector<Finger> down_;  ///< in order of touching
-    Pointer pointer_;           ///< of the first one
+    Pointer pointer_;           ///< the pointer of the first finger
     bool acts_ = false;         ///< it acts as the left button
     bool drags_ = false;        ///< it has moved away from its start
     struct Shown {
         PointerState pointer;
         bool begins = false;  ///< the finger has just touched
     };
-    std::deque<Shown> to_show_;   ///< for the next frames
+    std::deque<Shown> to_show_;   ///< queued for the next frames
     UserInput moved_;             ///< since the last report
     std::optional<Pinch> pinch_;  ///< since the last report
     bool begins_ = false;         ///< pinching began since the last report
     bool turns_ = false;          ///< the pinch also turns
-    double twist_ = 0;            ///< radians, before it turns
-    bool last_used_ = false;      ///< instead of the mouse
+    double twist_ = 0;            ///< rotation in radians before the pinch turns
+    bool last_used_ = false;      ///< fingers were used last, not the mouse
 };
 
 }  // namespace vantage

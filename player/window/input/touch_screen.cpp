@@ -56,7 +56,7 @@ Connection listen_to_touches(xcb_window_t window) {
 std::optional<TouchEvent> touch_of(const xcb_generic_event_t& event) {
     constexpr int sent_bit = 0x80;
     if ((event.response_type & ~sent_bit) != XCB_GE_GENERIC) return {};
-    // Update and end events have the layout of begin.
+    // Update and end events have the same layout as begin events.
     const auto& touch = reinterpret_cast<const xcb_input_touch_begin_event_t&>(event);
     const auto pixels = [](xcb_input_fp1616_t fixed) { return double(fixed) / 65536; };
     const auto made = [&](TouchEvent::What what) {

@@ -22,7 +22,7 @@ class WindowInput {
     /// The position of the mouse before it has moved.
     void set_mouse(double x, double y) { mouse_.x = x, mouse_.y = y; }
     void drop(std::vector<std::string> files);
-    /// `text_scale`: of the window.
+    /// `text_scale`: the window's text scale.
     void touch(const TouchEvent& event, double text_scale, double now);
 
     /// Starts handling events: those that follow may have occurred since the last frame.
@@ -41,7 +41,7 @@ class WindowInput {
         PointerState state;
         bool press;  ///< a button was just pressed
     };
-    std::deque<MouseFrame> mouse_frames_;  ///< for the next frames: a frame may be longer than a click
+    std::deque<MouseFrame> mouse_frames_;  ///< queued for the next frames: a frame may be longer than a click
     UserInput moved_;                      ///< drags that are not reported yet
     Fingers fingers_;
 };
