@@ -99,7 +99,7 @@ void add_photos(Marks& marks, const Stance& stance, Renderer& renderer, const Se
                 std::optional<std::uint32_t> pointed_at) {
     const PlanScene& scene = renderer.scene();
     const Residency& residency = renderer.resources().store.residency();
-    // Blended photos need thumbnails as well.
+    // Half of the thumbnails remain for blended photos.
     const std::size_t pictures = residency.layout().thumbnails / 2;
     std::size_t wanted = 0;
     for (const std::uint32_t i : photos_in_scene(scene, s, eye, stance)) {

@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// In the language itself, for users who do not know the current one.
+/// The name of a language in that language, for users who do not know the current one.
 std::string own_name(const std::string& code) {
     struct Name {
         const char *code, *name;

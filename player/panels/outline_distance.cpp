@@ -77,7 +77,7 @@ bool at_edge(const Outlines& o, int x, int y) {
     const float share = o.share(x, y);
     if (share > 0 && share < 1) return true;
     if (share == 0) return false;
-    // An edge between two texels belongs to the one inside.
+    // An edge between two texels belongs to the texel that is inside.
     return o.share(x - 1, y) == 0 || o.share(x + 1, y) == 0 || o.share(x, y - 1) == 0 ||
            o.share(x, y + 1) == 0;
 }

@@ -91,7 +91,7 @@ std::string consisted_of(const FrameReport& r) {
            (r.tiles_missing ? " (" + std::to_string(r.tiles_missing) + " missing)" : "");
 }
 
-/// For one or two eyes.
+/// Renders a panorama for one or two eyes.
 Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader& package, const Shot& shot,
                     const PictureSpec& spec, const ShowOptions& o) {
     const FrameSize size = o.output.size.empty() ? FrameSize{4096, 2048} : parse_size(o.output.size);

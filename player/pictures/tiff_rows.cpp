@@ -28,7 +28,8 @@ bool set_values(TIFF* tiff, std::uint32_t tag, const std::array<Value, count>& v
     return TIFFSetField(tiff, tag, int(count), values.data()) == 1;
 }
 
-/// The corner of the first pixel is at `upper_left`; without a geographic coordinate system.
+/// Writes the georeference: the corner of the first pixel is at `upper_left`, without a geographic coordinate
+/// system.
 bool set_place(TIFF* tiff, const Eigen::Vector2d& upper_left, double resolution) {
     constexpr std::uint16_t model_type = 1024, raster_type = 1025, user_defined = 32767, pixel_is_area = 1;
     constexpr std::array<std::uint16_t, 12> keys{1,           1, 0, 2,             // version 1.1.0, two keys

@@ -12,8 +12,8 @@ namespace vantage {
 /// content of `shares`.
 void find_nearest_shares(const PlanScene& scene, const Eigen::Vector3d& eye, std::vector<float>& shares);
 
-/// Distance up to which the nearest photos show the background instead of its labeled photos; infinite at
-/// their own cameras.
+/// Distance up to which the nearest photos show the background instead of its labeled photos; infinite if the
+/// viewer is close to a camera.
 double near_distance(const PlanScene& scene, const Eigen::Vector3d& eye);
 
 /// The photos that show the background in view: its labeled photos, and the nearest ones. `agreement` is

@@ -25,7 +25,7 @@ struct ClusterTree {
 };
 ClusterTree make_cluster_tree(std::span<const package::ClusterRecord> clusters);
 
-/// Clusters whose bounding sphere intersects the view frustum, ascending; conservative.
+/// Clusters whose bounding sphere intersects the view frustum, in ascending order; conservative.
 std::vector<std::uint32_t> clusters_in_view(const ClusterTree& tree,
                                             std::span<const package::ClusterRecord> clusters,
                                             const View& view);

@@ -80,8 +80,8 @@ Candidates candidates_of(const VisibleSurface& s, const PlanSettings& settings,
 
 /// Assigns each cluster to the chosen photos that see it, except for those whose weight relative to a photo
 /// that sees the whole cluster is below one color level: they would be visible only where the other photo's
-/// weight maps are 0. A photo at whose camera the viewer is has an even larger weight, so these photos appear
-/// along its borders. A reduced plan has only photos with large weights.
+/// weight maps are 0. A photo has an even larger weight if the viewer is at its camera, so these photos
+/// appear along its borders. A reduced plan has only photos with large weights.
 void assign_clusters(const VisibleSurface& s, const PlanSettings& settings, const Candidates& candidates,
                      std::vector<PlannedPhoto>& photos) {
     const double least = settings.reduced ? 0.3 : 1.0 / 256, least_own = 1e-5;

@@ -70,7 +70,7 @@ void FrameResolver::resolve(int sums, const PaintedImageSet& image_set) {
     if (!image_set.second) samples.count = (first ? 0 : samples.count) + side * side;
     bind_target((veiled ? samples.veiled_target : target).id(), resources_->targets.size());
     glDisable(GL_DEPTH_TEST);
-    // The first one replaces the previous sum.
+    // The first sample replaces the previous sum.
     if (first)
         glDisable(GL_BLEND);
     else
@@ -87,7 +87,7 @@ void FrameResolver::resolve_before(int sums, const PaintedImageSet& image_set) {
     draw_resolved(sums, image_set, true);
 }
 
-/// `before`: the picture that is being replaced; the other one then mixes it in and finishes.
+/// `before`: resolves the picture that is being replaced, which the call for the new picture then mixes in.
 void FrameResolver::draw_resolved(int sums, const PaintedImageSet& image_set, bool before) {
     resources_->pass_clock.begin(TimedPass::resolve);
     const RenderSettings& settings = image_set.drawn.settings;

@@ -79,7 +79,7 @@ enum class PointSize {
 
 /// Source of point colors.
 enum class PointColor {
-    automatic,  ///< photos in a point-only scene, own next to a mesh
+    automatic,  ///< photos in a point-only scene, own colors next to a mesh
     photos,     ///< the photos', where one shows the point, otherwise their own
     own
 };

@@ -31,7 +31,7 @@ class Renderer {
     void paint(std::size_t eye, FrameReport& report);
     /// Replaces the picture of the last draw() with one of the same photos, in their current state of fading,
     /// from another view of the same size, with one sample per pixel. The plan and the fading do not change.
-    /// With settings.weights_from of that draw's view, surfaces keep their weights.
+    /// If settings.weights_from is that draw's view, surfaces keep their weights.
     void redraw(const View& view, const RenderSettings& settings);
     /// Shows the samples of an eye in a framebuffer of the view's size.
     void show(const View& view, const RenderSettings& settings, const ShowTarget& target);

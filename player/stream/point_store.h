@@ -40,7 +40,7 @@ class PointStore {
     std::uint32_t first_point(const package::PointNode& node) const {
         return *pool_.layer_of(node.block) * package::point_block + node.first;
     }
-    /// May be replaced by a larger one in stream() or load().
+    /// The buffer of points, which stream() or load() may replace with a larger one.
     GLuint buffer() const { return points_.id(); }
     /// Graphics memory by which the buffer may still grow, bytes.
     std::uint64_t growth() const;

@@ -76,14 +76,14 @@ class Residency {
     bool holds(const StreamRequest& request) const;
     /// Whether a photo's texture coordinates are resident or arriving.
     bool has_slot(std::uint32_t photo) const { return slot_pool_.layer_of(photo).has_value(); }
-    /// How many more resources of a kind this frame can hold.
+    /// The number of additional resources of a kind that this frame can hold.
     std::uint32_t available(Resource resource) const { return pool_of(resource).available(frame_); }
     /// Whether a resource was damaged or could not be fetched.
     bool failed(const StreamRequest& r) const { return failed_.contains(r.identity()); }
     std::size_t damaged_count() const;
     /// Resources that could not be fetched recently.
     std::size_t absent_count() const { return failed_.size() - damaged_count(); }
-    /// No tile is fading in.
+    /// Whether no tile is fading in.
     bool settled() const { return !fades_ || now_ < last_arrival_ || now_ >= last_arrival_ + fade_seconds; }
 
     const ResidencyLayout& layout() const { return layout_; }

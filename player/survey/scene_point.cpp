@@ -79,7 +79,7 @@ std::optional<Found> nearest_vertex(std::span<const PlacedMesh> meshes, const Vi
     return best;
 }
 
-/// With the uncertainty from its photos.
+/// The found point, with the uncertainty from its photos.
 std::optional<SurveyPoint> survey_point(const std::optional<Found>& found, const Eigen::Vector3d& origin) {
     if (!found || !found->position.allFinite()) return {};
     const PlacedMesh& m = *found->mesh;

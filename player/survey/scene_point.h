@@ -42,8 +42,8 @@ std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const
 struct SurfacePoint {
     Eigen::Vector3d at, normal;
 };
-/// The first one on a ray, up to `farthest` lengths of its direction. Returns nullopt for a degenerate
-/// triangle.
+/// The first surface point on a ray, up to `farthest` lengths of its direction. Returns nullopt for a
+/// degenerate triangle.
 std::optional<SurfacePoint> surface_on(std::span<const PlacedMesh> meshes, const Ray& ray, double farthest,
                                        std::span<const SectionPlane> sections = {});
 

@@ -36,7 +36,7 @@ Eigen::Matrix3d leveled(const Eigen::Matrix3d& R, const Eigen::Vector3d& up) {
 }
 
 /// The velocity of one component at the middle of three keys: that of the parabola through them, but at most
-/// three times the slower of both sides, to avoid overshooting. 0 if one side is at rest.
+/// three times the slower of both sides, to avoid overshooting. It is 0 if one side is at rest.
 Eigen::VectorXd middle_speed(const Eigen::VectorXd& before, double seconds_before,
                              const Eigen::VectorXd& after, double seconds_after) {
     if (!(seconds_before > 0) || !(seconds_after > 0)) return Eigen::VectorXd::Zero(before.size());

@@ -51,12 +51,13 @@ void approach(Navigation& n, double factor);
 /// distance is clamped to [nearest, farthest].
 void approach_point(Navigation& n, const Eigen::Vector3d& point, double factor, double nearest,
                     double farthest);
-/// From the same direction, at this distance, with a point in the center, which becomes the target.
+/// The camera that sees a point from the same direction, at this distance, and in the center; the point
+/// becomes the target.
 Navigation facing(const Navigation& n, const Eigen::Vector3d& point, double distance);
 
 View view_of(const Navigation& n, int width, int height);
-/// The same with the field of view, `fov` high and `aspect` times as wide, fitted into a part of the frame
-/// and centered there. `free` is enlarged to at least one pixel.
+/// The same, but with the field of view, `fov` high and `aspect` times as wide, fitted into the part `free`
+/// of the frame and centered there. `free` is enlarged to at least one pixel.
 View view_of(const Navigation& n, int width, int height, const Area& free);
 
 }  // namespace vantage

@@ -8,7 +8,7 @@
 namespace vantage {
 
 /// An equirectangular picture of all directions around an eye: longitudes along its rows, -180 to 180
-/// degrees, and latitudes along its columns, 90 to -90. Twice as wide as high.
+/// degrees, and latitudes along its columns, 90 to -90. It is twice as wide as high.
 struct Panorama {
     Eigen::Vector3d eye;
     Eigen::Matrix3d R;  ///< rotates the origin's axes to right, down and forward, the center of the picture

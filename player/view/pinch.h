@@ -21,8 +21,8 @@ Pinch pinch_between(const FingerPair& before, const FingerPair& now);
 /// Composition of two movements.
 Pinch then(const Pinch& first, const Pinch& second);
 
-/// Moves the camera so that a point that was under the fingers' center follows them: sideways, in distance
-/// like approach_point(), and around the viewing direction. `view`: the view before the movement.
+/// Moves the camera so that a point that was under the fingers' center follows it: sideways, in distance like
+/// approach_point(), and around the viewing direction. `view`: the view before the movement.
 void follow_pinch(Navigation& n, const Pinch& pinch, const Eigen::Vector3d& point, const View& view,
                   double nearest, double farthest);
 

@@ -87,7 +87,7 @@ std::optional<std::uint32_t> take_image_set(std::string& line, const PackageRead
     return image_set_named(package, name);
 }
 
-/// Parses and removes "at=SECONDS" at the end of a line; not less than `earliest`.
+/// Parses and removes "at=SECONDS" at the end of a line; the time must not be less than `earliest`.
 std::optional<double> take_time(std::string& line, double earliest) {
     const std::size_t at = line.find("at=");
     if (at == std::string::npos) return {};

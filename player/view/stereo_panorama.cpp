@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double largest_jump = 0.5;  ///< pixels, between slices
-constexpr double widest = 30;         ///< degrees, width of a slice
+constexpr double largest_jump = 0.5;  ///< maximum jump between slices, pixels
+constexpr double widest = 30;         ///< maximum width of a slice, degrees
 
 double radians_per_column(const StereoPanorama& p) { return 2 * std::numbers::pi / p.middle.size.width; }
 

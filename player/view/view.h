@@ -61,7 +61,7 @@ View orthographic_view(const Eigen::Vector3d& middle, const Eigen::Vector3d& rig
                        const Eigen::Vector3d& down, double pixels, double size, FrameSize frame);
 
 /// The orthographic view with the scale of a perspective view at `depth` in front of its eye. `size` and
-/// errors: as above.
+/// errors are as above.
 View orthographic(View perspective, double depth, double size);
 
 /// Reference length for relative tolerances: the approximate size of an orthographic view's content, or a

@@ -13,7 +13,7 @@ namespace vantage {
 /// A GLFW window with an OpenGL 4.5 context, current on this thread, and ImGui.
 class GlfwWindow {
   public:
-    /// `debug`: with a debug context. Throws Error(graphics).
+    /// `debug`: creates a debug context. Throws Error(graphics).
     GlfwWindow(FrameSize size, const std::string& title, bool debug);
     ~GlfwWindow();
     GlfwWindow(const GlfwWindow&) = delete;

@@ -49,7 +49,7 @@ void new_frame(const PointerState& mouse, const UserInput& input) {
 
 void point_before_wheel(GLFWwindow*) {}
 
-/// Enter, which newer versions treat like Space unless text is being typed.
+/// Whether the key is Enter, which newer versions of ImGui treat like Space unless text is being typed.
 bool uses_marked(const KeyPress& p) {
     const ImGuiIO& io = ImGui::GetIO();
     return io.NavVisible && !io.WantTextInput && (p.key == GLFW_KEY_ENTER || p.key == GLFW_KEY_KP_ENTER);

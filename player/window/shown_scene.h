@@ -35,7 +35,7 @@ class ShownScene {
     void draw_unseen(const View& view, double now);
     /// Writes the path that is being recorded, if any.
     void stop_recording(double now);
-    /// The picture is final: without input, nothing changes before wakes_at().
+    /// Whether the picture is final: without input, nothing changes before wakes_at().
     bool rests() const { return picture_.is_final() && !session_.viewpoint.flight; }
     /// Time of the next frame at rest, in seconds.
     double wakes_at() const;

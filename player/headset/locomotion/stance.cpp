@@ -26,7 +26,7 @@ Eigen::Matrix3d level_axes(const Eigen::Vector3d& ahead, const Eigen::Vector3d& 
     return R;
 }
 
-/// With the same scale and R, translated so that `room` is at `scene`.
+/// The stance with the same scale and R, translated so that `room` is at `scene`.
 Stance through(Stance s, const Eigen::Vector3d& room, const Eigen::Vector3d& scene) {
     s.at = scene - s.scale * (s.R * room);
     return s;

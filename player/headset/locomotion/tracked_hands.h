@@ -19,7 +19,7 @@ class TrackedHands {
     /// Current button states, and poses predicted for `time`, in the space `room`. Returns nullopt without
     /// input focus.
     std::optional<Hands> at(XrTime time, XrSpace room);
-    /// A short vibration, if the controller supports it.
+    /// Vibrates briefly, if the controller supports it.
     void buzz(std::size_t hand) const;
 
   private:

@@ -47,9 +47,9 @@ class HeadsetSession {
 
     /// Handles the runtime's events: begins, ends or continues the session.
     void take_events();
-    /// The session needs frames. Otherwise the caller only polls events.
+    /// Whether the session needs frames. Otherwise the caller only polls events.
     bool runs() const { return running_; }
-    /// The session was ended by the user, the runtime or ask_to_end().
+    /// Whether the session was ended by the user, the runtime or ask_to_end().
     bool ended() const { return ended_; }
     /// Asks the runtime to end the session; ended() then becomes true.
     void ask_to_end();

@@ -25,7 +25,7 @@ Eigen::Vector3d axis_of(const Cut& cut) {
     }
 }
 
-/// Slightly enlarged: with rounding to single precision, a floor at its boundary would be cut.
+/// The box is slightly enlarged: with rounding to single precision, a floor at its boundary would be cut.
 std::vector<SectionPlane> box_of(Cut& cut, const PlanScene& scene) {
     const double margin = 1e-5 * scene.size;
     std::vector<SectionPlane> planes;

@@ -73,7 +73,7 @@ struct Session {
     StereoSettings stereo;              ///< settings for the pictures of two eyes
     bool freeze = false;                ///< weights are frozen
     bool lamp_follows = true;           ///< the raking light follows the pointer
-    /// Whether the section of layers is open for a package without stored fields.
+    /// Whether the section of scalar fields is open for a package without stored fields.
     std::optional<bool> measured_fields;
     Viewpoint viewpoint;
     Steering steering;
@@ -90,7 +90,7 @@ struct Session {
 View shown_view(const Navigation& camera, const Session& session, const PlanScene& scene, int width,
                 int height);
 
-/// Whether the section of layers is open.
+/// Whether the section of scalar fields is open.
 bool& fields_open(Session& session);
 
 /// Starts a flight to a photo's camera, 0.7 seconds long.

@@ -15,7 +15,7 @@
 namespace vantage {
 namespace {
 
-/// Appended to page_style.
+/// Style sheet that is appended to page_style.
 constexpr const char* evaluation_style = R"(
 table { margin: 1rem 0 2rem; }
 th, td { padding: .25rem .6rem; text-align: right; white-space: nowrap; }

@@ -19,7 +19,7 @@ struct PhotoEvaluation {
     PictureScore score;              ///< over the colored pixels
     FrameScore frame;                ///< over all pixels, as shown in the window
     CauseSquares causes{};           ///< the frame's squared error after gains
-    std::vector<WorstRegion> worst;  ///< at most four, of different causes
+    std::vector<WorstRegion> worst;  ///< at most four, with different causes
     double colored = 0;              ///< fraction of the photo's surface pixels that have a color
     double over_nearest = 0;  ///< dB above the nearest photo alone, after gains, over pixels colored in both
     std::array<double, 2> shift{0, 0};  ///< photo pixels at full size, see shift_of

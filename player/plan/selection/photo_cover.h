@@ -26,8 +26,8 @@ struct CoverProblem {
 /// sets are removed.
 std::vector<std::size_t> cover(const CoverProblem& problem);
 
-/// Fraction of the area visible in any set that the chosen sets do not see; a triangle that they see in part
-/// and others entirely counts one fifth.
+/// Fraction of the area visible in any set that the chosen sets do not see; a triangle that they see in part,
+/// but other sets see entirely, counts one fifth.
 double uncovered_share(const CoverProblem& problem, std::span<const std::size_t> chosen);
 
 /// The number of bits set in [first, first + count).

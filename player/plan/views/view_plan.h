@@ -46,7 +46,7 @@ class ViewPlan {
     /// See PlannedView.
     const std::vector<PlannedPhoto>& kept() const { return made_ ? made_->kept : no_plan_.photos; }
     bool uses_seen() const { return made_ && made_->uses_seen; }
-    /// No transition is in progress.
+    /// Whether no transition is in progress.
     bool settled() const { return progress_ >= 1; }
 
   private:

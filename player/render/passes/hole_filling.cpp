@@ -10,13 +10,13 @@
 namespace vantage {
 namespace {
 
-/// Level 0 has half the frame's size.
+/// The size of a level; level 0 has half the frame's size.
 FrameSize level_size(FrameSize frame, std::size_t level) {
     const auto halved = [&](int n) { return ((n - 1) >> (level + 1)) + 1; };
     return {halved(frame.width), halved(frame.height)};
 }
 
-/// Down to one texel.
+/// The number of levels, down to a level of one texel.
 std::size_t level_count(FrameSize frame) {
     std::size_t n = 1;
     while (level_size(frame, n - 1) != FrameSize{1, 1}) ++n;

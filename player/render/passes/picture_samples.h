@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// The samples of a picture, summed: light times coverage, and coverage. A second image set has its own.
+/// The samples of a picture, summed: light times coverage, and coverage. A second image set has its own sum.
 /// Where holes are filled behind transparent surfaces: the surfaces over the holes (`veil`), and the samples
 /// without those surfaces (`clean`), from which the holes are filled.
 struct PictureSamples {

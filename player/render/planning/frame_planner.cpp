@@ -182,7 +182,7 @@ void FramePlanner::find_seen(PlannedEye& eye, const ImageSetFrame& image_set) {
     take_seen(eye, true);
 }
 
-/// The triangles visible to any eye, as for a single view.
+/// The triangles visible to at least one eye, combined as for a single view.
 const SeenTriangles& FramePlanner::seen_by_both() {
     const SeenTriangles left = frame_.eyes[0].readback.seen(), right = frame_.eyes[1].readback.seen();
     if (const std::uint64_t version = left.version + right.version; version != seen_by_both_.version) {

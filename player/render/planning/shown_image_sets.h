@@ -36,7 +36,7 @@ class ImageSetChange {
     /// The image sets to draw at `now` seconds if `wanted` are selected. `ready`: whether the first image set
     /// drawn last has photos to show.
     ShownImageSets update(ShownImageSets wanted, double now, bool ready);
-    /// No change is in progress.
+    /// Whether no change is in progress.
     bool settled() const { return !leaving_; }
 
   private:

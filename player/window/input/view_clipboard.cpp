@@ -11,7 +11,7 @@
 namespace vantage {
 namespace {
 
-/// In single quotes, for a shell.
+/// The text in single quotes, for a shell.
 std::string quoted(const std::string& text) {
     std::string out = "'";
     for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
