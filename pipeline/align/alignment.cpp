@@ -26,8 +26,8 @@ using Points = std::vector<FeaturePoint>;
 
 constexpr std::size_t least_points = 200, starts = 24;
 constexpr std::size_t quick_points = 600;  ///< for the trial fits; the final fit uses all
-/// Agreement relative to that of the cameras alone, and to the next best alignment's. A wall that slides
-/// along its own plane also agrees: only its relief tells the two apart.
+/// Minimum agreement relative to that of the cameras alone, and to the next best alignment's. A wall shifted
+/// along its own plane agrees almost as well: only its relief distinguishes the two.
 constexpr double least_share = 0.5, clearly = 1.05;
 /// Fractions of a photo's longer side: epipolar error of a matched feature, uncertainty of the alignment.
 constexpr double max_epipolar = 0.003, max_uncertain = 0.0005;
@@ -181,7 +181,7 @@ class Aligner {
         return trial_of("", surface_errors(features_, cameras_in_mesh(scene_, s), rays_));
     }
 
-    /// The fits from each of `begin`; the best first.
+    /// The fits from each start in `begin`, best first.
     std::vector<Candidate> fitted_from(const std::vector<Similarity>& begin) const {
         std::vector<Candidate> out(begin.size());
         for_each_photo(begin.size(), 0, [&](std::size_t i) {
@@ -221,7 +221,7 @@ class Aligner {
         return 0;
     }
 
-    /// From fits that each exclude the features of one photo.
+    /// Computes the uncertainty from fits that each exclude the features of one photo.
     void add_uncertainty(Alignment& a) const {
         const Similarity& s = a.mesh_from_cameras;
         std::set<std::uint32_t> photos;

@@ -12,18 +12,19 @@ struct Alignment {
     Similarity mesh_from_cameras;
     std::size_t features;  ///< shared features that agree with the cameras
     std::size_t on_mesh;   ///< those whose rays hit the mesh
-    double agreement;      ///< as ConventionTrial
-    double median;         ///< error of `on_mesh`, px
-    double next;           ///< the agreement of the next best, different alignment
-    /// Standard errors, by a jackknife over the photos: of the mesh's projection, px, and of the similarity.
+    double agreement;      ///< see ConventionTrial
+    double median;         ///< median error of the features on the mesh, px
+    double next;           ///< agreement of the next best alignment with a different pose
+    /// Standard errors from a jackknife over the photos: of the mesh's projection in px, and of the
+    /// similarity's rotation and scale.
     double pixels, degrees, scale;  ///< the scale's is relative
-    double move;                    ///< of the mesh's center, units of the mesh
+    double move;                    ///< standard error of the mesh's center, units of the mesh
 };
 
 /// Aligns the mesh with the cameras: features that photos share are triangulated, transformed to the surface
-/// from start_poses(), and fitted to it point to plane, each with its own uncertainty. Throws
-/// Error(misplaced) if the photos share too few features, if no alignment agrees with them, if two do, or if
-/// the uncertainty exceeds 0.05 % of a photo's longer side.
+/// from start_poses(), and fitted to it point-to-plane, each with its own uncertainty. Throws
+/// Error(misplaced) if the photos share too few features, if no alignment agrees with them, if two different
+/// ones do, or if the uncertainty exceeds 0.05 % of a photo's longer side.
 Alignment align(const SceneInput& scene);
 
 }  // namespace vantage

@@ -26,8 +26,8 @@ constexpr double far_off = 0.005, misfit = 0.005;
 /// Fewer features, or a lower agreement, are inconclusive.
 constexpr std::size_t enough = 60;
 constexpr double some_agreement = 0.15;
-/// The largest median error of a mesh that fits, relative to the median epipolar error; typically it is
-/// twice.
+/// The largest median error of a mesh that fits, relative to the median epipolar error; typically the ratio
+/// is 2.
 constexpr double some_times = 4;
 /// Agreement relative to that as read, and to that of every other convention.
 constexpr double clear_ratio = 2;
@@ -98,8 +98,8 @@ std::vector<std::string> mesh_conventions() {
     return out;
 }
 
-/// Tangential terms move features by a few pixels only: both orders agree, one of them better. The number of
-/// features that move closer to their epipolar lines decides.
+/// Tangential terms move features by a few pixels only: both orders agree with the photos, one of them
+/// better. The number of features that move closer to their epipolar lines decides.
 void settle_tangential(const SceneInput& scene, std::span<const SharedFeature> features,
                        ConventionTrials& trials) {
     constexpr double max_nearer = 0.6;

@@ -38,14 +38,14 @@ ConventionTrial trial_of(const std::string& names, std::span<const double> error
 /// Camera conventions are tested first, by epipolar errors; then mesh conventions, by the surface errors of
 /// the features that agree with the cameras.
 struct ConventionTrials {
-    std::vector<ConventionTrial> cameras, mesh;  ///< the first of each: as read
+    std::vector<ConventionTrial> cameras, mesh;  ///< the first trial of each is as read
     std::string chosen = as_read;
     std::size_t chosen_of_mesh = 0;  ///< in `mesh`
     bool misfit = false;       ///< cameras and photos agree, but no convention makes the mesh agree with them
     std::size_t shared = 0;    ///< number of features tested
     std::size_t agreeing = 0;  ///< those near their epipolar lines under `chosen`
     double expected = 1;       ///< the largest expected median of `mesh`, from the accuracy of the features
-    std::string not_validated;  ///< the reason for an empty `mesh`; else empty
+    std::string not_validated;  ///< the reason that `mesh` is empty; else empty
 };
 
 /// Tries every convention and combination that changes a camera, on features of up to 18 photos. A convention
@@ -54,8 +54,8 @@ ConventionTrials try_conventions(const SceneInput& scene, const FeatureSettings&
 
 /// Applies the convention that the user wants, or the one that try_conventions() chooses. Warns of any
 /// convention but "as-read", of cameras that disagree with the photos, and of a displaced mesh. Returns the
-/// trials: none if the user wants a convention, or without a mesh. Throws Error(misplaced) if no convention
-/// makes the mesh fit.
+/// trials; there are none if the user names a convention or there is no mesh. Throws Error(misplaced) if no
+/// convention makes the mesh fit.
 ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted, unsigned threads);
 
 /// "the mesh shows 2867 of 2899 features where photos do, to 1.3 px (median)", in px of the first photo, or

@@ -13,8 +13,8 @@ namespace vantage {
 /// An undefined error: the ray misses the mesh, or the point is behind the camera.
 inline constexpr double no_error = std::numeric_limits<double>::infinity();
 
-/// The epipolar distance of each feature in photo b, as a fraction of b's longer side: the agreement of two
-/// cameras with their photos. `cameras`: by photo.
+/// The epipolar distance of each feature in photo b, as a fraction of b's longer side. Measures how well two
+/// cameras agree with their photos. `cameras`: one per photo.
 std::vector<double> epipolar_errors(std::span<const SharedFeature> features, std::span<const Camera> cameras);
 
 /// The features whose epipolar error is at most `most`.
@@ -26,17 +26,17 @@ std::vector<SharedFeature> agreeing_features(std::span<const SharedFeature> feat
 std::vector<SharedFeature> features_with_parallax(std::span<const SharedFeature> features,
                                                   std::span<const Camera> cameras, double least);
 
-/// A mesh for rays in input coordinates of any size.
+/// A mesh for ray casting in input coordinates of any magnitude.
 struct CastMesh {
     MainBox box;
-    Eigen::Vector3d origin;  ///< of the single-precision coordinates: the middle of the bounding box
+    Eigen::Vector3d origin;  ///< of the single-precision coordinates: the center of the bounding box
     RayScene rays;
 };
 /// The mesh must have triangles.
 CastMesh cast_mesh(const Mesh& mesh);
 
-/// Transfers each feature from photo a to photo b over the mesh: the distance from its place in b, as a
-/// fraction of b's longer side. Measures the agreement of cameras and mesh with the photos.
+/// Transfers each feature from photo a to photo b over the mesh and returns the distance from its position in
+/// b, as a fraction of b's longer side. Measures the agreement of cameras and mesh with the photos.
 std::vector<double> surface_errors(std::span<const SharedFeature> features, std::span<const Camera> cameras,
                                    const CastMesh& mesh);
 

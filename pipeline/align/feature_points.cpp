@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 const double least_sine = std::sin(2 * std::numbers::pi / 180);
 
 struct Ray {
-    Vector3d eye, along;  ///< of unit length
+    Vector3d eye, along;  ///< `along` has unit length
 };
 
 std::optional<Ray> ray_of(PhotoRays& rays, std::span<const Camera> cameras, std::uint32_t photo,

@@ -18,8 +18,8 @@ struct FeaturePoint {
 };
 
 /// Triangulates features that agree with the cameras. Features whose rays do not meet in front of both
-/// cameras, at 2 degrees or more, give no point. `pixel`: standard error of a feature, px. `cameras`: by
-/// photo.
+/// cameras at an angle of at least 2 degrees yield no point. `pixel`: standard error of a feature, px.
+/// `cameras`: one per photo.
 std::vector<FeaturePoint> feature_points(std::span<const SharedFeature> features,
                                          std::span<const Camera> cameras, double pixel);
 

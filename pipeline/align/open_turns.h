@@ -13,7 +13,7 @@ struct OpenTurns {
     std::vector<std::uint32_t> unknown;  ///< the features are inconclusive
 };
 
-/// Decides by the features that such photos share with their neighbors: these lie near the epipolar lines
+/// Decides from the features that such photos share with their neighbors: these lie near the epipolar lines
 /// either only if the photo is turned, or only if it is not. At most 300 photos are tried. Empty if there is
 /// no such photo.
 OpenTurns find_open_turns(std::span<const PhotoInput> photos, const FeatureSettings& how);

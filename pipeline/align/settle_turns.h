@@ -3,8 +3,8 @@
 
 namespace vantage {
 
-/// Turns photos by 90 degrees whose size does not show that they need it, but whose neighbors do, and adds a
-/// warning about each group of photos with an open orientation.
+/// Turns photos by 90 degrees if the features shared with their neighbors show that they need it, although
+/// their size does not. Adds a warning about each group of photos with an ambiguous orientation.
 void settle_turns(SceneInput& scene, unsigned threads);
 
 }  // namespace vantage

@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// A feature that two photos show, in full-size pixels of the photos as taken.
+/// A feature visible in two photos; positions are in full-size pixels of the photos as taken.
 struct SharedFeature {
     std::uint32_t a, b;  ///< photos, a < b
     Eigen::Vector2d in_a, in_b;

@@ -18,7 +18,7 @@ using PointSet = std::vector<Vector3d>;
 
 constexpr std::size_t rotations = 600, used_points = 200;
 constexpr double scales[] = {0.5, 0.7, 1, 1.4, 2};  ///< relative to the ratio of sizes
-constexpr double overlap = 0.7;                     ///< fraction of the points assumed on the mesh
+constexpr double overlap = 0.7;                     ///< fraction of the points assumed to be on the mesh
 constexpr int iterations[] = {8, 20, 40};           ///< of ICP, each on the best fifth of the previous starts
 constexpr int cells = 48;                           ///< of the grid along its longest side
 

@@ -14,8 +14,8 @@ inline constexpr std::uint32_t backdrop_cluster = 256;
 /// The backdrop's clusters, as in CLUS; without culling by normals.
 std::vector<package::ClusterRecord> backdrop_clusters(const Backdrop& backdrop);
 
-/// A photo's coverage of each of the backdrop's clusters, in the form of COVR: the region in the photo that
-/// the mesh leaves open. `gaps`: of the view, see gaps_in().
+/// A photo's coverage of each of the backdrop's clusters, as stored in COVR: the region of the photo that the
+/// mesh does not cover. `gaps`: of the view, see gaps_in().
 std::vector<package::CoverageRecord> backdrop_coverage(const Backdrop& backdrop,
                                                        std::span<const package::ClusterRecord> clusters,
                                                        const CoarseView& view,

@@ -25,13 +25,13 @@ inline constexpr int gap_reach = 2;  ///< texels
 /// A photo at a coarse level, with its open texels: those that do not show the mesh.
 struct CoarseView {
     std::uint32_t photo = 0;
-    Intrinsics k;  ///< of the level
+    Intrinsics k;  ///< for this level
     Pose pose;     ///< relative to the origin
-    /// ln_of linear light in the exposure of the mean photo; NaN where the photo has no pixel or shows the
-    /// mesh.
+    /// ln_of() of linear light at the exposure of the mean photo; NaN where the photo has no pixel or shows
+    /// the mesh.
     std::vector<Eigen::Array3f> ln;
     std::vector<float> z;              ///< depth of the mesh, +inf in open texels
-    std::size_t pixels = 0, open = 0;  ///< texels with a pixel, and those among them without mesh
+    std::size_t pixels = 0, open = 0;  ///< texels with a pixel, and those of them that do not show the mesh
 
     bool is_open(std::size_t texel) const { return !std::isnan(ln[texel][0]); }
 };
@@ -41,14 +41,14 @@ inline Eigen::Vector3f in_camera(const CoarseView& view, const Eigen::Vector3f& 
     return (view.pose.R * position.cast<double>() + view.pose.t).cast<float>();
 }
 
-/// Reads the photos `of` at the finest level with at most 192 texels on the longer side. `colors`: gains and
-/// vignetting per photo of the scene. Throws Error(damaged).
+/// Reads the photos listed in `of` at the finest level with at most 192 texels on the longer side. `colors`:
+/// gains and vignetting per photo of the scene. Throws Error(damaged).
 std::vector<CoarseView> read_coarse_views(const PackageReader& package,
                                           std::span<const package::PhotoRecord> photos,
                                           std::span<const std::uint32_t> of, const PhotoColors& colors,
                                           unsigned threads);
 
-/// Per texel of the view, 1 if any texel within `gap_reach` is open at `weight_map_level`. Throws
+/// For each texel of the view, 1 if any texel within `gap_reach` is open at `weight_map_level`. Throws
 /// Error(damaged).
 std::vector<std::uint8_t> gaps_in(const CoarseView& view, const PackageReader& package,
                                   const package::PhotoRecord& record);

@@ -17,8 +17,8 @@ struct DirectionSphere {
     std::vector<Eigen::Vector3f> directions;              ///< unit length
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise seen from the center;
                                                           ///< the four pieces of a triangle are consecutive
-    std::vector<std::array<std::uint32_t, 6>> neighbors;  ///< per direction; the last of twelve is none
-    std::vector<std::array<std::uint32_t, 2>> ends;  ///< of the bisected edge; the first 12: itself twice
+    std::vector<std::array<std::uint32_t, 6>> neighbors;  ///< per direction; for twelve, the last is none
+    std::vector<std::array<std::uint32_t, 2>> ends;  ///< of the bisected edge; for the first 12, itself twice
 };
 
 /// `level`: number of subdivisions; the result has 20 * 4^level triangles.
@@ -27,7 +27,7 @@ DirectionSphere direction_sphere(int level);
 /// The sphere with each triangle divided into four. Its first directions are those of `sphere`.
 DirectionSphere divided(const DirectionSphere& sphere);
 
-/// Calls `visit` with 0 to `count` - 1 on up to `threads` threads, in large batches.
+/// Calls `visit` with each number from 0 to `count` - 1 on up to `threads` threads, in large batches.
 template <class Visit>
 void for_each_direction(std::size_t count, unsigned threads, const Visit& visit) {
     constexpr std::size_t run = 256;
@@ -36,8 +36,8 @@ void for_each_direction(std::size_t count, unsigned threads, const Visit& visit)
     });
 }
 
-/// Replaces the values of the directions marked in `open` by the mean of their neighbors', `rounds` times.
-/// Value: float or an Eigen array.
+/// Replaces the values of the directions marked in `open` with the mean of their neighbors' values, `rounds`
+/// times. Value: float or an Eigen array.
 template <class Value>
 void relax(const DirectionSphere& sphere, const std::vector<std::uint8_t>& open, int rounds,
            std::vector<Value>& values) {

@@ -174,7 +174,8 @@ Background find_background(const BackgroundInput& in) {
     const MeshPlanes mesh = mesh_planes(in.discs, some.views);
     Background out{first_decision(in, some.views), {}, shade_beside(some.views)};
     if (!out.decision.on) return out;
-    // Concurrently with the validation, except around objects: in most other scenes, the effect stays on.
+    // Runs concurrently with the validation, except around objects: in most other scenes, the effect stays
+    // on.
     std::future<Backdrop> estimate =
         std::async(in.kind == KindOfScan::object ? std::launch::deferred : std::launch::async,
                    [&] { return estimate_backdrop(some.views, mesh, {}, in.threads); });

@@ -19,7 +19,7 @@ constexpr float from_median = 4, most_from_median = 0.4f;
 constexpr float next_to_mesh = 1, mesh_reach = 3.25f;      ///< texels
 constexpr float next_to_frame = 0.5f, frame_reach = 6.5f;  ///< texels
 constexpr float coarser = 0.3f;                            ///< per halving of the resolution
-constexpr float not_sky = 0.5f;                            ///< if another view shows sky
+constexpr float not_sky = 0.5f;                            ///< cost if another view shows sky
 constexpr float seam = 0.02f, seam_contrast = 3;
 
 /// One view's sample of a direction; `cost` is `invalid` without one.

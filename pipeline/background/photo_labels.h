@@ -11,7 +11,7 @@ namespace vantage {
 /// The color source of each direction of a backdrop, see docs/method.md.
 struct BackdropPaint {
     static constexpr std::uint8_t none = 255;
-    std::vector<std::uint8_t> view;          ///< index of the view that shows it; none
+    std::vector<std::uint8_t> view;          ///< index of the view that shows it, or none
     std::vector<Eigen::Array3f> correction;  ///< of that view's color, to hide seams; square roots of light
     std::vector<float> trust;                ///< 0 to 1: falls to 0 in unseen directions
 };

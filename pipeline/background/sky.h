@@ -20,7 +20,7 @@ struct Sky {
     std::vector<std::vector<std::uint8_t>> masks;     ///< per view and texel; empty if the scene has no sky
 
     bool any() const { return !masks.empty(); }
-    /// Whether view `v`, of index `i`, shows sky at an open sample.
+    /// Whether view `v`, with index `i`, shows sky at an open sample.
     bool at(std::size_t i, const CoarseView& v, const ViewSample& s) const {
         return any() && masks[i][texel_of(v, s)];
     }
@@ -32,9 +32,9 @@ struct Sky {
 Sky find_sky(std::span<const CoarseView> views, const SweptDepths& depths, const DirectionSphere& sphere,
              const std::vector<float>& inverse, const Eigen::Vector3d& down);
 
-/// Per direction 1 if it is at infinity: at least half of the photos that cover it show sky there; or it is
-/// above the horizon in fewer than two photos, and either high or hidden by the mesh in most photos. All 0 in
-/// a scene without sky.
+/// For each direction, 1 if it is at infinity: at least half of the photos that cover it show sky there, or
+/// it is above the horizon, covered by fewer than two photos, and either high or hidden by the mesh in most
+/// photos. All 0 in a scene without sky.
 std::vector<std::uint8_t> sky_directions(std::span<const CoarseView> views, const Sky& sky,
                                          const DirectionSphere& sphere, unsigned threads);
 

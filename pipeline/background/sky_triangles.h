@@ -26,13 +26,13 @@ std::vector<SkyPicture> read_sky_pictures(const PackageReader& package,
                                           std::span<const CoarseView> views, const Sky& sky,
                                           unsigned threads);
 
-/// Marks texels of the mesh whose color continues that beside it: 1, sky, connected to open sky without an
-/// edge; 2, possibly sky, but overexposed, as a white wall would be.
+/// Marks texels of the mesh whose color continues that of the sky next to it: 1 for sky, connected to open
+/// sky without an edge; 2 for possible sky that is overexposed, as a white wall would be.
 cv::Mat1b sky_on_mesh(const SkyPicture& picture);
 
 /// The triangles that the photos show as sky, ascending: a surface reconstructed from the sky, such as a
-/// membrane between roofs. Triangles that nearly all photos show as sky, and those connected to them that
-/// many photos do; none below the horizon or in only one photo.
+/// membrane between roofs. Includes triangles that nearly all photos show as sky, and triangles connected to
+/// these that many photos show as sky, but none below the horizon or visible in only one photo.
 std::vector<std::uint32_t> sky_triangles(std::span<const Eigen::Vector3f> positions,
                                          std::span<const std::array<std::uint32_t, 3>> triangles,
                                          std::span<const SkyPicture> pictures, const Eigen::Vector3f& down,

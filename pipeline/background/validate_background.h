@@ -16,13 +16,13 @@ namespace vantage {
 /// The benefit of the background, from predictions of the open texels of held-out photos.
 struct BackgroundVerdict {
     Judgment gain;  ///< relative to a single color
-    /// Fraction of the compared pixels that are in photos predicted to 25 dB, and better than by the
-    /// backdrop, by the same pixels of other photos: the background moves with the camera, as behind a
-    /// turntable.
+    /// Fraction of the compared pixels in photos that the same pixels of other photos predict to 25 dB, and
+    /// better than the backdrop does: the background moves with the camera, as behind a turntable.
     double with_camera = 0;
     double plain = 0;  ///< fraction of the compared pixels in photos that one color predicts to 30 dB
-    /// Of the pixels that one color does not predict within 25 codes, the fraction that the backdrop does;
-    /// negative if it predicts fewer than the color. Empty if fewer than three photos can be compared.
+    /// Of the pixels that one color does not predict within 25 codes, the fraction that the backdrop
+    /// predicts; negative if it predicts fewer than the single color. Empty if fewer than three photos can be
+    /// compared.
     std::optional<double> agreed{};
     /// The reason against the effect; empty if it is worthwhile. Around an object, which may be moved between
     /// series of photos or turned, more pixels must agree.

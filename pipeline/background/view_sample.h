@@ -38,7 +38,7 @@ inline ViewSample sample(const CoarseView& v, const Eigen::Vector3f& p, float in
         return {v.z[nearest] * inverse > 1.02f * p.z() ? ViewSample::in_front : ViewSample::behind};
     const Eigen::Array3f ln = (1 - w) * ((1 - u) * v.ln[at] + u * v.ln[at + 1]) +
                               w * ((1 - u) * v.ln[at + width] + u * v.ln[at + width + 1]);
-    if (std::isnan(ln[0])) return {};  // one of the four is not open
+    if (std::isnan(ln[0])) return {};  // one of the four texels is not open
     return {ViewSample::open, ln, {x + 0.5f, y + 0.5f}};
 }
 

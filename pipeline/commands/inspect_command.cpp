@@ -18,7 +18,7 @@ struct InspectOptions {
     PrepareSettings settings;
 };
 
-/// As find_input(), but an unsearchable input gives empty parts.
+/// Like find_input(), but all parts are empty if the input cannot be searched.
 FoundInput find_anything(const InspectOptions& o) {
     try {
         return find_input(o.input, o.settings);

@@ -26,7 +26,7 @@ struct RefineOptions {
     std::vector<std::string> effects;
 };
 
-/// One for each effect that depends on all photos. Throws Error(usage) for others.
+/// One choice for each effect that depends on all photos. Throws Error(usage) for others.
 std::map<Effect, EffectChoice> refined_effects(const std::vector<std::string>& texts) {
     std::map<Effect, EffectChoice> choices;
     choose_effects(texts, choices);

@@ -7,10 +7,10 @@
 
 namespace vantage {
 
-/// Whether a file of this name may hold a point cloud: PLY, which may also hold a mesh, LAS, LAZ or E57.
+/// Whether a file with this name may hold a point cloud: PLY, which may also hold a mesh, LAS, LAZ or E57.
 bool is_cloud_file(const std::filesystem::path& file);
 
-/// Reads the points of a cloud, or the vertices of a mesh, with only their colors. Points with coordinates
+/// Reads the points of a cloud, or the vertices of a mesh, with their colors only. Points with coordinates
 /// that are not finite, or 1e18 or more, and those far from all others (base/values/main_box.h) are dropped
 /// and counted in `warnings`. Throws Error(input), also if no point remains, and for LAZ and E57.
 Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& warnings);

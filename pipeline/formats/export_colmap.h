@@ -19,7 +19,7 @@ inline constexpr const char* colmap_text_files[] = {"cameras.txt", "images.txt",
 /// Whether COLMAP can express the lens: all but `brown` and `matchmover`.
 bool has_colmap_model(const Lens& lens);
 
-/// Writes these files, with one camera per photo and no points, in full double precision. Throws
+/// Writes the `colmap_text_files`, with one camera per photo and no points, in full double precision. Throws
 /// Error(storage), and Error(input) for a lens without a COLMAP model. `comment`: lines that begin with #,
 /// for the top of each file.
 void write_colmap_text(const std::filesystem::path& folder, std::span<const NamedCamera> photos,

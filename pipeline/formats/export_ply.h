@@ -36,7 +36,7 @@ struct PlyPoint {
 };
 
 /// Writes a cloud of `count` points as binary little-endian PLY; `each` passes them, one by one, to the
-/// function that it gets. Throws Error(storage).
+/// function that it receives. Throws Error(storage).
 void write_points_ply(const std::filesystem::path& file, std::uint64_t count,
                       const std::function<void(const std::function<void(const PlyPoint&)>&)>& each);
 

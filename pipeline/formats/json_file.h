@@ -26,15 +26,15 @@ inline constexpr std::size_t max_cameras = 1 << 20;
 /// The largest magnitude of positions, focal lengths and pixels.
 inline constexpr double max_value = 1e12;
 
-/// A finite number, possibly written as text.
+/// A finite number, possibly stored as a string.
 double numeral(const LocatedJson& value);
-/// The number of a key; `otherwise` if there is none.
+/// The number stored under a key; `otherwise` if the key is missing.
 double numeral(const LocatedJson& object, const char* key, double otherwise);
 /// The width or height of a photo.
 int photo_size(const LocatedJson& value);
 /// A list of numbers; throws unless there are `count`.
 std::vector<double> numerals(const LocatedJson& list, std::size_t count);
-/// A number or a text that identifies something.
+/// A number or a string that serves as an identifier.
 std::string identifier(const LocatedJson& value);
 
 }  // namespace vantage

@@ -125,7 +125,7 @@ void take_colors(const std::vector<Rgb>& colors, std::uint16_t most, Mesh& out) 
         out.colors.push_back({byte_of(c[0] / white), byte_of(c[1] / white), byte_of(c[2] / white), 255});
 }
 
-/// No grays if all intensities are 0.
+/// Adds no grays if all intensities are 0.
 void take_intensities(const std::vector<std::uint16_t>& intensities, Mesh& out) {
     std::vector<std::uint16_t> sorted = intensities;
     const auto bright = sorted.begin() + std::ptrdiff_t(sorted.size() * 99 / 100);

@@ -15,7 +15,7 @@ class XmlFile {
     /// "file, line 12: <element>: expected ..., found ..."
     [[noreturn]] void fail(pugi::xml_node at, const std::string& expected, const std::string& found) const;
 
-    /// The numbers in an element, divided by white space. Throws unless there are `count`.
+    /// The numbers in an element, separated by whitespace. Throws unless there are `count`.
     std::vector<double> numbers(pugi::xml_node element, std::size_t count) const;
     /// The number in an element's child; `otherwise` if there is no such child.
     double number(pugi::xml_node element, const char* child, double otherwise) const;
@@ -25,7 +25,7 @@ class XmlFile {
     double attribute(pugi::xml_node element, const char* name, double otherwise) const;
     /// As above, but throws if there is none.
     double attribute(pugi::xml_node element, const char* name) const;
-    /// The numbers in a text of an element. Throws unless there are `count`.
+    /// The numbers in a string from an element. Throws unless there are `count`.
     std::vector<double> numbers(pugi::xml_node element, const std::string& text, std::size_t count) const;
     /// The width or height of a photo. Throws unless it is a whole number from 1 to 2^20.
     int size(pugi::xml_node element, double value) const;

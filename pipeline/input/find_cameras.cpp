@@ -79,7 +79,7 @@ std::vector<CameraChoice> choices(std::span<const FormatFiles> all, const fs::pa
     return out;
 }
 
-/// Reads it. Photos that fit a name equally well count as one.
+/// Reads the file and counts the photos that fit. Photos that fit a name equally well count as one.
 void rate(CameraChoice& file, const fs::path& folder, const Files& photos) {
     try {
         const std::vector<CameraSet::Entry> cameras = read_cameras(file.path).entries;
@@ -107,7 +107,7 @@ const CameraChoice& best_of(std::vector<CameraChoice>& all, const fs::path& fold
     return *best;
 }
 
-/// Also notes the unused files. A single file is not read.
+/// The file that fits best. Also notes the unused files. A single file is not read.
 fs::path best_fitting(const fs::path& root, std::span<const FormatFiles> files, InputFiles& found) {
     const bool by_mesh = !found.mesh.empty() && common_folder(found.mesh, root) == root;
     std::vector<CameraChoice> all = choices(files, by_mesh ? found.mesh.parent_path() : root);

@@ -7,15 +7,15 @@
 
 namespace vantage {
 
-/// The method that groups photos into image sets: `auto`, `folders`, `off`, or the path of a file.
+/// The method of grouping photos into image sets: `auto`, `folders`, `off`, or the path of a file.
 inline constexpr const char *image_sets_auto = "auto", *image_sets_by_folder = "folders",
                             *image_sets_off = "off";
 
 /// Whether `how` is the path of a file.
 bool is_image_sets_file(const std::string& how);
 
-/// Whether folders of this name are known to hold the photos of an image set: visible, infrared, uvf, raking,
-/// before and others, in upper or lower case.
+/// Whether a folder with this name is known to hold the photos of an image set: visible, infrared, uvf,
+/// raking, before and others, in upper or lower case.
 bool is_known_image_set(const std::string& folder);
 
 /// The image sets of some photos.
@@ -26,20 +26,20 @@ struct ImageSetGroups {
 };
 
 /// Groups photos, given by their paths in the photos' folder. `auto`: by the first folder in a photo's path
-/// that is_known_image_set(), if all photos in folders have one; `folders`: by the first folder; photos in no
-/// folder are the image set `photos`. A file: TOML, a name and a pattern, or a list of them, per image set:
+/// that is_known_image_set(), if all photos in folders have one; `folders`: by the first folder; photos
+/// outside any folder form the image set `photos`. The path of a file: TOML with a name and a pattern, or a
+/// list of patterns, per image set:
 ///
 ///     visible = "*_vis.jpg"
 ///     infrared = ["ir/*", "nir_??.tif"]
 ///
-/// A pattern has * and ? and is matched with the whole path, or without a / with the file's name. Image sets
-/// of visible light come first, then those with more photos. Throws Error(input) if the file cannot be read,
-/// an image set has no photo, or a photo no image set or two; Error(usage) for more than 64 image sets or for
-/// a name that no folder may have.
+/// A pattern may contain * and ? and is matched against the whole path or, if it has no /, against the file's
+/// name. Image sets of visible light come first, then those with more photos. Throws Error(input) if the file
+/// cannot be read, an image set has no photo, or a photo has no image set or more than one; Error(usage) for
+/// more than 64 image sets or for a name that no folder may have.
 ImageSetGroups group_image_sets(std::span<const std::filesystem::path> photos, const std::string& how);
 
-/// The folder in `path`, a path in `root`, whose photos are an image set of their own; empty if there is
-/// none.
+/// The folder in `path`, a path in `root`, whose photos form a separate image set; empty if there is none.
 std::filesystem::path image_set_folder(const std::filesystem::path& root, const std::filesystem::path& path,
                                        const std::string& how);
 

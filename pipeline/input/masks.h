@@ -5,13 +5,13 @@
 
 namespace vantage {
 
-/// Finds photos' masks, pictures that are dark where a photo must not be shown: NAME.mask.png beside the
-/// photo, or NAME.png in `masks` beside the photo's folder, or in a subfolder with the name of the photo's
-/// folder in `masks` one level higher. NAME is the photo's, with or without its extension; names are compared
-/// as by comparable_name(). Lists each folder once.
+/// Finds photos' masks, pictures that are dark where a photo must not be shown: NAME.mask.png next to the
+/// photo; NAME.png in a folder `masks` next to the photo's folder; or NAME.png in the subfolder of a folder
+/// `masks` one level higher that has the name of the photo's folder. NAME is the photo's, with or without its
+/// extension; names are compared as by comparable_name(). Lists each folder once.
 class Masks {
   public:
-    /// Empty: the photo has none.
+    /// The mask of the photo; empty if it has none.
     std::filesystem::path of(const std::filesystem::path& photo);
 
   private:

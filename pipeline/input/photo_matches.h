@@ -11,14 +11,14 @@ namespace vantage {
 /// Whether the file's extension is that of a photo. False for masks (NAME.mask.png) and hidden files.
 bool is_photo(const std::filesystem::path& file);
 
-/// Whether a folder of this name holds pictures computed from photos: masks, depth, normals, thumbnails.
+/// Whether a folder with this name holds pictures computed from photos: masks, depth, normals, thumbnails.
 bool is_derived(const std::filesystem::path& folder);
 
 /// The photos in a folder and two levels below it, sorted; subfolders of derived pictures are skipped.
 std::vector<std::filesystem::path> photos_below(const std::filesystem::path& folder);
 
-/// The path of a file whose path in `folder` has this utf8_name(). If there is no such file, the path with
-/// the name as given.
+/// The file whose path in `folder` has this utf8_name(). If there is no such file, the path formed from the
+/// name as given.
 std::filesystem::path file_named(const std::filesystem::path& folder, const std::string& utf8);
 
 /// The utf8_name() of a file's path in `folder`, or of the file if it is elsewhere.

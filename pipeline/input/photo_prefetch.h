@@ -24,7 +24,7 @@ class PhotoPrefetch {
     ~PhotoPrefetch() { next_ = photos_.size(); }
 
     /// Returns a photo, waiting for it if it is being decoded; nullopt if decoding has not started (it is
-    /// then canceled), failed, or read a file with another identity. At most once per photo.
+    /// then canceled), failed, or read a file with another identity. To be called at most once per photo.
     std::optional<RgbaImage> take(std::size_t photo, const FileIdentity& identity);
 
   private:

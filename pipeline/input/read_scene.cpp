@@ -50,9 +50,9 @@ bool turns_to_fit(const PhotoHeader& header, const Intrinsics& k) {
     return header.orientation >= 5 && difference(height, width) < difference(width, height);
 }
 
-/// The EXIF orientation if it is ambiguous. Pixels are taken as stored, but the camera may refer to the photo
-/// as displayed. A turn by 90 degrees usually shows in the camera's size; but the pixels may have been turned
-/// before.
+/// The EXIF orientation if it is ambiguous. Pixels are used as stored, but the camera may refer to the photo
+/// as displayed. A turn by 90 degrees usually shows in the camera's size, but the pixels may already have
+/// been turned.
 int open_turn(const PhotoHeader& header, CameraSet::Unit unit, bool turns) {
     using Unit = CameraSet::Unit;
     if (header.orientation < 5) return header.orientation == 1 ? 0 : header.orientation;

@@ -18,12 +18,12 @@ struct PhotoInput {
     std::string name;  ///< file name; includes folders, joined by _, if names collide; UTF-8
     std::filesystem::path file;
     Camera camera;
-    PhotoSize decoded{};  ///< in the camera's orientation; larger than the camera's if photos are reduced
+    PhotoSize decoded{};              ///< in the camera's orientation, before any reduction
     std::filesystem::path mask{};     ///< image, black where the photo must not be shown; empty: none
     bool linear = false;              ///< the file stores linear light
     ProfileUse profile{};             ///< of its file's ICC profile
     std::vector<StampedFile> read{};  ///< photo and mask, stamped before the photo's header was read
-    std::uint32_t image_set = 0;      ///< index in SceneInput::image sets
+    std::uint32_t image_set = 0;      ///< index in SceneInput::image_sets
     int orientation = 1;              ///< EXIF
     int open_turn = 0;  ///< EXIF orientation that the pixels may still need to fit their camera; 0: none
 };
@@ -38,7 +38,7 @@ struct InputFiles {
     std::vector<std::filesystem::path> points{};  ///< point clouds to show, with the mesh or alone
     std::vector<std::string> notes{};             ///< other files found but not used
     std::vector<std::filesystem::path>
-        more_cameras{};                 ///< as `cameras`, each of the photos in its own folder below `photos`
+        more_cameras{};  ///< like `cameras`, each for the photos in its own folder below `photos`
     std::string image_sets = "auto";    ///< see group_image_sets
     std::optional<Similarity> align{};  ///< from the cameras' frame to the mesh's, if they differ
     /// Further files that read_mesh() read for `mesh` and `compared`.
@@ -66,16 +66,16 @@ struct SceneInput {
     InputFiles files;
     std::string camera_format;           ///< display name: "COLMAP text", "Bundler", ...
     std::string convention = "as-read";  ///< the conventions applied to all cameras, see apply_conventions()
-    Similarity transform{};  ///< from the camera file's frame to the mesh's, by that file; default: none
+    Similarity transform{};  ///< the camera file's own, from its frame to the mesh's; default: none
     Mesh mesh;
-    std::vector<Mesh> compared;          ///< of files.compared
-    Mesh points;                         ///< of all files.points; without triangles
+    std::vector<Mesh> compared;          ///< the meshes of files.compared
+    Mesh points;                         ///< all files.points joined; without triangles
     std::vector<PhotoInput> photos;      ///< sorted by name
     std::vector<UnusablePhoto> skipped;  ///< sorted by name; found unusable before decoding
     std::vector<std::string> warnings;
     std::vector<StampedFile> read{};  ///< meshes, cameras and skipped photos, stamped before they were read
     std::vector<std::string> image_sets{
-        ""};  ///< names, the default image set first; a single one may have none
+        ""};  ///< names, the default image set first; a single image set may have none
 };
 
 /// Whether there is a cloud and no mesh.

@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// The nearest point of a surface or cloud.
+/// The nearest point on a surface or in a cloud.
 struct NearestPoint {
     Eigen::Vector3d point, normal;  ///< not of unit length; zero if the cloud has none
     double distance;
@@ -15,8 +15,8 @@ struct NearestPoint {
     bool is_behind(const Eigen::Vector3d& at) const { return normal.dot(at - point) < 0; }
 };
 
-/// A mesh's triangles, or a cloud's points, for queries of the nearest one (Embree). Boxes are of single
-/// precision and relative to the first vertex, distances of double precision. Thread-safe.
+/// A mesh's triangles, or a cloud's points, for nearest-point queries (Embree). Boxes have single precision
+/// and are relative to the first vertex; distances have double precision. Thread-safe.
 class NearestSurface {
   public:
     /// `mesh` must have a vertex and outlive this object. Throws Error(memory).

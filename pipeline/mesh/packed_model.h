@@ -33,9 +33,10 @@ struct PackedModel {
     }
 };
 
-/// Also reorders `mesh` the same way: triangles by cluster, vertices by first use (for memory locality),
-/// unused vertices last. `transparency`: triangles that are not opaque come last, in separate clusters;
-/// otherwise all count as opaque. `box`: the main_box of the mesh, or of the cloud that it represents.
+/// Packs `mesh`, and reorders it in the same way: triangles by cluster, vertices by first use (for memory
+/// locality), unused vertices last. `transparency`: triangles that are not opaque come last, in separate
+/// clusters; otherwise all count as opaque. `box`: the main_box of the mesh, or of the cloud that it
+/// represents.
 PackedModel pack_model(Mesh& mesh, const MainBox& box, bool transparency = false);
 
 /// Writes geometry, clusters and vertex attributes. Throws Error(storage).

@@ -14,7 +14,7 @@ struct SplatCloud {
     std::vector<float> radii;
 };
 
-/// From the cloud of which the tree was made.
+/// From the cloud from which the tree was made.
 SplatCloud splat_cloud(const PointTree& tree, const Mesh& cloud, const Eigen::Vector3d& origin);
 /// From a package with the effect `points`. Throws Error(damaged).
 SplatCloud splat_cloud(const PackageReader& package);

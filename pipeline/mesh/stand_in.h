@@ -16,7 +16,7 @@ inline constexpr std::size_t max_facets = 32768;
 /// center of the cloud. `cloud` must have at least one point, and finite positions. Deterministic.
 Mesh stand_in(const Mesh& cloud, std::span<const Eigen::Vector3d> eyes);
 
-/// The length of its triangles' edges, from their corners; 0 without triangles.
+/// The edge length of a stand-in's triangles, from their corners; 0 without triangles.
 double facet_size(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices);
 
 }  // namespace vantage

@@ -10,7 +10,7 @@
 
 namespace vantage {
 
-/// The sizes that determine a package's layout, besides its photos.
+/// The sizes that, besides its photos, determine a package's layout.
 struct LayoutSizes {
     /// Bytes of the scene chunks whose size is not in SCEN, such as META; 0: no chunk.
     std::map<package::Type, std::uint64_t> bytes;
@@ -22,7 +22,7 @@ struct LayoutSizes {
 LayoutSizes layout_sizes(const PackageReader& package, std::uint64_t meta_bytes, bool coordinates);
 
 /// Whether photos have texture coordinates per vertex: in a compact package, only if these are the default,
-/// or `asked` for.
+/// or if `asked` for.
 bool stores_coordinates(const package::SceneRecord& scene, bool asked);
 
 /// Every chunk in file order, coarse before fine; for a shard, only the per-photo chunks of its photos. Space

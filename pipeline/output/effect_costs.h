@@ -18,7 +18,7 @@ struct EffectCost {
     std::uint64_t bytes = 0;        ///< size of its data in the package
 };
 
-/// One per effect, in the order of META. Vignetting is decided together with exposure; the time of both is
+/// One per effect, in the order of META. Vignetting is decided together with exposure; the time for both is
 /// listed under exposure. `spans`: of the run that made the package; empty if unknown. Throws Error(damaged).
 std::vector<EffectCost> effect_costs(const PackageReader& package, std::span<const Trace::Span> spans);
 

@@ -18,7 +18,7 @@ void set_pose(const Pose& pose, Record& r) {
     Eigen::Map<Eigen::Vector3d>(r.t) = pose.t;
 }
 
-/// Per photo of the scene, whether it is held out by `names` (each with or without extension). Throws
+/// For each photo of the scene, whether `names` (each with or without extension) lists it as held out. Throws
 /// Error(usage) if a name matches no photo of the scene, or several.
 std::vector<bool> held_out(const SceneInput& scene, std::span<const std::string> names);
 

@@ -63,7 +63,7 @@ class StageSet {
     bool operator[](package::Stage stage) const { return in_[std::size_t(stage)]; }
     /// Whether any stage uses the model.
     bool needs_model() const;
-    /// Whether any stage reads pixels of a photo with (`has_alpha`) or without transparent ones.
+    /// Whether any stage reads pixels of a photo; `has_alpha`: whether the photo has transparent pixels.
     bool needs_pixels(bool has_alpha) const;
 
   private:
@@ -73,7 +73,7 @@ class StageSet {
 void make_on_level(LevelInput& in, const StageSet& missing);
 /// All stages that use the model; they run again when a camera moves.
 StageSet stages_on_model();
-/// Runs those stages on the model that are in `missing`; first those that need no pixels, while the photo is
+/// Runs the stages in `missing` that use the model; those that need no pixels run first, while the photo is
 /// still being decoded.
 void make_on_model(StageInput& in, const StageSet& missing);
 

@@ -15,12 +15,12 @@ enum class PixelColors { gray, rgb, cmyk };
 /// The treatment of colors with an ICC profile.
 struct ProfileUse {
     std::string name{};     ///< the profile's own description, in ASCII; may be empty
-    std::string flaw{};     ///< the reason to ignore the profile and take colors as sRGB; else empty
-    bool converts = false;  ///< colors are converted to sRGB; false if they are sRGB or taken as such
+    std::string flaw{};     ///< the reason to ignore the profile and treat colors as sRGB; else empty
+    bool converts = false;  ///< colors are converted to sRGB; false if they are sRGB or treated as such
 };
 
 /// The conversion from an ICC profile (ISO 15076-1) to sRGB: relative colorimetric with black point
-/// compensation; colors outside sRGB are clipped. Thread-safe; without functions unless use.converts.
+/// compensation; colors outside sRGB are clipped. Thread-safe; its functions are empty unless use.converts.
 struct ColorProfile {
     ProfileUse use{};
     /// Converts pixels of four values to RGBA: red, green and blue, all equal if the photo is gray, and

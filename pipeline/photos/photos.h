@@ -12,10 +12,10 @@ namespace vantage {
 /// Reads a photo's header. Throws Error(input).
 PhotoHeader read_photo_header(const std::filesystem::path& file);
 
-/// Decodes a photo: JPEG by libjpeg-turbo, everything else by OpenImageIO (gray, 16-bit, float, alpha, CMYK).
-/// Colors with an ICC profile are converted to sRGB (color_profile.h), at 16 bits before rounding to 8.
-/// Pixels stay as stored, because cameras are calibrated on stored pixels; the EXIF orientation is applied
-/// only if the stored width and height are those of `expected`, swapped. Throws Error(input) if the photo is
+/// Decodes a photo: JPEG with libjpeg-turbo, everything else with OpenImageIO (gray, 16-bit, float, alpha,
+/// CMYK). Colors with an ICC profile are converted to sRGB (color_profile.h), at 16 bits before rounding to
+/// 8. Pixels stay as stored, because cameras are calibrated on stored pixels; the EXIF orientation is applied
+/// only if the stored width and height equal those of `expected` swapped. Throws Error(input) if the photo is
 /// truncated, corrupt or of a different size.
 RgbaImage read_photo(const std::filesystem::path& file, PhotoSize expected);
 /// The same from the file's bytes; `file` is used in messages and, unless it is a JPEG, read again.
@@ -33,7 +33,7 @@ ReducedPhoto read_reduced_photo(const std::filesystem::path& file, PhotoSize exp
 /// Reads an image whose values are not colors, such as a mask: its color profile is ignored.
 RgbaImage read_unprofiled(const std::filesystem::path& file, PhotoSize expected);
 
-/// Whether these are the bytes of a JPEG of this size, which decode_photo does not transpose.
+/// Whether these are the bytes of a JPEG of this size that decode_photo does not transpose.
 bool is_upright_jpeg(std::span<const std::byte> bytes, PhotoSize size);
 
 /// The message of an error about this file without its path: "JPEG is corrupt ...".

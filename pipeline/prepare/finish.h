@@ -18,15 +18,15 @@ namespace vantage {
 /// Input of finish_package: a package whose per-photo chunks have all been written.
 struct FinishInput {
     const GeometryContext& geometry;
-    std::filesystem::path out;  ///< the package that the writer writes
+    std::filesystem::path out;  ///< the package being written
     std::string meta;           ///< see make_meta
     std::map<Effect, EffectChoice> choices;
     bool validate = true;  ///< see PrepareSettings
     package::SceneRecord scene;
     std::vector<std::string> image_sets{""};       ///< names, see ImageSet
-    std::vector<Pose> given;                       ///< relative to the origin; if `known`, records may differ
-    std::optional<PoseRefinement> known;           ///< found by an earlier package from the same inputs
-    std::vector<package::PairRecord> known_pairs;  ///< measured by earlier packages
+    std::vector<Pose> given;                       ///< relative to the origin; with `known`, records differ
+    std::optional<PoseRefinement> known;           ///< found for an earlier package from the same inputs
+    std::vector<package::PairRecord> known_pairs;  ///< measured for earlier packages
     unsigned threads = 0;                          ///< 0: all cores
     OnProgress progress;                           ///< may be empty
 };

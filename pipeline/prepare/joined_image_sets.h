@@ -26,7 +26,7 @@ TransientMasks joined(std::vector<TransientMasks> image_sets, std::span<const pa
 std::vector<EffectSet> effects_of_image_sets(std::span<const EffectDecision> decisions,
                                              std::size_t image_sets);
 
-/// Writes BAND if there are several image sets. `effects`: per image set; empty: none yet.
+/// Writes BAND if there are several image sets. `effects`: per image set; empty if not decided yet.
 void write_image_sets(PackageWriter& writer, std::span<const std::string> names,
                       std::span<const EffectSet> effects);
 

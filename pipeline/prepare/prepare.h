@@ -27,8 +27,8 @@ struct PrepareRun {
     const std::atomic<bool>* stop = nullptr;                     ///< when set, no further photos are started
     bool strict = false;                                         ///< an unusable photo ends the run
     IdentityCache* identities = nullptr;                         ///< null: the user's default cache
-    Share share{};                                               ///< of the photos; default: all
-    Trace* trace = nullptr;                                      ///< records what each thread does
+    Share share{};                                               ///< the photos to process; default: all
+    Trace* trace = nullptr;                                      ///< records each thread's work
     std::function<void(const ResourceEstimate&)> on_estimate{};  ///< called before the first photo is started
     bool expect_view = false;  ///< throw Error(misplaced) by expect_mesh_in_view()
     std::chrono::steady_clock::time_point start =

@@ -15,8 +15,8 @@ struct ResourceEstimate {
     std::uint64_t disk, disk_free;  ///< bytes
     std::uint64_t memory;           ///< bytes, peak
     unsigned in_flight;             ///< photos processed concurrently
-    double seconds;                 ///< of the whole run, with the elapsed time, without reuse
-    double photo_seconds;           ///< the part for the photos
+    double seconds;                 ///< for the whole run, including the time elapsed, without reuse
+    double photo_seconds;           ///< of these, for the photos
 };
 
 /// "about 4 s, at most 319 MB of memory (2 photos at a time), 161 MB of disk (25186 MB free)"
@@ -29,7 +29,8 @@ struct RunConditions {
     unsigned shares;            ///< number of shards; 0: the run processes all photos
     double seconds_before;      ///< elapsed before the estimate
 };
-/// Estimates the further needs of a run. Throws Error(usage) if the settings' memory is too small.
+/// Estimates the resources that a run still needs. Throws Error(usage) if the memory limit in the settings is
+/// too small.
 ResourceEstimate estimate_resources(const SceneInput& scene, const PrepareSettings& settings,
                                     const package::SceneRecord& model, const PackageLayout& layout,
                                     const RunConditions& run);
@@ -48,7 +49,7 @@ std::uint64_t agree_memory(const SceneInput& scene, const PrepareSettings& setti
 /// Memory in bytes still to be allocated for the scene, independent of the number of photos in flight.
 std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl);
 
-/// Resident memory of this process in bytes, now (without what is free in its heap) and at its peak; 0 if
+/// Resident memory of this process in bytes, at present (without free heap memory) and at its peak; 0 if
 /// unknown.
 std::uint64_t memory_now();
 std::uint64_t memory_peak();
@@ -56,8 +57,8 @@ std::uint64_t memory_peak();
 /// The number of threads in the settings, or one per core.
 unsigned threads_of(const PrepareSettings& settings);
 
-/// Number of photos in flight that the settings' threads and memory allow; a number n of them needs needed(n)
-/// bytes. Throws Error(usage) if the memory is too small for one.
+/// Number of photos in flight that the settings' threads and memory allow; n photos need needed(n) bytes.
+/// Throws Error(usage) if the memory is too small for one.
 unsigned photos_in_flight(const PrepareSettings& settings,
                           const std::function<std::uint64_t(unsigned in_flight)>& needed);
 
@@ -72,8 +73,8 @@ ExpectedSeconds expected_seconds(const SceneInput& scene, const PrepareSettings&
                                  const package::SceneRecord& model, unsigned in_flight,
                                  std::uint64_t to_disk);
 /// Corrects the speed by the ratio of actual to expected time, for the next estimate. Ignores runs that are
-/// too short, and errors. A single run changes the speed by the root of its ratio, because the machine may
-/// have been busy.
+/// too short, and errors. A single run changes the speed by the square root of its ratio, because the machine
+/// may have been busy.
 void remember_speed(double expected, double took);
 
 }  // namespace vantage

@@ -20,7 +20,7 @@ struct FirstView {
     double aspect = 1;                ///< width over height of the framed part
 };
 
-/// `samples`: of each photo at `discs`; empty for photos without pixels.
+/// `samples`: those of each photo at `discs`; empty for photos without pixels.
 FirstView first_view(std::span<const package::PhotoRecord> photos, Samples samples,
                      std::span<const SurfaceDisc> discs, const Eigen::Vector3d& up, KindOfScan kind);
 

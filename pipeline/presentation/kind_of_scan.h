@@ -16,7 +16,7 @@ enum class KindOfScan {
     front    ///< in front of a facade or a relief, or above a site
 };
 
-/// Arguments are for photos with pixels: their poses, and their samples at `discs`.
+/// `poses` and `samples` (at `discs`) cover only the photos that have pixels.
 KindOfScan kind_of_scan(std::span<const Pose> poses, Samples samples, std::span<const SurfaceDisc> discs,
                         const Eigen::Vector3d& up);
 

@@ -13,7 +13,8 @@ struct Presentation {
     FirstView first{};
 };
 
-/// Determines the up direction, the kind of scan and the first view. `samples`: of each photo at `discs`.
+/// Determines the up direction, the kind of scan and the first view. `samples`: those of each photo at
+/// `discs`.
 Presentation presentation_of(std::span<const package::PhotoRecord> photos, Samples samples,
                              std::span<const SurfaceDisc> discs);
 

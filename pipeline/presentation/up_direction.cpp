@@ -102,8 +102,8 @@ UpEstimate refined(std::span<const Pose> poses, Vector3d up, const Vector3d& mea
     return out;
 }
 
-/// The mean of the photos' up directions by their columns. If it vanishes, the direction opposite to the mean
-/// view, because cameras look down more often than up.
+/// The mean of the photos' up directions, from their columns. If it vanishes, the direction opposite to the
+/// mean view, because cameras look down more often than up.
 Vector3d mean_up(std::span<const Pose> poses) {
     Vector3d columns = Vector3d::Zero(), ahead = Vector3d::Zero();
     for (const Pose& p : poses) columns -= p.R.row(1).transpose(), ahead += p.direction();

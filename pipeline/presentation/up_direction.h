@@ -9,7 +9,7 @@
 namespace vantage {
 
 /// The unit up direction: from the cameras, corrected by the surface if it has walls and floors; replaced by
-/// the nearest coordinate axis if that is within the error. Without poses +z.
+/// the nearest coordinate axis if that is within the error. Without poses, +z.
 Eigen::Vector3d up_direction(std::span<const Pose> poses, std::span<const SurfaceDisc> discs);
 
 /// A unit direction and its standard error in radians.
@@ -20,7 +20,7 @@ struct UpEstimate {
 
 /// From the orientation of the cameras: perpendicular to their rows, since photographers tilt cameras up and
 /// down and seldom roll them. For a camera on its side, columns are used. With parallel rows, the mean of the
-/// columns resolves the ambiguity. Off by some degrees if all cameras were rolled alike.
+/// columns resolves the ambiguity. It is off by a few degrees if all cameras were rolled in the same way.
 UpEstimate up_of_cameras(std::span<const Pose> poses);
 
 /// The direction within 15 degrees of `held` that is parallel to the surface's walls and perpendicular to its

@@ -15,8 +15,8 @@ namespace vantage {
 /// Relative depth difference above which texels are not on one surface.
 inline constexpr double depth_step = 0.02;
 
-/// Mean colors of squares of 2 x 2 texels around each corner between texels; at the photo's frame, of the
-/// texels inside. Interpolation between four corners gives the mean over a square at any position.
+/// Mean colors of squares of 2 x 2 texels around each corner between texels; at the edge of the photo, only
+/// of the texels inside it. Interpolation between four corners gives the mean over a square at any position.
 struct SquareMeans {
     int width = 0, height = 0;           ///< corners: one more than texels
     std::vector<Eigen::Array4f> colors;  ///< row by row; linear light, the fourth value unused
@@ -39,7 +39,7 @@ struct CoarsePhoto {
     };
     Intrinsics k;               ///< of this level
     Pose pose;                  ///< relative to the origin
-    double focal = 1;           ///< length, in px of the photo at full size
+    double focal = 1;           ///< focal length, in px of the full-size photo
     std::vector<Texel> texels;  ///< row by row
     /// Means of the next finer level, whose squares are as large as this level's texels: interpolation
     /// between coarse texels would blur.

@@ -22,14 +22,14 @@ struct ColorRefinement {
 };
 
 /// Gains are needed if photos disagree by more than the effect's threshold and gains remove at least a tenth
-/// of that; vignetting above its own threshold, but not without gains. A correction that is needed is then
-/// tested on held-out photos (see is_called_for), unless `folds` is null or a choice forces it. `fit`: of
-/// these samples and lenses, with vignetting unless it is turned off.
+/// of that; vignetting must be corrected above its own threshold, but not without gains. A correction that is
+/// needed is then tested on held-out photos (see is_called_for), unless `folds` is null or a choice forces
+/// it. `fit`: the fit to these samples and lenses, with vignetting unless it is turned off.
 ColorRefinement refine_colors(ColorFit fit, std::vector<std::uint32_t> lens, Samples samples,
                               const std::map<Effect, EffectChoice>& choices, const Folds* folds = nullptr);
 
-/// Per fold, the colors of all other photos, fitted without its photo: gains alone, and with vignetting
-/// (empty if not wanted).
+/// Per fold, the colors of all other photos, fitted without the fold's photo: with gains alone, and with
+/// vignetting as well (empty if not wanted).
 struct FoldColors {
     std::vector<PhotoColors> gains, both;
 };

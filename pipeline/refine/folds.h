@@ -14,7 +14,7 @@ namespace vantage {
 
 /// Cache sizes of Folds: number of coarse photos, and of folds' sightings (some 2 MB each).
 inline constexpr std::size_t cached_photos = 64, kept_sightings = 12;
-inline constexpr std::size_t max_others = 8;  ///< from which a photo is predicted
+inline constexpr std::size_t max_others = 8;  ///< maximum number of photos from which a photo is predicted
 
 /// The photos of Folds. The spans must outlive it.
 struct FoldsInput {
@@ -25,13 +25,13 @@ struct FoldsInput {
     double border_width = 0;             ///< as in SceneRecord
     unsigned threads = 0;
     int long_side = 256;         ///< of the levels at which photos are read, texels
-    std::size_t max_folds = 24;  ///< photos held out at most
+    std::size_t max_folds = 24;  ///< maximum number of photos held out
 };
 
 /// A held-out photo, and the photos from which it is predicted.
 struct Fold {
     std::uint32_t photo;
-    std::vector<std::uint32_t> others;  ///< up to max_others that share the most surface, ascending
+    std::vector<std::uint32_t> others;  ///< up to max_others that share the most surface with it, ascending
 };
 
 /// Cross-validation: photos spread over the scene are held out of all estimates, one at a time. Photos are
@@ -56,7 +56,7 @@ class Folds {
 
         /// The other photos' sightings of the photo's pixels. Cached for some folds.
         std::shared_ptr<const Sightings> sightings() const;
-        /// The same with other poses, one per photo of the scene; `own`: that of the fold's photo.
+        /// The same with other poses, one per photo of the scene; `own`: the pose of the fold's photo.
         Sightings sightings(std::span<const Pose> poses, const Pose& own) const;
     };
     /// Reads the photos of all folds into the cache, as far as they fit, so that later calls need not wait.

@@ -13,7 +13,7 @@ namespace vantage {
 struct Alternative {
     std::span<const std::array<double, 3>> ln_gain{};
     std::span<const std::array<double, 3>> vignetting{};     ///< see ColorFit
-    std::span<const Grid<const std::uint8_t>> transients{};  ///< 255: not contradicted; by the photo's texels
+    std::span<const Grid<const std::uint8_t>> transients{};  ///< per texel; 255: not contradicted
     std::array<double, 3> view_vignetting{};                 ///< of the predicted photo's lens
 };
 
@@ -42,7 +42,7 @@ struct ValidationScore {
     double seams = 0;        ///< see predict
 };
 
-/// Scores predictions of one photo on the pixels that all of them color, a border of 3 pixels skipped, as in
+/// Scores predictions of one photo on the pixels that all of them color, skipping a border of 3 pixels, as in
 /// player/measure.
 std::vector<ValidationScore> score(const cv::Mat& own, std::span<const Prediction> predictions);
 

@@ -22,7 +22,7 @@ inline constexpr std::size_t cached_views = 16;  ///< cached at once, as exposed
 std::vector<TransientMap> transient_maps(const TransientViews& uncorrected, const PhotoColors& colors,
                                          const TransientPartners& partners, unsigned threads);
 
-/// The validation of transient masks by held-out photos, which influence neither weight maps nor gains.
+/// Validates transient masks on held-out photos, which influence neither weight maps nor gains.
 /// `uncorrected`: at the folds' levels. `fits`: per fold, the colors fitted without its photo. `gains_on`,
 /// `vignetting_on`: whether to blend with them.
 Judgment validate_transients(const Folds& folds, const TransientViews& uncorrected,

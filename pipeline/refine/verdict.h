@@ -19,8 +19,8 @@ struct ValidatedPhoto {
 inline constexpr std::size_t fewest_pixels = 200;
 
 /// Summarizes photos of at least `fewest_pixels`; no photos: all 0. `noise` is the standard error of the mean
-/// if gains were as likely as losses of the same size: after the fix of one wrong camera, few photos gain
-/// much and none loses, and the spread of the gains is not noise.
+/// if gains were as likely as losses of the same size: after one wrong camera is fixed, few photos gain much
+/// and none loses, and the spread of the gains is not noise.
 Judgment summarize(std::span<const ValidatedPhoto> photos);
 
 /// Minimum number of photos to validate an effect.

@@ -14,8 +14,8 @@ struct Difference {
     std::string text;  ///< the difference, as a message
 };
 
-/// All differences; photos are paired by name, in the order of `a`. Chunks with equal checksums are equal,
-/// because both packages are checked first. Throws Error(damaged) if one of them is invalid.
+/// All differences; photos are paired by name, in the order of `a`. Chunks with equal checksums are treated
+/// as equal, because both packages are checked first. Throws Error(damaged) if one of them is invalid.
 std::vector<Difference> diff(const PackageReader& a, const PackageReader& b);
 
 /// Whether write_difference_page may write into the folder. Throws Error(usage).

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// How much was written; 0 of what the package lacks.
+/// The numbers of extracted elements; 0 for those that the package lacks.
 struct Extracted {
     std::size_t photos = 0, vertices = 0, triangles = 0, points = 0;
 };

@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// The photo at which the player opens, or the nearest one with a thumbnail, as a picture of at most
+/// The photo with which the player opens, or the nearest one with a thumbnail, as a picture of at most
 /// `longest` px on the long side, and never larger than the thumbnail in the package. Throws Error(input) if
 /// there is no photo, Error(damaged) if its thumbnail is damaged.
 RgbaImage thumbnail(const PackageReader& package, int longest);

@@ -15,7 +15,7 @@ struct DepthMap {
 /// 1 at depth discontinuities, silhouettes and invalid pixels, otherwise 0 [C, M]. A discontinuity is a Sobel
 /// 3x3 response, relative to depth, above `threshold`, with a second difference of 1/z, relative to 1/z,
 /// above threshold / 4; the latter spares planes seen at a slant. The photo's outline is left to
-/// border_weight.
+/// border_weights().
 std::vector<std::uint8_t> find_borders(const DepthMap& depth, float threshold);
 
 /// Border weight, 255 times min(distance to the border - 1, distance to the photo's outline) / `full_width`,

@@ -49,8 +49,8 @@ std::vector<std::uint8_t> validity(const RgbaImage& level);
 /// Projects the model into the photo and selects the triangles that may reach into its frame.
 PhotoView view_of(const GeometryContext& context, const PosedPhoto& photo);
 
-/// A level of a photo's pyramid, as taken, for the stages that do not use the model. They are called from the
-/// finest level to the coarsest, and write their chunks.
+/// A level of a photo's pyramid, as taken, for the stages that do not use the model. These stages are called
+/// from the finest level to the coarsest, and write their chunks.
 struct LevelInput {
     PackageWriter& writer;
     std::uint32_t photo;

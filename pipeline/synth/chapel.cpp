@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using Profile = std::vector<Vector2d>;  ///< across the path, outward; out of the wall: of positive normals
+using Profile = std::vector<Vector2d>;  ///< x: across the path, outward; y: out of the wall
 
 constexpr double turn = 2 * std::numbers::pi;
 

@@ -51,7 +51,7 @@ void add_daylight(SynthModel& model, const RayScene& rays) {
 
 namespace {
 
-/// `d` has length 1; for pixels of this angle in radians.
+/// `d` has length 1; `pixel` is the angle of a pixel in radians.
 Vector3f daylight_sky(const Vector3d& d, double pixel) {
     const double up = std::max(0.0, d.z());
     Vector3f sky = mix(horizon, {0.17f, 0.36f, 0.68f}, 1 - std::exp(-2.6 * up));

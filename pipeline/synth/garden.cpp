@@ -28,7 +28,7 @@ void lawn(ModelBuilder& b, double radius) {
         b.triangle(middle, middle + 1 + i, middle + 1 + (i + 1) % around, Material::grass);
 }
 
-/// At a distance from the vertical axis through the origin, in the direction of an angle.
+/// The height at a distance from the vertical axis through the origin, in the direction given by an angle.
 double hill_height(const SynthSpec::Garden& g, double distance, double angle) {
     const double up = std::sin(pi / 2 * std::clamp(distance / g.radius - 1, 0.0, 1.0));
     return g.hill * up * up * (0.7 + 0.2 * std::sin(3 * angle + 1) + 0.1 * std::sin(7 * angle));
@@ -82,7 +82,7 @@ void add_garden(ModelBuilder& b, const SynthSpec::Garden& garden) {
 
 namespace {
 
-/// With smaller triangles than the model's; their vertices keep their visibility of the sky.
+/// Triangles are smaller than the model's; each vertex stores the visible fraction of the sky.
 SynthModel build_chapel_world(SynthSpec spec) {
     spec.building.max_edge = 0.12;
     ModelBuilder b{build_model(spec), 0};

@@ -13,7 +13,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-/// Coordinates in the surface, in meters: across and up on walls, x and y on floors.
+/// Coordinates on the surface, in meters: across and up on walls, x and y on floors.
 Vector2d across_and_up(const Vector3d& p, const Vector3d& n) {
     if (std::abs(n.z()) > 0.9) return {p.x(), p.y()};
     return {std::abs(n.x()) > std::abs(n.y()) ? p.y() : p.x(), p.z()};

@@ -27,7 +27,7 @@ enum class Material : std::uint8_t {
 };
 
 /// Diffuse reflectance (linear RGB, [0, 1]) of a material at a point, in meters, on a surface with this unit
-/// normal. It has details of millimeters, which a baked texture would lose.
+/// normal. It has millimeter-sized details, which a baked texture would lose.
 Eigen::Vector3f albedo(Material material, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
 
 /// The same in infrared, gray: details under plaster are visible, ink and colors hardly are. Plaster has an

@@ -39,7 +39,7 @@ struct SynthSpec {
         int count = 0;  ///< number of infrared photos, in a separate image set; 0: none
         int width = 800, height = 600;
         double fov = 50;   ///< horizontal field of view
-        double stops = 0;  ///< exposure of all of them
+        double stops = 0;  ///< exposure of all infrared photos
     } infrared;            ///< shows an underdrawing on plaster that is invisible in visible light
     struct Lens {
         double k1 = 0, k2 = 0;  ///< radial, OpenCV

@@ -17,7 +17,8 @@ struct Finish {
     double slope;            ///< slope along `toward` of the relief that is not in the mesh
 };
 
-/// For the materials of the chapel and its country, from ashlar on. Detail is limited to the footprint.
+/// The finish of the materials of the chapel and its country, from ashlar on. Detail is limited to the
+/// footprint.
 Finish finish(Material material, const SurfacePoint& at);
 
 }  // namespace vantage

@@ -3,8 +3,8 @@
 
 namespace vantage {
 
-/// An urn of marble with gadroons, garlands and two handles, `height` meters high, with approximately this
-/// many triangles, standing on `foot`.
+/// A marble urn with gadroons, garlands and two handles, `height` meters high, with approximately this many
+/// triangles, standing on `foot`.
 void add_urn(ModelBuilder& b, const Eigen::Vector3d& foot, double height, int triangles);
 
 }  // namespace vantage

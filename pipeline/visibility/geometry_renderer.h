@@ -41,9 +41,9 @@ class GeometryRenderer {
     bool by_opengl() const;  ///< false: on the CPU
     DistanceMethod distance() const { return distance_; }
 
-    /// Makes the model a stand-in and takes the depth from `cloud`, which must outlive the renderer.
+    /// Makes the model a stand-in for `cloud`, which must outlive the renderer and gives the depth.
     void splats(const SplatCloud& cloud);
-    /// The cloud of which the depth is rendered; else null.
+    /// The cloud whose depth is rendered; null if there is none.
     const SplatCloud* cloud() const { return cloud_; }
 
     /// On the CPU, rendering is deferred to the future's get().

@@ -11,7 +11,7 @@ namespace vantage {
 
 /// Maps of the model as seen by a photo's camera, row by row.
 struct PhotoGeometry {
-    int width = 0, height = 0;             ///< the photo's at `weight_map_level`
+    int width = 0, height = 0;             ///< size of the photo at `weight_map_level`
     std::vector<float> z;                  ///< linear depth, +inf if nothing is seen
     std::vector<std::uint8_t> angle;       ///< max(0, n.v), unorm8
     std::vector<std::uint32_t> triangles;  ///< index of the triangle drawn, 2^32 - 1 for none

@@ -55,7 +55,8 @@ std::vector<float> splatted(const SplatCloud& cloud, const Intrinsics& k, const 
     return z;
 }
 
-/// A texel that is farther than at least six of its eight neighbors takes the middle depth of these.
+/// A texel that is farther than at least six of its eight neighbors takes the median depth of the nearer
+/// ones.
 std::vector<float> closed(const std::vector<float>& z, int width, int height) {
     std::vector<float> out = z;
     const auto at = [&](int x, int y) { return z[std::size_t(y) * std::size_t(width) + std::size_t(x)]; };

@@ -9,7 +9,7 @@ namespace vantage {
 namespace {
 
 constexpr float jump = 0.1f;        ///< the largest cost of a step between neighbors
-constexpr float unit = jump / 255;  ///< of stored messages, which are at most `jump`
+constexpr float unit = jump / 255;  ///< of the stored messages, which are at most `jump`
 constexpr float slope = 0.6f;       ///< per inverse distance times the reach
 constexpr int sweeps = 4;           ///< through all directions, forward and backward
 

@@ -18,18 +18,18 @@ struct SweptDepths {
     double reach = 1;                                  ///< root mean square distance of the cameras from it
     int labels = 0;
     float step = 0;
-    std::vector<float> base;                 ///< per direction
-    std::vector<float> most;                 ///< limit per direction, so that no camera is behind it
-    std::vector<std::uint32_t> shown;        ///< directions that are possibly in a photo
-    std::vector<float> cost;                 ///< labels per shown direction: disagreement of the photos
+    std::vector<float> base;           ///< per direction
+    std::vector<float> most;           ///< limit per direction that leaves no camera behind the backdrop
+    std::vector<std::uint32_t> shown;  ///< directions that may be in a photo
+    std::vector<float> cost;           ///< labels per shown direction: disagreement of the photos
     std::vector<std::vector<float>> planes;  ///< per plane and shown direction: inverse distance, or 0
 };
 
-/// Costs that do not come from photos, in the unit of ln(color).
+/// Costs that do not come from photos, in units of ln(color).
 struct DepthPriors {
     static constexpr float nearer = 0.2f;  ///< added toward the nearest label, to prefer the base
     static constexpr float not_base = 0.02f;
-    static constexpr float inside = 2.0f;       ///< if a camera is behind the backdrop
+    static constexpr float inside = 2.0f;       ///< added if a camera is behind the backdrop
     static constexpr float on_a_plane = 0.04f;  ///< subtracted on walls
 
     static float of_label(float label, int labels) {
@@ -46,11 +46,12 @@ SweptDepths sweep_depths(std::span<const CoarseView> views, const DirectionSpher
 void prefer_planes(SweptDepths& depths, std::span<const CoarseView> views, const DirectionSphere& sphere,
                    std::span<const Plane> planes, unsigned threads);
 
-/// The inverse distance per direction of the ground below the horizon, else of infinity.
+/// For each direction, the inverse distance of the ground if it is below the horizon, otherwise that of
+/// infinity.
 std::vector<float> base_depths(const DirectionSphere& sphere, const Eigen::Vector3d& center, double reach,
                                const std::optional<Plane>& ground);
 
-/// Index of each direction in `shown`; none for others.
+/// The index of each direction in `shown`; none for directions that it does not contain.
 std::vector<std::uint32_t> positions_of(const SweptDepths& depths);
 
 }  // namespace vantage

@@ -20,7 +20,7 @@ constexpr double least_floor = 0.004;                         ///< fraction of t
 
 using Disc = SurfaceDisc;
 
-/// Distance between the 2nd and the 98th percentile, diagonally.
+/// The diagonal of the box between the 2nd and 98th percentiles.
 double extent_of(std::span<const Disc> discs) {
     Eigen::Vector3d extent;
     std::vector<float> values(discs.size());

@@ -9,7 +9,7 @@ namespace vantage {
 namespace {
 
 constexpr float shown_once = 0.35f, shown_never = 0.4f;
-constexpr float hides = 1.0f;  ///< the point would hide the mesh
+constexpr float hides = 1.0f;  ///< cost if the point would hide the mesh
 
 /// The cost of a point from its colors: mean difference from the median.
 float disagreement(const std::vector<Eigen::Array3f>& colors) {

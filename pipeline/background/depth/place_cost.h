@@ -16,14 +16,14 @@ class PlaceCost {
 
     static constexpr float largest = 0.5f;  ///< largest difference of one photo from the others, in ln(color)
 
-    /// A view that possibly shows some points of a direction; in its camera space, such a point is (center *
-    /// inverse + ray) times its distance.
+    /// A view that may show points in a direction; in its camera space, such a point is (center * inverse +
+    /// ray) times its distance.
     struct Sight {
         const CoarseView* view;
         Eigen::Vector3f center, ray;
     };
     using Sights = std::vector<Sight>;
-    /// The views that possibly show points at inverse distances from `low` to `high`.
+    /// The views that may show points at inverse distances from `low` to `high`.
     void aim(const Eigen::Vector3f& direction, float low, float high, Sights& out) const;
 
     float operator()(const Sights& sights, float inverse) const;
@@ -37,7 +37,7 @@ class PlaceCost {
         const CoarseView& view;
         Eigen::Matrix3f R;
         Eigen::Vector3f center;            ///< in camera space
-        Eigen::Matrix<float, 5, 3> frame;  ///< times a point: all positive inside the photo
+        Eigen::Matrix<float, 5, 3> frame;  ///< its product with a point is all positive inside the photo
     };
     std::vector<SweptView> views_;
     std::vector<Eigen::Vector3f> eyes_;  ///< relative to the center

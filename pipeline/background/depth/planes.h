@@ -13,11 +13,11 @@ namespace vantage {
 
 /// Points p with normal . p = height, relative to the origin.
 struct Plane {
-    Eigen::Vector3d normal;  ///< unit length; downward for a ground
+    Eigen::Vector3d normal;  ///< unit length; points down for the ground
     double height;
 };
 
-/// The inverse distance from a center at which a direction meets the plane; 0 if it does not.
+/// The inverse of the distance from a center at which a direction meets the plane; 0 if it does not.
 inline float inverse_distance(const Plane& plane, const Eigen::Vector3d& center,
                               const Eigen::Vector3f& direction) {
     const double w = plane.normal.dot(direction.cast<double>()) / (plane.height - plane.normal.dot(center));
@@ -28,20 +28,20 @@ inline float inverse_distance(const Plane& plane, const Eigen::Vector3d& center,
 struct MeshPlanes {
     std::vector<Plane> largest;           ///< at most three, each with at least 4 % of the surface
     std::optional<Eigen::Vector3d> down;  ///< unit length; empty if the mesh has too few walls and floors
-    std::optional<Plane> floor;           ///< the largest below all cameras
+    std::optional<Plane> floor;           ///< the largest level plane below all cameras
 };
-/// By RANSAC (Fischler and Bolles 1981); with `down`, the floor is level. Deterministic.
+/// Finds planes by RANSAC (Fischler and Bolles 1981); with `down`, the floor is level. Deterministic.
 MeshPlanes mesh_planes(std::span<const SurfaceDisc> discs, std::span<const CoarseView> views);
 
 /// The height of the lowest camera, measured downward; -inf without views.
 double lowest_camera(std::span<const CoarseView> views, const Eigen::Vector3d& down);
 
-/// The down direction by the photos alone, and by the mesh with the photos as fallback.
+/// The down direction from the photos alone, and from the mesh with the photos as a fallback.
 Eigen::Vector3d down_direction(std::span<const CoarseView> views);
 Eigen::Vector3d down_direction(std::span<const CoarseView> views, const MeshPlanes& mesh);
 
-/// The plane of the mesh's floor, or else the plane below the cameras on which open texels agree best between
-/// photos; empty if no plane stands out.
+/// The plane of the mesh's floor, or else the plane below the cameras on which the photos' open texels agree
+/// best; empty if no plane stands out.
 std::optional<Plane> find_ground(std::span<const CoarseView> views, const MeshPlanes& mesh);
 
 /// The planes on which background may lie.

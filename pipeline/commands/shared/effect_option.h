@@ -11,7 +11,7 @@ namespace vantage {
 /// Adds --effect. The texts, such as "exposure=off", are arguments of choose_effects().
 void add_effects(const Command& command, std::vector<std::string>& texts);
 
-/// Applies "NAME=on|off|auto" to `choices`. Throws Error(usage) for malformed texts and unknown effects.
+/// Applies "NAME=on|off|auto" to `choices`. Throws Error(usage) for malformed strings and unknown effects.
 void choose_effects(const std::vector<std::string>& texts, std::map<Effect, EffectChoice>& choices);
 
 }  // namespace vantage

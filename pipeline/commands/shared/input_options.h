@@ -8,7 +8,8 @@
 
 namespace vantage {
 
-/// The location of an input on the command line; point clouds and image sets are in PrepareSettings.
+/// The location of an input, as given on the command line; point clouds and image sets are in
+/// PrepareSettings.
 struct InputOptions {
     std::string input, mesh, cameras, photos;
 };
@@ -26,7 +27,7 @@ FoundInput find_input(const InputOptions& options, const PrepareSettings& settin
 /// Whether INPUT is a scene file. Throws Error(usage) if parts of the input are given as well.
 bool is_scene_of_objects(const InputOptions& options, const PrepareSettings& settings);
 
-/// Replaces the options by those of an object in a scene file.
+/// Replaces the options with those of an object in a scene file.
 void take_input(const SceneObject::Input& input, InputOptions& options, PrepareSettings& settings);
 
 }  // namespace vantage

@@ -40,7 +40,7 @@ std::string beginning(const fs::path& file) {
 
 using Texts = std::initializer_list<std::string_view>;
 
-/// Whether the beginning of a file contains a text of each list.
+/// Whether the beginning of a file contains a string from each list.
 bool begins_with(const fs::path& file, std::initializer_list<Texts> lists) {
     const std::string begin = beginning(file);
     return std::ranges::all_of(lists, [&](const Texts& texts) {

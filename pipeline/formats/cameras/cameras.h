@@ -31,13 +31,13 @@ struct CameraSet {
         std::string photo;  ///< name in the file, folders included
         Camera camera;
         Unit unit = Unit::pixels;
-        std::string group = {};  ///< of photos in the file, possibly their folder; empty: none
+        std::string group = {};  ///< a group of photos in the file, possibly their folder; empty: none
     };
     std::string format;  ///< display name: "COLMAP text", "Bundler", ...
     std::vector<Entry> entries;
     std::vector<std::string> warnings;
-    /// The file's own transform from its frame to the mesh's, already applied to `entries` (that of the
-    /// first, if they differ).
+    /// The file's own transform from its frame to the mesh's, already applied to `entries` (that of the first
+    /// entry, if they differ).
     Similarity transform{};
 };
 
@@ -48,7 +48,7 @@ struct CameraFormat {
     std::vector<const char*> files;  ///< names of the files in the folder; empty if the format is one file
     bool (*matches)(const std::filesystem::path& path);  ///< whether the path has this format, by its content
     CameraSet (*read)(const std::filesystem::path& path);  ///< for a path that matches
-    /// Other files that read() reads; null if there are none.
+    /// Further files that read() reads; null if there are none.
     std::vector<std::filesystem::path> (*companions)(const std::filesystem::path& path) = nullptr;
     bool one_per_photo = false;  ///< one file per photo: the folder is read
 };
@@ -81,14 +81,14 @@ CameraSet read_meshlab(const std::filesystem::path& file);
 CameraSet read_metashape(const std::filesystem::path& file);
 /// The XMP sidecars of RealityCapture and RealityScan in a folder.
 CameraSet read_realitycapture_xmp(const std::filesystem::path& folder);
-/// A list of cameras with user-selected columns; the angles omega, phi and kappa are refused, because their
+/// A list of cameras with user-selected columns; the angles omega, phi and kappa are rejected, because their
 /// meaning differs between versions.
 CameraSet read_realitycapture_csv(const std::filesystem::path& file);
 /// The JSON .sfm files of Meshroom and AliceVision.
 CameraSet read_meshroom(const std::filesystem::path& file);
 /// sfm_data.json.
 CameraSet read_openmvg(const std::filesystem::path& file);
-/// reconstruction.json of OpenSfM and OpenDroneMap; of several reconstructions, the largest.
+/// reconstruction.json of OpenSfM and OpenDroneMap; if it holds several reconstructions, the largest.
 CameraSet read_opensfm(const std::filesystem::path& file);
 /// transforms.json of nerfstudio and instant-ngp.
 CameraSet read_transforms(const std::filesystem::path& file);

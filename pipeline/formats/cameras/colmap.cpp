@@ -97,7 +97,7 @@ class Bytes {
     std::size_t at_ = 0;
 };
 
-/// A camera of the list, or the reason that it is unusable.
+/// A camera in the list, or the reason that it is unusable.
 struct ListedCamera {
     Camera camera;
     std::string flaw{};

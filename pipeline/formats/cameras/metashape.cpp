@@ -212,7 +212,7 @@ class Chunk {
     const XmlFile& file_;
     pugi::xml_node chunk_;
     std::map<std::string, pugi::xml_node> sensors_;
-    std::map<std::string, Sensor> read_;  ///< those of posed cameras
+    std::map<std::string, Sensor> read_;  ///< the sensors of posed cameras
     std::map<std::string, Similarity> components_;
     Similarity own_, first_;
     std::vector<CameraSet::Entry> entries_;

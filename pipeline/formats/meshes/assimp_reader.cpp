@@ -73,7 +73,7 @@ class Joiner {
         for (const unsigned m : std::span(node.mMeshes, node.mNumMeshes)) add_mesh(*scene_.mMeshes[m], here);
         for (const aiNode* child : std::span(node.mChildren, node.mNumChildren)) add(*child, here);
     }
-    /// After the last node.
+    /// To be called after the last node.
     AssimpMesh result() {
         if (next_ != nodes_.size()) throw std::runtime_error("nodes are missing");
         Mesh& mesh = out_.mesh;
@@ -166,7 +166,7 @@ void keep_importers_of(const std::string& extension, Assimp::Importer& importer)
             importer.UnregisterLoader(importer.GetImporter(i));
 }
 
-/// A message of assimp in one line.
+/// A message from assimp on one line.
 std::string one_line(std::string text) {
     std::ranges::replace_if(
         text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');

@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// The contents of a glTF 2.0 file's JSON except its meshes.
+/// The JSON contents of a glTF 2.0 file, except its meshes.
 struct Gltf {
     std::vector<std::filesystem::path> buffers;  ///< its external buffers
     /// Transforms of the nodes of its scene, each relative to its parent, in double precision: parents before
@@ -14,12 +14,12 @@ struct Gltf {
     std::vector<Eigen::Affine3d> nodes;
 };
 
-/// Reads the JSON of a .gltf, or that in a .glb. Throws Error(input): not glTF 2.0; a buffer that is missing,
-/// or outside the file's folder; an extension on which the geometry depends and that assimp does not know; a
-/// node with two parents.
+/// Reads the JSON of a .gltf, or that in a .glb. Throws Error(input) if the file is not glTF 2.0, if a buffer
+/// is missing or outside the file's folder, if the geometry depends on an extension that assimp does not
+/// know, or if a node has two parents.
 Gltf read_gltf(const std::filesystem::path& file);
 
-/// The file that a glTF in `folder` refers to: by the name as written, or else with percent-encoding (%20)
+/// The file that a glTF in `folder` refers to: under the name as written, or else with percent-encoding (%20)
 /// decoded.
 std::filesystem::path gltf_file(const std::filesystem::path& folder, std::string_view uri);
 

@@ -7,7 +7,7 @@
 namespace vantage {
 
 struct ProcessLimits {
-    std::uint64_t bytes;  ///< memory on top of what this process uses
+    std::uint64_t bytes;  ///< memory in addition to that of this process
     unsigned seconds;     ///< CPU time
 };
 

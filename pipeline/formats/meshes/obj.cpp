@@ -52,7 +52,7 @@ struct Library {
 /// A mesh and its materials by name.
 struct ObjMesh {
     Mesh mesh;
-    std::vector<std::uint32_t> of_triangle;  ///< index of its name; beyond the last: no material
+    std::vector<std::uint32_t> of_triangle;  ///< index of its material's name; beyond the last: none
     std::vector<std::string> names;          ///< in the order of their first use
     std::vector<Library> libraries;
 };
@@ -183,7 +183,7 @@ class ObjReader {
     std::vector<Library> libraries_;
 };
 
-/// The only file in a folder whose name differs at most in capitals; empty if there is none, or several.
+/// The only file in a folder whose name differs at most in case; empty if there is none or more than one.
 fs::path file_called(const fs::path& folder, const fs::path& name) {
     std::vector<fs::path> found = files_called(folder, name.string());
     std::erase_if(found, [](const fs::path& file) {
@@ -206,7 +206,7 @@ std::vector<fs::path> places_of(const fs::path& folder, std::string name) {
     return out;
 }
 
-/// The existing file of a library's name, possibly with different capitals. Empty if there is none.
+/// The existing file of a library's name, possibly in different case. Empty if there is none.
 fs::path library_file(const fs::path& folder, const std::string& name) {
     std::error_code error;
     const std::vector<fs::path> places = places_of(folder, name);
@@ -229,7 +229,8 @@ std::vector<std::string> readings(std::string text) {
     return out;
 }
 
-/// The files of one `mtllib`: one whose name has spaces, or several. Missing files are added to `missing`.
+/// The files that an `mtllib` line names: one file whose name contains spaces, or several files. Missing
+/// files are added to `missing`.
 std::vector<fs::path> library_files(const fs::path& folder, const Library& library,
                                     std::vector<std::string>& missing) {
     for (const std::string& name : readings(library.text))

@@ -9,8 +9,8 @@ namespace vantage {
 bool is_binary_off(const std::filesystem::path& file);
 
 /// Reads a text OFF file (Geomview: OFF, COFF, NOFF, CNOFF, STOFF; the keyword is optional) at double
-/// precision: vertices, their normals and colors (by color_bytes(), with alpha if all have it), and polygons,
-/// which become triangle fans. Colors of faces are skipped. Corners that refer to no vertex become
+/// precision: vertices, their normals and colors (see color_bytes(); with alpha if all have it), and
+/// polygons, which become triangle fans. Colors of faces are skipped. Corners that refer to no vertex become
 /// `no_vertex`. Throws Error(input) with the line.
 Mesh read_off(const std::filesystem::path& file);
 

@@ -12,19 +12,19 @@ namespace vantage {
 /// The formats of read_mesh(), for messages.
 inline constexpr const char* mesh_format_names = "PLY, OBJ, STL, OFF, glTF, GLB, FBX";
 
-/// Whether a file of this name has one of these formats.
+/// Whether a file with this name has one of these formats.
 bool is_mesh_file(const std::filesystem::path& file);
 /// Whether it is a glTF, GLB or FBX, whose nodes transform meshes: programs rotate and scale these on export.
 bool has_nodes(const std::filesystem::path& file);
-/// Whether it is a USD file, which read_mesh() refuses.
+/// Whether it is a USD file, which read_mesh() rejects.
 bool is_usd_file(const std::filesystem::path& file);
 
 /// Reads a mesh: PLY, OBJ, text STL and text OFF at double precision, binary STL in single precision, binary
 /// OFF by OpenMesh in single precision without its half-edge structure, so that non-manifold faces are kept,
-/// glTF, GLB and FBX as by read_with_assimp(). Polygons become triangle fans, except in FBX. STL, glTF, GLB
-/// and FBX are welded. Triangles with repeated, missing or non-finite vertices, or coordinates of 1e18 or
-/// more, are dropped and counted in `warnings`; unreferenced vertices are kept, but moved onto another
-/// vertex. Points of a cloud with such coordinates are dropped and counted. Also adds the
+/// glTF, GLB and FBX as described at read_with_assimp(). Polygons become triangle fans, except in FBX. STL,
+/// glTF, GLB and FBX are welded. Triangles with repeated, missing or non-finite vertices, or coordinates of
+/// 1e18 or more, are dropped and counted in `warnings`; unreferenced vertices are kept, but moved onto
+/// another vertex. Points of a cloud with such coordinates are dropped and counted. Also adds the
 /// coordinate_warnings, and the unit that an FBX states, unless it is the meter. Normals have unit length;
 /// missing ones are area-weighted means of the face normals; clouds without normals keep none. Further files
 /// on which the mesh depends go to `companions`: the buffers of a glTF, and the materials of an OBJ, see

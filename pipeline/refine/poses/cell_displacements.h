@@ -14,14 +14,15 @@ namespace vantage {
 struct CellDisplacement {
     Eigen::Vector2d moved;  ///< px of the first photo
     double weight;          ///< number of matches, at most 4
-    bool odd;               ///< as on a checkerboard
+    bool odd;               ///< true for every other cell, as on a checkerboard
     /// Per pose: rotation about the camera's axes times the focal length, translation times focal length over
     /// distance.
     Eigen::Matrix<double, 2, 6> pose_a, pose_b;
-    /// Per lens: a longer focal length, px at half the diagonal; displacement to the right and down from the
-    /// first row to the last, 0 in the middle.
+    /// Per lens: a longer focal length, in px at half the diagonal; a displacement to the right and down from
+    /// the first row to the last, 0 in the middle.
     Eigen::Matrix<double, 2, 3> lens_a, lens_b;
-    /// Of all cameras together: a SmallMotion divided by `CellDisplacements::frame_unit`.
+    /// With respect to a common motion of all cameras: a SmallMotion divided by
+    /// `CellDisplacements::frame_unit`.
     Eigen::Matrix<double, 2, 7> frame = Eigen::Matrix<double, 2, 7>::Zero();
     Eigen::Matrix<double, 2, 7> seen =
         Eigen::Matrix<double, 2, 7>::Zero();  ///< motion of the surface in the first photo due to that motion

@@ -21,12 +21,12 @@ struct MatchView {
     cv::Mat depth;  ///< f32, linear z; +inf if the photo does not see the model
 };
 
-/// Reads the finest level that has depth and at most `long_side` pixels on its longer side, or the coarsest.
-/// Throws Error(damaged).
+/// Reads the finest level that has depth and at most `long_side` pixels on its longer side, or the coarsest
+/// level if there is none. Throws Error(damaged).
 MatchView read_match_view(const PackageReader& package, const package::PhotoRecord& record,
                           std::uint32_t photo, int long_side);
 
-/// Views of a package's photos at the requested sizes, cached for all rounds of matching, some 50 MB at each
+/// Views of a package's photos at the requested sizes, cached for all rounds of matching, about 50 MB at each
 /// size: 12 of 1600 px, 48 of 800 px. Thread-safe.
 class MatchViews {
   public:

@@ -15,7 +15,7 @@ struct MatchSettings {
     int long_side;  ///< of the reduced photos, px
     int corners;    ///< maximum per photo
     unsigned threads;
-    OnProgress progress{};  ///< per photo; may be empty
+    OnProgress progress{};  ///< called per photo; may be empty
 };
 
 /// Result of match_pairs: pairs in the given order, and the tracks of all photos.
@@ -29,7 +29,7 @@ struct Matching {
 Matching match_pairs(const MatchViews& views, std::span<const package::PhotoRecord> photos,
                      std::span<const Pose> poses, std::span<const PhotoPair> pairs, const MatchSettings& how);
 
-/// Whether the pair has at least 20 matches and does not contradict.
+/// Whether the pair has at least 20 matches and contradicts() is false for it.
 bool trusted(const package::PairRecord& pair);
 /// Whether at least 20 corners were compared and fewer than a quarter matched: the photos do not show the
 /// same surface.

@@ -109,8 +109,8 @@ Candidate candidate(const PoseRounds& rounds, const Folds& folds, PoseSolution s
 /// kept; a pose fitted to the others, with the candidate and without, shows the quality for a viewer.
 enum class Own { given, fitted };
 
-/// The validation of a candidate against `before` (null: the given poses), by held-out photos that do not
-/// influence the others' poses and gains.
+/// Validates a candidate against `before` (null: the given poses) on held-out photos that do not influence
+/// the others' poses and gains.
 Judgment validate(const PoseRounds& rounds, const Folds& folds, std::span<const PhotoColors> gains,
                   const Candidate* before, const Candidate& after, Own own) {
     std::vector<ValidatedPhoto> photos(folds.all().size());
@@ -171,8 +171,8 @@ class PoseChoice {
     PoseChoice(const PoseRefinementInput& in, const CellDisplacements& cells, PoseRefinement& out)
         : out_(out), judge_(in.validate && !out.decision.forced), in_(in), cells_(cells) {}
 
-    /// Whether the displacements of the pairs' cells permit a useful fit of these photos (none: of all); else
-    /// records the reason.
+    /// Whether the displacements of the pairs' cells permit a useful fit of these photos (none listed: all
+    /// photos); else records the reason.
     bool may_help(std::span<const std::uint32_t> photos, const std::string& of) {
         constexpr double hopeless = 0.85;
         const LeftByPoses left = left_by_poses(in_, cells_, photos);

@@ -56,8 +56,8 @@ void add_track(ceres::Problem& problem, std::span<const FittedCamera> cameras, c
     for (const Match& m : track.matches) add(m.photo, m.pixel);
 }
 
-/// The track without matches that have no finite residual under `poses`. No matches are left if its own photo
-/// has none.
+/// The track without matches that have no finite residual under `poses`. All matches are dropped if the
+/// residual in the track's own photo or the track's normal is not finite.
 Track usable(const Track& track, std::span<const FittedCamera> cameras, std::span<const Pose> poses) {
     Track out = track;
     const auto finite = [&](std::uint32_t photo, const Eigen::Vector2d& pixel) {

@@ -23,7 +23,7 @@ struct PoseRefinementInput {
     double border_width = 0;                      ///< as in SceneRecord
     unsigned threads = 0;
     bool validate = true;   ///< whether held-out photos must confirm that cameras move
-    OnProgress progress{};  ///< of each round of matching; may be empty
+    OnProgress progress{};  ///< called in each round of matching; may be empty
 };
 
 /// The refined pose of one photo's camera.

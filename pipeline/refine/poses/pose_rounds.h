@@ -13,11 +13,11 @@ namespace vantage {
 struct PoseSolution {
     std::vector<PhotoPoseRefinement> photos;
     std::vector<Pose> poses;            ///< of all photos, including those not moved
-    std::vector<FittedCamera> cameras;  ///< `fixed` are those that were not moved
+    std::vector<FittedCamera> cameras;  ///< those that were not moved are `fixed`
     Matching matched;                   ///< under these poses
     double before = 0, after = 0;       ///< median displacement of held-out corners, px
     double sigma = 1;                   ///< of the anchor in the fit of the poses, px
-    /// Common motion of all cameras that was removed, px, median; 0 if some cameras were fixed from the
+    /// Common motion of all cameras that was removed, median in px; 0 if some cameras were fixed from the
     /// start.
     double common_motion = 0;
 };
@@ -36,16 +36,17 @@ class PoseRounds {
     /// without pairs disagreeing. The frame belongs to the survey, so this motion is removed. Throws
     /// Error(damaged).
     PoseSolution fit_all() const;
-    /// The given poses moved together; `uncertainty`: of that motion, px. Throws Error(damaged).
+    /// The given poses, all moved by `common`; `uncertainty`: standard error of that motion, px. Throws
+    /// Error(damaged).
     PoseSolution moved_together(const Similarity& common, double uncertainty) const;
 
-    /// The solution's poses, fitted to the same matches, with the same anchor, except those of one photo.
+    /// The solution's poses, fitted again with the same anchor to the same matches except those of one photo.
     std::vector<Pose> poses_without(const PoseSolution& solution, std::uint32_t photo) const;
     /// The solution's poses, with those of a few cameras changed by the difference that the photo's matches
     /// make in a fit to the others, which are fixed. Empty if the photo has no match with any of them.
     std::vector<Pose> poses_without(const PoseSolution& solution, std::uint32_t photo,
                                     std::span<const std::uint32_t> fitted) const;
-    /// A photo's pose fitted to its matches with the others, which are fixed: matches found under the given
+    /// A photo's pose fitted to its matches with the others, which are fixed: those found under the given
     /// poses (null) or under a solution's. The pose in `poses` if there are no matches.
     Pose resection(const PoseSolution* solution, std::span<const Pose> poses, std::uint32_t photo) const;
     const std::vector<Pose>& given() const { return given_; }

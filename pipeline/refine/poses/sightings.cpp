@@ -63,7 +63,7 @@ Corners corners_at(const CoarsePhoto& photo, float x, float y) {
     return {{&grid(x0, y0), &grid(x1, y0), &grid(x0, y1), &grid(x1, y1)}, x - 0.5f - left, y - 0.5f - top};
 }
 
-/// As seen() in blend.frag.
+/// Like seen() in blend.frag.
 float visibility(const Projector& p, const Corners& c, const Vector3f& at, const Vector3f& normal) {
     const float cosine = std::max(std::abs(normal.dot(at)) / at.norm(), shader::least_cosine),
                 slack = std::max(shader::depth_slack * at.z(), at.z() / std::min(p.fx, p.fy) / cosine);

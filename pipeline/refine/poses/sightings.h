@@ -11,11 +11,11 @@ namespace vantage {
 struct Sighting {
     std::uint32_t photo;  ///< index in the scene
     float root[3];        ///< square roots of linear light, as exposed
-    float smooth[3];      ///< the same of CoarsePhoto's `smooth`
+    float smooth[3];      ///< the same for CoarsePhoto's `smooth`
     float theta;          ///< radians, between the rays from the surface to the viewer and to the photo
     float weight;         ///< blending weight of the lumigraph, without transient masking
     float x, y;           ///< position in the other photo, texels
-    float radius2;        ///< square of vignetting_radius there
+    float radius2;        ///< squared vignetting_radius at that position
 };
 
 /// The sightings of every pixel of a view, pixel by pixel.
@@ -31,7 +31,7 @@ struct Sightings {
 struct OtherPhoto {
     std::uint32_t index;
     const CoarsePhoto* photo;
-    Pose pose;  ///< with which it is projected; its depth remains that under the pose in `photo`
+    Pose pose;  ///< with which it is projected; its depth was rendered from the pose in `photo`
 };
 
 /// Projects the surface visible in `target` into the others, as shaders/blend.frag does with coordinates per

@@ -33,8 +33,8 @@ class SurfaceChart {
 
     const std::vector<Track>& tracks() const { return tracks_; }
     /// Tracks the corners in another photo (pyramidal Lucas and Kanade 1981) and adds the matches to their
-    /// tracks. A match returns to within 0.75 px when tracked back, correlates by at least 0.75, and lies on
-    /// a smooth surface. Returns the number of corners that could be compared.
+    /// tracks. A match must return to within 0.75 px when tracked back, have a correlation of at least 0.75,
+    /// and lie on a smooth surface. Returns the number of corners that could be compared.
     std::size_t match(const MatchView& other, const Pose& other_pose, std::uint32_t other_photo);
 
   private:
@@ -46,7 +46,7 @@ class SurfaceChart {
     const MatchView& view_;
     Pose pose_;
     cv::Mat gray_;
-    std::vector<cv::Mat> pyramid_;  ///< of it
+    std::vector<cv::Mat> pyramid_;  ///< of `gray_`
     std::vector<cv::Point2f> corners_;
     std::vector<Track> tracks_;
 };

@@ -23,7 +23,8 @@ constexpr std::size_t max_suspects = 12;
 
 double longer_side(const package::PhotoRecord& p) { return double(std::max(p.width, p.height)); }
 
-/// Whether the pair contradicts, or is displaced farther than by inexact cameras.
+/// Whether the photos of the pair contradict each other, or are displaced by more than inexact cameras
+/// explain.
 bool is_bad(const PoseRefinementInput& in, const PairRecord& p) {
     return contradicts(p) || (trusted(p) && double(p.median) > near * longer_side(in.photos[p.a]));
 }
@@ -31,7 +32,7 @@ bool is_bad(const PoseRefinementInput& in, const PairRecord& p) {
 struct Counts {
     std::size_t all = 0, bad = 0, contradicting = 0;
 };
-/// Counts each photo's pairs, without those with photos to `ignore`.
+/// Counts each photo's pairs, except those with photos to `ignore`.
 std::vector<Counts> count_pairs(const PoseRefinementInput& in, std::span<const PairRecord> pairs,
                                 const std::vector<bool>& ignore) {
     std::vector<Counts> out(in.photos.size());

@@ -12,7 +12,7 @@ namespace vantage {
 /// An error of a lens that poses would hide.
 struct LensError {
     std::vector<std::uint32_t> photos;  ///< taken with it
-    double focal = 0;                   ///< true over given focal length, minus 1; 0: no error found
+    double focal = 0;                   ///< ratio of true to given focal length, minus 1; 0: no error found
     Eigen::Vector2d rows{0, 0};  ///< px to the right and down, from the first row to the last; 0: none found
     std::string words{};         ///< empty: no error found
 };
@@ -31,8 +31,8 @@ struct SystematicErrors {
 /// to the displacements of the pairs' cells. An error is found if its displacement is at least three times
 /// its standard error (jackknife over photos) and at least 1 px (a lens), or 0.5 px between photos (all
 /// cameras); if it reduces the displacement of held-out cells; and, for lenses, if poses alone do not explain
-/// them better. A displaced mesh appears as a motion of all cameras; other errors of the mesh cannot be
-/// explained by few parameters.
+/// the displacements better. A displaced mesh appears as a motion of all cameras; other errors of the mesh
+/// cannot be explained by few parameters.
 SystematicErrors systematic_errors(const PoseRefinementInput& in, const CellDisplacements& cells);
 
 /// The displacement of cells if the cameras of `photos` move individually: the median without the motions and

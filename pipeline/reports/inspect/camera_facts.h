@@ -29,7 +29,7 @@ struct LensFacts {
 struct CameraFacts {
     std::size_t cameras = 0;        ///< in the files
     Eigen::AlignedBox3d centers;    ///< box of the cameras' positions in input units
-    std::vector<LensFacts> lenses;  ///< those of most cameras first
+    std::vector<LensFacts> lenses;  ///< those with the most cameras first
 };
 
 /// Ignores numbers that are not finite, and focal lengths that are not positive.
@@ -38,9 +38,9 @@ CameraFacts camera_facts(std::span<const CameraSet::Entry> cameras);
 /// "px", "photo width" or "longer side".
 const char* name(CameraSet::Unit unit);
 
-/// The angle in degrees that a camera sees between the left and the right edge of its frame (`axis` 0), or
-/// the upper and the lower (1), through its principal point and its lens. If the lens's valid range ends
-/// inside the frame, so does the angle. NaN without the frame's size.
+/// The angle of view in degrees, including the lens: between the left and right edges of the frame (`axis` 0)
+/// or the top and bottom edges (1), along the line through the principal point. If the lens's valid range
+/// ends inside the frame, so does the angle. NaN without the frame's size.
 double field_of_view(const Camera& camera, int axis);
 
 }  // namespace vantage

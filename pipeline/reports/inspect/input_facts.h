@@ -29,7 +29,7 @@ struct InputFacts {
     std::optional<PhotoFacts> photos{};
     std::vector<std::string> warnings{};
 
-    /// Only if the scene can be read.
+    /// Present only if the scene can be read.
     struct Scene {
         struct ImageSet {
             std::string name;
@@ -42,7 +42,7 @@ struct InputFacts {
     std::optional<Scene> scene{};
     std::vector<UnusablePhoto> skipped{};  ///< without a scene: photos that cannot be read
 
-    /// Only if the scene can be prepared, or is misplaced.
+    /// Present only if the scene can be prepared, or is misplaced.
     struct Plan {
         std::vector<std::string> not_seeing;  ///< names of photos that do not see the mesh
         std::vector<EffectDecision> effects;  ///< those that depend on all photos are undecided
@@ -57,8 +57,8 @@ struct InputFacts {
 };
 
 /// Inspects an input without preparing it: reads the mesh, the cameras and the photos' headers, and writes
-/// nothing. `settings` are those of a preparation that began at `start`, whose package would be `out`. Errors
-/// of the input are part of the result.
+/// nothing. `settings` are those of a preparation that began at `start` and would write the package `out`.
+/// Errors of the input are part of the result.
 InputFacts input_facts(const FoundInput& found, const PrepareSettings& settings,
                        const std::filesystem::path& out, std::chrono::steady_clock::time_point start);
 

@@ -20,7 +20,7 @@ struct PhotoGroup {
 
 /// The photos in a folder, whether they have a camera or not.
 struct PhotoFacts {
-    std::vector<PhotoGroup> groups;  ///< those of most photos first
+    std::vector<PhotoGroup> groups;  ///< those with the most photos first
     std::vector<UnusablePhoto> unreadable;
     std::size_t masks = 0;  ///< number of photos with a mask
 

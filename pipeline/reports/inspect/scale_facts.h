@@ -22,7 +22,7 @@ struct ScaleFacts {
 /// it.
 std::optional<ScaleFacts> scale_facts(const SceneInput& scene, double diagonal);
 
-/// Units ("m", "cm", "mm") in which `distance` is typical of photos: 0.1 to 500 m.
+/// Units ("m", "cm", "mm") in which `distance` is a typical distance of photos: 0.1 to 500 m.
 std::vector<std::string> plausible_units(double distance);
 
 }  // namespace vantage

@@ -20,8 +20,9 @@ extern const std::array<WeightColor, 6> weight_colors;
 double best_density(std::span<const package::PhotoRecord> photos);
 
 /// A photo's weight maps at a level of at most `longest` texels: white for full weight, otherwise the color
-/// of the weight map that lowers it most, deeper for lower weights. A photo counts as far in proportion to
-/// its density below `best`. 1x1 and gray if the photo has no weight maps. Throws Error(damaged).
+/// of the weight map that lowers it most, deeper for lower weights. A photo counts as distant in proportion
+/// to how far its density is below `best`. 1x1 and gray if the photo has no weight maps. Throws
+/// Error(damaged).
 RgbaImage weight_picture(const PackageReader& package, std::uint32_t photo, double best, int longest);
 
 }  // namespace vantage

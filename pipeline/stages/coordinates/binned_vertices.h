@@ -27,7 +27,7 @@ struct BinnedVertices {
     /// last has at most `lanes` blocks.
     std::vector<VertexBlocks> levels;
 
-    /// After vertices of block `block` of levels[0] were hidden.
+    /// To be called after vertices of block `block` of levels[0] were hidden.
     void update_depth(std::size_t block);
 };
 

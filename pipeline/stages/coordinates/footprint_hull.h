@@ -13,7 +13,7 @@ struct FootprintHull {
     Eigen::Vector3d direction;
     double area = 0;
 };
-/// `coordinates`: as from vertex_coordinates.
+/// `coordinates`: as returned by vertex_coordinates().
 FootprintHull footprint_hull(const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& intrinsics,
                              const Pose& cam_from_origin);
 

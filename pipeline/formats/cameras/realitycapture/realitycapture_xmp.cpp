@@ -78,7 +78,7 @@ std::optional<CameraSet::Entry> read_sidecar(const XmlFile& file, pugi::xml_node
     entry.camera.lens = *lens;
     Eigen::Matrix3d R;
     for (int i = 0; i < 9; ++i) R(i / 3, i % 3) = r[std::size_t(i)];
-    R = nearest_orthogonal(R);  // that of a prior may not be orthogonal
+    R = nearest_orthogonal(R);  // the rotation of a prior may not be orthogonal
     entry.camera.cam_from_world = {R, -R * Eigen::Vector3d(c[0], c[1], c[2])};
     return entry;
 }
