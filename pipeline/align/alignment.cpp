@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 using Points = std::vector<FeaturePoint>;
 
 constexpr std::size_t least_points = 200, starts = 24;
-constexpr std::size_t quick_points = 600;  ///< for the trial fits; the final fit uses all
+constexpr std::size_t quick_points = 600;  ///< points in the trial fits; the final fit uses all
 /// Minimum agreement relative to that of the cameras alone, and to the next best alignment's. A wall shifted
 /// along its own plane agrees almost as well: only its relief distinguishes the two.
 constexpr double least_share = 0.5, clearly = 1.05;

@@ -11,7 +11,7 @@ namespace vantage {
 struct Alignment {
     Similarity mesh_from_cameras;
     std::size_t features;  ///< shared features that agree with the cameras
-    std::size_t on_mesh;   ///< those whose rays hit the mesh
+    std::size_t on_mesh;   ///< features whose rays hit the mesh
     double agreement;      ///< see ConventionTrial
     double median;         ///< median error of the features on the mesh, px
     double next;           ///< agreement of the next best alignment with a different pose

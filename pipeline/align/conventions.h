@@ -25,11 +25,11 @@ void apply_conventions(SceneInput& scene, const std::string& names);
 
 /// The agreement of the photos under one convention.
 struct ConventionTrial {
-    std::string names;     ///< as apply_conventions() takes them
+    std::string names;     ///< in the form that apply_conventions() takes
     std::size_t features;  ///< number of shared features tested
-    std::size_t defined;   ///< those with a defined error: the ray hits the mesh
+    std::size_t defined;   ///< features with a defined error: their rays hit the mesh
     double agreement;      ///< mean over all features of 1 / (1 + (error / 0.1 %)^2): 0 to 1
-    double median;         ///< of the defined errors, a fraction of the photo's longer side
+    double median;         ///< median defined error, as a fraction of the photo's longer side
 };
 
 /// `errors`: see feature_errors.h.
@@ -43,7 +43,7 @@ struct ConventionTrials {
     std::size_t chosen_of_mesh = 0;  ///< in `mesh`
     bool misfit = false;       ///< cameras and photos agree, but no convention makes the mesh agree with them
     std::size_t shared = 0;    ///< number of features tested
-    std::size_t agreeing = 0;  ///< those near their epipolar lines under `chosen`
+    std::size_t agreeing = 0;  ///< features near their epipolar lines under `chosen`
     double expected = 1;       ///< the largest expected median of `mesh`, from the accuracy of the features
     std::string not_validated;  ///< the reason that `mesh` is empty; else empty
 };

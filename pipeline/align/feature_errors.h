@@ -22,7 +22,7 @@ std::vector<SharedFeature> agreeing_features(std::span<const SharedFeature> feat
                                              std::span<const Camera> cameras, double most);
 
 /// The features with measurable parallax: in photo b, they are at least `least`, a fraction of its longer
-/// side, from the image of photo a's ray at infinity. Others agree with a mesh at any distance.
+/// side, from the image of photo a's ray at infinity. Other features agree with a mesh at any distance.
 std::vector<SharedFeature> features_with_parallax(std::span<const SharedFeature> features,
                                                   std::span<const Camera> cameras, double least);
 

@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-constexpr float ratio = 0.8f;      ///< to the second best match
+constexpr float ratio = 0.8f;      ///< largest ratio to the second best match
 constexpr double contrast = 0.02;  ///< half of OpenCV's default: stone and plaster have little texture
 
 cv::Ptr<cv::SIFT> detector(int features) { return cv::SIFT::create(features, 3, contrast); }

@@ -16,7 +16,7 @@ struct SharedFeature {
 
 /// Settings of feature detection.
 struct FeatureSettings {
-    int long_side = 480;   ///< of the reduced photos, px
+    int long_side = 480;   ///< longer side of the reduced photos, px
     int features = 1000;   ///< per photo, at most
     unsigned threads = 0;  ///< 0: all cores
 };

@@ -20,7 +20,7 @@ constexpr std::size_t rotations = 600, used_points = 200;
 constexpr double scales[] = {0.5, 0.7, 1, 1.4, 2};  ///< relative to the ratio of sizes
 constexpr double overlap = 0.7;                     ///< fraction of the points assumed to be on the mesh
 constexpr int iterations[] = {8, 20, 40};           ///< of ICP, each on the best fifth of the previous starts
-constexpr int cells = 48;                           ///< of the grid along its longest side
+constexpr int cells = 48;                           ///< cells of the grid along its longest side
 
 /// The i-th of n rotations spread evenly (super-Fibonacci spirals; Alexa 2022).
 Eigen::Matrix3d spread_rotation(std::size_t i, std::size_t n) {
@@ -57,7 +57,7 @@ PointSet some_of(std::span<const Vector3d> all, std::size_t count) {
     return out;
 }
 
-/// The centers of triangles, in numbers proportional to their area.
+/// Centers of triangles, sampled in proportion to their area.
 PointSet on_surface(const Mesh& mesh, std::size_t count) {
     std::vector<double> until;
     double area = 0;

@@ -18,7 +18,7 @@ inline constexpr std::size_t max_surrounding_views = max_background_labels;
 
 /// Input of the background estimate. The spans must outlive the call.
 struct BackgroundInput {
-    const PackageReader& package;  ///< with tiles and depth
+    const PackageReader& package;  ///< package with tiles and depth
     std::span<const package::PhotoRecord> photos;
     Samples samples;
     std::span<const SurfaceDisc> discs;

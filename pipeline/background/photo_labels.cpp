@@ -11,14 +11,14 @@ namespace vantage {
 namespace {
 
 constexpr std::uint8_t none = BackdropPaint::none;
-constexpr int cut_level = 5;  ///< of the sphere on which the graph cuts run
+constexpr int cut_level = 5;  ///< level of the sphere on which the graph cuts run
 constexpr int rounds_of_cuts = 2;
 constexpr float invalid = 1e3f;  ///< cost of a view that does not show the point
 // Costs; color differences are in square roots of light.
 constexpr float from_median = 4, most_from_median = 0.4f;
 constexpr float next_to_mesh = 1, mesh_reach = 3.25f;      ///< texels
 constexpr float next_to_frame = 0.5f, frame_reach = 6.5f;  ///< texels
-constexpr float coarser = 0.3f;                            ///< per halving of the resolution
+constexpr float coarser = 0.3f;                            ///< cost per halving of the resolution
 constexpr float not_sky = 0.5f;                            ///< cost if another view shows sky
 constexpr float seam = 0.02f, seam_contrast = 3;
 

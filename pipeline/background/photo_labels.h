@@ -12,7 +12,7 @@ namespace vantage {
 struct BackdropPaint {
     static constexpr std::uint8_t none = 255;
     std::vector<std::uint8_t> view;          ///< index of the view that shows it, or none
-    std::vector<Eigen::Array3f> correction;  ///< of that view's color, to hide seams; square roots of light
+    std::vector<Eigen::Array3f> correction;  ///< of that view's color, hides seams; square roots of light
     std::vector<float> trust;                ///< 0 to 1: falls to 0 in unseen directions
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float brightest = 130;     ///< minimum sRGB code of the brightest channel
 constexpr float steepest = 14;       ///< maximum difference between neighboring texels, codes
-constexpr float far_away = 20;       ///< in units of the cameras' spread
+constexpr float far_away = 20;       ///< distance in units of the cameras' spread
 constexpr double far_share = 0.1;    ///< minimum fraction of a connected region
 constexpr int smallest_part = 30;    ///< texels
 constexpr double least_share = 0.3;  ///< minimum fraction of the open texels above the horizon

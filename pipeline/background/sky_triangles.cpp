@@ -20,7 +20,7 @@ constexpr int picture_side = 768;
 constexpr float least_light = 130;           ///< minimum of the brightest channel
 constexpr float largest_step = 5;            ///< maximum difference between neighboring texels
 constexpr float most_off = 20;               ///< maximum difference from the sky beside the mesh
-constexpr float saturated = 248;             ///< of all channels: the content is unknown
+constexpr float saturated = 248;             ///< minimum of all channels at which the content is unknown
 constexpr int sky_reach = 97;                ///< texels, width of the neighborhood whose sky is compared
 constexpr float least_rise = 0.03f;          ///< sine of the elevation
 constexpr float sure = 0.7f, likely = 0.4f;  ///< fractions of photos
@@ -115,7 +115,7 @@ void vote(const SkyPicture& p, const cv::Mat1b& sky, const std::array<Eigen::Vec
     if (seen > 0) out.all += 1, out.sky += shown / seen;
 }
 
-/// The vertices of these triangles, three for each.
+/// The vertex indices of these triangles, three per triangle.
 std::vector<std::uint32_t> indices_of(std::span<const std::array<std::uint32_t, 3>> triangles,
                                       std::span<const std::uint32_t> numbers) {
     std::vector<std::uint32_t> out;
@@ -130,8 +130,8 @@ std::vector<std::uint32_t> nearest_of(const PhotoProjection& projection,
     return rasterize(projection, indices, no_values).triangles;
 }
 
-/// Keeps triangles with no other part of the mesh behind them in any photo: that part would show the photo's
-/// sky.
+/// Keeps triangles that have no other part of the mesh behind them in any photo, because that part would show
+/// the photo's sky.
 std::vector<std::uint32_t> before_nothing(std::span<const Eigen::Vector3f> positions,
                                           std::span<const std::array<std::uint32_t, 3>> triangles,
                                           std::span<const SkyPicture> pictures,

@@ -47,7 +47,7 @@ struct ColmapModel {
     std::size_t parameters;
     std::array<int, 4> focal_center;  ///< fx fy cx cy
     LensModel lens;
-    std::vector<int> distortion{};  ///< as Lens::p; further coefficients are 0
+    std::vector<int> distortion{};  ///< in the order of Lens::p; further coefficients are 0
 };
 /// In the order of COLMAP's model IDs.
 std::span<const ColmapModel> colmap_models();

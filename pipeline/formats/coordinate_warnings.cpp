@@ -12,9 +12,9 @@
 namespace vantage {
 namespace {
 
-constexpr double least_step = 1e-5;     ///< of the mesh's size: a tenth of a pixel of a photo 10,000 px wide
-constexpr double far_from_zero = 100;   ///< of the mesh's size
-constexpr double share_of_grid = 0.99;  ///< of triangles that span one step
+constexpr double least_step = 1e-5;    ///< relative to the mesh: a tenth of a pixel in a photo 10,000 px wide
+constexpr double far_from_zero = 100;  ///< of the mesh's size
+constexpr double share_of_grid = 0.99;  ///< fraction of triangles that span one step
 
 std::string stray_warning(const Mesh& mesh, const MainBox& box) {
     const auto distance = [&](std::uint32_t v) { return box.distance(mesh.positions[v]); };

@@ -26,8 +26,8 @@ class SkippedCameras {
             warnings.push_back(first + others + ": skipped, " + why);
         }
     }
-    /// Throws NoCamera for a file in which all cameras are skipped. Other reasons are named before a missing
-    /// pose.
+    /// Throws NoCamera for a file in which all cameras are skipped. Other reasons take precedence over a
+    /// missing pose.
     [[noreturn]] void fail(const std::filesystem::path& file) const {
         std::vector<std::string> lines;
         tell(lines);

@@ -53,7 +53,7 @@ fs::path find_mesh(const Files& files, const InputFiles& given) {
     return best;
 }
 
-/// Point clouds other than those given, the largest first.
+/// Point clouds other than the given ones, largest first.
 Files find_clouds(const Files& files, const InputFiles& given) {
     Files found;
     for (const fs::path& f : files)

@@ -46,7 +46,7 @@ std::vector<FormatFiles> files_by_format(const Files& files) {
     return out;
 }
 
-/// The deepest folder that contains both.
+/// The deepest folder that contains both paths.
 fs::path common_folder(const fs::path& a, const fs::path& b) {
     fs::path out;
     for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end() && *i == *j; ++i, ++j) out /= *i;

@@ -51,8 +51,8 @@ class IdentityCache {
     std::filesystem::path cache_;
     bool rehash_;
     mutable std::mutex mutex_;
-    std::map<std::string, FileIdentity> stored_;  ///< by stamp: cached by earlier runs
-    std::map<std::string, FileIdentity> added_;   ///< by stamp: new in this run
+    std::map<std::string, FileIdentity> stored_;  ///< identities by stamp: cached by earlier runs
+    std::map<std::string, FileIdentity> added_;   ///< identities by stamp: new in this run
 };
 
 /// The identity of a photo's mask; all 0 if it has none. Throws Error(input).

@@ -20,7 +20,7 @@ bool is_known_image_set(const std::string& folder);
 
 /// The image sets of some photos.
 struct ImageSetGroups {
-    std::vector<std::string> names;  ///< the default one first; a single one may have no name
+    std::vector<std::string> names;  ///< the default image set first; a single image set may have no name
     std::vector<std::uint32_t> of_photo;
     std::string note{};  ///< the reason that folders similar to image sets are not used as such; may be empty
 };

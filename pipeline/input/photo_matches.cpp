@@ -43,7 +43,7 @@ std::string stem_of(const std::string& name) {
 }
 
 struct Photo {
-    std::vector<std::string> parts;  ///< of the whole path
+    std::vector<std::string> parts;  ///< parts of the whole path
     std::size_t below = 0;           ///< number of them below the photos' folder
 };
 
@@ -97,7 +97,7 @@ class Matches {
     }
     PhotoMatch best(std::size_t name, std::pair<Index::const_iterator, Index::const_iterator> range) const {
         const std::string& photo = cameras_[name].photo;
-        // More equal folders, the exact path, the exact name, the extension, then depth.
+        // The criteria in order: number of equal folders, exact path, exact name, extension, depth.
         using Rank = std::tuple<std::size_t, bool, bool, std::size_t, std::size_t>;
         std::vector<std::pair<Rank, std::size_t>> found;
         for (const auto& [key, i] : std::ranges::subrange(range.first, range.second)) {

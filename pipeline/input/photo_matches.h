@@ -33,7 +33,7 @@ struct PhotoMatch {
     std::filesystem::path file;  ///< empty: none
     bool by_name = false;        ///< the extension also matches the camera's
     std::size_t folders = 0;     ///< number of folders in common with the camera's name or group
-    std::vector<std::filesystem::path> candidates = {};  ///< if there is no file: those that fit equally well
+    std::vector<std::filesystem::path> candidates = {};  ///< if `file` is empty: files that fit equally well
 };
 
 /// Finds the photo of each camera, whose name may have folders, among `photos` in `folder`. Names are

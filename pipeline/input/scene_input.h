@@ -21,7 +21,7 @@ struct PhotoInput {
     PhotoSize decoded{};              ///< in the camera's orientation, before any reduction
     std::filesystem::path mask{};     ///< image, black where the photo must not be shown; empty: none
     bool linear = false;              ///< the file stores linear light
-    ProfileUse profile{};             ///< of its file's ICC profile
+    ProfileUse profile{};             ///< use of the file's ICC profile
     std::vector<StampedFile> read{};  ///< photo and mask, stamped before the photo's header was read
     std::uint32_t image_set = 0;      ///< index in SceneInput::image_sets
     int orientation = 1;              ///< EXIF
@@ -40,7 +40,7 @@ struct InputFiles {
     std::vector<std::filesystem::path>
         more_cameras{};  ///< like `cameras`, each for the photos in its own folder below `photos`
     std::string image_sets = "auto";    ///< see group_image_sets
-    std::optional<Similarity> align{};  ///< from the cameras' frame to the mesh's, if they differ
+    std::optional<Similarity> align{};  ///< transform from the cameras' frame to the mesh's, if they differ
     /// Further files that read_mesh() read for `mesh` and `compared`.
     std::map<std::filesystem::path, std::vector<std::filesystem::path>> companions{};
 };

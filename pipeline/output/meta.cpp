@@ -127,8 +127,8 @@ json findings_json(std::span<const std::string> findings, std::size_t listed) {
     return out;
 }
 
-/// META padded to `bytes`. If the text is longer, findings and evidence are dropped: rendering the package
-/// needs neither.
+/// META padded to `bytes`. If the text is longer, findings and evidence are dropped: neither is needed to
+/// render the package.
 std::string fitted(json meta, std::size_t bytes) {
     std::string out = json_text(meta);
     if (out.size() > bytes) {

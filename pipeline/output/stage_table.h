@@ -27,7 +27,7 @@ struct SceneKey {
     bool undistortion;             ///< the effect is on
     bool compact;                  ///< the effect is on
     std::uint64_t model;           ///< XXH3-64 of geometry and clusters, see model_checksum
-    double reference_density = 1;  ///< of the depth weight
+    double reference_density = 1;  ///< reference density of the depth weight
 };
 
 /// A per-photo stage: a row of the stage table.
@@ -43,7 +43,7 @@ struct StageRow {
     void (*key)(Fingerprint&, const SceneKey&);
     /// Copies the stage's measurements from the record of the run that made them; may be null.
     void (*adopt)(const package::PhotoRecord& from, package::PhotoRecord& to);
-    void (*make)(StageInput& in);        ///< for a stage on the model, else null
+    void (*make)(StageInput& in);        ///< for a stage that uses the model, else null
     void (*make_level)(LevelInput& in);  ///< for other stages: called with each level of the pyramid
 };
 /// In the order of package::Stage.

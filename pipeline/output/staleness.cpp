@@ -191,7 +191,7 @@ void compare_skipped(const json& meta, const fs::path& folder, IdentityCache& id
     }
 }
 
-/// The changes of an input that has no photos, or no longer has any.
+/// The changes to an input that has no photos, or no longer has any.
 Changes without_photos(const PackageReader& package, Changes out) {
     for (const package::PhotoRecord& p : package.photos()) add_missing(p.name, out);
     return out;

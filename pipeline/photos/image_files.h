@@ -17,9 +17,9 @@ struct PhotoSize {
 /// The contents of an image file's header.
 struct PhotoHeader {
     PhotoSize size;        ///< as stored
-    ProfileUse profile{};  ///< of the ICC profile
+    ProfileUse profile{};  ///< use of the ICC profile
     int orientation = 1;   ///< EXIF, 1 to 8
-    bool linear = false;   ///< stores linear light (EXR, Radiance HDR), which reading converts to sRGB
+    bool linear = false;   ///< stores linear light (EXR, Radiance HDR), converted to sRGB on reading
 };
 
 /// Type of a channel's values.

@@ -23,9 +23,9 @@ struct FinishInput {
     std::map<Effect, EffectChoice> choices;
     bool validate = true;  ///< see PrepareSettings
     package::SceneRecord scene;
-    std::vector<std::string> image_sets{""};       ///< names, see ImageSet
-    std::vector<Pose> given;                       ///< relative to the origin; with `known`, records differ
-    std::optional<PoseRefinement> known;           ///< found for an earlier package from the same inputs
+    std::vector<std::string> image_sets{""};  ///< names, see ImageSet
+    std::vector<Pose> given;                  ///< relative to the origin; with `known`, records may differ
+    std::optional<PoseRefinement> known;      ///< found for an earlier package from the same inputs
     std::vector<package::PairRecord> known_pairs;  ///< measured for earlier packages
     unsigned threads = 0;                          ///< 0: all cores
     OnProgress progress;                           ///< may be empty

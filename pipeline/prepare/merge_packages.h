@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// Joins the shards that `prepare` made of one scene (PrepareRun::share) into a package identical, byte for
+/// Joins the shards that `prepare` made from one scene (PrepareRun::share) into a package identical, byte for
 /// byte, to that of a single run. An interrupted merge is resumed. Throws Error(input) unless each shard is
 /// given exactly once and all have the same inputs and settings; Error(damaged) if a shard is damaged.
 void merge(const std::vector<std::filesystem::path>& shares, const std::filesystem::path& out,

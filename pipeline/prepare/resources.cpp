@@ -64,7 +64,8 @@ constexpr double seconds_per_pixel = 17e-9, seconds_per_lens_pixel = 2e-9, secon
 constexpr double seconds_per_jpeg_pixel = 5e-9, seconds_per_other_pixel = 35e-9;
 /// Seconds for writing a package to a disk, which is flushed at the end.
 constexpr double seconds_per_written_byte = 2e-9;
-/// Seconds for comparing photos; validation adds more for the first photos only, because few are held out.
+/// Seconds for comparing photos; validation adds time only for the first photos, because few photos are held
+/// out.
 constexpr double seconds_per_photo = 0.02, seconds_per_validated = 0.02;
 constexpr std::size_t max_validated = 12;
 /// Seconds for the background.

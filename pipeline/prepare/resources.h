@@ -15,8 +15,8 @@ struct ResourceEstimate {
     std::uint64_t disk, disk_free;  ///< bytes
     std::uint64_t memory;           ///< bytes, peak
     unsigned in_flight;             ///< photos processed concurrently
-    double seconds;                 ///< for the whole run, including the time elapsed, without reuse
-    double photo_seconds;           ///< of these, for the photos
+    double seconds;                 ///< time for the whole run, including the elapsed time, without reuse
+    double photo_seconds;           ///< part of this time for the photos
 };
 
 /// "about 4 s, at most 319 MB of memory (2 photos at a time), 161 MB of disk (25186 MB free)"
@@ -72,9 +72,9 @@ struct ExpectedSeconds {
 ExpectedSeconds expected_seconds(const SceneInput& scene, const PrepareSettings& settings,
                                  const package::SceneRecord& model, unsigned in_flight,
                                  std::uint64_t to_disk);
-/// Corrects the speed by the ratio of actual to expected time, for the next estimate. Ignores runs that are
-/// too short, and errors. A single run changes the speed by the square root of its ratio, because the machine
-/// may have been busy.
+/// Corrects the speed by the ratio of actual to expected time, for the next estimate. Ignores errors, and
+/// runs that are too short. A single run changes the speed by the square root of its ratio, because the
+/// machine may have been busy.
 void remember_speed(double expected, double took);
 
 }  // namespace vantage

@@ -19,11 +19,11 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double filled = 0.75;                ///< of the frame's height or width
+constexpr double filled = 0.75;                ///< fraction of the frame's height or width
 constexpr double least_fov = 8, max_fov = 70;  ///< degrees
 constexpr double nearby = 25 * degree;         ///< angle at the model between nearby photos
 constexpr double tolerated_roll = 15 * degree, usual_height = 40 * degree;
-constexpr double usual_distance = 0.5;  ///< of ln(distance / median)
+constexpr double usual_distance = 0.5;  ///< typical deviation of ln(distance / median)
 constexpr int cells = 24;               ///< along the model's longest side, for its roughness
 
 /// The amount of detail at each disc: the variation of its neighbors' normals and colors.
@@ -70,7 +70,7 @@ struct Candidate {
     Pose pose;
     double detail = 0;    ///< amount of detail in the photo
     Vector3d from;        ///< unit direction from the model's center
-    double distance = 0;  ///< to the visible surface
+    double distance = 0;  ///< distance to the visible surface
     double height = 0;    ///< elevation of the camera above the horizon, radians
 };
 

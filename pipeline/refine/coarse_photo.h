@@ -33,7 +33,7 @@ SquareMeans square_means(std::span<const std::array<float, 3>> colors, int width
 struct CoarsePhoto {
     struct Texel {
         float linear[3];  ///< light, as exposed; NaN where the photo has no opaque pixel
-        float smooth[3];  ///< mean of `linear` over the surface around it, 9 x 9 texels; for seams
+        float smooth[3];  ///< mean of `linear` over the surrounding surface, 9 x 9 texels; for seams
         float z;          ///< +inf where the photo does not see the model
         float weight;     ///< the lumigraph's factors for the frame and for borders
     };

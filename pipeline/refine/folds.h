@@ -18,13 +18,13 @@ inline constexpr std::size_t max_others = 8;  ///< maximum number of photos from
 
 /// The photos of Folds. The spans must outlive it.
 struct FoldsInput {
-    const PackageReader& package;                  ///< with tiles, weight maps and depth
+    const PackageReader& package;                  ///< package with tiles, weight maps and depth
     std::span<const package::PhotoRecord> photos;  ///< with their poses
     Samples samples;
     std::span<const SurfaceDisc> discs;  ///< one per sample of a photo
     double border_width = 0;             ///< as in SceneRecord
     unsigned threads = 0;
-    int long_side = 256;         ///< of the levels at which photos are read, texels
+    int long_side = 256;         ///< maximum longer side of the levels at which photos are read, texels
     std::size_t max_folds = 24;  ///< maximum number of photos held out
 };
 
@@ -72,7 +72,7 @@ class Folds {
     SharedSurface shared_;
     std::vector<Fold> folds_;
     LruCache<CoarsePhoto> photos_;
-    mutable std::vector<std::shared_ptr<const Sightings>> kept_;  ///< of the first folds
+    mutable std::vector<std::shared_ptr<const Sightings>> kept_;  ///< sightings of the first folds
 };
 
 }  // namespace vantage

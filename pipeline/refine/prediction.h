@@ -14,7 +14,7 @@ struct Alternative {
     std::span<const std::array<double, 3>> ln_gain{};
     std::span<const std::array<double, 3>> vignetting{};     ///< see ColorFit
     std::span<const Grid<const std::uint8_t>> transients{};  ///< per texel; 255: not contradicted
-    std::array<double, 3> view_vignetting{};                 ///< of the predicted photo's lens
+    std::array<double, 3> view_vignetting{};                 ///< vignetting of the predicted photo's lens
 };
 
 /// A photo predicted from the others.
@@ -37,8 +37,8 @@ cv::Mat own_color(const CoarsePhoto& photo);
 /// The difference of a prediction from the photo, over the scored pixels.
 struct ValidationScore {
     std::size_t pixels = 0;  ///< scored; if 0, the other values are 0
-    double psnr = 0;         ///< dB, after the best gain per channel
-    double ssim = 0;         ///< of luminance, after these gains
+    double psnr = 0;         ///< PSNR in dB, after the best gain per channel
+    double ssim = 0;         ///< SSIM of luminance, after these gains
     double seams = 0;        ///< see predict
 };
 

@@ -23,8 +23,8 @@ std::vector<TransientMap> transient_maps(const TransientViews& uncorrected, cons
                                          const TransientPartners& partners, unsigned threads);
 
 /// Validates transient masks on held-out photos, which influence neither weight maps nor gains.
-/// `uncorrected`: at the folds' levels. `fits`: per fold, the colors fitted without its photo. `gains_on`,
-/// `vignetting_on`: whether to blend with them.
+/// `uncorrected`: at the folds' levels. `fits`: per fold, the colors fitted without the fold's photo.
+/// `gains_on`, `vignetting_on`: whether to blend with them.
 Judgment validate_transients(const Folds& folds, const TransientViews& uncorrected,
                              const TransientPartners& partners, std::span<const PhotoColors> fits,
                              bool gains_on, bool vignetting_on);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double max_loss = 0.75;    ///< dB, of any photo
 constexpr double negligible = 0.01;  ///< dB, of the mean
-constexpr double fewer_seams = 0.9;  ///< of the seams without the effect
+constexpr double fewer_seams = 0.9;  ///< maximum fraction of the seams without the effect
 
 }  // namespace
 

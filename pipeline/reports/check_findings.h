@@ -52,7 +52,7 @@ struct FindingRow {
     Finding finding;
     const char* id;  ///< stable, for scripts: kebab-case
     Severity severity;
-    Exit kind;  ///< of the exit codes: input (unreadable), damaged, stale or incomplete
+    Exit kind;  ///< one of the exit codes input (unreadable), damaged, stale and incomplete
     const char* meaning;
 };
 /// In the order of Finding.

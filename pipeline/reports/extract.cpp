@@ -47,8 +47,8 @@ struct Extraction {
     std::vector<std::string>
         stems;  ///< per photo: its files' name, in a folder of its image set if there are several
 
-    /// The lens of the written photo: none if it is undistorted, on request or because COLMAP has no such
-    /// lens.
+    /// The lens of the written photo: none if the photo is undistorted, on request or because COLMAP has no
+    /// such lens.
     Lens lens(std::uint32_t photo) const {
         const Lens lens = lens_of(reader, photo);
         return undistorted || !has_colmap_model(lens) ? Lens{} : lens;

@@ -38,8 +38,8 @@ struct PrepareSettings {
     std::vector<std::string> points;          ///< files of point clouds to show with the mesh
     std::string image_sets = "auto";          ///< grouping of photos into image sets, see group_image_sets
     std::string convention = "auto";          ///< correction to the cameras, see settle_convention()
-    std::optional<Similarity> align;          ///< from the cameras' frame to the mesh's, if they differ
-    bool vertex_coordinates = false;          ///< stored even if the player does not use them by default
+    std::optional<Similarity> align;          ///< transform from the cameras' frame to the mesh's
+    bool vertex_coordinates = false;          ///< store them even if the player does not use them by default
     std::map<Effect, EffectChoice> effects;
     bool validate = true;  ///< whether effects that depend on all photos are validated with held-out photos
 };

@@ -105,8 +105,8 @@ Measured triangle_size(const SceneInput& scene) {
                               edge)};
 }
 
-/// The spread of focal lengths among photos that are shown together: those of an image set, if there are
-/// several.
+/// The spread of focal lengths among photos that are shown together: the photos of one image set, if there
+/// are several image sets.
 Measured focal_spread(const SceneInput& scene, bool by_image_set) {
     if (scene.photos.empty()) return {0, "the scene has no photos"};
     double least = 1, most = 0;

@@ -101,7 +101,7 @@ class DiscSampler {
         Eigen::Vector3f center, along, across;
         float slack;  ///< tolerance of the depth test, scene units
         std::size_t level;
-        Eigen::Matrix<float, 2, 3> displaced;  ///< by the lens, px: center; change along and across
+        Eigen::Matrix<float, 2, 3> displaced;  ///< lens displacement, px: center; change along and across
     };
     /// Displacement by the lens; NaN beyond its valid range.
     Eigen::Vector2d displacement(const Eigen::Vector3d& p) const {

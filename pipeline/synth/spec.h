@@ -19,18 +19,18 @@ struct SynthSpec {
         double distance = 3;  ///< from the facade
     } object;
     struct Garden {
-        double radius = 0;   ///< of the lawn or meadow; 0: no garden, and a sky without clouds
+        double radius = 0;   ///< radius of the lawn or meadow; 0: no garden, and a sky without clouds
         double hill = 8;     ///< height of the hill at twice the radius; of a chapel's hills, 4 km away
         double railing = 0;  ///< thickness of the bars in front of the upper windows; 0: none
     } garden;                ///< in the photos, but not in the mesh
     struct Glass {
-        double alpha = 0;     ///< of a glass case around the object; 0: none
+        double alpha = 0;     ///< alpha of a glass case around the object; 0: none
         double max_edge = 0;  ///< as for the building
     } glass;                  ///< in the mesh, but not in the photos
     struct Photos {
         int count = 12, width = 1200, height = 900;
         double fov = 55;             ///< horizontal field of view
-        double radius = 13;          ///< of the arc in front of the facade
+        double radius = 13;          ///< radius of the arc in front of the facade
         double arc = 100;            ///< angle of the arc
         double low = 1.7, high = 5;  ///< camera heights, alternating
         int samples = 3;             ///< per pixel, in x and in y

@@ -41,7 +41,7 @@ class GeometryRenderer {
     bool by_opengl() const;  ///< false: on the CPU
     DistanceMethod distance() const { return distance_; }
 
-    /// Makes the model a stand-in for `cloud`, which must outlive the renderer and gives the depth.
+    /// Makes the model a stand-in for `cloud`, which provides the depth and must outlive the renderer.
     void splats(const SplatCloud& cloud);
     /// The cloud whose depth is rendered; null if there is none.
     const SplatCloud* cloud() const { return cloud_; }
@@ -59,7 +59,7 @@ class GeometryRenderer {
     DistanceMethod distance_;
     std::unique_ptr<OpenGl> gl_;
     const SplatCloud* cloud_ = nullptr;
-    double slack_ = 0;  ///< of the stand-in, scene units
+    double slack_ = 0;  ///< depth tolerance of the stand-in, scene units
 
     std::future<PhotoGeometry> render_model(std::shared_ptr<const PhotoView> view,
                                             const Intrinsics& intrinsics, Trace* trace,

@@ -9,7 +9,7 @@ namespace vantage {
 namespace {
 
 constexpr float jump = 0.1f;        ///< the largest cost of a step between neighbors
-constexpr float unit = jump / 255;  ///< of the stored messages, which are at most `jump`
+constexpr float unit = jump / 255;  ///< unit of the stored messages, which are at most `jump`
 constexpr float slope = 0.6f;       ///< per inverse distance times the reach
 constexpr int sweeps = 4;           ///< through all directions, forward and backward
 
@@ -100,7 +100,7 @@ class Beliefs {
 
     const SweptDepths& d_;
     std::size_t n_;
-    std::vector<std::uint8_t> messages_;  ///< by direction and label, one lane per neighbor
+    std::vector<std::uint8_t> messages_;  ///< messages by direction and label, one lane per neighbor
     std::vector<float> scratch_;
     std::vector<Links> links_;
     float penalty_ = 0;

@@ -13,7 +13,7 @@ namespace vantage {
 namespace {
 
 constexpr float largest = 0.5f;  ///< difference of ln(color), mean of the channels; clamped
-constexpr int step = 6;          ///< of the texels compared, along both sides
+constexpr int step = 6;          ///< distance between compared texels, along both sides
 constexpr std::size_t max_comparisons = 300'000;
 constexpr int heights = 24;
 constexpr int max_rounds = 24;

@@ -47,7 +47,7 @@ std::optional<Plane> find_ground(std::span<const CoarseView> views, const MeshPl
 /// The planes on which background may lie.
 struct ScenePlanes {
     std::optional<Plane> ground;
-    std::vector<Plane> walls;  ///< of the mesh, or found beyond it
+    std::vector<Plane> walls;  ///< walls of the mesh, or found beyond it
 };
 
 }  // namespace vantage

@@ -92,7 +92,7 @@ Eigen::Matrix3d blocks_rotation(const XmlFile& file, pugi::xml_node rotation) {
     return R;
 }
 
-/// The coordinate system of the block if geographic; empty if local or not given.
+/// The block's coordinate system if it is geographic; empty if it is local or not given.
 std::string geographic_system(pugi::xml_node root) {
     const std::string id = root.child("Block").child_value("SRSId");
     for (const pugi::xml_node s : root.child("SpatialReferenceSystems").children("SRS"))

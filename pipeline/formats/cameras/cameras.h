@@ -23,7 +23,7 @@ struct CameraSet {
     enum class Unit {
         pixels,              ///< the size is known
         pixels_from_corner,  ///< the size is unknown
-        pixels_from_center,  ///< from the photo's center, as in the following units
+        pixels_from_center,  ///< measured from the photo's center, as in the following units
         photo_width,
         longer_side
     };

@@ -11,8 +11,8 @@ namespace vantage {
 struct AssimpMesh {
     Mesh mesh;
     double rounding = 0;  ///< largest error of a coordinate due to single precision, input units
-    double unit = 0;      ///< of an FBX, in cm; 0: not stated
-    std::vector<std::filesystem::path> buffers{};  ///< of a glTF, in files beside it
+    double unit = 0;      ///< unit of an FBX, in cm; 0: not stated
+    std::vector<std::filesystem::path> buffers{};  ///< external buffers of a glTF
 };
 
 /// Reads a .gltf, .glb or .fbx with assimp, in a separate process, because damaged files can crash it. All

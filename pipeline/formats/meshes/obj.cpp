@@ -53,7 +53,7 @@ struct Library {
 struct ObjMesh {
     Mesh mesh;
     std::vector<std::uint32_t> of_triangle;  ///< index of its material's name; beyond the last: none
-    std::vector<std::string> names;          ///< in the order of their first use
+    std::vector<std::string> names;          ///< names in the order of their first use
     std::vector<Library> libraries;
 };
 

@@ -22,7 +22,7 @@ using package::PairRecord;
 
 constexpr int depth_side = 400;    ///< texels of the depth
 constexpr int reach = 3;           ///< texels around a cell's center that are on one surface
-constexpr double max_stretch = 5;  ///< of the second photo's pixels in the first
+constexpr double max_stretch = 5;  ///< maximum stretch of the second photo's pixels in the first
 constexpr double max_weight = 4;   ///< matches
 constexpr int columns = package::pair_columns, rows = package::pair_rows;
 

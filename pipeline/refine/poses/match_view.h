@@ -16,7 +16,7 @@ namespace vantage {
 struct MatchView {
     int level;
     Intrinsics k;   ///< of this level
-    Pose pose;      ///< from which the depth was rendered
+    Pose pose;      ///< pose from which the depth was rendered
     cv::Mat gray;   ///< u8, normalized by local mean and contrast, independent of exposure
     cv::Mat depth;  ///< f32, linear z; +inf if the photo does not see the model
 };

@@ -12,7 +12,7 @@ namespace vantage {
 
 /// Settings of match_pairs.
 struct MatchSettings {
-    int long_side;  ///< of the reduced photos, px
+    int long_side;  ///< longer side of the reduced photos, px
     int corners;    ///< maximum per photo
     unsigned threads;
     OnProgress progress{};  ///< called per photo; may be empty

@@ -171,8 +171,8 @@ class PoseChoice {
     PoseChoice(const PoseRefinementInput& in, const CellDisplacements& cells, PoseRefinement& out)
         : out_(out), judge_(in.validate && !out.decision.forced), in_(in), cells_(cells) {}
 
-    /// Whether the displacements of the pairs' cells permit a useful fit of these photos (none listed: all
-    /// photos); else records the reason.
+    /// Whether the displacements of the pairs' cells permit a useful fit of these photos (of all photos if
+    /// the list is empty); else records the reason.
     bool may_help(std::span<const std::uint32_t> photos, const std::string& of) {
         constexpr double hopeless = 0.85;
         const LeftByPoses left = left_by_poses(in_, cells_, photos);

@@ -12,7 +12,7 @@ namespace vantage {
 /// they halve the displacement of held-out corners (errors of the mesh also displace corners, and moving
 /// cameras hardly reduces these); if held-out photos are predicted better (see is_called_for), and not worse
 /// from their given cameras; and, per camera, if it moves by more than its uncertainty. The second condition
-/// is skipped if the choice is forced or `input.validate` is false. Throws Error(damaged).
+/// (prediction) is skipped if the choice is forced or `input.validate` is false. Throws Error(damaged).
 void choose_poses(const PoseRefinementInput& input, const CellDisplacements& cells,
                   const SystematicErrors& errors, PoseRefinement& out);
 

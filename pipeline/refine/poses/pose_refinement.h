@@ -13,12 +13,12 @@ namespace vantage {
 
 /// Input of register_photos.
 struct PoseRefinementInput {
-    const PackageReader& package;                  ///< with tiles, depth and samples
+    const PackageReader& package;                  ///< package with tiles, depth and samples
     const MatchViews& views;                       ///< of that package
-    std::span<const package::PhotoRecord> photos;  ///< with the given poses
+    std::span<const package::PhotoRecord> photos;  ///< records with the given poses
     Samples samples;
     std::span<const SurfaceDisc> discs;           ///< one per sample of a photo
-    std::span<const std::uint64_t> fingerprints;  ///< of each photo's content and pose
+    std::span<const std::uint64_t> fingerprints;  ///< fingerprints of each photo's content and pose
     std::span<const package::PairRecord> known;   ///< measured earlier, reused if their keys match
     double border_width = 0;                      ///< as in SceneRecord
     unsigned threads = 0;
@@ -44,7 +44,7 @@ struct LeaveOneOutPose {
 struct PoseRefinement {
     EffectDecision decision;
     std::vector<PhotoPoseRefinement> photos;
-    std::vector<package::PairRecord> pairs;  ///< under the given cameras
+    std::vector<package::PairRecord> pairs;  ///< pairs under the given cameras
     std::vector<LeaveOneOutPose> without;    ///< see leave_one_out_poses; empty if no camera moved on its own
     std::vector<std::string> warnings;       ///< one line each: misplaced photos, swapped cameras
 };

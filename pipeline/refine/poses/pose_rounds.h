@@ -12,11 +12,11 @@ namespace vantage {
 /// Poses that improve the agreement of the photos.
 struct PoseSolution {
     std::vector<PhotoPoseRefinement> photos;
-    std::vector<Pose> poses;            ///< of all photos, including those not moved
-    std::vector<FittedCamera> cameras;  ///< those that were not moved are `fixed`
+    std::vector<Pose> poses;            ///< poses of all photos, including those not moved
+    std::vector<FittedCamera> cameras;  ///< cameras that were not moved are `fixed`
     Matching matched;                   ///< under these poses
     double before = 0, after = 0;       ///< median displacement of held-out corners, px
-    double sigma = 1;                   ///< of the anchor in the fit of the poses, px
+    double sigma = 1;                   ///< standard deviation of the anchor in the fit of the poses, px
     /// Common motion of all cameras that was removed, median in px; 0 if some cameras were fixed from the
     /// start.
     double common_motion = 0;
@@ -78,7 +78,7 @@ class PoseRounds {
     std::vector<FittedCamera> cameras_;
     Poses given_;
     int corners_;                      ///< per photo
-    std::span<const int> long_sides_;  ///< of the rounds, px; the last one is the finest
+    std::span<const int> long_sides_;  ///< sizes for the rounds, px; the last one is the finest
     mutable std::once_flag matched_;
     mutable Matching before_;  ///< see as_given()
 };

@@ -21,7 +21,7 @@ struct Projector {
     Eigen::Matrix3f R;
     Vector3f t, center;  ///< the center in the target's camera space
     float fx, fy, cx, cy;
-    float radius_scale;  ///< from squared texels to the squared radius of the vignetting
+    float radius_scale;  ///< factor from squared texels to the squared vignetting radius
     float focal;         ///< relative to the target's
 
     Projector(const OtherPhoto& other, const CoarsePhoto& target, const Pose& pose)

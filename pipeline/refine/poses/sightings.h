@@ -11,7 +11,7 @@ namespace vantage {
 struct Sighting {
     std::uint32_t photo;  ///< index in the scene
     float root[3];        ///< square roots of linear light, as exposed
-    float smooth[3];      ///< the same for CoarsePhoto's `smooth`
+    float smooth[3];      ///< square roots of CoarsePhoto's `smooth`
     float theta;          ///< radians, between the rays from the surface to the viewer and to the photo
     float weight;         ///< blending weight of the lumigraph, without transient masking
     float x, y;           ///< position in the other photo, texels
@@ -21,7 +21,7 @@ struct Sighting {
 /// The sightings of every pixel of a view, pixel by pixel.
 struct Sightings {
     std::vector<Sighting> all;
-    std::vector<std::uint32_t> first;  ///< index in `all` of each pixel's first sighting, and the end
+    std::vector<std::uint32_t> first;  ///< index in `all` of each pixel's first sighting, followed by the end
     std::span<const Sighting> at(std::size_t pixel) const {
         return std::span(all).subspan(first[pixel], first[pixel + 1] - first[pixel]);
     }
@@ -31,7 +31,7 @@ struct Sightings {
 struct OtherPhoto {
     std::uint32_t index;
     const CoarsePhoto* photo;
-    Pose pose;  ///< with which it is projected; its depth was rendered from the pose in `photo`
+    Pose pose;  ///< pose for its projection; its depth was rendered from the pose in `photo`
 };
 
 /// Projects the surface visible in `target` into the others, as shaders/blend.frag does with coordinates per

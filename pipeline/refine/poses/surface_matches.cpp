@@ -20,7 +20,7 @@ constexpr double max_round_trip = 0.75;   ///< pixels of the level, after tracki
 constexpr double min_correlation = 0.75;  ///< over `patch`
 const cv::Size patch(13, 13);
 const cv::Size window(15, 15);  ///< of optical flow
-constexpr int levels = 3;       ///< of its pyramids, besides the first
+constexpr int levels = 3;       ///< levels of its pyramids, besides the first
 
 Vector2d to_vector(const cv::Point2f& p) { return {double(p.x), double(p.y)}; }
 

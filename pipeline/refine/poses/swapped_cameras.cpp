@@ -95,7 +95,7 @@ class CameraFits {
 /// Two photos with each other's cameras.
 struct Swap {
     std::uint32_t a, b;
-    double fit_a, fit_b;  ///< with the other's camera
+    double fit_a, fit_b;  ///< fit of each with the other's camera
     double least() const { return std::min(fit_a, fit_b); }
 };
 

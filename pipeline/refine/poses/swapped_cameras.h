@@ -10,7 +10,7 @@ namespace vantage {
 /// Photos with wrong cameras.
 struct MisplacedPhotos {
     std::vector<std::string> warnings;  ///< one line per swapped pair, and per other photo
-    bool swapped = false;               ///< whether any two are swapped
+    bool swapped = false;               ///< whether any two photos are swapped
 };
 
 /// Suspects are photos in pairs whose photos contradict each other, or whose displacement exceeds 0.3 % of

@@ -22,12 +22,12 @@ using package::PairRecord;
 
 constexpr double min_pixels = 1;         ///< minimum error of a lens
 constexpr double min_apart = 0.5;        ///< px between photos, from a common motion
-constexpr double min_sigmas = 3;         ///< of any error, in standard errors
+constexpr double min_sigmas = 3;         ///< minimum size of any error, in standard errors
 constexpr double common_explains = 0.5;  ///< largest remaining fraction of the cost of held-out cells
 constexpr double lens_explains = 0.75;
 constexpr double pose_prior = 0.5, lens_prior = 1e-3;  ///< 1/px^2
 constexpr double weak = 0.03;   ///< prior of the common motion, relative to its best-determined unknown
-constexpr int max_groups = 12;  ///< of photos held out by the jackknife
+constexpr int max_groups = 12;  ///< maximum number of photo groups held out by the jackknife
 constexpr int iterations = 15;
 constexpr double converged_step = 1e-4;  ///< px
 
@@ -191,7 +191,8 @@ class ErrorSearch {
             if (fit_.lens(i) == lens) out.push_back(i);
         return out;
     }
-    /// The fits without each group of photos. Computed on first use, because most scenes show no error.
+    /// The fits that each exclude one group of photos. Computed on first use, because most scenes show no
+    /// error.
     const std::vector<VectorXd>& fits_without_groups() {
         if (!without_.empty()) return without_;
         without_.resize(groups_);

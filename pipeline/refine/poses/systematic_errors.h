@@ -22,7 +22,7 @@ struct SystematicErrors {
     std::vector<LensError> lenses;  ///< only those found
     /// The smallest motion that makes the cameras, composed with it, fit the mesh. Identity: no error found.
     Similarity common{};
-    double common_motion = 0;  ///< the same in px, median
+    double common_motion = 0;  ///< the common motion in px, median
     double uncertainty = 0;    ///< its standard error, px
     std::string words{};       ///< about the common motion
 };

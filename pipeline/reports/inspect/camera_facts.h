@@ -15,7 +15,7 @@ struct LensFacts {
     std::size_t cameras = 0;
     std::size_t calibrations = 0;  ///< number of different intrinsics and lenses among them
     int width = 0, height = 0;     ///< px; 0 if not in the camera file
-    CameraSet::Unit unit{};        ///< of the focal lengths
+    CameraSet::Unit unit{};        ///< unit of the focal lengths
     LensModel model{};
     Range focal_x{}, focal_y{};
     Range view_x{}, view_y{};  ///< fields of view in degrees; empty if they depend on the photo's size
@@ -23,13 +23,13 @@ struct LensFacts {
         const char* name;
         Range value;
     };
-    std::vector<Coefficient> coefficients{};  ///< those that are not 0 for all cameras
+    std::vector<Coefficient> coefficients{};  ///< coefficients that are not 0 for all cameras
 };
 
 struct CameraFacts {
     std::size_t cameras = 0;        ///< in the files
     Eigen::AlignedBox3d centers;    ///< box of the cameras' positions in input units
-    std::vector<LensFacts> lenses;  ///< those with the most cameras first
+    std::vector<LensFacts> lenses;  ///< lenses with the most cameras first
 };
 
 /// Ignores numbers that are not finite, and focal lengths that are not positive.

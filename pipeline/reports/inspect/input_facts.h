@@ -45,7 +45,7 @@ struct InputFacts {
     /// Present only if the scene can be prepared, or is misplaced.
     struct Plan {
         std::vector<std::string> not_seeing;  ///< names of photos that do not see the mesh
-        std::vector<EffectDecision> effects;  ///< those that depend on all photos are undecided
+        std::vector<EffectDecision> effects;  ///< effects that depend on all photos are undecided
         ResourceEstimate needs{};
     };
     std::optional<Plan> plan{};

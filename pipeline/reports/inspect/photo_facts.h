@@ -13,14 +13,14 @@ namespace vantage {
 /// Photos of one file format and size.
 struct PhotoGroup {
     std::string format;  ///< see format_of()
-    PhotoSize size;      ///< as stored; 0 x 0 if their headers cannot be read
+    PhotoSize size;      ///< size as stored; 0 x 0 if the headers cannot be read
     std::size_t photos = 0;
     std::uint64_t bytes = 0;  ///< of the files
 };
 
 /// The photos in a folder, whether they have a camera or not.
 struct PhotoFacts {
-    std::vector<PhotoGroup> groups;  ///< those with the most photos first
+    std::vector<PhotoGroup> groups;  ///< groups with the most photos first
     std::vector<UnusablePhoto> unreadable;
     std::size_t masks = 0;  ///< number of photos with a mask
 
