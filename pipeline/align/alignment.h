@@ -17,7 +17,7 @@ struct Alignment {
     double next;           ///< agreement of the next best alignment with a different pose
     /// Standard errors from a jackknife over the photos: of the mesh's projection in px, and of the
     /// similarity's rotation and scale.
-    double pixels, degrees, scale;  ///< the scale's is relative
+    double pixels, degrees, scale;  ///< the error of the scale is relative
     double move;                    ///< standard error of the mesh's center, units of the mesh
 };
 

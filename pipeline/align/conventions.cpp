@@ -29,7 +29,7 @@ constexpr double some_agreement = 0.15;
 /// The largest median error of a mesh that fits, relative to the median epipolar error; typically the ratio
 /// is 2.
 constexpr double some_times = 4;
-/// Agreement relative to that as read, and to that of every other convention.
+/// Minimum agreement relative to that of the cameras as read, and to that of every other convention.
 constexpr double clear_ratio = 2;
 
 const Convention& convention(std::string_view name) {
@@ -70,7 +70,8 @@ std::vector<Camera> cameras_of(const SceneInput& scene) {
 
 bool is_enough(const ConventionTrial& t) { return t.defined >= enough && t.agreement >= some_agreement; }
 
-/// Whether the mesh and the photos agree on features, even on few: a small object on a table.
+/// Whether the mesh and the photos agree on features, even if only on a few, as with a small object on a
+/// table.
 bool shows_features(const ConventionTrial& t) {
     constexpr std::size_t fewest = 3;
     return t.defined >= fewest && t.median <= (t.defined < enough ? 2 * half : misfit);
@@ -217,8 +218,8 @@ double in_pixels(double share, const SceneInput& scene) {
     return share * longer_side(scene.photos.front().camera);
 }
 
-/// The flaw of the cameras; empty if more features agree with them than by chance. If the object was moved or
-/// turned, only a seventh of the features may lie on it.
+/// The flaw found in the cameras; empty if more features agree with them than by chance. If the object was
+/// moved or turned, only a seventh of the features may lie on it.
 std::string said_of_cameras(const ConventionTrials& trials) {
     if (10 * trials.agreeing >= trials.shared) return {};
     return fmt::format(
@@ -227,7 +228,7 @@ std::string said_of_cameras(const ConventionTrials& trials) {
         trials.agreeing, trials.shared);
 }
 
-/// The flaw of a mesh that fits roughly; empty if it fits to within the accuracy of the features.
+/// The flaw in a mesh that fits roughly; empty if it fits to within the accuracy of the features.
 std::string said_of_mesh(const ConventionTrials& trials, const SceneInput& scene) {
     if (trials.mesh.empty()) return {};
     const ConventionTrial& t = trials.mesh[trials.chosen_of_mesh];

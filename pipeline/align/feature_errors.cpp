@@ -19,7 +19,7 @@ Eigen::Matrix3d cross(const Vector3d& v) {
     return m;
 }
 
-/// In pixels of photo b, near the center of its lens.
+/// The epipolar distance in pixels of photo b, as measured near the center of its lens.
 double epipolar_distance(const Camera& a, const Camera& b, const Vector2d& in_a, const Vector2d& in_b) {
     const Pose &p = a.cam_from_world, &q = b.cam_from_world;
     const Eigen::Matrix3d R = q.R * p.R.transpose();

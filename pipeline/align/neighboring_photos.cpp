@@ -13,7 +13,7 @@ const double least_cosine = std::cos(50 * std::numbers::pi / 180);
 /// Cameras closer than this, relative to the median distance, share a viewpoint: bursts, duplicate photos.
 constexpr double same_place = 0.005;
 
-/// The other photos of its image set with a similar viewing direction, the nearest first.
+/// The other photos in the photo's image set with a similar viewing direction, nearest first.
 std::vector<std::uint32_t> neighbors(std::span<const PhotoInput> photos, std::uint32_t photo) {
     const Pose& own = photos[photo].camera.cam_from_world;
     std::vector<std::pair<double, std::uint32_t>> found;

@@ -148,7 +148,7 @@ void improve(Start& start, const PointSet& points, const NearestGrid& surface, i
                                  [&](std::size_t i) { return distance[i]; });
         double sum = 0;
         for (std::size_t i = 0; i < used; ++i) sum += distance[order[i]];
-        // In the points' units, so that shrinking does not reduce it.
+        // Measured in the points' units, so that shrinking does not reduce it.
         start.distance = sum / double(used) / start.to_mesh.scale;
         if (n == times) return;
         start.to_mesh = fit(points, nearest, std::span(order).first(used));

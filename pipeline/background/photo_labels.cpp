@@ -155,7 +155,8 @@ class Cuts {
     std::vector<std::uint32_t> directions_;
 };
 
-/// Labels of the next subdivision: the cheaper label of either end; at seams, the cheapest of all neighbors.
+/// Labels of the next subdivision: the cheaper label of the two ends; at seams, the cheapest of all
+/// neighbors.
 Labels refined(const Photos& photos, const DirectionSphere& sphere, const Labels& coarse, unsigned threads) {
     constexpr int rounds = 2;
     Labels out(sphere.directions.size(), none);

@@ -31,7 +31,7 @@ constexpr double close_codes = 25;      ///< sRGB, in each channel
 /// Measured: 0.17 on a head that was moved between series of photos, 0.41 and 0.80 in front of facades.
 constexpr double agreed_around_object = 0.5, agreed_before_front = 0.3;
 
-/// A picture of NaN with the size of the view.
+/// A picture of NaNs with the size of the view.
 cv::Mat blank(const CoarseView& view) {
     return {view.k.height, view.k.width, CV_32FC3, cv::Scalar::all(std::numeric_limits<double>::quiet_NaN())};
 }

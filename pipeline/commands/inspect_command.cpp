@@ -27,7 +27,7 @@ FoundInput find_anything(const InspectOptions& o) {
     }
 }
 
-/// Throws as find_input(), unless `anything` is set.
+/// Throws like find_input(), unless `anything` is set.
 InputFacts facts_of(const InspectOptions& o, bool anything) {
     const auto start = std::chrono::steady_clock::now();
     return input_facts(anything ? find_anything(o) : find_input(o.input, o.settings), o.settings,

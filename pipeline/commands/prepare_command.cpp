@@ -68,7 +68,7 @@ Share share(const std::string& text) {
     return s;
 }
 
-/// The files to write, with links followed. Throws Error(usage) if one of them must not be replaced.
+/// Resolves the files to write, following links. Throws Error(usage) if one of them must not be replaced.
 void resolve_outputs(PrepareOptions& o, const InputFiles& files) {
     Inputs inputs{input_paths(files), {}};
     if (!o.config.empty()) inputs.files.push_back(find_preset(o.config));

@@ -40,8 +40,7 @@ inline Lens brown_lens(const std::array<double, 4>& k, double p1, double p2, dou
     return lens.distorts() ? lens : Lens{};
 }
 
-/// A camera model of COLMAP. Elements of `focal_center` and `distortion` are indices into COLMAP's
-/// parameters.
+/// A COLMAP camera model. Elements of `focal_center` and `distortion` are indices into COLMAP's parameters.
 struct ColmapModel {
     const char* name;
     std::size_t parameters;
@@ -52,7 +51,7 @@ struct ColmapModel {
 /// In the order of COLMAP's model IDs.
 std::span<const ColmapModel> colmap_models();
 
-/// COLMAP's convention is the same. The quaternion (w, x, y, z) need not be normalized.
+/// COLMAP uses the same convention. The quaternion (w, x, y, z) need not be normalized.
 inline Pose from_colmap(double w, double x, double y, double z, const Eigen::Vector3d& t) {
     const double n = std::sqrt(w * w + x * x + y * y + z * z);
     w /= n, x /= n, y /= n, z /= n;

@@ -53,7 +53,7 @@ fs::path common_folder(const fs::path& a, const fs::path& b) {
     return out;
 }
 
-/// A file of cameras and its fit to the photos.
+/// A camera file and its fit to the photos.
 struct CameraChoice {
     fs::path path;
     const CameraFormat* format = nullptr;
@@ -66,7 +66,7 @@ struct CameraChoice {
     }
 };
 
-/// All files of cameras, by format. `near`: a folder; copies are farther from it.
+/// All camera files, by format. `near`: a folder; copies are farther from it.
 std::vector<CameraChoice> choices(std::span<const FormatFiles> all, const fs::path& near) {
     std::vector<CameraChoice> out;
     for (auto [format, files] : all) {

@@ -26,7 +26,7 @@ constexpr const char* other_image_sets[] = {
     "infrared", "ir",      "nir", "irr",    "swir",   "irfc",         "ultraviolet", "uv",
     "uvf",      "uvl",     "uvr", "uvirfc", "raking", "raking light", "xray",        "x-ray",
     "xrf",      "thermal", "tir", "lwir",   "before", "after",        "transmitted", "polarized"};
-constexpr const char* without_folder = "photos";  ///< the image set of photos in no folder
+constexpr const char* without_folder = "photos";  ///< the image set of photos outside any folder
 
 bool is_one_of(std::span<const char* const> names, const std::string& name) {
     std::string spaced = comparable_name(name);

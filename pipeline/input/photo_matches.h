@@ -37,8 +37,8 @@ struct PhotoMatch {
 };
 
 /// Finds the photo of each camera, whose name may have folders, among `photos` in `folder`. Names are
-/// compared as by comparable_name(). The file's path must contain all of the name's folders, or the name all
-/// of the file's folders below `folder`; a file that fits several names is assigned to none. Of several files
+/// compared by comparable_name(). The file's path must contain all of the name's folders, or the name all of
+/// the file's folders below `folder`; a file that fits several names is assigned to none. Of several files
 /// that fit a name, the one in folders named like the camera's group is taken, or the only one that no other
 /// camera refers to by its folder. If no file has the name's extension, one with another extension is taken.
 std::vector<PhotoMatch> match_photos(const std::filesystem::path& folder,

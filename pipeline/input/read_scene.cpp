@@ -41,7 +41,7 @@ Intrinsics in_pixels(const Intrinsics& k, CameraSet::Unit unit, const PhotoSize&
             scale * k.cy + middle * size.height};
 }
 
-/// Whether the photo has the aspect ratio of its camera only as displayed, turned by 90 degrees.
+/// Whether the photo has its camera's aspect ratio only when displayed, turned by 90 degrees.
 bool turns_to_fit(const PhotoHeader& header, const Intrinsics& k) {
     const auto [width, height] = header.size;
     const auto difference = [&](double x, double y) {
@@ -207,7 +207,7 @@ void set_image_sets(SceneInput& scene) {
     if (!groups.names.empty()) scene.image_sets = std::move(groups.names);
 }
 
-/// The conversion of a photo's colors, as a text that follows "holds"; empty if they are kept.
+/// The conversion of a photo's colors, as a phrase that follows "holds"; empty if they are kept.
 std::string said_of_colors(const PhotoInput& photo) {
     const ProfileUse& profile = photo.profile;
     const std::string name =

@@ -50,7 +50,7 @@ std::uint64_t gathered(std::uint64_t code) {
 std::uint64_t cell(const Placed& p, int level) { return p.code >> (3 * (levels - level)); }
 std::uint32_t octant(const Placed& p, int level) { return std::uint32_t(cell(p, level + 1) & 7); }
 
-/// Squared distance from the center of the cell at `level`, in its own halvings.
+/// Squared distance of the point from the center of its cell at `level`, in units of the cell's side.
 double from_middle(const Placed& p, int level) {
     const int below = levels - level;
     double sum = 0;

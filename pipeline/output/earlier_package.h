@@ -19,7 +19,7 @@ class EarlierPackage {
     /// `in_place`: the file is the one being written. Throws Error if it is not a package.
     EarlierPackage(const std::filesystem::path& file, bool in_place);
 
-    /// The index of the photo of this name; none if it is missing or its record is damaged.
+    /// The index of the photo with this name; none if it is missing or its record is damaged.
     std::optional<std::uint32_t> photo(const std::string& name) const;
     const package::PhotoRecord& record(std::uint32_t photo) const;
     const package::PhotoState& state(std::uint32_t photo) const;

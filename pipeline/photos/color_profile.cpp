@@ -14,7 +14,8 @@
 namespace vantage {
 namespace {
 
-/// A profile that changes no value (of 255) by more is that of sRGB. Copies of it differ by 1, from rounding.
+/// A profile that changes no value (of 255) by more than this is treated as sRGB. Copies of it differ by 1,
+/// from rounding.
 constexpr int srgb_tolerance = 2;
 /// The same tolerance for profiles named sRGB, some of which simplify its curve to a gamma of 2.2, with
 /// errors of 8 in dark values.
@@ -127,8 +128,8 @@ void convert_by_light(LightTable table, ColorProfile& out) {
     out.converted = [light](std::span<const std::uint16_t> pixels) { return to_srgb(*light, pixels); };
 }
 
-// The following three set the functions unless the profile is that of sRGB, which changes colors by at most
-// `tolerance`. They return false if the profile is incomplete.
+// The following three functions fill in the conversions unless the profile is that of sRGB, which changes
+// colors by at most `tolerance`. They return false if the profile is incomplete.
 
 bool set_colors(const Profile& profile, int tolerance, ColorProfile& out) {
     const Transform rgb = transform(profile, TYPE_RGB_8, srgb_profile(), TYPE_RGB_8),

@@ -92,7 +92,7 @@ void write_results(const FinishInput& in, Agreement& agreement, PhotoTables& pho
     writer.finish();
 }
 
-/// The photos' colors of one image set.
+/// The colors of one image set's photos.
 struct ImageSetColors {
     std::uint32_t image_set;
     std::vector<std::span<const package::SampleRecord>> samples;

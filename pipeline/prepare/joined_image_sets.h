@@ -10,7 +10,8 @@ namespace vantage {
 
 // Join the results of the image sets into one for all photos; with a single image set, the result is its own.
 
-/// The effect is on if it is on for any image set. `names`: of the image sets, in the order of `decisions`.
+/// The effect is on if it is on for any image set. `names`: those of the image sets, in the order of
+/// `decisions`.
 EffectDecision joined(std::span<const EffectDecision> decisions, std::span<const std::string> names);
 
 /// Each photo's result is that of its own image set.

@@ -37,7 +37,7 @@ std::uint64_t status_bytes(const char* key) {
     return 0;
 }
 
-/// Resident memory of the heap that is free and will be reused.
+/// Resident heap memory that is free and will be reused.
 std::uint64_t freed_in_heap() {
 #ifdef __GLIBC__
     std::ifstream in("/proc/self/smaps");
@@ -75,7 +75,7 @@ constexpr std::uint64_t background_memory = 50'000'000;
 /// Shorter runs are too short to measure the speed.
 constexpr double shortest_run = 0.5;
 
-/// Seconds of one thread for a photo.
+/// Seconds that one thread needs for a photo.
 double photo_seconds(const PhotoInput& photo, const package::SceneRecord& model) {
     const double kept = double(photo.camera.intrinsics.width) * photo.camera.intrinsics.height;
     const std::string extension = lower_extension(photo.file);

@@ -150,7 +150,7 @@ void frame(FirstView& view, const Vector3d& eye, const Vector3d& up, std::span<c
     }
 }
 
-/// Frames the view as in the photo.
+/// Frames the view like the photo.
 void frame_as(FirstView& view, const package::PhotoRecord& photo) {
     const Pose pose = cam_from_origin(photo);
     view.target = pose.center() + seen_distance(photo) * pose.direction();

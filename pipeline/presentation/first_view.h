@@ -17,7 +17,7 @@ struct FirstView {
     std::uint64_t photo = 0;          ///< the viewpoint; the number of photos if none has pixels
     Eigen::Vector3d target{0, 0, 0};  ///< at the center of the frame; relative to the origin
     double fov = 45;                  ///< vertical, degrees
-    double aspect = 1;                ///< width over height of the framed part
+    double aspect = 1;                ///< ratio of width to height of the framed part
 };
 
 /// `samples`: those of each photo at `discs`; empty for photos without pixels.

@@ -103,7 +103,7 @@ UpEstimate refined(std::span<const Pose> poses, Vector3d up, const Vector3d& mea
 }
 
 /// The mean of the photos' up directions, from their columns. If it vanishes, the direction opposite to the
-/// mean view, because cameras look down more often than up.
+/// mean viewing direction, because cameras look down more often than up.
 Vector3d mean_up(std::span<const Pose> poses) {
     Vector3d columns = Vector3d::Zero(), ahead = Vector3d::Zero();
     for (const Pose& p : poses) columns -= p.R.row(1).transpose(), ahead += p.direction();
@@ -123,7 +123,7 @@ Upright upright_near(std::span<const SurfaceDisc> discs, const Vector3d& held) {
     const auto usable = [](const SurfaceDisc& d) { return d.normal.squaredNorm() > 0; };
     const auto all = double(std::ranges::count_if(discs, usable));
     Upright out{held, 0};
-    // Sines of the angles within which a disc counts as wall or floor, narrowing.
+    // Sines of the narrowing angles within which a disc counts as wall or floor.
     for (const double near : {0.3, 0.2, 0.15, 0.1, 0.1, 0.07, 0.07, 0.07}) {
         Eigen::Matrix3d scatter = -held_weight * all * held * held.transpose();
         double upright = 0;

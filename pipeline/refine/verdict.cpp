@@ -8,8 +8,8 @@
 namespace vantage {
 namespace {
 
-constexpr double max_loss = 0.75;    ///< dB, of any photo
-constexpr double negligible = 0.01;  ///< dB, of the mean
+constexpr double max_loss = 0.75;    ///< dB, largest loss of any photo
+constexpr double negligible = 0.01;  ///< dB, of the mean gain
 constexpr double fewer_seams = 0.9;  ///< maximum fraction of the seams without the effect
 
 }  // namespace

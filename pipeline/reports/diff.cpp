@@ -49,7 +49,7 @@ json keyed(const json& value) {
     return out;
 }
 
-/// Lists values that differ, one line each, each named by its path.
+/// Lists the values that differ, one per line, each named by its path.
 void diff_values(const char* of, const std::string& what, const json& a, const json& b, Differences& out) {
     if (a == b) return;
     const json x = keyed(a), y = keyed(b);

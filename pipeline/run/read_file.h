@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// A file cannot be opened or read, whatever its content: the next attempt may succeed.
+/// The error for a file that cannot be opened or read, whatever its content: the next attempt may succeed.
 class UnreadableFile : public Error {
   public:
     explicit UnreadableFile(const std::string& message) : Error(Exit::input, message) {}

@@ -19,8 +19,8 @@ struct DepthMap {
 std::vector<std::uint8_t> find_borders(const DepthMap& depth, float threshold);
 
 /// Border weight, 255 times min(distance to the border - 1, distance to the photo's outline) / `full_width`,
-/// clamped to [0, 255]. Distances and `full_width` in pixels of the weight map. The 1 excludes pixels next to
-/// a border, which mix the colors of both sides.
+/// clamped to [0, 255]. Distances and `full_width` are in pixels of the weight map. The 1 excludes pixels
+/// next to a border, which mix the colors of both sides.
 std::vector<std::uint8_t> border_weights(const std::vector<float>& distance, int width, int height,
                                          float full_width);
 

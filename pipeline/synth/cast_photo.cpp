@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-/// The inverse of distort() by Newton's method; nothing where the lens model is not invertible.
+/// The inverse of distort() by Newton's method; nullopt where the lens model is not invertible.
 std::optional<Vector2d> undistort_point(const Lens& lens, const Vector2d& distorted) {
     Vector2d x = distorted;
     for (int i = 0; i < 30; ++i) {

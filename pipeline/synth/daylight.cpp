@@ -17,7 +17,7 @@ const Vector3d toward_sun = Vector3d(-0.62, -0.62, 0.52).normalized();
 // Light on a white surface that faces its source, relative to white in a photo.
 const Vector3f sunlight(1.42f, 1.24f, 0.95f), skylight(0.27f, 0.35f, 0.47f), bounced(0.15f, 0.12f, 0.085f);
 const Vector3f horizon(0.72f, 0.80f, 0.88f), haze(0.30f, 0.41f, 0.57f);
-constexpr double clear_distance = 9000;  ///< m, at which haze leaves 1 / e of the light
+constexpr double clear_distance = 9000;  ///< distance in m at which haze leaves 1 / e of the light
 constexpr double sun_radius = 0.0047;    ///< rad
 constexpr int sky_rays = 32;             ///< per vertex
 

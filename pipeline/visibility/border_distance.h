@@ -13,7 +13,7 @@ std::vector<float> exact_distance(const std::vector<std::uint8_t>& borders, int 
 /// The compute program for flood_distance.
 gl::Program jump_flood_program();
 
-/// The same by jump flooding, with all steps twice, in the current OpenGL context (Rong and Tan 2006).
+/// The same by jump flooding, with all steps done twice, in the current OpenGL context (Rong and Tan 2006).
 /// Distances are never too small and rarely too large.
 std::vector<float> flood_distance(const gl::Program& jump_flood, const std::vector<std::uint8_t>& borders,
                                   int width, int height);

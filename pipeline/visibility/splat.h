@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// Replaces the depth of a stand-in's maps by that of the cloud. Each point is as large as the gaps to its
+/// Replaces the depth in a stand-in's maps with that of the cloud. Each point is as large as the gaps to its
 /// neighbors; the nearest wins, and single-texel holes in a surface are closed. The angle is 255 at every
 /// point, because points face every camera. Triangles are kept where they are at most `slack` (scene units)
 /// behind the points. `photo` and `pose` as in render_geometry.

@@ -21,7 +21,7 @@ struct SweptDepths {
     std::vector<float> base;           ///< per direction
     std::vector<float> most;           ///< limit per direction that leaves no camera behind the backdrop
     std::vector<std::uint32_t> shown;  ///< directions that may be in a photo
-    std::vector<float> cost;           ///< labels per shown direction: disagreement of the photos
+    std::vector<float> cost;           ///< per shown direction and label: disagreement of the photos
     std::vector<std::vector<float>> planes;  ///< per plane and shown direction: inverse distance, or 0
 };
 

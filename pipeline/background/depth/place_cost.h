@@ -11,7 +11,7 @@ namespace vantage {
 /// the center and an inverse distance.
 class PlaceCost {
   public:
-    /// `center` relative to the origin; keeps references to the views.
+    /// `center` is relative to the origin. Keeps references to the views.
     PlaceCost(std::span<const CoarseView> views, const Eigen::Vector3d& center);
 
     static constexpr float largest = 0.5f;  ///< largest difference of one photo from the others, in ln(color)

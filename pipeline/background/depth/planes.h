@@ -30,7 +30,7 @@ struct MeshPlanes {
     std::optional<Eigen::Vector3d> down;  ///< unit length; empty if the mesh has too few walls and floors
     std::optional<Plane> floor;           ///< the largest level plane below all cameras
 };
-/// Finds planes by RANSAC (Fischler and Bolles 1981); with `down`, the floor is level. Deterministic.
+/// Finds planes with RANSAC (Fischler and Bolles 1981); with `down`, the floor is level. Deterministic.
 MeshPlanes mesh_planes(std::span<const SurfaceDisc> discs, std::span<const CoarseView> views);
 
 /// The height of the lowest camera, measured downward; -inf without views.

@@ -206,7 +206,7 @@ std::vector<fs::path> places_of(const fs::path& folder, std::string name) {
     return out;
 }
 
-/// The existing file of a library's name, possibly in different case. Empty if there is none.
+/// The existing file with a library's name, possibly in a different case. Empty if there is none.
 fs::path library_file(const fs::path& folder, const std::string& name) {
     std::error_code error;
     const std::vector<fs::path> places = places_of(folder, name);
@@ -275,7 +275,7 @@ std::string and_others(std::size_t count) {
 }
 
 /// The colors of the mesh's materials, by index; for duplicate names, that of the first library. Adds the
-/// files read to `files`, and those that are missing.
+/// files read and the missing ones to `files`.
 std::vector<MaterialColor> material_colors(const ObjMesh& obj, const fs::path& file,
                                            std::set<fs::path>& files, std::vector<std::string>& warnings) {
     std::map<std::string, MaterialColor> known;

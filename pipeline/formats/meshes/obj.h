@@ -15,7 +15,7 @@ namespace vantage {
 /// names, in the OBJ's folder or below it), all faces get their materials' colors, see color_by_material().
 /// The files read are added to `materials`, even if all are opaque, and so are the paths at which missing
 /// files may appear. Missing files and materials and the warnings of read_mtl() are added to `warnings`.
-/// Throws Error(input) with the line.
+/// Throws Error(input) naming the line.
 Mesh read_obj(const std::filesystem::path& file, std::vector<std::string>& warnings,
               std::vector<std::filesystem::path>& materials);
 

@@ -11,7 +11,7 @@ bool is_binary_off(const std::filesystem::path& file);
 /// Reads a text OFF file (Geomview: OFF, COFF, NOFF, CNOFF, STOFF; the keyword is optional) at double
 /// precision: vertices, their normals and colors (see color_bytes(); with alpha if all have it), and
 /// polygons, which become triangle fans. Colors of faces are skipped. Corners that refer to no vertex become
-/// `no_vertex`. Throws Error(input) with the line.
+/// `no_vertex`. Throws Error(input) naming the line.
 Mesh read_off(const std::filesystem::path& file);
 
 }  // namespace vantage

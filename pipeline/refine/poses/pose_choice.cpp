@@ -130,7 +130,7 @@ Judgment validate(const PoseRounds& rounds, const Folds& folds, std::span<const 
     return summarize(photos);
 }
 
-/// The motion of the photo's content, in px, without one other photo: a jackknife over the folds.
+/// The uncertainty of the motion of the photo's content, in px, from a jackknife over the folds.
 double uncertainty(const PoseRounds& rounds, const Folds& folds, const Candidate& c, std::uint32_t photo) {
     std::vector<double> moved;
     for (std::size_t f = 0; f < folds.all().size(); ++f)

@@ -46,8 +46,9 @@ class PoseRounds {
     /// make in a fit to the others, which are fixed. Empty if the photo has no match with any of them.
     std::vector<Pose> poses_without(const PoseSolution& solution, std::uint32_t photo,
                                     std::span<const std::uint32_t> fitted) const;
-    /// A photo's pose fitted to its matches with the others, which are fixed: those found under the given
-    /// poses (null) or under a solution's. The pose in `poses` if there are no matches.
+    /// A photo's pose, fitted to its matches with the other photos, which are fixed. Uses the matches found
+    /// under the given poses (null) or under a solution's. Returns the pose in `poses` if there are no
+    /// matches.
     Pose resection(const PoseSolution* solution, std::span<const Pose> poses, std::uint32_t photo) const;
     const std::vector<Pose>& given() const { return given_; }
     /// Median distance in px between a photo's content under two poses of its camera.

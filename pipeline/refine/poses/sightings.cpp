@@ -107,7 +107,7 @@ bool sighting(const Projector& p, const Point& point, Sighting& out) {
     const float right = out.x - p.cx, down = out.y - p.cy;
     out.radius2 = (right * right + down * down) * p.radius_scale;
     out.theta = angle_between(point.to_viewer, to_photo);
-    // sampling() in blend.frag, for a view of the target's size, without the slant.
+    // Like sampling() in blend.frag, for a view of the target's size, without the slant.
     const float sampling = std::clamp(p.focal * point.at.z() / at.z(), 0.001f, 1.0f);
     out.weight *= seen * angle_weight(out.theta) * sampling;
     return true;

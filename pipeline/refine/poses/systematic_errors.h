@@ -24,7 +24,7 @@ struct SystematicErrors {
     Similarity common{};
     double common_motion = 0;  ///< the common motion in px, median
     double uncertainty = 0;    ///< its standard error, px
-    std::string words{};       ///< about the common motion
+    std::string words{};       ///< describes the common motion
 };
 
 /// Fits, robustly and jointly, a motion of all cameras and, per lens, the focal length and a rolling shutter
@@ -37,7 +37,7 @@ SystematicErrors systematic_errors(const PoseRefinementInput& in, const CellDisp
 
 /// The displacement of cells if the cameras of `photos` move individually: the median without the motions and
 /// with them, in px, over pairs with one of the photos. Half of the cells, as on a checkerboard, are held out
-/// of the fit, one half after the other. 0, 0 without cells.
+/// of the fit, one half after the other. Both values are 0 without cells.
 struct LeftByPoses {
     double before, after;
 };

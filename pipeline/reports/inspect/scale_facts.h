@@ -11,7 +11,7 @@ namespace vantage {
 /// The size of the model relative to the cameras. No unit is read from any input format, so lengths are in
 /// units of the input.
 struct ScaleFacts {
-    Range distance;       ///< over photos: median depth of the vertices in the frame that face the camera
+    Range distance;       ///< per photo: median depth of the vertices in the frame that face the camera
     double typical = 0;   ///< median of these
     double in_model = 0;  ///< `typical`, relative to the diagonal of the model's box
     double pixel = 0;     ///< width of a pixel at that depth, median over the photos
@@ -22,7 +22,7 @@ struct ScaleFacts {
 /// it.
 std::optional<ScaleFacts> scale_facts(const SceneInput& scene, double diagonal);
 
-/// Units ("m", "cm", "mm") in which `distance` is a typical distance of photos: 0.1 to 500 m.
+/// Units ("m", "cm", "mm") in which `distance` is a typical distance for photos: 0.1 to 500 m.
 std::vector<std::string> plausible_units(double distance);
 
 }  // namespace vantage

@@ -19,7 +19,7 @@ constexpr std::size_t max_maps = 12;
 constexpr double cell_side = 22,
                  arrow_length = 10;  ///< CSS px: side of a cell, length of a displacement of 1 px
 
-/// Arrows from the predicted to the found position, in another photo, of each part of a photo.
+/// Arrows for each part of a photo, from its predicted position in another photo to the position found there.
 std::string map(const PairRecord& p) {
     std::string arrows;
     for (int row = 0; row < package::pair_rows; ++row)
