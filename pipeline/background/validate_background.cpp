@@ -27,7 +27,7 @@ constexpr double worth_having = 0.01;   ///< fraction of a photo that is open
 constexpr double least_compared = 400;  ///< texels of all photos; the verdict is scaled down with fewer
 constexpr double same_enough = 25;      ///< dB, for a background that moves with the camera
 constexpr double plain_enough = 30;     ///< dB
-constexpr double close_codes = 25;      ///< sRGB, in each channel
+constexpr double close_codes = 25;      ///< maximum difference in each channel, sRGB codes
 /// Measured: 0.17 on a head that was moved between series of photos, 0.41 and 0.80 in front of facades.
 constexpr double agreed_around_object = 0.5, agreed_before_front = 0.3;
 

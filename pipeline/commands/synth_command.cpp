@@ -33,7 +33,7 @@ void add_synth(const Command& program) {
             ProgressLine line(ProgressStyle::automatic);
             synthesize(spec, o->out, [&](std::size_t done, std::size_t total) {
                 const std::scoped_lock lock(mutex);
-                // A log gets one line per tenth.
+                // A log gets one line per tenth of the photos.
                 if (line.style() == ProgressStyle::bar || done * 10 / total > (done - 1) * 10 / total)
                     line.show({"photos", "", done, total});
             });

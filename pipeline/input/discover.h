@@ -25,7 +25,8 @@ struct FoundInput {
     InputFiles files;
     std::optional<Error> lacks;
 };
-/// As discover(), but continues if a part is missing. Throws Error(input) only if the folder cannot be read.
+/// Like discover(), but continues if a part is missing. Throws Error(input) only if the folder cannot be
+/// read.
 FoundInput search(const std::filesystem::path& folder, const InputFiles& given = {});
 
 }  // namespace vantage

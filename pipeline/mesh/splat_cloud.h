@@ -14,9 +14,9 @@ struct SplatCloud {
     std::vector<float> radii;
 };
 
-/// From the cloud from which the tree was made.
+/// Creates it from the cloud and the tree made from that cloud.
 SplatCloud splat_cloud(const PointTree& tree, const Mesh& cloud, const Eigen::Vector3d& origin);
-/// From a package with the effect `points`. Throws Error(damaged).
+/// Reads it from a package with the effect `points`. Throws Error(damaged).
 SplatCloud splat_cloud(const PackageReader& package);
 
 }  // namespace vantage

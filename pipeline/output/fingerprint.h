@@ -11,7 +11,7 @@
 
 namespace vantage {
 
-/// XXH3-64 over the bytes of values, one after another. Accepts only types without padding.
+/// The XXH3-64 hash of the bytes of successive values. Accepts only types without padding.
 class Fingerprint {
   public:
     template <class T>

@@ -217,7 +217,7 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     // A copy, because the records' poses change in the meantime.
     const std::vector<package::PhotoRecord> given = photos.records;
     Agreement out;
-    // Concurrently, because cameras seldom move.
+    // Fits colors while cameras are registered, because cameras seldom move.
     std::future<std::vector<ImageSetColors>> fitting =
         std::async(std::launch::async, [&] { return fit_image_sets(in, samples, given); });
     out.pose_refinement = register_cameras(in, open_part(in), samples, photos);

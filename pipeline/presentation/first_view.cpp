@@ -23,7 +23,7 @@ constexpr double filled = 0.75;                ///< fraction of the frame's heig
 constexpr double least_fov = 8, max_fov = 70;  ///< degrees
 constexpr double nearby = 25 * degree;         ///< angle at the model between nearby photos
 constexpr double tolerated_roll = 15 * degree, usual_height = 40 * degree;
-constexpr double usual_distance = 0.5;  ///< typical deviation of ln(distance / median)
+constexpr double usual_distance = 0.5;  ///< width of the bell, in ln(distance / median)
 constexpr int cells = 24;               ///< along the model's longest side, for its roughness
 
 /// The amount of detail at each disc: the variation of its neighbors' normals and colors.

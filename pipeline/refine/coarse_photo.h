@@ -26,7 +26,7 @@ struct SquareMeans {
     Eigen::Array4f around(float x, float y) const;
 };
 
-/// `colors`: of a level, in row-major order.
+/// `colors`: those of a level, in row-major order.
 SquareMeans square_means(std::span<const std::array<float, 3>> colors, int width, int height);
 
 /// A photo at one coarse level of its pyramid, for validation.

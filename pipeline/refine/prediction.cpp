@@ -92,7 +92,7 @@ std::vector<Blended> blended(const Sightings& sightings, const Alternative& a) {
     return out;
 }
 
-/// The mean of some colors, weighted.
+/// A weighted mean of colors.
 struct Mean {
     Color sum{};
     float weight = 0;

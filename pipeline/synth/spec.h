@@ -19,8 +19,8 @@ struct SynthSpec {
         double distance = 3;  ///< from the facade
     } object;
     struct Garden {
-        double radius = 0;   ///< radius of the lawn or meadow; 0: no garden, and a sky without clouds
-        double hill = 8;     ///< height of the hill at twice the radius; of a chapel's hills, 4 km away
+        double radius = 0;  ///< radius of the lawn or meadow; 0: no garden, and a sky without clouds
+        double hill = 8;    ///< height of the hill at twice the radius; with a chapel, of the hills 4 km away
         double railing = 0;  ///< thickness of the bars in front of the upper windows; 0: none
     } garden;                ///< in the photos, but not in the mesh
     struct Glass {

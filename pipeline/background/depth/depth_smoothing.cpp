@@ -11,7 +11,7 @@ namespace {
 constexpr float jump = 0.1f;        ///< the largest cost of a step between neighbors
 constexpr float unit = jump / 255;  ///< unit of the stored messages, which are at most `jump`
 constexpr float slope = 0.6f;       ///< per inverse distance times the reach
-constexpr int sweeps = 4;           ///< through all directions, forward and backward
+constexpr int sweeps = 4;           ///< passes through all directions, forward and backward
 
 /// For each lane and label, the minimum over all labels of their cost plus that of the step, minus the
 /// smallest cost. `cost`: the lanes of each label.

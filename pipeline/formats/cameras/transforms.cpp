@@ -106,7 +106,7 @@ class Frames {
                 focal->fail("a focal length above 0");
         frame.fail("a focal length, fl_x or camera_angle_x");
     }
-    /// For a photo of unknown size.
+    /// Sets the principal point of a photo of unknown size.
     void set_center_of_photo(const LocatedJson& frame, CameraSet::Entry& entry) const {
         const auto cx = value_of(frame, all_, "cx"), cy = value_of(frame, all_, "cy");
         entry.unit = cx && cy ? CameraSet::Unit::pixels_from_corner : CameraSet::Unit::pixels_from_center;
