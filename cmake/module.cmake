@@ -16,9 +16,9 @@ endfunction()
 # vantage_module(FOLDER [USES folder...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...] [SOURCES file...] [LOOPS file...])
 #
 # Makes a library from a folder, named vantage_ and its path with _ for / (player/plan: vantage_player_plan). Its sources
-# see its own headers and those of the modules it uses, directly or through another, and no others: the source folder is
-# linked into an include directory of the module's own, and the repository root is on no module's include path. An include
-# against the order of dependencies does not compile.
+# see its own headers and those of the modules that it uses, directly or indirectly, and no others: the source folder
+# is linked into an include directory of the module's own, and the repository root is on no module's include path. An
+# include that violates the order of dependencies does not compile.
 #   USES               modules, by their folders; part of the module's interface
 #   LIBRARIES          libraries that the module's headers include
 #   PRIVATE_LIBRARIES  libraries that only its sources include

@@ -13,7 +13,7 @@ layout(location = nearest_bits_uniform) uniform uint nearest_bits;
 layout(location = near_distance_uniform) uniform float near_distance;                // the nearest photos are not used beyond this
 layout(location = background_triangles_uniform) uniform uvec2 background_triangles;  // first, and one past the last
 layout(location = background_distance_uniform) uniform float background_distance;
-layout(location = viewer_away_uniform) uniform float viewer_away;         // from the nearest camera, in units of background_distance
+layout(location = viewer_away_uniform) uniform float viewer_away;         // the viewer's distance from the nearest camera, in units of background_distance
 
 // Interpolated from the background's vertices.
 vec3 calm = vec3(0.0);    // background color, square root of light
@@ -82,7 +82,7 @@ Candidate candidate_of(uint bits, vec3 seen_near) {
     return c;
 }
 
-// Fraction of a photo's color versus the background color, for a viewer away from all cameras.
+// Weight of a photo's color, versus the background color, for a viewer away from all cameras.
 float sure(float trust) { return 1.0 - smoothstep(calm_from * trust, calm_to * trust, viewer_away); }
 
 bool is_sky() { return distance(surface_position, weight_eye) > sky_distance * background_distance; }
@@ -94,8 +94,8 @@ vec3 calmed(vec3 root, float share) {
     return max(mix(calm, root, share), vec3(0.0));
 }
 
-// Square root of a photo's color. By label, it is corrected to continue other photos. Unreliable colors fade
-// to the background color, except from the photo's own camera.
+// Square root of a photo's color. Photos chosen by label are corrected to match adjacent photos. Unreliable
+// colors fade to the background color, except from the photo's own camera.
 vec3 painted(vec3 root, Candidate c) {
     vec3 labeled = calmed(root + surface_normal, sure(max(trust, 1e-3))), near = calmed(root, sure(1.0));
     return (c.label * labeled + c.near * near + c.own * root) / (c.label + c.near + c.own);
@@ -150,7 +150,7 @@ void main() {
         } else third = max(third, c.weight);
         here &= here - 1u;
     } while (here != 0u);
-    // Minus the third-best weight, so that photos appear and disappear gradually.
+    // The third-best weight is subtracted, so that photos appear and disappear gradually.
     third = max(third, negligible * best[0].weight);
     // A photo that shows the mesh there does not see the sky, even where the mesh is hidden.
     if (show == show_colors && trust > 0.8 && is_sky()) accumulated = vec4(calm, 1.0) * background_least;

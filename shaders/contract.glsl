@@ -6,7 +6,7 @@ const int position_attribute = 0;
 const int normal_attribute = 1;
 const int color_attribute = 2;
 const int draw_attribute = 3;  // per draw: first triangle; one bit per photo of the pass to draw
-const int value_attribute = 4;  // of the displayed scalar field; 1, or 0 for a vertex without a value
+const int value_attribute = 4;  // value of the displayed scalar field; then 1, or 0 for a vertex without a value
 const int cell_attribute = 0;  // per point: cell in the node's cube, 21 bits per axis
 const int cube_attribute = 5;  // per draw: low corner and size of the node's cube
 const int node_attribute = 6;  // per draw: index among the drawn nodes
@@ -209,7 +209,7 @@ const int vignette_lens_uniform = 0;
 const int vignette_uniform = 1;
 
 // Uniforms of panel and mark, in addition to clip_from_origin_uniform; their remaining opacity behind the
-// model, and by what fraction of its distance the model must be nearer, because marks lie on surfaces.
+// model, and the fraction of its distance by which the model must be nearer, because marks lie on surfaces.
 const int hides_uniform = 1;
 const int hiding_terms_uniform = 2;
 const int hiding_scale_uniform = 3;
@@ -310,7 +310,7 @@ const float edge_least = 0.2f;  // at a discontinuity itself: other photos may n
 // Within about this angle of a photo's own camera, in radians, the picture becomes that photo (the epipole consistency of
 // Buehler et al. 2001): ramps and weight maps that prefer other photos must not apply there.
 const float own_angle = 0.01f;
-const float own_least = 0.00001f;  // lower limit of the angle; bounds the factor at 10^6
+const float own_least = 0.00001f;  // lower limit on the angle; bounds the factor at 10^6
 // Photos are gradually treated as overexposed where all channels are at least this, in linear light, because
 // exposure correction must not turn white into gray.
 const float overexposed = 0.9f;
@@ -335,8 +335,8 @@ const int background_labels = 32;    // 0: none
 const float mesh_behind = 1.0f / 64.0f;  // weight of the mesh's colors for holes of the background
 const float near_ramp = 0.1f;   // fraction of a photo's width over which the nearest photos fade in from their frame
 const float negligible = 0.3f;  // photos below this fraction of the best photo's weight are not shown
-// Away from all cameras, the background fades to its mean color, between these distances of the viewer from
-// the nearest camera, times its trust, in units of the distance at which angles are measured.
+// The background fades to its mean color as the viewer moves away from all cameras, between these distances
+// from the nearest camera, multiplied by the trust and in units of the distance at which angles are measured.
 const float calm_from = 0.5f, calm_to = 1.0f;
 // The background is sky beyond this times the distance at which angles are measured. This is a third of the
 // distance of its vertices, so that triangles between a hill and the sky have the sky's mean color where they
@@ -357,7 +357,7 @@ struct Photo {
     vec4 center_hull;         // camera center relative to the origin; fraction of the photo that the model fills
     vec4 direction;           // corrected viewing direction [P]; index in `pages` of its lens table, or -1
     vec4 false_color;         // linear; background label, 0: none
-    vec4 gain;                // factors to the mean photo's exposure, linear light; 2 / diagonal, 1/pixels
+    vec4 gain;                // factors that convert to the mean photo's exposure, linear light; 2 / diagonal, 1/pixels
     vec4 vignetting;             // ln of the lens's loss, times r^2, r^4, r^6; square of its range (scene/package/contents/lens_table.h)
     uvec4 color_base[level_count / 4];  // index in `pages` of each level's first tile, four levels each
     uvec4 weight_base[level_count / 4];

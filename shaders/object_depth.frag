@@ -3,7 +3,7 @@
 
 layout(location = 0) out float distance_along_axis;
 layout(binding = depth_unit) uniform sampler2D depth;
-layout(location = depth_terms_uniform) uniform vec3 depth_terms;  // depth is x + y / z, with z times the third in the scene
+layout(location = depth_terms_uniform) uniform vec3 depth_terms;  // depth is x + y / z; the third component scales z to the scene's unit
 
 void main() {
     float d = texelFetch(depth, ivec2(gl_FragCoord.xy), 0).r;

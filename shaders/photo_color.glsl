@@ -35,9 +35,9 @@ struct Footprint {
 #endif
 };
 // Level of detail from the photo pixels along the sample's two sides, by the projection's Jacobian, because
-// dFdx and dFdy are undefined if neighboring fragments have left the loop. A footprint up to 4 times longer
-// than wide (TAPS times with taps) is sampled at the level of its shorter side. 0.02 levels and 0.1 taps
-// absorb rounding: at one photo pixel per sample, only level 0 is read, by one tap.
+// dFdx and dFdy are undefined if neighboring fragments have left the loop. A footprint up to 4 times as long
+// as it is wide (TAPS times with taps) is sampled at the level of its shorter side. 0.02 levels and 0.1 taps
+// are subtracted to absorb rounding: at one photo pixel per sample, only level 0 is read, with one tap.
 Footprint footprint_of(uint photo, vec3 p, vec3 along_x, vec3 along_y) {
     mat3 R = mat3(photos[photo].cam_from_origin);
     vec3 x = R * along_x, y = R * along_y;

@@ -84,7 +84,7 @@ vec4 color_at_level(uint photo, int level, vec2 pixel) {
     int levels = int(photos[photo].size_weight.z), next = level;
     vec4 c = vec4(0.0);
     float open = 1.0;
-    // Loops end at their bottom: software renderers go through a loop's body once more where it ends at the top.
+    // The condition is at the end, because software renderers run a loop once more if it is at the start.
     do {
         int l = next < levels ? next : max(levels - levels_of_base, 0);
         TilePlace p = tile_place(size, l, pixel / float(1 << l), photos[photo].color_base[l >> 2][l & 3]);

@@ -135,7 +135,7 @@ void main() {
     vec4 light = shown_color(texelFetch(accumulated, at, 0), at, fills);
 #endif
 #ifdef TRANSPARENCY
-    if (flip && compare == compare_nothing) light.rgb *= light.a;  // a window has black behind what is transparent
+    if (flip && compare == compare_nothing) light.rgb *= light.a;  // a window shows black behind transparent pixels
 #endif
     float share = compare == compare_nothing ? edge_share(at, size, soft_edges) : 1.0;
     if (edges_opaque) light.rgb = mix(plain_background_at(plain_background, plain_background_bottom, at.y, size.y), light.rgb, share);

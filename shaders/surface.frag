@@ -58,8 +58,8 @@ layout(location = lamp_uniform) uniform vec4 lamp[EYES];      // direction to th
 layout(location = light_uniform) uniform uint light_kind;     // light_lamp, light_raking or light_normals
 layout(location = camera_rows_uniform) uniform mat3 camera[EYES];  // rows in the scene's axes: right, down, forward
 
-// The brightness of a matte surface by Phong's model (1975), relative to one that faces the viewer; or the
-// normal in the viewer's axes (right, up, toward the viewer), as a color.
+// The brightness of a matte surface according to Phong's model (1975), relative to one that faces the viewer;
+// or the normal in the viewer's axes (right, up, toward the viewer), as a color.
 vec3 lit(vec3 n, vec3 v) {
     if (dot(n, v) < 0.0) n = -n;
     if (light_kind == light_normals) {
@@ -74,8 +74,8 @@ vec3 lit(vec3 n, vec3 v) {
 #endif
 
 #ifdef TRANSPARENT
-// The color of a transparent surface: its own facing the viewer, darker aslant like the bare surface; lit and colored like the
-// opaque surface with its photos.
+// The color of a transparent surface: its own color where it faces the viewer, darker at a slant like the
+// bare surface; lit and colored like the opaque surface with its photos.
 vec3 own_color(vec3 n, vec3 v) {
     vec3 base = decode(max(surface_color.rgb, vec3(0.0))), color = base * (0.12 + 0.35 * abs(dot(n, v))) / bare_gray;
 #ifdef LIGHT

@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// A bash script that completes the program's verbs, options, values and files. The package bash-completion
-/// loads it; its functions find packages, but are not required.
+/// A bash script that completes the program's verbs, options, values and files. It is loaded by the
+/// bash-completion package, whose functions complete the names of package files, if it is installed.
 std::string bash_completion(const DescribedCommand& program);
 
 }  // namespace vantage

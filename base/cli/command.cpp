@@ -28,7 +28,7 @@ struct Command::Node {
     std::string program;  ///< name of the program, for a verb
     std::string version;
     std::shared_ptr<CLI::App> app;
-    std::deque<Option::Entry> options;  ///< and arguments
+    std::deque<Option::Entry> options;  ///< options and arguments
     std::vector<Command> verbs;
     std::vector<std::string> common;
     std::function<int(const Command&)> action;

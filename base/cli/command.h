@@ -27,8 +27,8 @@ class Option {
     Option one_word() const;
     Option needs(const Option& other) const;
     Option excludes(const Option& other) const;
-    /// Values to list in --help and to complete. Others are accepted as well: they are files, or are checked
-    /// later.
+    /// Values to list in --help and to offer for completion. Other values are accepted as well: they name
+    /// files, or are checked later.
     Option suggests(std::vector<std::string> values) const;
 
   private:
@@ -44,9 +44,9 @@ using NamedValues = std::initializer_list<std::pair<const char*, std::type_ident
 /// A program or one of its verbs, with its options and its action. A handle: copies refer to the same
 /// command.
 ///
-/// `names` are those of an option, "-o,--output", or of an argument, "FILE". `value` must outlive run(); its
-/// initial value is the default that --help shows, unless it is empty or out of range. An invalid value is a
-/// usage error that names the option and the expected values.
+/// `names`: those of an option, such as "-o,--output", or the name of an argument, such as "FILE". `value`
+/// must outlive run(); its initial value is the default that --help shows, unless it is empty or out of
+/// range. An invalid value is a usage error that names the option and the expected values.
 class Command {
   public:
     Command(const std::string& name, const std::string& description);
@@ -60,14 +60,14 @@ class Command {
     Option text(const std::string& names, std::string& value, const std::string& help) const;
     Option file(const std::string& names, std::string& value, const std::string& help) const;
     Option file(const std::string& names, std::filesystem::path& value, const std::string& help) const;
-    /// Both limits are included.
+    /// The limits are inclusive.
     Option integer(const std::string& names, std::integral auto& value, std::int64_t least, std::int64_t most,
                    const std::string& help) const {
         return add_integer(names, std::int64_t(value), least, most, help, [&value](std::int64_t given) {
             value = static_cast<std::remove_cvref_t<decltype(value)>>(given);
         });
     }
-    /// Both limits are included; neither NaN nor infinity is accepted.
+    /// The limits are inclusive; neither NaN nor infinity is accepted.
     Option real(const std::string& names, std::floating_point auto& value, double least, double most,
                 const std::string& help) const {
         return add_real(names, double(value), least, most, help, [&value](double given) {
@@ -98,7 +98,7 @@ class Command {
     Option choices(const std::string& names, std::vector<std::string>& values,
                    const std::vector<std::string>& words, const std::string& help) const;
     Option list(const std::string& names, std::vector<std::string>& values, const std::string& help) const;
-    /// Two finite numbers, as one word, "1,2", or as two.
+    /// Two finite numbers, as one word, "1,2", or as two words.
     Option pair(const std::string& names, std::vector<double>& values, const std::string& help) const;
     /// --force, for commands that write files (see output_file).
     void force(bool& value) const;

@@ -4,13 +4,13 @@
 
 namespace vantage {
 
-/// Longest text of a limit; longer ones mean "no limit".
+/// Maximum length of a limit's text; a longer text means "no limit".
 inline constexpr std::size_t longest_limit = 7;
 
 /// One option or argument of a command line.
 struct DescribedOption {
     std::vector<std::string> names;  ///< "-o" and "--output"; for an argument, its only name, such as "INPUT"
-    std::string type;  ///< of its value: FILE, FOLDER, PACKAGE, NUMBER, TEXT, ...; empty for a flag
+    std::string type;  ///< kind of value: FILE, FOLDER, PACKAGE, NUMBER, TEXT, ...; empty for a flag
     std::vector<std::string> values;  ///< permitted values; empty if they are not listed
     std::string least, most;          ///< limits of a number, or empty
     std::string initial;              ///< the default; empty if it is not shown
@@ -24,7 +24,7 @@ struct DescribedOption {
 
 /// A program or one of its verbs, as its command line describes it.
 struct DescribedCommand {
-    std::string name;  ///< for a verb, without the program's
+    std::string name;  ///< for a verb, without the program's name
     std::string description;
     std::string notes;  ///< end of --help: paragraphs, examples, exit codes
     std::vector<DescribedOption> arguments, options;

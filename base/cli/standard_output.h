@@ -4,15 +4,15 @@
 
 namespace vantage {
 
-/// Form of a verb's report on the standard output: lines for people, nothing (-q), or one JSON object
-/// (--json) that follows docs/results.schema.json.
+/// Form of a verb's report on standard output: lines for people, nothing (-q), or one JSON object (--json)
+/// that follows docs/results.schema.json.
 enum class OutputForm { lines, none, json };
 
 /// Called by Command before an action runs; clears results().
 void choose_output(OutputForm form);
 OutputForm output_form();
 
-/// The standard output in the form `lines`, otherwise a file that discards its content.
+/// Standard output if the form is `lines`, otherwise a file that discards its content.
 std::FILE* text_output();
 
 /// The JSON object. Command adds the members common to all verbs.

@@ -17,7 +17,7 @@ std::string argument_escaped(const std::string& text) {
     return out;
 }
 
-/// The action by which _arguments completes a value: a list, a kind of file, or nothing.
+/// The action with which _arguments completes a value: a list, a kind of file, or nothing.
 std::string action_of(const DescribedOption& o) {
     const std::string list = o.values.empty() ? "" : "(" + joined(o.values, " ") + ")";
     const std::string values =

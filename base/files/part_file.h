@@ -9,12 +9,12 @@ namespace vantage {
 
 /// The name under which `file` is written until it is complete.
 std::filesystem::path part_of(const std::filesystem::path& file);
-/// The name of the file into which a part's chunks are packed if they are not in their final places.
+/// The name of the file into which a part's chunks are packed if they are not yet at their final positions.
 std::filesystem::path packing_of(const std::filesystem::path& file);
-/// The name to which an existing part of another layout is moved.
+/// The new name of an existing part that has another layout.
 std::filesystem::path displaced_part_of(const std::filesystem::path& file);
 
-/// A file that is written as part_of(file), or another name in the same folder, and renamed when it is
+/// A file that is written as part_of(file), or under another name in the same folder, and renamed when it is
 /// complete. Only one process at a time can have it open; the lock ends with the process, even in a crash.
 /// Offsets and lengths are in bytes. Reading and writing are thread-safe. Functions throw Error(storage) if
 /// the system call fails.
@@ -34,7 +34,7 @@ class PartFile {
     /// Copies from another file inside the kernel, sharing blocks if the file system can. Returns the number
     /// of bytes copied, which may be less than `length`.
     std::uint64_t copy(int from, std::uint64_t from_offset, std::uint64_t offset, std::uint64_t length) const;
-    /// The same from another part, but copies the whole length.
+    /// Copies from another part, always the whole length.
     void copy(const PartFile& from, std::uint64_t from_offset, std::uint64_t offset,
               std::uint64_t length) const;
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
@@ -57,7 +57,7 @@ class PartFile {
     void displace();
     /// Deletes the part.
     void remove() const;
-    /// Deletes and closes it.
+    /// Deletes the part and closes it.
     void discard();
     /// Flushes to the disk, including the name.
     void flush_with_name() const;

@@ -26,14 +26,15 @@ struct PngRows::State {
     }
     static void ignore(png_structp, png_const_charp) {}
 
-    // Each of these returns false if libpng failed. They construct nothing, because errors jump out of them.
+    // Each of these returns false if libpng failed. They construct no objects, because errors jump out of
+    // them.
     bool begin(png_uint_32 width, png_uint_32 height, png_textp xmp) {
         if (setjmp(png_jmpbuf(png))) return false;
         png_init_io(png, out);
         png_set_user_limits(png, max_pixels, max_pixels);
         png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        // A sixth of the time of the default level and filters, for files that are a sixth larger.
+        // Takes a sixth of the time of the default level and filters, but files are a sixth larger.
         png_set_compression_level(png, 1);
         png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);

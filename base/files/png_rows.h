@@ -12,7 +12,7 @@ namespace vantage {
 /// finished.
 class PngRows {
   public:
-    static constexpr int max_pixels = 1'000'000;  ///< a side
+    static constexpr int max_pixels = 1'000'000;  ///< per side
 
     /// `xmp`: an XMP packet of metadata, or empty. Throws Error(storage) if the file cannot be written.
     PngRows(const std::filesystem::path& file, int width, int height, const std::string& xmp = "");
@@ -20,9 +20,9 @@ class PngRows {
     PngRows(const PngRows&) = delete;
     PngRows& operator=(const PngRows&) = delete;
 
-    /// The next row, four bytes per pixel. Throws Error(storage).
+    /// Writes the next row, four bytes per pixel. Throws Error(storage).
     void add(std::span<const std::uint8_t> row);
-    /// After the last row. Throws Error(storage).
+    /// Completes the file after the last row. Throws Error(storage).
     void finish();
 
   private:

@@ -11,7 +11,7 @@ enum class Debug { off, on };
 Debug debug_from_environment();
 
 /// A headless OpenGL 4.5 core context, current on the thread that made it. Tries EGL's hardware devices, then
-/// its software devices, then surfaceless Mesa. Throws Failure if none gives a context.
+/// its software devices, then surfaceless Mesa. Throws Failure if none of them provides a context.
 class HeadlessContext {
   public:
     explicit HeadlessContext(Debug debug = debug_from_environment());

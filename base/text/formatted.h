@@ -6,7 +6,7 @@ namespace vantage {
 
 /// The text that printf would print.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
-/// What vprintf would print.
+/// The text that vprintf would print.
 [[gnu::format(printf, 1, 0)]] std::string formatted_list(const char* format, std::va_list arguments);
 
 }  // namespace vantage

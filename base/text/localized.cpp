@@ -11,7 +11,7 @@
 namespace vantage {
 namespace {
 
-constexpr char begin = '\1', end = '\2';  ///< of numbers with a fraction
+constexpr char begin = '\1', end = '\2';  ///< marks around a number with a fraction
 
 /// The format with marks around the conversions of such numbers.
 std::string with_marks(std::string_view format) {

@@ -3,19 +3,19 @@
 #include <string>
 #include <string_view>
 
-/// Numbers as the window shows them, with the decimal separator of its language. Never for files, nor for the
-/// command line. Belongs to the thread of translation.h.
+/// Numbers as shown in the window, with the decimal separator of its language. Not for files or the command
+/// line. For use on the same thread as translation.h.
 namespace vantage {
 
-/// "." or ","; the catalog has it.
+/// "." or ",", as defined in the catalog.
 const char* decimal_separator();
 
-/// As formatted(), but for that separator in numbers with a fraction.
+/// Like formatted(), but with that separator in numbers with a fraction.
 [[gnu::format(printf, 1, 2)]] std::string localized(const char* format, ...);
-/// The same for a text that is there already: points between digits are taken for separators.
+/// The same for a finished text: points between digits are treated as decimal separators.
 std::string localized_numbers(std::string text);
 
-/// A finite number that somebody has typed, with a point or a comma; without separators of thousands.
+/// Parses a finite number typed by a user, with a decimal point or comma and without thousands separators.
 std::optional<double> typed_number(std::string_view text);
 
 }  // namespace vantage

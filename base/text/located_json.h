@@ -10,9 +10,8 @@
 
 namespace vantage {
 
-/// A JSON value that knows its location, so that errors can name it. Reading a value of another kind than
-/// expected throws Error(input): one line with the file, the location, the value found and the value
-/// expected.
+/// A JSON value that knows its location, so that errors can name it. Reading a value of an unexpected kind
+/// throws Error(input): one line with the file, the location, the value found and the value expected.
 class LocatedJson {
   public:
     /// The root value of a file. The arguments must outlive it; unknown keys are added to `unknown`.

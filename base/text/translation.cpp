@@ -16,7 +16,7 @@ namespace vantage {
 namespace {
 
 constexpr const char* domain = "vantage";
-constexpr char context_end = '\4';  ///< as in catalogs of gettext
+constexpr char context_end = '\4';  ///< as in gettext catalogs
 
 /// bin/../share/locale in an installation or a build folder.
 std::filesystem::path catalogs() {

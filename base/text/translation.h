@@ -4,14 +4,14 @@
 #include <vector>
 
 /// Translates the window's texts with gettext. English texts are the keys of the catalogs in languages/,
-/// which are installed in share/locale beside the programs' folder. For use by one thread.
+/// which are installed in share/locale beside the programs' folder. For use on one thread.
 namespace vantage {
 
 /// Marks a text for the catalogs; it is translated where it is shown.
 constexpr const char* marked(const char* text) { return text; }
-/// Marks a text with several senses: the context tells them apart in the catalogs and is not shown.
+/// Marks a text that has several meanings: the context distinguishes them in the catalogs and is not shown.
 #define MARKED_IN(context, text) context "\004" text
-/// The text behind the context, if it has one.
+/// The text without its context, if it has one.
 const char* without_context(const char* text);
 
 /// Translates a text, or returns it unchanged but without its context if there is no translation. Valid until
@@ -19,7 +19,7 @@ const char* without_context(const char* text);
 [[gnu::format_arg(1)]] const char* tr(const char* text);
 /// Translates a text in a context.
 [[gnu::format_arg(2)]] const char* tr_in(const char* context, const char* text);
-/// The translated singular or plural, by the language's rules.
+/// The translated singular or plural, according to the language's rules.
 [[gnu::format_arg(1), gnu::format_arg(2)]] const char* tr_count(const char* one, const char* several,
                                                                 std::size_t count);
 

@@ -27,7 +27,7 @@ T upper_median(std::span<T> values) {
     return *middle;
 }
 
-/// Jackknife standard error of an estimate, from its differences to the n estimates that each omit part of
+/// Jackknife standard error of an estimate, from its differences from the n estimates that each omit part of
 /// the data: sqrt((n - 1) / n sum(d^2)); 0 if there are none.
 inline double jackknife_error(std::span<const double> distances) {
     const double n = double(distances.size());

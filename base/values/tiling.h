@@ -5,7 +5,7 @@
 namespace vantage {
 
 /// Tiles are stored with their border, ready to upload as one layer of an array texture.
-inline constexpr int tile_size = 256;                             ///< texels along a stored tile
+inline constexpr int tile_size = 256;                             ///< texels per side of a stored tile
 inline constexpr int tile_border = 4;                             ///< texels repeated from the neighbors
 inline constexpr int tile_content = tile_size - 2 * tile_border;  ///< texels without the border
 

@@ -16,7 +16,7 @@ namespace vantage {
 /// Coefficients of the ln factor that compensates a lens's vignetting: f0 r^2 + f1 r^4 + f2 r^6, with r = 1
 /// at half the diagonal.
 using Vignetting = std::array<double, 3>;
-/// The r of a pixel: its distance from the principal point over half the photo's diagonal.
+/// The r of a pixel: its distance from the principal point, divided by half the photo's diagonal.
 double vignetting_radius(const Intrinsics& intrinsics, const Eigen::Vector2d& pixel);
 double log_vignetting(const Vignetting& vignetting, double radius);
 double log_vignetting_at_square(const Vignetting& vignetting, double radius2);
@@ -36,7 +36,7 @@ struct ColorFit {
     double before = 0, after = 0;
     std::vector<double> photo_before, photo_after;  ///< the same per photo; 0 if it shares no disc
 
-    /// Whether any photos share enough surface to be compared.
+    /// Whether any photos see enough common surface to be compared.
     bool shares_surface() const {
         return std::ranges::any_of(samples, [](std::size_t n) { return n > 0; });
     }
@@ -46,11 +46,11 @@ struct ColorFit {
 /// focal length to within 0.5 % share a lens, unless they are of different image sets.
 std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photos);
 
-/// Least squares over all discs that several photos show, with the discs' colors eliminated. Iteratively
-/// reweighted by 1 / (1 + (e / s)^2) (Cauchy); s starts at 0.6, so that photos two stops apart are not
-/// outliers, and ends at 0.12. A photo with fewer than 30 such discs keeps gain 1; gains are within a factor
-/// of 4. A lens of at least three photos gets vignetting if it grows outward, is 5 to 60 % in the corner, and
-/// lowers the cost by at least 2 %. `lens`: per photo.
+/// A least-squares fit over all discs that several photos show, with the discs' colors eliminated.
+/// Iteratively reweighted by 1 / (1 + (e / s)^2) (Cauchy); s starts at 0.6, so that photos two stops apart
+/// are not outliers, and ends at 0.12. A photo with fewer than 30 such discs keeps gain 1; gains are within a
+/// factor of 4. A lens of at least three photos gets vignetting if it grows outward, is 5 to 60 % in the
+/// corner, and lowers the cost by at least 2 %. `lens`: per photo.
 ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool with_vignetting);
 
 /// Gains and vignetting per photo.
@@ -60,12 +60,12 @@ struct PhotoColors {
 };
 PhotoColors colors_of(const ColorFit& fit, std::span<const std::uint32_t> lens);
 
-/// The colors of all photos but one, fitted without it; its own gain is 1, and its vignetting is that of its
-/// lens.
+/// The colors of all photos but one, fitted without it; that photo's gain is 1, and its vignetting is that of
+/// its lens.
 PhotoColors fit_without(Samples samples, std::span<const std::uint32_t> lens, std::uint32_t photo,
                         bool with_vignetting);
 
-/// The same with gains alone and with vignetting.
+/// The same, with gains alone and with vignetting.
 struct FitsWithout {
     PhotoColors gains, both;
 };

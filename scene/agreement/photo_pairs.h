@@ -12,7 +12,7 @@
 
 namespace vantage {
 
-/// Two photos that share surface.
+/// Two photos that see the same part of the surface.
 struct PhotoPair {
     std::uint32_t a, b;    ///< a < b
     std::uint32_t shared;  ///< number of discs that both show
@@ -20,11 +20,11 @@ struct PhotoPair {
     double color = 0;      ///< median |ln ratio| of linear light, mean of the channels
 };
 
-/// Score that favors a large shared surface and similar directions.
+/// A score that favors a large common surface and similar directions.
 double worth(const PhotoPair& pair);
 
-/// Finds photos that share surface. Photos of different image sets never do, because their colors cannot be
-/// compared. The spans must outlive the object.
+/// Finds photos that see the same part of the surface. Photos of different image sets are never paired,
+/// because their colors cannot be compared. The spans must outlive the object.
 class SharedSurface {
   public:
     /// Shared discs are counted with bit operations; angles and colors are computed only for candidates.
@@ -32,11 +32,11 @@ class SharedSurface {
                   std::span<const SurfaceDisc> discs);
 
     std::size_t photos() const { return seen_.size(); }
-    /// Up to `count` pairs with `photo` that share the most surface, at least 30 discs, in descending order;
-    /// ties are ordered by the other photo.
+    /// Up to `count` pairs with `photo` that have the most surface in common (at least 30 discs), in
+    /// descending order; ties are ordered by the other photo.
     std::vector<PhotoPair> most_shared(std::uint32_t photo, std::size_t count) const;
-    /// Up to `count` pairs with `photo` that share the most surface from similar directions, best first. They
-    /// are selected from the `candidates_of(count)` pairs that share the most.
+    /// Up to `count` pairs with `photo` that have the most surface in common, seen from similar directions,
+    /// best first. They are selected from the `candidates_of(count)` pairs with the most surface in common.
     std::vector<PhotoPair> best_pairs(std::uint32_t photo, std::size_t count) const;
     static std::size_t candidates_of(std::size_t count) { return 4 * count; }
 

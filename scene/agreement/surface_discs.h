@@ -15,10 +15,10 @@ struct SurfaceDisc {
     float radius;
 };
 
-/// Discs spread over the model, half by area and half by triangle count, so that neither a large ground plane
-/// nor a dense object receives them all. Deterministic. Their radius is 48 px at `density` (pixels per unit
-/// of the finest photo). Triangles with strays count as zero area (has_stray; `bounds` relative to the
-/// origin). Empty if the model has no triangles.
+/// Discs spread over the model, half of them by area and half by triangle count, so that neither a large
+/// ground plane nor a dense object receives them all. Deterministic. Their radius is 48 px at `density`
+/// (pixels per unit of the finest photo). Triangles with strays count as zero area (has_stray; `bounds`
+/// relative to the origin). Empty if the model has no triangles.
 std::vector<SurfaceDisc> surface_disc_set(std::span<const Eigen::Vector3f> positions,
                                           std::span<const std::uint32_t> indices, double density,
                                           const Eigen::AlignedBox3d& bounds = {});

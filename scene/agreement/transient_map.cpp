@@ -61,7 +61,7 @@ float weight_among(const float* ln, const Others& others, std::size_t n) {
 }
 
 int clamped(int i, int n) { return std::clamp(i, 0, n - 1); }
-/// Reflects a position at the first and the last of `n`, without repeating them.
+/// Reflects a position at the first and the last of `n` elements, without repeating these.
 int mirrored(int i, int n) { return clamped(i < 0 ? -i : i >= n ? 2 * n - 2 - i : i, n); }
 
 /// The values of a row, padded by two on each side.

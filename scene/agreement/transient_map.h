@@ -15,11 +15,11 @@ struct TransientMap {
     double disagreeing = 0;            ///< fraction of the compared texels with weight below 128
 };
 
-/// Compares each texel with the same place in `others`. The weight falls when no other photo shows the color
-/// around that place within 0.35 (ln of linear light), and it differs from the range in most of them by more
-/// than 0.35 plus twice their spread; at twice that difference, it is 0. Single texels are ignored as noise.
-/// The weight is 255 if fewer than two others see the place, or if they disagree among themselves. At most
-/// six others are used per texel.
+/// Compares each texel with the same place in `others`. The weight falls if no other photo shows the color
+/// around that place to within 0.35 (ln of linear light), and if the color's median distance from their
+/// ranges exceeds 0.35 plus twice their spread; at twice that distance, the weight is 0. Single texels are
+/// ignored as noise. The weight is 255 if fewer than two others see the place, or if they disagree among
+/// themselves. At most six others are used per texel.
 TransientMap transient_of(const TransientView& photo, std::span<const TransientView* const> others);
 
 /// The same for one of many photos, compared with the views of its `partners`. Empty if there are fewer than

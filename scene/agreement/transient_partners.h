@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// The photos that each photo is compared with: the six that share the most surface with it from similar
-/// directions, and those that chose it.
+/// The photos that each photo is compared with: the six that have the most surface in common with it, seen
+/// from similar directions, and the photos that chose it.
 class TransientPartners {
   public:
     explicit TransientPartners(const SharedSurface& shared);

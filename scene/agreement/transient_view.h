@@ -36,7 +36,7 @@ int transient_level(const package::PhotoRecord& record);
 TransientView read_transient_view(const PackageReader& package, const package::PhotoRecord& record,
                                   std::uint32_t photo, int level);
 
-/// The view with the exposure of the mean photo, and vignetting corrected.
+/// The view converted to the mean photo's exposure, with vignetting corrected.
 TransientView corrected(TransientView view, const std::array<double, 3>& ln_gain,
                         const Vignetting& vignetting);
 

@@ -57,8 +57,9 @@ inline bool in_frame(const Intrinsics& k, const Eigen::Vector2d& pixel) {
 Eigen::Matrix4d clip_from_cam(const Intrinsics& intrinsics, double near, double far);
 
 /// Near and far plane for depths from `nearest` to `farthest`, slightly widened. The near plane is at least
-/// 1e-7 times `farthest`, the resolution of single-precision positions, or times `reach` if that is less: the
-/// distance up to which the surface should be drawn accurately. {0, 0} if nothing is in front of the camera.
+/// 1e-7 (the resolution of single-precision positions) times `farthest`, or times `reach`, the distance up to
+/// which the surface should be drawn accurately, if that is less. {0, 0} if nothing is in front of the
+/// camera.
 Eigen::Vector2d clip_range(double nearest, double farthest, double reach);
 
 /// Throws Error(input) naming `who` unless sizes and focal lengths are positive, everything (including the

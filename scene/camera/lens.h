@@ -13,7 +13,7 @@ enum class LensModel : int {
     opencv,      ///< p = k1 k2 p1 p2 k3 k4 k5 k6 (rational radial and tangential, OpenCV order)
     fisheye,     ///< p = k1 k2 k3 k4 (Kannala-Brandt: theta (1 + k1 theta^2 + ...))
     fov,         ///< p = omega (Devernay and Faugeras 2001)
-    thin_prism,  ///< p = k1 k2 p1 p2 k3 k4 sx1 sy1 (Weng, on the equidistant angle, as COLMAP)
+    thin_prism,  ///< p = k1 k2 p1 p2 k3 k4 sx1 sy1 (Weng, on the equidistant angle, as in COLMAP)
     brown,       ///< p = k1 k2 p1 p2 k3 k4 skew: a polynomial up to k4 r^8, OpenCV's p1 and p2 (Metashape)
     aria,        ///< p = k1 to k6, p1 p2, s1 to s4 on the equidistant angle (Project Aria's Fisheye624)
     division,    ///< p = k: x = x' / (1 + k r'^2), x' in the photo (Fitzgibbon 2001)
@@ -40,7 +40,7 @@ std::span<const char* const> coefficient_names(LensModel model);
 /// ignored. Beyond it the lens's polynomial folds back and is meaningless. Infinite if it never does.
 double lens_range(const Lens& lens);
 
-/// Normalized pinhole coordinates (x/z, y/z) to normalized coordinates as distorted by the lens. Continuous
+/// Maps normalized pinhole coordinates (x/z, y/z) to normalized coordinates distorted by the lens. Continuous
 /// at the center for every model. Finite input gives finite output within lens_range().
 Eigen::Vector2d distort(const Lens& lens, const Eigen::Vector2d& xy);
 

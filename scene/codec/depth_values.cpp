@@ -12,7 +12,7 @@
 namespace vantage::codec {
 namespace {
 
-constexpr int dropped = 24 - depth_bits;  ///< of a float's 24 significant bits, one of which is implicit
+constexpr int dropped = 24 - depth_bits;  ///< number of a float's 24 significant bits (one is implicit)
 constexpr std::uint32_t infinite = 0x7f800000u >> dropped;
 constexpr std::uint32_t max_steps = 0xffff;
 
@@ -24,7 +24,7 @@ std::uint32_t kept_bits(float z) {
 
 float depth_of(std::uint32_t kept) { return std::bit_cast<float>(kept << dropped); }
 
-/// 0 for +inf. Not valid if a value is not a depth or the range is too large.
+/// Depths as numbers of steps, 0 for +inf. Not valid if a value is not a depth or the range is too large.
 struct Steps {
     std::uint32_t least = infinite;
     std::vector<std::uint16_t> values;

@@ -17,7 +17,8 @@ constexpr int max_interval = 16;                       ///< so that a row of a c
 
 int divided_up(int a, int b) { return (a + b - 1) / b; }
 
-/// The width of cells in MCUs: a divisor of the photo's, so that every row of MCUs begins with a cell.
+/// The width of cells in MCUs: a divisor of the photo's width in MCUs, so that every row of MCUs begins with
+/// a cell.
 int interval_for(int mcus, int mcu_width) {
     int best = 1;
     const auto distance = [&](int n) { return std::abs(std::log(double(n * mcu_width) / wanted_width)); };

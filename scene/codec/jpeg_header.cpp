@@ -35,7 +35,7 @@ bool is_other_frame(int marker) {
     return marker >= 0xc1 && marker <= 0xcf && marker != huffman_tables && marker != arithmetic_tables;
 }
 
-/// Empty if the segment is incomplete.
+/// The segment whose marker is at `at`; empty if it is incomplete.
 std::optional<JpegSegment> segment_at(std::span<const std::byte> jpeg, std::size_t at) {
     if (at + 4 > jpeg.size() || byte_at(jpeg, at) != 0xff) return std::nullopt;
     const auto length = std::size_t(word_at(jpeg, at + 2));

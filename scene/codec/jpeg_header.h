@@ -32,8 +32,8 @@ struct JpegSegment {
 /// The segments between the start of the image and its data. `header`: as parsed from `jpeg`.
 std::vector<JpegSegment> segments_of(std::span<const std::byte> jpeg, const JpegHeader& header);
 
-/// How coarsely a JPEG of any kind quantizes luminance: the ratio of the means of its first quantization
-/// table and of the one in ITU-T T.81, Annex K, for example 0.24 at libjpeg's quality 88. 0 if there is no
+/// How coarsely a JPEG of any kind quantizes luminance: the mean of its first quantization table divided by
+/// the mean of the table in ITU-T T.81, Annex K; for example, 0.24 at libjpeg's quality 88. 0 if there is no
 /// table.
 double quantization_of(std::span<const std::byte> jpeg);
 

@@ -196,7 +196,7 @@ struct Scan {
     int restart_interval = 0;
 };
 
-/// `segment` begins with its length, as do those below.
+/// Reads Huffman tables. `segment` begins with its length, as do the segments below.
 bool read_tables(std::span<const std::byte> segment, Scan& out) {
     for (std::size_t at = 2; at < segment.size();) {
         if (segment.size() - at < 17) return false;

@@ -13,7 +13,7 @@ namespace vantage::codec {
 /// ends[i].
 struct DividedScan {
     std::vector<std::byte> bytes{};
-    std::vector<std::byte> tables{};  ///< a DHT segment to add to the header; empty if its tables are used
+    std::vector<std::byte> tables{};  ///< a DHT segment to add to the header; empty if none is needed
     std::vector<std::size_t> ends{};
 };
 

@@ -35,13 +35,13 @@ enum class Type : std::uint32_t {
     lenses = fourcc("LENS"),                   ///< LensRecord[photos]; optional
     thumbnail = fourcc("THMB"),                ///< per photo: RGBA8
     coverage = fourcc("COVR"),                 ///< per photo: CoverageRecord[clusters]
-    visible = fourcc("VISB"),      ///< per photo: u64[], a bit per fully, then partly visible triangle
-    samples = fourcc("SAMP"),      ///< per photo: SampleRecord[discs of the surface]
+    visible = fourcc("VISB"),  ///< per photo: u64[], a bit per triangle: fully visible, then partly visible
+    samples = fourcc("SAMP"),  ///< per photo: SampleRecord[discs of the surface]
     coordinates = fourcc("TEXC"),  ///< per photo: float[2][vertices]; (-1,-1) where not visible
     tiles = fourcc("TILE"),        ///< per photo and level: blocks of RGBA8 tiles
     weight_maps =
         fourcc("MASK"),      ///< per photo and level: RGBA8 tiles: angle, depth, border, transient masking
-    depth = fourcc("DPTH"),  ///< per photo and level: R32F tiles: linear z, +inf where nothing is seen
+    depth = fourcc("DPTH"),  ///< per photo and level: R32F tiles: linear z, +inf where no surface is visible
 };
 
 /// The stages that produce a photo's artifacts; at most `max_stages`.
@@ -53,20 +53,20 @@ inline constexpr std::uint32_t max_stages = 8;  ///< number of stages in a photo
 /// The levels of a photo's pyramid at which it has chunks of a type.
 enum class ChunkLevels { single, tiles, weight_maps };
 
-/// When a chunk of the scene is written: with the others, after all photos are done, or after that at the end
-/// of the file, because its size was not known before.
+/// When a scene-wide chunk is written: with the others; after all photos are done; or after that, at the end
+/// of the file, because its size is not known earlier.
 enum class ChunkWrite { planned, last, appended };
 
 /// A type of chunk: a row of the chunk table.
 struct ChunkRow {
     package::Type type;
     const char* name = nullptr;  ///< name of the content; null for chunks that only describe the package
-    package::Stage stage = package::Stage::count;  ///< makes it for each photo; count: one per scene
+    package::Stage stage = package::Stage::count;  ///< makes it for each photo; `count`: one per scene
     ChunkLevels levels = ChunkLevels::single;      ///< for a photo; all but `single` hold tiles as blocks
     bool compact = false;                          ///< coded if the effect `compact` is on
     std::uint64_t record = 0;                      ///< bytes per record
-    /// Number of records if it follows from SCEN and PHOT, otherwise null. For a chunk of the scene, the
-    /// photo is empty.
+    /// Returns the number of records; null if it does not follow from SCEN and PHOT. For a scene-wide chunk,
+    /// the photo record is empty.
     std::uint64_t (*count)(const package::SceneRecord&, const package::PhotoRecord&) = nullptr;
     const char* counted = "";  ///< `count` in words
     ChunkWrite write = ChunkWrite::planned;

@@ -13,8 +13,8 @@ struct Mismatch {
     Defect defect;  ///< chunk_checksum or tile_checksum
     std::string text;
 };
-/// The chunks that do not match their checksums, or whose heads do not, and with `tiles` also all such tiles;
-/// at most `most`. A package without mismatches is valid. Pages are released after reading.
+/// The chunks that do not match their checksums, or whose heads do not, and with `tiles` also the tiles that
+/// do not; at most `most` of them. A package without mismatches is valid. Pages are released after reading.
 std::vector<Mismatch> mismatches(const PackageReader& package, bool tiles,
                                  std::size_t most = std::numeric_limits<std::size_t>::max());
 /// The message for a tile, or a block of color in cells, that does not match its checksum.

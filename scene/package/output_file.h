@@ -33,7 +33,7 @@ enum class Product {
 /// A header line in meshes written by these programs.
 inline constexpr const char* ply_mark = "comment written by Vantage\n";
 
-/// Found in a comment at the beginning of photos written by these programs.
+/// Part of a comment at the beginning of photos written by these programs.
 inline constexpr std::string_view jpeg_mark = "written by Vantage";
 
 /// The first line of COLMAP text files written by these programs.

@@ -46,7 +46,7 @@ bool raw_chunk_fits(const DirectoryEntry& e) {
            body / e.block_length <= e.head_length / sizeof(std::uint64_t);
 }
 
-/// Unknown forms, of later programs, are accepted.
+/// Unknown forms, written by later programs, are accepted.
 bool coded_chunk_fits(const DirectoryEntry& e) {
     if (e.form == Form::zstd) return e.head_length == e.length && e.length >= sizeof(std::uint64_t);
     return e.head_length / package::coded_block_entry >= e.coded_blocks;

@@ -27,8 +27,8 @@ enum class Form : std::uint32_t {
     depth    ///< tiles of depth, rounded
 };
 
-/// Maximum ratio of content length to length of a zstd chunk, which may be padded with zeros, so that no
-/// small file claims much memory.
+/// Maximum ratio of the content's length to the length of a zstd chunk, so that a small file cannot claim
+/// much memory. A chunk may be padded with zeros to satisfy it.
 inline constexpr std::uint64_t max_expansion = 32;
 /// Bytes per block in the head of a coded chunk: checksum and end.
 inline constexpr std::uint64_t coded_block_entry = 16;
@@ -100,17 +100,17 @@ struct PhotoRecord {
     double R[9];                    ///< row-major, cam_from_world
     double t[3];                    ///< applies to positions relative to the origin
     double corrected_direction[3];  ///< unit vector in world space; [P] 2.3.3
-    double hull_area;               ///< area of the visible vertices' convex hull over the photo's, [0,1]
-    double seen_distance;           ///< median linear depth of the visible surface; 0 if it sees nothing
-    double z_min, z_max;            ///< range of the depth map; 0, 0 if it sees nothing
-    double visible_vertices;        ///< fraction of the vertices that this photo sees, [0,1]
-    double gain[3];                 ///< factors on linear light that match the mean photo
+    double hull_area;      ///< area of the visible vertices' convex hull as a fraction of the photo's, [0,1]
+    double seen_distance;  ///< median linear depth of the visible surface; 0 if it sees nothing
+    double z_min, z_max;   ///< range of the depth map; 0, 0 if it sees nothing
+    double visible_vertices;  ///< fraction of the vertices that this photo sees, [0,1]
+    double gain[3];           ///< factors that match the photo's linear light to the mean photo's
     std::uint64_t source_bytes, source_checksum;  ///< length and XXH3-64 of the photo's file
     float vignetting[3];      ///< light lost at radius r, as -ln: f0 r^2 + f1 r^4 + f2 r^6; r: SampleRecord
     std::uint32_t image_set;  ///< its number in BAND; 0 if there is none
 };
 
-/// The inputs of a photo's artifacts, from which a later run decides which to keep.
+/// Identifies the inputs of a photo's artifacts, so that a later run can decide which artifacts to keep.
 struct PhotoState {
     struct Made {
         std::uint64_t key;      ///< hash of settings, version, and inputs except the pose; 0: not made
@@ -183,7 +183,7 @@ struct CoverageRecord {
 inline constexpr std::size_t surface_discs = 8192;
 
 /// The mean color of a disc of the surface in a photo, linear light, unorm16; all 0 if it is not clearly
-/// visible. Radius: distance from the principal point over half the photo's diagonal, unorm16.
+/// visible. Radius: distance from the principal point, divided by half the photo's diagonal, unorm16.
 struct SampleRecord {
     std::uint16_t linear[3];
     std::uint16_t radius;
@@ -200,7 +200,7 @@ struct PoseRefinementRecord {
 /// The pose of a refined camera, refitted as if another photo were not in the scene.
 struct LeaveOneOutPoseRecord {
     std::uint32_t without;  ///< the photo held out of the fit
-    std::uint32_t photo;    ///< photo of the camera
+    std::uint32_t photo;    ///< the photo whose pose this is
     double R[9], t[3];      ///< like PhotoRecord's
 };
 /// Maximum number of leave-one-out poses stored per held-out photo.

@@ -30,7 +30,7 @@ struct Share {
 /// has space for its raw form, most of which is never written.
 struct PackageLayout {
     std::uint64_t bytes = 0;          ///< size of the file
-    std::uint64_t compact_bytes = 0;  ///< of the file, used by raw forms of compact chunks
+    std::uint64_t compact_bytes = 0;  ///< bytes of the file reserved for the raw forms of compact chunks
     std::uint64_t checksum = 0;       ///< of the photos' names and the positions of their chunks
     std::vector<package::DirectoryEntry> directory;  ///< in the order of the plan, without checksums
 

@@ -133,7 +133,7 @@ struct PackageReader::Mapping {
         throw DamagedPackage(defect, source->name().string() + ": " + what);
     }
 
-    /// Chunks without blocks, except coordinates per vertex, and thumbnails.
+    /// Thumbnails, and chunks without blocks except coordinates per vertex.
     std::vector<const DirectoryEntry*> before_tiles() const {
         std::vector<const DirectoryEntry*> out;
         for (const DirectoryEntry& e : directory) {
@@ -253,7 +253,7 @@ bool PackageReader::valid(const DirectoryEntry& e) const {
 }
 
 void PackageReader::forget(std::span<const std::byte> bytes) const {
-    // Content that was decompressed is not in the file.
+    // Decompressed content is not part of the mapping.
     if (bytes.data() < map_->data || bytes.data() >= map_->data + map_->size) return;
     const auto page = std::uintptr_t(::sysconf(_SC_PAGESIZE));
     const auto first = (reinterpret_cast<std::uintptr_t>(bytes.data()) + page - 1) / page * page,

@@ -26,11 +26,11 @@ namespace vantage {
 class PackageReader {
   public:
     using Part = PackageSource::Part;
-    /// Which files are accepted: only whole packages, or also ones that are still being prepared. In the
-    /// latter, only the photos' chunks sealed so far are found, scene-wide chunks may not have been written
-    /// yet, and the caller must check the records.
+    /// Which files are accepted: only whole packages, or also packages that are still being prepared. In the
+    /// latter, of the photos' chunks only those sealed so far are found, scene-wide chunks may not have been
+    /// written yet, and the caller must check the records.
     enum class Expect { whole, part };
-    /// Throws Error(input) if the file cannot be opened, Error(damaged) if it is not what is expected.
+    /// Throws Error(input) if the file cannot be opened, Error(damaged) if it is not as expected.
     explicit PackageReader(const std::filesystem::path& file, Expect expect = Expect::whole);
     explicit PackageReader(std::unique_ptr<PackageSource> source, Expect expect = Expect::whole);
     ~PackageReader();

@@ -104,7 +104,7 @@ void lenses_shape(const PackageReader& reader, const package::SceneRecord& scene
 }
 
 void transparency_shape(const PackageReader& reader, Lines& out) {
-    if (!out.empty()) return;  // it cannot be read from chunks with a wrong shape
+    if (!out.empty()) return;  // transparency cannot be read from chunks with a wrong shape
     if (auto damage = transparency_damage(reader)) out.push_back(std::move(*damage));
 }
 

@@ -369,7 +369,7 @@ void publish_interrupted(const std::filesystem::path& file) {
     const std::filesystem::path packing = packing_of(file);
     const Descriptor fd(::open(packing.c_str(), O_RDONLY | O_CLOEXEC));
     if (!fd || ::flock(fd.get(), LOCK_EX | LOCK_NB) != 0)
-        return;  // there is none, or another process is writing it
+        return;  // there is no part, or another process is writing it
     try {
         const PackageReader whole(packing);
     } catch (const Error&) {

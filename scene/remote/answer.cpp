@@ -37,7 +37,7 @@ bool same_word(std::string_view a, std::string_view b) {
     return a.size() == b.size() && ::strncasecmp(a.data(), b.data(), a.size()) == 0;
 }
 
-/// 206 of `HTTP/1.1 206 Partial Content`.
+/// The status code, such as 206 in `HTTP/1.1 206 Partial Content`.
 int status_of(std::string_view line) {
     const auto space = line.find(' ');
     if (space == std::string_view::npos) return 0;

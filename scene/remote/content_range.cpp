@@ -8,7 +8,7 @@ namespace vantage {
 
 namespace {
 
-/// `first-last`, of which both are included.
+/// `first-last`, both inclusive.
 std::optional<ByteRange> parse_bytes(std::string_view text) {
     const auto dash = text.find('-');
     if (dash == std::string_view::npos) return {};

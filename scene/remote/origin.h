@@ -11,7 +11,7 @@ inline constexpr std::uint64_t largest_remote_file = std::uint64_t(1) << 40;
 
 /// The origin of a cached file, and the values that reveal a change on the server.
 struct Origin {
-    std::string url;                  ///< as shown_url() gives it
+    std::string url;                  ///< as returned by shown_url()
     std::uint64_t size = 0;           ///< bytes, 1 to largest_remote_file
     std::string etag, last_modified;  ///< header values, at least one non-empty; weak ETags are ignored
     bool operator==(const Origin&) const = default;

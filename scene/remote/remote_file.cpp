@@ -228,7 +228,7 @@ bool RemoteFile::Impl::wait(const Parts& parts, std::stop_token stop) {
     return ended;
 }
 
-/// Requires the mutex. Cancels the parts that nobody waits for any more.
+/// Requires the mutex. Cancels the parts that nobody waits for any longer.
 void RemoteFile::Impl::abandon(const Parts& parts) {
     for (const auto& part : parts)
         if (--part->waiting == 0 && !part->finished) {

@@ -15,7 +15,7 @@
 namespace vantage {
 
 struct RemoteOptions {
-    /// Folder; empty: $XDG_CACHE_HOME/vantage/remote, else ~/.cache/vantage/remote. On a local disk.
+    /// Folder on a local disk; empty: $XDG_CACHE_HOME/vantage/remote, else ~/.cache/vantage/remote.
     std::filesystem::path cache{};
     std::uint64_t cache_bytes = std::uint64_t(4) << 30;  ///< limit for all cached files on the disk
     std::chrono::milliseconds connect_timeout{10'000};
@@ -52,8 +52,8 @@ class RemoteFile {
     /// Opens with one request, for the first bytes. A cached copy is used if it is current according to the
     /// server's ETag or Last-Modified, otherwise it is dropped. If the server cannot be reached, the cached
     /// copy is used unchecked (see offline()). Throws Error(input) if the server cannot be reached and there
-    /// is none, does not support ranges, or has no such file; Error(storage); Error(interrupted) when
-    /// stopped.
+    /// is no cached copy, does not support ranges, or has no such file; Error(storage); Error(interrupted)
+    /// when stopped.
     explicit RemoteFile(std::string_view url, const RemoteOptions& options = {}, std::stop_token stop = {});
     ~RemoteFile();
     RemoteFile(RemoteFile&&) noexcept;
@@ -72,9 +72,9 @@ class RemoteFile {
 
     /// Waits until all ranges are present. Ranges that another thread is fetching are not requested again.
     /// Returns false when stopped; requests that nobody else waits for are then canceled. A call for many
-    /// bytes does not block others: requests of different calls are interleaved, in order of need. Throws
-    /// Error(input) after up to three tries, also if the file has changed on the server; Error(storage);
-    /// Error(internal) if a range extends beyond the file.
+    /// bytes does not block others: requests of different calls are interleaved, in the order in which they
+    /// are needed. Throws Error(input) after up to three tries, also if the file has changed on the server;
+    /// Error(storage); Error(internal) if a range extends beyond the file.
     [[nodiscard]] bool fetch(std::span<const ByteRange> ranges, std::stop_token stop = {});
     /// True if all bytes were fetched and not freed since.
     bool present(ByteRange range) const;

@@ -19,7 +19,7 @@ struct Failure {
     bool unreachable = false;  ///< the server was not reached or is busy, or the connection broke
 };
 
-/// A GET request for a range of a file. Its functions are called by the thread of Transfers.
+/// A GET request for a range of a file. Its member functions are called on the Transfers thread.
 class Request {
   public:
     /// `turn`: requests with a lower turn go first, so that a caller with many requests does not block

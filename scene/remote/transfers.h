@@ -26,7 +26,8 @@ struct TransferOptions {
 /// never from https to http. Thread-safe.
 class Transfers {
   public:
-    /// Throws Error(memory) if the thread cannot be started, Error(internal) if libcurl cannot.
+    /// Throws Error(memory) if the thread cannot be started, Error(internal) if libcurl cannot be
+    /// initialized.
     Transfers(std::string url, const TransferOptions& options);
     /// Drops unfinished requests.
     ~Transfers();

@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// The placement of an object in a scene with several, whose coordinates are those of the first object:
-/// rotated and scaled about the center of its bounds, then translated.
+/// The placement of an object in a scene with several objects, whose coordinates are those of the first
+/// object: the object is rotated and scaled about the center of its bounds, then translated.
 struct Placement {
     Eigen::Vector3d move = Eigen::Vector3d::Zero();  ///< input units of the first object
     Eigen::Vector3d turn = Eigen::Vector3d::Zero();  ///< degrees about x, then y, then z
@@ -17,8 +17,8 @@ struct Placement {
 /// The rotation of `turn`.
 Eigen::Matrix3d rotation_of(const Placement& placement);
 
-/// The placement that leads the object's own coordinates into the scene's by `matrix`. `middle`: of the
-/// object's bounds, in its own coordinates.
+/// The placement equivalent to `matrix`, which transforms the object's own coordinates into the scene's.
+/// `middle`: the center of the object's bounds, in its own coordinates.
 Placement placement_of(const Similarity& matrix, const Eigen::Vector3d& middle);
 
 }  // namespace vantage

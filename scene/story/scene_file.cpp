@@ -107,7 +107,8 @@ class ObjectTable {
         return s;
     }
 
-    /// 4 rows of 4 numbers, or these 16 in one list: a rotation times a scale, a translation, and 0 0 0 1.
+    /// 4 rows of 4 numbers, or the 16 numbers in one list: a rotation times a scale, a translation, and 0 0 0
+    /// 1.
     std::optional<Similarity> matrix() const {
         if (!has("matrix")) return {};
         if (has("move") || has("turn") || has("scale"))
@@ -125,7 +126,7 @@ class ObjectTable {
     }
 
   private:
-    /// Nothing if it is not a rotation times a scale, and a translation.
+    /// nullopt unless `m` is a rotation times a scale, and a translation.
     static std::optional<Similarity> similarity(const Eigen::Matrix<double, 3, 4>& m, double tolerance) {
         const Eigen::Matrix3d turn = m.leftCols<3>();
         const double scale = std::cbrt(turn.determinant());

@@ -16,13 +16,14 @@ struct SceneObject {
     Placement placement;
     bool shown = true;
     double opacity = 1;  ///< 0 to 1; below 1, objects behind it are visible through its surface
-    /// Inputs for preparation: a folder, or the three parts separately; and point clouds to show with it.
+    /// Inputs for preparation: a folder, or mesh, cameras and photos separately; and point clouds to show
+    /// with the object.
     struct Input {
         std::filesystem::path folder, mesh, cameras, photos;
         std::vector<std::filesystem::path> points;
         std::optional<Similarity> align{};  ///< from the cameras' frame to the mesh's, if they differ
     } input{};
-    /// In place of `placement`, from the object's own coordinates to the scene's.
+    /// The transform from the object's own coordinates to the scene's, in place of `placement`.
     std::optional<Similarity> matrix{};
 };
 

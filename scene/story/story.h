@@ -11,7 +11,7 @@ namespace vantage {
 
 /// A text for visitors: one for all languages, or one per language.
 struct StoryText {
-    std::string plain;                               ///< UTF-8; used if there are no others
+    std::string plain;                               ///< UTF-8; used if there are no texts by language
     std::map<std::string, std::string> by_language;  ///< tags such as "en" or "pt-BR", and UTF-8
     bool empty() const { return plain.empty() && by_language.empty(); }
     bool operator==(const StoryText&) const = default;

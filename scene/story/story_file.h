@@ -20,7 +20,7 @@ struct ReadStory {
 std::filesystem::path story_file_of(const std::filesystem::path& package);
 
 /// Reads a story as docs/story.md describes it; `file` names it in messages. Checks that every number is
-/// finite and within its range, every text is within its length, and that the eye and target of each view
+/// finite and within its range, no text exceeds its maximum length, and that the eye and target of each view
 /// differ. References are not checked, see story_references(). Throws Error(input): one line with the file,
 /// the location, the value found and the value expected.
 ReadStory parse_story(const std::string& text, const std::string& file);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Measures the times that users wait for, as ratios within one run, and appends a line for the current commit
-# to docs/records/ledger.csv. Prints values that are worse by a tenth than the best of the last ten lines. For
-# an idle machine.
+# to docs/records/ledger.csv. Prints values that are a tenth worse than the best of the last ten lines. Run it
+# on an idle machine.
 # Usage: tests/bench/ledger.sh [--build FOLDER] [--datasets FOLDER] [--records FILE] [--suite]
 #   --suite  also times the default tests over the build, from scratch (a quarter of an hour)
 set -euo pipefail
@@ -31,7 +31,7 @@ seconds() { local TIMEFORMAT=%R && { time "$@" >/dev/null 2>&1; } 2>&1; }
 prepare() { seconds "$vantage" prepare "$1" -o "$2" --no-report --progress none; }
 in_window() { xvfb-run -a -s '-screen 0 1280x1024x24' "$@" 2>&1; }
 
-# prepare over decode and write; package over photos
+# time of prepare relative to decoding and writing; size of the package relative to the photos
 preparing() {
     local scan=$1 name=$2 took=() least=()
     for _ in 1 2 3; do
@@ -43,7 +43,7 @@ preparing() {
     record "prepare $name" "$(ratio "$(best "${took[@]}")" "$(best "${least[@]}")")"
     record "bytes $name" "$(ratio "$(stat -c %s "$name.vantage")" "$(cat "$scan"/images/* | wc -c)")"
 }
-# first picture over that of an empty window
+# time to the first picture, relative to an empty window
 first_picture() {
     local shown=() empty=()
     for _ in 1 2 3 4 5 6; do

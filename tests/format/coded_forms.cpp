@@ -14,8 +14,8 @@ Buffer decode_jpeg_block(Bytes shared, Bytes block, Area area) {
 namespace {
 
 struct Cells {
-    Size cell, count;         // in pixels, in cells
-    uint64_t rows, mcu_rows;  // rows of MCUs in a cell, in the photo
+    Size cell, count;         // in pixels; in cells
+    uint64_t rows, mcu_rows;  // rows of MCUs in a cell; in the photo
 };
 
 Cells lay_out_cells(const JpegHeader& header, size_t blocks) {

@@ -42,12 +42,12 @@ struct Chunk {
     std::vector<Bytes> blocks;
 };
 
-// The file stays mapped until the program ends.
+// Reads header and directory. The file stays mapped until the program ends.
 Package read_package(const char* path);
 
 const Entry& chunk_of(const Package& package, const std::string& type, uint32_t photo, uint32_t level);
 
-// Also verifies the checksums.
+// Splits a chunk into head and blocks, and verifies the checksums.
 Chunk open_chunk(const Entry& entry);
 
 // The content of a zstd frame, at most `most` bytes; `padded`: zeros may follow it.

@@ -49,7 +49,7 @@ int read_cameras_of(const std::vector<CameraFormat>& formats, const std::uint8_t
 }  // namespace
 
 #ifdef FUZZ_CORPUS
-/// The corpus of a format has its name, in lower case.
+/// Each format's corpus has the format's name in lower case.
 TEST(Fuzz, cameras) {
     std::set<std::string> names;
     for (const CameraFormat& f : camera_formats()) names.insert(f.name);

@@ -47,7 +47,7 @@ class LocomotionTest : public testing::Test {
     SurfaceBetween surface = [](const Vector3d&, const Vector3d&) { return std::optional<SurfacePoint>(); };
 };
 
-/// A level floor at a height of the scene.
+/// A level floor at height `z` in the scene.
 SurfaceBetween floor_at(double z) {
     return [z](const Vector3d& from, const Vector3d& to) -> std::optional<SurfacePoint> {
         if (!(from.z() > z && to.z() <= z)) return {};

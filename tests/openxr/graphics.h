@@ -15,7 +15,7 @@ bool is_current(const GraphicsContext& graphics);
 /// is usable.
 bool check_graphics(const Session& session);
 
-/// Leaves an OpenGL error if the scenario demands it.
+/// Leaves an OpenGL error if the scenario requires it.
 void be_careless();
 
 bool is_depth(int64_t format);

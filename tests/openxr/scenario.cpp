@@ -72,7 +72,7 @@ std::vector<T> values_of(const json& names, const Named<T> (&table)[n]) {
     return out;
 }
 
-/// Otherwise, misspelled fields would be ignored, and a test would pass without testing anything.
+/// Rejects unknown fields: if misspelled ones were ignored, a test could pass without testing anything.
 void check_fields(const json& object, const std::set<std::string>& known) {
     for (const auto& [name, value] : object.items())
         if (!known.contains(name)) throw std::runtime_error("unknown field \"" + name + "\"");

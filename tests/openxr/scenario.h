@@ -1,6 +1,6 @@
 #pragma once
 // clang-format off
-// Properties and behavior of the simulated headset: a JSON file named by VANTAGE_TEST_XR. Every field is
+// Properties and behavior of the simulated headset, from a JSON file named by VANTAGE_TEST_XR. Every field is
 // optional.
 //
 // {

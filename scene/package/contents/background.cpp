@@ -14,7 +14,7 @@ using package::BackgroundRecord;
 using package::ClusterRecord;
 using package::CoverageRecord;
 
-/// Appends values, or zeros instead.
+/// Appends `count` values, with zeros for missing ones.
 template <class T>
 void put(std::vector<std::byte>& out, const std::vector<T>& values, std::size_t count) {
     const std::size_t at = out.size();

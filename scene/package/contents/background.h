@@ -14,7 +14,7 @@ namespace vantage {
 inline constexpr int max_background_labels = 31;
 inline constexpr float background_trust = 7, correction_scale = 500;
 
-/// A backdrop around scene and cameras that shows the photographed background.
+/// A backdrop around the scene and the cameras that shows the photographed background.
 struct BackgroundContent {
     std::vector<Eigen::Vector3f> positions;               ///< relative to the origin
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise seen from inside

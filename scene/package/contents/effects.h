@@ -30,7 +30,7 @@ enum class Effect : int {
     count
 };
 
-/// The data from which an effect is decided.
+/// The data that decide whether an effect is on.
 enum class Basis {
     scene,      ///< cameras and mesh, before any photo is prepared
     colors,     ///< surface colors of all photos, after each is prepared
@@ -44,15 +44,15 @@ struct EffectRow {
     const char* name;      ///< as stored in packages
     const char* option;    ///< as documented for the command line, where `name` is accepted too
     const char* measures;  ///< the quantity compared with the threshold; stored in packages
-    const char* unit;      ///< of the measured value; stored in packages
-    double threshold;      ///< the effect is on above it
+    const char* unit;      ///< unit of the measured value; stored in packages
+    double threshold;      ///< the effect is on if the value exceeds it
     Basis basis;
     const char* program;  ///< the shader program that it changes, "" if none
     const char* define;   ///< the preprocessor symbol that enables it there, "" if none
 };
 std::span<const EffectRow> effect_table();
 
-/// Row by either spelling of its name. Throws Error(usage) listing the names if there is none.
+/// The row with this name, in either spelling. Throws Error(usage) listing the names if there is none.
 const EffectRow& effect_row(std::string_view name);
 const EffectRow& effect_row(Effect effect);
 
@@ -65,7 +65,7 @@ struct Judgment {
     double gain = 0, error = 0;  ///< dB after the best gain per channel: mean, and its standard error
     double noise = 0;            ///< dB: standard error estimated from the losses, see summarize
     double worst = 0;            ///< dB, lowest gain of a photo
-    int worse = 0;               ///< number of photos that lose
+    int worse = 0;               ///< number of photos that get worse
     double ssim = 0;             ///< mean change
     double seams_before = 0, seams_after = 0;  ///< gray levels
     std::string worst_photo;
@@ -84,12 +84,12 @@ struct ImageSetDecision {
 struct EffectDecision {
     Effect effect;
     bool on = false;
-    bool forced = false;                 ///< by --effect NAME=on|off
-    double measured = 0;                 ///< in the row's unit
-    std::string evidence;                ///< one human-readable sentence
-    std::optional<Judgment> judgment{};  ///< if photos were held out to decide
-    std::vector<ImageSetDecision>
-        image_sets{};  ///< decisions per image set, if made separately; on if it is on for any
+    bool forced = false;                         ///< by --effect NAME=on|off
+    double measured = 0;                         ///< in the row's unit
+    std::string evidence;                        ///< one human-readable sentence
+    std::optional<Judgment> judgment{};          ///< if photos were held out to decide
+    std::vector<ImageSetDecision> image_sets{};  ///< decisions per image set, if made separately; the effect
+                                                 ///< is on if it is on for any of them
 };
 
 enum class EffectChoice { automatic, on, off };

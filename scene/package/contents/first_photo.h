@@ -5,9 +5,9 @@
 
 namespace vantage {
 
-/// The photo of an image set from whose position it is first shown: the photo of the scene's first view, or
-/// else the nearest one in the image set. If the scene has no first view, the first photo with pixels. The
-/// number of photos if none has pixels.
+/// The photo from whose position an image set is first shown: the photo of the scene's first view, or else
+/// the nearest one in the image set. If the scene has no first view, the first photo with pixels. The number
+/// of photos if none has pixels.
 std::uint32_t first_photo(const PackageReader& package, std::uint32_t image_set = 0);
 
 }  // namespace vantage

@@ -31,7 +31,7 @@ Vector2d displacement(const Intrinsics& k, const Lens& lens, double range, int c
     return px.allFinite() ? Vector2d(px.cwiseMax(-most).cwiseMin(most)) : Vector2d(most, most);
 }
 
-/// Coefficients from values at nodes, by the quasi-interpolant (-1, 8, -1) / 6, which is exact for cubics.
+/// Coefficients from values at nodes, using the quasi-interpolant (-1, 8, -1) / 6, which is exact for cubics.
 /// `at`: value of node i, from -2 to cells + 2.
 template <class Value>
 auto coefficient(int i, const Value& at) {

@@ -10,9 +10,9 @@
 
 namespace vantage {
 
-/// The displacement of each pixel of a pinhole camera with the same intrinsics by a lens, as a uniform
-/// bicubic B-spline over the camera's frame. C++ code and shaders thus evaluate every lens model in the same
-/// way, within 0.02 px of distort() (LensTables in tests/scene/package/contents/lens_table_test.cpp).
+/// A lens's displacement of each pixel of a pinhole camera with the same intrinsics, as a uniform bicubic
+/// B-spline over the camera's frame. C++ code and shaders thus evaluate every lens model in the same way,
+/// within 0.02 px of distort() (LensTables in tests/scene/package/contents/lens_table_test.cpp).
 struct LensTable {
     static constexpr int cells = 64;         ///< along each side of the frame
     static constexpr int side = cells + 3;   ///< coefficients; those of cell i are i to i + 3
@@ -42,7 +42,8 @@ Eigen::Vector2d photo_pixel(const LensTable& table, const Eigen::Vector2d& pixel
 /// camera without distortion; never NaN.
 double largest_displacement(const Camera& camera);
 
-/// Bounds of the image of a rectangle of pinhole pixels; beyond the lens's range, the spline is extrapolated.
+/// Bounds of a rectangle of pinhole pixels as imaged by the lens; beyond the lens's range, the spline is
+/// extrapolated.
 Eigen::AlignedBox2d photo_bounds(const LensTable& table, const Eigen::AlignedBox2d& pixels);
 
 /// For each texel of a level of the pinhole camera's frame, 1 if the lens images it inside the photo, at

@@ -20,8 +20,8 @@ struct PointCloud {
 inline constexpr std::uint64_t points_only_bit = std::uint64_t(1) << 63;
 inline bool points_only(const package::SceneRecord& scene) { return scene.effects & points_only_bit; }
 
-/// Copied, because the file may be overwritten while it is shown; empty if the effect is off. Throws
-/// Error(damaged) if nodes and points are inconsistent.
+/// The package's point cloud, copied because the file may be overwritten while it is shown; empty if the
+/// effect is off. Throws Error(damaged) if nodes and points are inconsistent.
 std::optional<PointCloud> read_point_cloud(const PackageReader& package);
 
 /// Quantizes a position in a node's cube, and restores it, to within size / 2^22 along each axis, plus

@@ -51,7 +51,7 @@ Eigen::AlignedBox3d bounds_from_origin(const package::SceneRecord& s) {
 }
 
 double model_reach(const package::SceneRecord& s, const Pose& pose) {
-    return pose.center().norm() + 2 * bounds_from_origin(s).diagonal().norm();  // and bounding spheres
+    return pose.center().norm() + 2 * bounds_from_origin(s).diagonal().norm();  // includes bounding spheres
 }
 
 double seen_distance(const package::PhotoRecord& photo) {
@@ -65,7 +65,7 @@ bool effect_on(const package::SceneRecord& scene, Effect effect) {
 
 namespace {
 
-constexpr std::uint32_t largest_thumbnail = 4096;  ///< px along a side
+constexpr std::uint32_t largest_thumbnail = 4096;  ///< px per side
 
 }  // namespace
 

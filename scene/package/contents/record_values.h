@@ -21,9 +21,10 @@ Pose cam_from_origin(const package::PoseRefinementRecord& given);
 Pose cam_from_origin(const package::LeaveOneOutPoseRecord& without);
 /// The bounds of the model without strays, relative to the origin.
 Eigen::AlignedBox3d bounds_from_origin(const package::SceneRecord& scene);
-/// Upper bound on the distance of the model, within its bounds, from the camera.
+/// Upper bound on the distance from the camera to the model within its bounds.
 double model_reach(const package::SceneRecord& scene, const Pose& cam_from_origin);
-/// The distance of the surface that a photo sees, or of the origin if it sees none; positive.
+/// The distance from a photo's camera to the surface that it sees, or to the origin if it sees none;
+/// positive.
 double seen_distance(const package::PhotoRecord& photo);
 /// The up direction, of length 1.
 inline Eigen::Vector3d up_of(const package::SceneRecord& scene) { return Eigen::Vector3d(scene.up); }

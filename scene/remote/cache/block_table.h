@@ -29,7 +29,7 @@ class BlockTable {
     /// while.
     std::uint32_t tick();
     void mark(std::uint64_t block, std::uint32_t tick);
-    /// The same, but only if the block is present.
+    /// Marks the block with this tick, but only if it is present.
     void touch(std::uint64_t block, std::uint32_t tick);
     void clear(std::uint64_t block) { mark(block, 0); }
     std::uint64_t blocks() const { return blocks_; }

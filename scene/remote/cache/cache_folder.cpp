@@ -18,12 +18,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A temporary file that a crash left while the origin was written.
+/// Whether the file is a temporary one, left by a crash while the origin was being written.
 bool is_unfinished_origin(const fs::path& file) {
     return file.filename().string().starts_with(std::string(cached::origin).append(unfinished_mark));
 }
 
-/// The files in one of our folders in the order of deletion: last the origin, which marks the folder as ours.
+/// The files in one of our folders, in order of deletion; the origin, which marks the folder as ours, comes
+/// last.
 std::vector<fs::path> files_of_ours(const fs::path& folder) {
     std::vector<fs::path> files{folder / cached::table, folder / cached::data};
     std::error_code error;

@@ -23,7 +23,7 @@ class CacheFolder {
     /// Creates the folder if it is missing. Throws Error(storage).
     explicit CacheFolder(std::filesystem::path root);
 
-    /// The cached file of a URL as shown_url() gives it, or null. Throws Error(storage).
+    /// The cached file of a URL as returned by shown_url(), or null. Throws Error(storage).
     std::shared_ptr<CachedFile> find(const std::string& url) const;
     /// The cached file of this version, created if missing, after deleting any other version. Throws
     /// Error(storage).

@@ -14,7 +14,7 @@ void CacheSpace::reserve(std::uint64_t bytes) {
     if (until_count_ == 0 || on_disk_ + due > limit_) {
         const std::uint64_t most = limit_ - std::min(limit_, due);
         on_disk_ = folder_.prune(most);
-        if (on_disk_ > most)  // more than necessary, so that it is not needed again soon
+        if (on_disk_ > most)  // frees more than necessary, so that the next eviction is not due soon
             on_disk_ -= std::min(on_disk_, file_.evict(on_disk_ - most + limit_ / 16));
         until_count_ = count_every;
     }

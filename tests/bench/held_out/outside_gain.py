@@ -4,16 +4,16 @@
     outside_gain.py SCENE... --build BUILD --kit KIT [--every 2] [--results FOLDER]
 
 SCENE: folder made by disturb.py, with scan/ and truth/. The validation gain, its error and the decision come from preparing
-the whole scan. For the gain from outside, each photo in turn is held out completely, so that only its camera is known, and
-its view is rendered with the effect off and on, the other effects as decided. Both pictures are compared with the true
+the whole scan. For the independent gain, each photo in turn is held out completely, so that only its camera is known, and
+its view is rendered with the effect off and on and the other effects as decided. Both pictures are compared with the true
 photo by the kit (compare.py: PSNR after the best gain per channel, on the pixels that all variants color). Errors are
 standard errors of the mean over the photos.
 
 The held-out photo has its TRUE camera, the others have those of the scan: a wrong camera of the held-out photo would
-hide what pose_refinement does to the others. Where pose_refinement was decided on, it is decided again for the rest of the photos,
+hide what pose_refinement does to the others. Where pose_refinement was turned on, it is decided again for the rest of the photos,
 and forced if it is then off; otherwise "on" means `--effect pose-refinement=on`.
 
-A decision is right if the effect is on when the gain from outside is above 0.05 dB and off when it is below -0.05 dB."""
+A decision is right if the effect is on when the independent gain is above 0.05 dB, and off when it is below -0.05 dB."""
 import argparse
 import json
 import os

@@ -5,7 +5,7 @@
 namespace vantage::bench {
 
 /// The depth at which two eyes converge on the center of a scene; the scene's size if the center is not in
-/// front.
+/// front of the viewer.
 inline double looked_at(const View& view, const PlanScene& scene) {
     const double depth = depth_in(view, Eigen::Vector3d::Zero());
     return depth > 0 ? depth : scene.size;

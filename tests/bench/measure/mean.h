@@ -3,7 +3,7 @@
 
 namespace vantage::bench {
 
-/// 0 if there are no values.
+/// The mean of the values; 0 if there are none.
 template <class T>
 double mean(const std::vector<T>& values) {
     double sum = 0;

@@ -16,7 +16,7 @@ struct PictureSetting {
     std::string curve, setting;
     bool exact = false, chosen = false;
     RenderSettings settings;
-    int side = 2;              ///< samples along a pixel's side in pictures that are compared with the truth
+    int side = 2;              ///< samples per side of a pixel in pictures that are compared with the truth
     bool timed_whole = false;  ///< time a frame with all samples instead of one
     bool timed = true;         ///< measure frame times; false if they are known not to differ
     bool whole_frame = false;  ///< also measure psnr_frame
@@ -38,7 +38,7 @@ double frame_psnr(std::span<const TrueView> views, std::span<const Picture> pict
 /// Renders all views of a scene with these settings.
 std::vector<Picture> render_views(Renderer& renderer, const BenchScene& scene, const PictureSetting& setting);
 
-/// Draws frames of the view until one has all its tiles, 1000 at most.
+/// Draws frames of the view, at most 1000, until one has all its tiles.
 void settle(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
 
 /// Milliseconds per frame of a still view with everything resident; includes all samples if `timed_whole`.
@@ -51,7 +51,7 @@ std::vector<Measurement> measure_pictures(const std::filesystem::path& package, 
                                           const Effort& effort, std::span<const PictureSetting> settings,
                                           const std::filesystem::path& folder, const std::string& tag);
 
-/// Large enough for whole packages.
+/// A memory budget large enough for whole packages.
 MemoryBudget ample_memory();
 
 }  // namespace vantage::bench

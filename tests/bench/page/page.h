@@ -17,7 +17,7 @@ struct PageInput {
     std::optional<Run> before;  ///< an earlier run to compare with
 };
 
-/// Writes folder/index.html, a single file that contains all plots and exhibits, and the plots as
+/// Writes folder/index.html, a single file that contains all plots and exhibits, and saves the plots in
 /// folder/plots. Exhibits are read from `folder`; a missing one is marked as missing. Throws Error(input) if
 /// gnuplot is missing or fails, Error(storage), std::out_of_range for a plot of an unknown metric.
 void write_page(const std::filesystem::path& folder, const PageInput& input);

@@ -40,7 +40,7 @@ const char* verdict_class(const Moved& moved);
 std::string verdict(std::span<const Measurement> rows, std::size_t i, const Plot& plot);
 
 PlotAxis axis_for(const char* metric, bool log);
-/// Leaves `quiet`, which depends on the plot, unset.
+/// The row's point in the plot, except `quiet`, which is not set here.
 PlotPoint point_for(const PageContent& page, const Measurement& row, const Plot& plot);
 /// Writes a plot with a list of the rows it cannot show, and saves it as folder/plots/SWEEP-TITLE.svg. Throws
 /// Error(storage).

@@ -8,7 +8,7 @@ namespace vantage::bench {
 struct Spot {
     double x = 0, y = 0;
 };
-/// Pixels, y down.
+/// A box in pixels, y down.
 struct Box {
     double left = 0, top = 0, right = 0, bottom = 0;
 };

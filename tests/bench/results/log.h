@@ -16,7 +16,7 @@ class Log {
     Log(const std::filesystem::path& file, const std::string& run);
 
     bool holds(const std::string& job) const { return seconds_.contains(job); }
-    /// Throws Error(storage).
+    /// Appends a completed job. Throws Error(storage).
     void add(const std::string& job, double seconds, const std::vector<Measurement>& measurements);
 
     std::size_t jobs() const { return seconds_.size(); }

@@ -17,9 +17,9 @@ Scale scale_of(std::span<const double> values, const std::string& unit);
 
 /// "10⁻⁷"
 std::string power_of_ten(int exponent);
-/// Rounded to `digits` significant digits, with a true minus sign; an en dash if non-finite.
+/// The value rounded to `digits` significant digits, with a true minus sign; an en dash if non-finite.
 std::string number(double value, int digits = 4);
-/// With its unit: "12.3 MB".
+/// The value with its unit: "12.3 MB".
 std::string quantity(double value, const std::string& unit, int digits = 4);
 
 }  // namespace vantage::bench

@@ -19,7 +19,7 @@ std::string quoted(const std::string& text) {
     return out + "\"";
 }
 
-/// Empty for an unknown metric, which may come from another version.
+/// The metric's unit; empty for an unknown metric, which may come from another version.
 std::string unit(const std::string& name) {
     for (const Metric& m : metrics())
         if (name == m.name) return m.unit;

@@ -7,8 +7,8 @@
 
 namespace vantage::bench {
 
-/// A scene's model on the graphics card as in the pipeline, positions relative to the first vertex. Belongs
-/// to the OpenGL thread.
+/// A scene's model on the graphics card as in the pipeline, with positions relative to the first vertex.
+/// Belongs to the OpenGL thread.
 class BenchModel {
   public:
     explicit BenchModel(SceneInput scene);

@@ -156,7 +156,7 @@ std::vector<TrueView> held_out_views(const PackageReader& package, const Effort&
     return views;
 }
 
-/// Between the photos' cameras and slightly closer; the truth is ray-cast with 16 rays per pixel.
+/// Views between the photos' cameras and slightly closer; the truth is ray-cast with 16 rays per pixel.
 std::vector<TrueView> cast_views(const PackageReader& package, const SynthSpec& spec, const Effort& effort) {
     SynthSpec between = spec;
     between.photos.count = 2 * spec.photos.count - 1;

@@ -12,7 +12,7 @@
 
 namespace vantage::bench {
 
-/// How much to measure.
+/// The extent of the measurements.
 struct Effort {
     std::string name;    ///< "smoke", "short" or "full"
     int longest;         ///< px, limit for the long side of compared pictures

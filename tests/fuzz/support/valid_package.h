@@ -46,9 +46,9 @@ inline std::vector<package::PointNode> valid_nodes() {
     return {root, low, high};
 }
 
-/// A package with two triangles in a cluster, a transparent one in another, background, a cloud, two image
-/// sets, and one photo of 40 x 30 pixels that sees the first two. Contains only the data that the player
-/// reads; fix_checksums() computes the checksums of heads, directory and header.
+/// A package with two triangles in one cluster, a transparent triangle in another, a background, a point
+/// cloud, two image sets, and one photo of 40 x 30 pixels that sees the first two triangles. Contains only
+/// the data that the player reads; fix_checksums() computes the checksums of heads, directory and header.
 class ValidPackage {
   public:
     ValidPackage() {

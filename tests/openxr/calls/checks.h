@@ -30,7 +30,7 @@ using Types = std::initializer_list<XrStructureType>;
 
 /// Checks that a structure passed by the program exists, has this type, and is followed only by known ones.
 void check_struct(const void* value, XrStructureType type, Types known_next = {});
-/// The same for an array of structures; `size`: of one.
+/// The same for an array of structures; `size`: bytes of one structure.
 void check_structs(const void* values, std::size_t size, std::size_t count, XrStructureType type,
                    Types known_next = {});
 
@@ -50,7 +50,7 @@ XrResult fill(uint32_t capacity, uint32_t* count, T* out, const std::vector<T>& 
 }
 XrResult fill(uint32_t capacity, uint32_t* count, char* out, const std::string& text);
 
-/// Fills `n` structures, whose type the program has set, by `write`.
+/// Fills `n` structures, whose type the program has set, with `write`.
 template <class T, class Write>
 XrResult fill_structs(uint32_t capacity, uint32_t* count, T* out, std::size_t n, XrStructureType type,
                       Write write) {

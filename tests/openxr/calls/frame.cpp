@@ -45,7 +45,7 @@ void sleep_until(XrTime time) {
     one_call().lock();
 }
 
-/// Starts a session up: it becomes visible in the second frame and receives input from the third.
+/// Starts up a session: it becomes visible in the second frame and receives input from the third.
 void come_up(XrSession handle, int frame_of_session) {
     constexpr XrSessionState states[] = {XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE,
                                          XR_SESSION_STATE_FOCUSED};

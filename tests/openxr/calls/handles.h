@@ -50,7 +50,7 @@ struct SuggestedBinding {
 
 struct Instance {
     std::set<std::string> extensions;
-    bool knows_requirements = false;  ///< the graphics requirements
+    bool knows_requirements = false;  ///< the program has queried the graphics requirements
     std::deque<XrEventDataBuffer> events;
     std::vector<std::string> paths;
     uint64_t first_path;  ///< differs between instances, to detect paths of another one

@@ -7,7 +7,7 @@
 namespace test_runtime {
 
 bool is_known_profile(const std::string& profile);
-/// Empty if none is needed.
+/// The extension that the profile requires; empty if none.
 std::string extension_of_profile(const std::string& profile);
 
 /// Whether the controller has a path such as /user/hand/left/input/trigger/value, or
@@ -16,7 +16,7 @@ std::string extension_of_profile(const std::string& profile);
 bool has_component(const std::string& profile, const std::string& path);
 bool suits_action(const std::string& profile, const std::string& path, XrActionType type);
 
-/// 0: left, 1: right; others have no controller.
+/// The hand to which the path belongs, 0: left, 1: right; other values have no controller.
 std::size_t hand_of(const std::string& path);
 /// "/input/trigger/value"
 std::string component_of(const std::string& path);

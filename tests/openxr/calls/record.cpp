@@ -10,7 +10,7 @@
 namespace test_runtime {
 namespace {
 
-/// Empty if nothing is to be recorded.
+/// The folder for the records; empty if nothing is to be recorded.
 const std::filesystem::path& folder() {
     static const std::filesystem::path path = [] {
         const char* const name = std::getenv("VANTAGE_TEST_XR_OUT");
@@ -24,7 +24,8 @@ const std::filesystem::path& folder() {
     return path;
 }
 
-/// Opened and closed for each line, so that nothing is lost if the program crashes.
+/// Appends a line. The file is opened and closed for each line, so that nothing is lost if the program
+/// crashes.
 void append(const char* file, const std::string& line) {
     if (!folder().empty()) std::ofstream(folder() / file, std::ios::app) << line << '\n';
 }

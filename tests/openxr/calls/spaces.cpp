@@ -13,7 +13,7 @@ constexpr XrSpaceLocationFlags located =
     XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
     XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
 
-/// An invalid pose, which makes any use of it noticeable.
+/// A coordinate of an invalid pose, so that any use of the pose is noticed.
 constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 constexpr XrPosef no_pose = {{no_number, no_number, no_number, no_number}, {no_number, no_number, no_number}};
 

@@ -87,7 +87,7 @@ void add_errors(const std::vector<std::uint8_t>& weights, const Map& map,
                 std::abs(bilinear(weights, w, h, (x + 0.5) * sx, (y + 0.5) * sy) - float(expected(x, y))));
 }
 
-/// All methods at one scale, on the same photos.
+/// Measures all methods at one scale, on the same photos.
 std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, int level,
                                  const std::filesystem::path& folder) {
     const gl::HeadlessContext context;

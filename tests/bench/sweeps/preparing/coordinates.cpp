@@ -90,7 +90,7 @@ struct Place {
     Eigen::Vector3f weights;
 };
 
-/// Interpolated from the corners as between vertex and fragment shader, linearly in space.
+/// A value interpolated linearly in space from the corners, as between vertex and fragment shaders.
 template <class T>
 T interpolated(const std::vector<T>& values, const Place& at) {
     return values[at.corner[0]] * at.weights[0] + values[at.corner[1]] * at.weights[1] +
@@ -182,7 +182,7 @@ void add(const BenchModel& model, const Triangles& triangles, const Camera& came
     }
 }
 
-/// All representations on the model simplified by `divisor`.
+/// Measures all representations on the model simplified by `divisor`.
 std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, unsigned divisor) {
     const gl::HeadlessContext context;
     const BenchModel model(read_scene(discover(scene.folder)));

@@ -88,7 +88,7 @@ Map render_map(const BenchModel& model, const Camera& camera, int level) {
             float(k.cy * s)};
 }
 
-/// The depths after quantization; +inf, off the model, is kept.
+/// The depths after quantization; +inf (off the model) is kept.
 std::vector<float> stored(const std::vector<float>& z, Bits how) {
     if (how == Bits::float32) return z;
     float nearest = std::numeric_limits<float>::infinity(), farthest = 0;
@@ -143,7 +143,7 @@ bool seen_from_photo(const RayScene& rays, const Camera& camera, const Eigen::Ve
     return !rays.occluded(eye, point - eye, 0, 1 - near_enough(camera.intrinsics));
 }
 
-/// The exact method: the same line, traced from the other end.
+/// The exact method: the same line of sight, traced from the other end.
 bool sees_photo(const RayScene& rays, const Camera& camera, const Eigen::Vector3d& point) {
     return !rays.occluded(point, camera.cam_from_world.center() - point, near_enough(camera.intrinsics), 1);
 }

@@ -32,7 +32,7 @@ std::vector<Candidate> candidates(bool full) {
     return out;
 }
 
-/// Interleaved, so that drift of the machine affects all candidates equally.
+/// Prepares all candidates, interleaved so that drift of the machine affects them equally.
 std::vector<PrepareCost> prepare_all(const BenchScene& scene, const std::vector<Candidate>& all,
                                      int repeats) {
     std::vector<std::vector<double>> seconds(all.size());

@@ -31,7 +31,7 @@ std::vector<Measurement> compare(const char* curve, const char* metric, int repe
     return out;
 }
 
-/// Copies from the page cache into memory, like streamed tiles.
+/// The cost of copying tiles from the page cache into memory, as for streaming.
 std::vector<Measurement> tiles(const BenchScene& scene, const Effort& effort) {
     const PackageReader package(scene.package);
     const package::DirectoryEntry* chunk = package.find(Type::tiles, 0, 0);

@@ -30,7 +30,7 @@ struct Opened {
     double ms = 0, bytes = 0;
 };
 
-/// From opening the package to the first complete frame.
+/// Measures the time from opening the package to the first complete frame.
 Opened open_and_show(const BenchScene& scene, const PictureSetting& s) {
     const gl::HeadlessContext context;
     Opened out;

@@ -62,7 +62,7 @@ class EyePairs {
         }
         glFinish();
     }
-    /// Draws until the left eye's picture has all its tiles, 1000 frames at most.
+    /// Draws, at most 1000 frames, until the left eye's picture has all its tiles.
     Picture left_picture(const PairSetting& s, const TrueView& view) {
         for (int n = 0; n < 1000; ++n) {
             draw(s, view);

@@ -90,7 +90,7 @@ Bytes encode(const Format& f, Texels tile) {
     return out;
 }
 
-/// `tile` must have the size of a tile.
+/// Decodes into `tile`, which must have the size of a tile.
 void decode(const Format& f, Texels coded, Bytes& tile) {
     if (f.codec == Codec::raw) {
         std::memcpy(tile.data(), coded.data(), tile.size());
