@@ -22,7 +22,7 @@ foreach(program vantage vantage-player)
   install(FILES LICENSE DESTINATION share/doc/${program} RENAME copyright COMPONENT ${program})
 endforeach()
 
-# The documents keep their relative places, so that links between them work.
+# The documents keep their relative locations, so that links between them work.
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION share/doc/vantage COMPONENT vantage)
 install(FILES scene/package/FORMAT.md DESTINATION share/doc/vantage/scene/package COMPONENT vantage)
 install(DIRECTORY docs data DESTINATION share/doc/vantage COMPONENT vantage)

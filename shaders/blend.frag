@@ -1,7 +1,7 @@
 // One blending pass: weighted average (de Melo 2017, eq. 3.1), unstructured lumigraph (after Buehler et al.
-// 2001) or best photo (Princ 2014, eq. 2.8). TAKES_ONE: the photo with the largest weight gives the color;
-// otherwise square roots of light are averaged by weight, which is perceptually closest to all photos where
-// they disagree. BLEND_*: the weight, as in player/render/passes/blend_table.cpp.
+// 2001) or best photo (Princ 2014, eq. 2.8). TAKES_ONE: the photo with the largest weight determines the
+// color; otherwise square roots of light are averaged by weight, which is perceptually closest to all photos
+// where they disagree. BLEND_*: the weight, as in player/render/passes/blend_table.cpp.
 #include "photo_color.glsl"
 
 #ifdef ON_POINTS
@@ -40,7 +40,7 @@ layout(binding = best_so_far_unit) uniform sampler2D best_so_far;
 layout(binding = first_sums_unit) uniform sampler2D first_sums;
 #endif
 
-const float least = 0.001;           // minimum of each weight map, so that a photo that sees the surface keeps some weight
+const float least = 0.001;           // minimum of each weight map, so that a photo that sees the surface retains some weight
 const float transient_scale = 0.08;  // square root of linear color: this difference halves the weight
 
 // Visibility of a fragment in a photo, from the four depths around its pixel: 1 if it is behind none of them,
@@ -70,7 +70,7 @@ float static_weight(vec4 weight_maps) {
     return w;
 }
 
-// Bounded below, far above float underflow, so that a single photo still gives a color.
+// Bounded below, far above float underflow, so that a single photo still yields a color.
 float angle_weight(float theta) { return (switches & angle_switch) != 0u ? max(exp(-theta / sharpness), 1e-12) : 1.0; }
 
 // Factor by which a photo outweighs the others near its own camera.

@@ -1,4 +1,4 @@
-// Distance of the surface of one of several objects, in the scene's unit; 0 where it has none.
+// Distance of the surface of one of several objects, in the scene's unit; 0 where it has no surface.
 #include "contract.glsl"
 
 layout(location = 0) out float distance_along_axis;

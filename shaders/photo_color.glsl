@@ -1,4 +1,4 @@
-// The color that a photo gives a sample of the picture.
+// The color that a photo contributes to a sample of the picture.
 #include "photos.glsl"
 
 layout(location = weight_eye_uniform) uniform vec3 weight_eye;  // the viewer's position relative to the origin, or the eye at which weights were frozen

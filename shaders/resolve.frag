@@ -178,7 +178,8 @@ vec3 exposed(vec3 c, ivec2 at) {
     return c * exposure * exp(-r2 * (vignetting.x + r2 * (vignetting.y + r2 * vignetting.z)));
 }
 
-// Mixes both pictures in square roots of light, as everywhere; if only one is a hole, takes the other.
+// Mixes two pictures in square roots of light, as everywhere; if only one of them has a hole, takes the
+// other.
 vec4 mixed(vec4 replaced, vec4 c) {
     if (!(replaced.a > 0.0)) return c;
     if (!(c.a > 0.0)) return replaced;

@@ -1,4 +1,4 @@
-// Combines the pictures of the left and the right eye into one.
+// Combines the pictures of the left and the right eye into one picture.
 #include "contract.glsl"
 #include "srgb.glsl"
 

@@ -12,7 +12,7 @@ layout(location = frame_width_uniform) uniform uint frame_width;
 layout(location = capacity_uniform) uniform uint capacity;
 #endif
 layout(location = 0) out vec4 weighted;    // summed
-layout(location = 1) out float absorbed;   // multiplies what is transmitted by 1 - this
+layout(location = 1) out float absorbed;   // the transmitted light is multiplied by 1 minus this
 layout(location = nearness_uniform) uniform vec2 nearness;  // position in the depth range: x + y * distance, 0 to 1
 layout(location = own_field_share_uniform) uniform float field_share;
 layout(location = own_light_on_photos_uniform) uniform bool light_on_photos;

@@ -5,8 +5,9 @@
 
 namespace vantage {
 
-/// A bash script that completes the program's verbs, options, values and files. It is loaded by the
-/// bash-completion package, whose functions complete the names of package files, if it is installed.
+/// A bash script that completes the program's verbs, options, values and files. The bash-completion framework
+/// loads it. If the framework's functions are available, they complete the names of .vantage files; the
+/// script works without them.
 std::string bash_completion(const DescribedCommand& program);
 
 }  // namespace vantage

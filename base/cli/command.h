@@ -117,8 +117,8 @@ class Command {
 
     /// Parses the arguments (without the program's name) and prints the help (--help, or "help VERB"), or
     /// runs the action of the verb or program. The hidden option `--describe` prints described() as one line,
-    /// from which the build makes the manual and the shell completions. Returns the exit code. Throws what
-    /// actions throw, and Error(usage) for an unknown option or verb, suggesting the most similar one.
+    /// from which the build makes the manual and the shell completions. Returns the exit code. Throws the
+    /// actions' exceptions, and Error(usage) for an unknown option or verb, suggesting the most similar one.
     int run(const std::vector<std::string>& arguments) const;
     /// Sets --`name` to these values, at least one, unless the command line sets it. Throws Error(usage) for
     /// an unknown option or an invalid value; the message starts with `place`, such as a file.

@@ -59,7 +59,7 @@ class PartFile {
     void remove() const;
     /// Deletes the part and closes it.
     void discard();
-    /// Flushes to the disk, including the name.
+    /// Flushes the file and its name to the disk.
     void flush_with_name() const;
     /// Flushes to the disk, then renames to file(), so that a file with this name is always complete, and
     /// flushes the folder, so that a power cut does not undo the renaming; deletes the displaced part.

@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// Exit codes of both programs, documented for users: a number never changes its meaning.
+/// Exit codes of both programs, documented for users: the meaning of a number never changes.
 enum class Exit : int {
     ok = 0,
     usage = 2,        ///< the command line or a configuration file is wrong

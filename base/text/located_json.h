@@ -40,7 +40,7 @@ class LocatedJson {
     std::string text(std::size_t most, bool lines = false) const;
     /// A finite number within the range.
     double number(double low, double high) const;
-    /// An array of three numbers, none larger than 1e12.
+    /// An array of three numbers of magnitude at most 1e12.
     Eigen::Vector3d vector() const;
 
   private:

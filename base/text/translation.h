@@ -4,7 +4,7 @@
 #include <vector>
 
 /// Translates the window's texts with gettext. English texts are the keys of the catalogs in languages/,
-/// which are installed in share/locale beside the programs' folder. For use on one thread.
+/// which are installed in share/locale, next to the programs' folder. For use on one thread.
 namespace vantage {
 
 /// Marks a text for the catalogs; it is translated where it is shown.

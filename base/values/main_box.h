@@ -22,7 +22,7 @@ struct MainBox {
 /// there are no vertices.
 MainBox main_box(std::span<const Eigen::Vector3d> positions,
                  std::span<const std::array<std::uint32_t, 3>> triangles);
-/// The box of a mesh. Takes a moment, so callers compute it once and pass it on.
+/// The box of a mesh. Computing it takes a moment, so callers do so once and pass it on.
 MainBox main_box(const auto& mesh) { return main_box(mesh.positions, mesh.triangles); }
 
 /// Whether a triangle has a stray: a corner whose distance from `bounds`, the box without strays, exceeds the

@@ -7,7 +7,7 @@ namespace vantage {
 /// The state of a long operation.
 struct Progress {
     const char* stage;
-    std::string photo;  ///< or another item; empty if the step concerns the whole scene
+    std::string photo;  ///< name of the photo or other item; empty if the step concerns the whole scene
     std::size_t done, total;
 };
 

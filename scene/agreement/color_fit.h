@@ -36,14 +36,14 @@ struct ColorFit {
     double before = 0, after = 0;
     std::vector<double> photo_before, photo_after;  ///< the same per photo; 0 if it shares no disc
 
-    /// Whether any photos see enough common surface to be compared.
+    /// Whether any photos have enough surface in common to be compared.
     bool shares_surface() const {
         return std::ranges::any_of(samples, [](std::size_t n) { return n > 0; });
     }
 };
 
 /// The lens of each photo, numbered from 0. Photos of the same size, in either orientation, and the same
-/// focal length to within 0.5 % share a lens, unless they are of different image sets.
+/// focal length to within 0.5 % share a lens, unless they belong to different image sets.
 std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photos);
 
 /// A least-squares fit over all discs that several photos show, with the discs' colors eliminated.

@@ -15,12 +15,12 @@ namespace vantage {
 /// Two photos that see the same part of the surface.
 struct PhotoPair {
     std::uint32_t a, b;    ///< a < b
-    std::uint32_t shared;  ///< number of discs that both show
+    std::uint32_t shared;  ///< number of discs that both photos show
     double angle = 0;      ///< median angle between their rays to those discs, radians
     double color = 0;      ///< median |ln ratio| of linear light, mean of the channels
 };
 
-/// A score that favors a large common surface and similar directions.
+/// A score that favors much common surface and similar directions.
 double worth(const PhotoPair& pair);
 
 /// Finds photos that see the same part of the surface. Photos of different image sets are never paired,

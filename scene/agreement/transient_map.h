@@ -22,8 +22,8 @@ struct TransientMap {
 /// themselves. At most six others are used per texel.
 TransientMap transient_of(const TransientView& photo, std::span<const TransientView* const> others);
 
-/// The same for one of many photos, compared with the views of its `partners`. Empty if there are fewer than
-/// two.
+/// The same for one of many photos, compared with the views of its `partners`. Empty if it has fewer than two
+/// partners.
 TransientMap transient_of(std::uint32_t photo, std::span<const std::uint32_t> partners,
                           const LruCache<TransientView>& views);
 

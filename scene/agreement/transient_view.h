@@ -13,10 +13,10 @@ namespace vantage {
 /// Color and depth of a photo at a coarse level.
 struct TransientView {
     int width = 0, height = 0;
-    Intrinsics k;  ///< of this level
+    Intrinsics k;  ///< intrinsics of this level
     Pose pose;     ///< relative to the origin
     struct Texel {
-        float ln[3];            ///< of linear light; NaN if the photo has no pixel
+        float ln[3];            ///< natural logarithm of linear light; NaN if the photo has no pixel
         float low[3], high[3];  ///< range of `ln` over the 3x3 texels around this one
         float z;                ///< +inf if the photo does not see the model
     };

@@ -13,7 +13,7 @@ namespace vantage {
 /// the level are clamped to its edge.
 void set_weights(const TransientMap* map, const Level& level, Grid<std::byte> texels, int left, int top);
 
-/// The same for a stored tile of the level.
+/// The same for a stored tile of a level.
 void set_tile_weights(const TransientMap* map, const Level& level, std::size_t tile,
                       std::span<std::byte> texels);
 

@@ -31,7 +31,7 @@ class TransientWithout {
     std::uint32_t without_ = 0;
     PhotoColors colors_;
     std::vector<Pose> poses_;
-    std::optional<LruCache<TransientView>> corrected_;  ///< for the photo held out
+    std::optional<LruCache<TransientView>> corrected_;  ///< views corrected for the photo held out
     std::map<std::uint32_t, TransientMap> maps_;
 };
 

@@ -41,7 +41,7 @@ std::span<const char* const> coefficient_names(LensModel model);
 double lens_range(const Lens& lens);
 
 /// Maps normalized pinhole coordinates (x/z, y/z) to normalized coordinates distorted by the lens. Continuous
-/// at the center for every model. Finite input gives finite output within lens_range().
+/// at the center for every model. Finite input yields finite output within lens_range().
 Eigen::Vector2d distort(const Lens& lens, const Eigen::Vector2d& xy);
 
 }  // namespace vantage

@@ -188,14 +188,14 @@ std::optional<JpegCells> in_cells(std::vector<std::byte> header,
     return out;
 }
 
-/// The header of a baseline JPEG without metadata, and with restarts and these tables.
+/// The header of a baseline JPEG without metadata, but with restarts and these tables.
 std::vector<std::byte> plain_header(std::span<const std::byte> jpeg, const JpegHeader& header, int interval,
                                     std::span<const std::byte> tables) {
     constexpr int first_app = 0xe0, jfif = 0xe0, adobe = 0xee, last_app = 0xef, comment = 0xfe,
                   restarts = 0xdd;
     std::vector<std::byte> out(jpeg.begin(), jpeg.begin() + 2);
     for (const JpegSegment& s : segments_of(jpeg, header)) {
-        // These two markers give the color space.
+        // These two markers determine the color space.
         const bool kept =
             (s.marker == jfif && s.content.size() == 16) || (s.marker == adobe && s.content.size() == 14);
         if (s.at + 2 + s.content.size() == header.bytes) {

@@ -37,7 +37,7 @@ std::vector<JpegSegment> segments_of(std::span<const std::byte> jpeg, const Jpeg
 /// table.
 double quantization_of(std::span<const std::byte> jpeg);
 
-/// The header's bytes with another size, 1 to 65535 pixels along each side.
+/// The header's bytes with the size replaced, 1 to 65535 pixels along each side.
 std::vector<std::byte> resized_header(std::span<const std::byte> jpeg, const JpegHeader& header, int width,
                                       int height);
 

@@ -62,7 +62,7 @@ struct ChunkRow {
     package::Type type;
     const char* name = nullptr;  ///< name of the content; null for chunks that only describe the package
     package::Stage stage = package::Stage::count;  ///< makes it for each photo; `count`: one per scene
-    ChunkLevels levels = ChunkLevels::single;      ///< for a photo; all but `single` hold tiles as blocks
+    ChunkLevels levels = ChunkLevels::single;      ///< levels with such a chunk; all but `single` hold tiles
     bool compact = false;                          ///< coded if the effect `compact` is on
     std::uint64_t record = 0;                      ///< bytes per record
     /// Returns the number of records; null if it does not follow from SCEN and PHOT. For a scene-wide chunk,

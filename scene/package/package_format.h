@@ -101,13 +101,13 @@ struct PhotoRecord {
     double t[3];                    ///< applies to positions relative to the origin
     double corrected_direction[3];  ///< unit vector in world space; [P] 2.3.3
     double hull_area;      ///< area of the visible vertices' convex hull as a fraction of the photo's, [0,1]
-    double seen_distance;  ///< median linear depth of the visible surface; 0 if it sees nothing
-    double z_min, z_max;   ///< range of the depth map; 0, 0 if it sees nothing
+    double seen_distance;  ///< median linear depth of the visible surface; 0 if the photo sees none
+    double z_min, z_max;   ///< range of the depth map; 0, 0 if the photo sees no surface
     double visible_vertices;  ///< fraction of the vertices that this photo sees, [0,1]
     double gain[3];           ///< factors that match the photo's linear light to the mean photo's
     std::uint64_t source_bytes, source_checksum;  ///< length and XXH3-64 of the photo's file
     float vignetting[3];      ///< light lost at radius r, as -ln: f0 r^2 + f1 r^4 + f2 r^6; r: SampleRecord
-    std::uint32_t image_set;  ///< its number in BAND; 0 if there is none
+    std::uint32_t image_set;  ///< number of its image set in BAND; 0 if there is no BAND
 };
 
 /// Identifies the inputs of a photo's artifacts, so that a later run can decide which artifacts to keep.
@@ -116,7 +116,7 @@ struct PhotoState {
         std::uint64_t key;      ///< hash of settings, version, and inputs except the pose; 0: not made
         std::uint64_t content;  ///< XXH3-64 of the checksums of the stage's chunks
     };
-    Made stages[max_stages];             ///< by Stage; 0 for unused entries
+    Made stages[max_stages];             ///< indexed by Stage; 0 for unused entries
     std::uint64_t photo, camera, model;  ///< XXH3-64 of these inputs, to report which one changed
     std::uint64_t pose;                  ///< XXH3-64 of the pose used for visibility
     std::uint64_t transients;            ///< XXH3-64 of the transient weights; 0 if all are 255
@@ -146,13 +146,13 @@ struct PackedPoint {
 inline constexpr std::uint32_t point_block = 32768;  ///< points per block of PNTS
 inline constexpr std::uint32_t point_node = 16384;   ///< maximum number of points per node
 
-/// A cube of the octree over a point cloud, and the points that it adds to those of its ancestors. Together
-/// they are about `spacing` apart; its descendants add the points between them. Nodes are stored in
+/// A cube of the octree over a point cloud, and the points that it adds to those of its ancestors. All of
+/// these are about `spacing` apart; its descendants add the points between them. Nodes are stored in
 /// breadth-first order.
 struct PointNode {
     float low[3], size;                 ///< of the cube, relative to the origin
     float spacing;                      ///< in input units
-    std::uint32_t block, first, count;  ///< its points: block, index in the block, number
+    std::uint32_t block, first, count;  ///< its points: block, index of the first in the block, number
     std::uint32_t children;             ///< index of its first child; the others follow
     std::uint8_t child_octants;         ///< bit i: there is a child in octant i = x + 2 y + 4 z
     std::uint8_t reserved[3];
@@ -214,8 +214,8 @@ inline constexpr int pair_columns = 12, pair_rows = 8;
 /// The disagreement of two overlapping photos, matched through the model with the input cameras. Pixels are
 /// those of photo `a` at full size.
 struct PairRecord {
-    std::uint32_t a, b;              ///< a < b; both 0: no pair
-    std::uint32_t shared;            ///< discs seen by both
+    std::uint32_t a, b;              ///< a < b; 0 and 0 if there is no pair
+    std::uint32_t shared;            ///< number of discs seen by both photos
     std::uint32_t corners, matches;  ///< comparable corners of `a`, and those found in `b`
     float angle;                     ///< median angle between their directions to that surface, radians
     float color;                     ///< median |ln ratio| of the discs' linear light, mean of the channels

@@ -31,8 +31,8 @@ struct Share {
 struct PackageLayout {
     std::uint64_t bytes = 0;          ///< size of the file
     std::uint64_t compact_bytes = 0;  ///< bytes of the file reserved for the raw forms of compact chunks
-    std::uint64_t checksum = 0;       ///< of the photos' names and the positions of their chunks
-    std::vector<package::DirectoryEntry> directory;  ///< in the order of the plan, without checksums
+    std::uint64_t checksum = 0;       ///< checksum of the photos' names and their chunks' positions
+    std::vector<package::DirectoryEntry> directory;  ///< entries in the order of the plan, without checksums
 
     bool compact() const { return compact_bytes > 0; }
 };

@@ -62,7 +62,7 @@ class PackageReader {
     /// block.
     std::span<const std::byte> block(const package::DirectoryEntry& entry, std::size_t index) const&;
     std::span<const std::byte> block(const package::DirectoryEntry&, std::size_t) const&& = delete;
-    /// The same, verified. Throws Error(damaged) if its checksum does not match.
+    /// The same, but verified. Throws Error(damaged) if the block's checksum does not match.
     std::span<const std::byte> valid_block(const package::DirectoryEntry& entry, std::size_t index) const&;
     std::span<const std::byte> valid_block(const package::DirectoryEntry&, std::size_t) const&& = delete;
     /// True if the block's checksum matches.

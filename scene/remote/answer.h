@@ -19,7 +19,7 @@ struct Answer {
     std::optional<std::uint64_t> content_length;  ///< empty if absent or malformed
     std::string etag;                             ///< empty if absent or weak
     std::string last_modified, content_encoding, location;
-    std::size_t header_bytes = 0;  ///< of all header lines so far
+    std::size_t header_bytes = 0;  ///< total of all header lines so far
 };
 
 /// Parses one header line, with or without its line end. A status line starts a new response, because

@@ -17,10 +17,10 @@ struct Origin {
     bool operator==(const Origin&) const = default;
 };
 
-/// True if both have the same content: equal size and ETag, or Last-Modified if either lacks an ETag.
+/// True if both files have the same content: equal size and ETag, or Last-Modified if either lacks an ETag.
 bool same_version(const Origin& a, const Origin& b);
 
-/// The origin as stored in the cache: lines of a name, a space and a value. The first line gives the format.
+/// The origin as stored in the cache: lines of a name, a space and a value. The first line states the format.
 std::string text_of(const Origin& origin);
 /// Empty if the text was not written by text_of().
 std::optional<Origin> parse_origin(std::string_view text);

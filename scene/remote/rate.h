@@ -29,7 +29,7 @@ class Rate {
   private:
     static constexpr int slots_per_second = 4;
     struct Slot {
-        std::int64_t time = -1'000'000;  ///< in slots since the clock began
+        std::int64_t time = -1'000'000;  ///< number of slots since the clock began
         std::uint64_t bytes = 0;
     };
     static std::int64_t now() {

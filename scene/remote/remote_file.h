@@ -29,7 +29,7 @@ struct RemoteOptions {
 
 /// Traffic since the file was opened.
 struct Traffic {
-    std::uint64_t bytes_received = 0;    ///< of bodies
+    std::uint64_t bytes_received = 0;    ///< bytes of response bodies
     std::uint64_t requests = 0;          ///< each try counts
     std::uint64_t bytes_from_cache = 0;  ///< present when first requested, in whole blocks
     double bytes_per_second = 0;         ///< received, over the last two seconds
@@ -46,7 +46,7 @@ struct Traffic {
 /// necessary.
 ///
 /// Thread-safe, except that it must outlive all calls. Processes may open the same file. Errors of the server
-/// or the network are Error(input), those of the cache Error(storage); both are one line.
+/// or the network are Error(input), those of the cache Error(storage); messages have one line.
 class RemoteFile {
   public:
     /// Opens with one request, for the first bytes. A cached copy is used if it is current according to the

@@ -55,7 +55,7 @@ struct Active {
 
     std::unique_ptr<CURL, CloseEasy> easy{};
     std::unique_ptr<curl_slist, FreeList> headers{};
-    ByteRange asked{};  ///< of this try
+    ByteRange asked{};  ///< range requested by this try
     Answer answer{};
     bool answered = false;           ///< all headers have arrived and are valid
     std::optional<Failure> fault{};  ///< set by a callback, which then ends the transfer
@@ -365,7 +365,7 @@ struct Transfers::Impl {
     std::mutex mutex_;
     std::vector<std::unique_ptr<Active>> incoming_;  ///< guarded by the mutex
     // Used only by the thread.
-    std::deque<std::unique_ptr<Active>> waiting_;  ///< by turn, then in order of arrival
+    std::deque<std::unique_ptr<Active>> waiting_;  ///< sorted by turn, then in order of arrival
     std::vector<std::unique_ptr<Active>> in_flight_;
     std::jthread thread_;
 };

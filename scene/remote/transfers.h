@@ -36,7 +36,7 @@ class Transfers {
     void start(std::shared_ptr<Request> request, int tries = 3);
     void cancel(Request& request);
 
-    std::uint64_t bytes_received() const;  ///< of bodies
+    std::uint64_t bytes_received() const;  ///< bytes of response bodies
     std::uint64_t requests() const;        ///< each try counts
     double bytes_per_second() const;       ///< over the last two seconds
 

@@ -21,7 +21,7 @@ struct SceneObject {
     struct Input {
         std::filesystem::path folder, mesh, cameras, photos;
         std::vector<std::filesystem::path> points;
-        std::optional<Similarity> align{};  ///< from the cameras' frame to the mesh's, if they differ
+        std::optional<Similarity> align{};  ///< transforms the cameras' frame into the mesh's, if they differ
     } input{};
     /// The transform from the object's own coordinates to the scene's, in place of `placement`.
     std::optional<Similarity> matrix{};

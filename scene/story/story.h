@@ -71,7 +71,7 @@ struct StoryAttract {
 
 /// A curator's presentation of a package or a scene.
 struct Story {
-    std::string language = "en";  ///< of plain texts; also used if a text lacks the visitor's language
+    std::string language = "en";  ///< that of plain texts; also used if a text lacks the visitor's
     StoryText title;
     std::optional<StoryView> opening{};
     std::optional<StoryBackground> background{};

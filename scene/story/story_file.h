@@ -16,7 +16,7 @@ struct ReadStory {
     std::vector<std::string> unknown;
 };
 
-/// The story's path for a package or a scene file: NAME.story.json beside NAME.vantage. Empty for a URL.
+/// The story's path for a package or a scene file: NAME.story.json, next to NAME.vantage. Empty for a URL.
 std::filesystem::path story_file_of(const std::filesystem::path& package);
 
 /// Reads a story as docs/story.md describes it; `file` names it in messages. Checks that every number is
@@ -28,7 +28,7 @@ ReadStory parse_story(const std::string& text, const std::string& file);
 /// Reads a file of at most 8 MiB. Throws Error(input).
 ReadStory read_story(const std::filesystem::path& file);
 
-/// The text of a story's file. Equal stories give identical bytes.
+/// The text of a story's file. Equal stories yield identical bytes.
 std::string story_text(const Story& story);
 
 /// Writes a story to NAME.part and renames it. Replaces any existing file. Throws Error(usage) if the story

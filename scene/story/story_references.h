@@ -8,8 +8,8 @@
 
 namespace vantage {
 
-/// Dangling references within a story: notes of stops, their views, the tour of its attract loop. One line
-/// each, with the location.
+/// Dangling references within a story: to notes of stops, to their views, and to the tour of the attract
+/// loop. One line each, with the location.
 std::vector<std::string> dangling_references(const Story& story);
 
 /// Pictures of notes that are missing from `folder`, the story's folder, or lack the signature of a PNG or

@@ -3,7 +3,7 @@
 # to docs/records/ledger.csv. Prints values that are a tenth worse than the best of the last ten lines. Run it
 # on an idle machine.
 # Usage: tests/bench/ledger.sh [--build FOLDER] [--datasets FOLDER] [--records FILE] [--suite]
-#   --suite  also times the default tests over the build, from scratch (a quarter of an hour)
+#   --suite  also times the default tests, relative to a build from scratch (a quarter of an hour)
 set -euo pipefail
 source=$(cd "$(dirname "$0")/../.." && pwd)
 build=$source/build datasets=${VANTAGE_DATASETS:-$source/../shared/datasets} records=$source/docs/records/ledger.csv suite=

@@ -23,7 +23,7 @@ export LD_LIBRARY_PATH=${LD_LIBRARY_PATH:+$LD_LIBRARY_PATH:}/lib/x86_64-linux-gn
 player=$here/bin/vantage-player
 : >"$results"
 note() { printf '%s\n' "$*" | tee -a "$results"; }
-# Notes a command's time, or its exit code and errors. Arguments: its name in the results, the command
+# Records a command's time, or its exit code and errors. Arguments: its name in the results, the command
 run() {
     local name=$1 before code
     shift

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Packs the files for tests/bench/on_card.sh on a machine with only a graphics card and its driver: programs,
-# libraries, a font and a scan. At most 60 MiB. Usage: tests/bench/pack_for_card.sh [--build FOLDER] [ARCHIVE]
+# Packs the files that tests/bench/on_card.sh needs on a machine with only a graphics card and its driver:
+# programs, libraries, a font and a scan. At most 60 MiB. Usage: tests/bench/pack_for_card.sh [--build FOLDER] [ARCHIVE]
 set -euo pipefail
 source=$(cd "$(dirname "$0")/../.." && pwd)
 build=$source/build archive=for-card.tar
@@ -19,8 +19,8 @@ programs=("$build/pipeline/vantage" "$build/player/vantage-player" "$build/tests
 cp "${programs[@]}" "$packed/bin"
 strip "$packed"/bin/*
 path_of() { ldconfig -p | awk -v name="$1" '$1 == name { print $NF; exit }'; }
-# Not the C library, which must be the machine's. OpenGL's libraries, which libepoxy loads, are missing from
-# some drivers.
+# The C library is not packed, because it must be the machine's. OpenGL's libraries, which libepoxy loads,
+# are packed, because some drivers lack them.
 {
     ldd "${programs[@]}" | awk '$3 ~ /^\// { print $3 }'
     for name in libEGL.so.1 libOpenGL.so.0; do path_of $name; done
@@ -32,7 +32,7 @@ cp /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "$packed"
 "$build/pipeline/vantage" synth "$source/data/garden.toml" -o "$packed/demo.scan" >/dev/null 2>&1
 rm -r "$packed/demo.scan/truth"
 git -C "$source" describe --always --dirty >"$packed/commit"
-# Includes xz, which a minimal Debian lacks.
+# xz is included, because a minimal Debian lacks it.
 tar -C "$packed" -cJf "$card/packed.tar.xz" .
 cp -L "$(command -v xz)" "$(path_of liblzma.so.5)" "$source/tests/bench/on_card.sh" "$card"
 tar -C "$work" -cf "$archive" for-card

@@ -20,7 +20,7 @@ struct JpegHeader {
 
 JpegHeader read_jpeg_header(Bytes bytes);
 
-// Copies a JPEG header with another size.
+// Copies a JPEG header, replacing the size.
 Buffer with_size(Bytes shared, const JpegHeader& header, Size size);
 
 // Decodes an area of a JPEG to RGBA.

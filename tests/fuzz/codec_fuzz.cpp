@@ -1,6 +1,6 @@
 // Coded tiles and photos: a byte that selects the decoder, width and height, then the data. Checks that a
-// divided JPEG can be reassembled. Pictures are small, because large ones spend their time in code that does
-// not depend on their content.
+// divided JPEG can be reassembled. Pictures are small, because large ones would spend the time in code that
+// does not depend on their content.
 #include <turbojpeg.h>
 
 #include <cstdint>

@@ -9,7 +9,7 @@ namespace test_runtime {
 /// Ends the call unless the path is XR_NULL_PATH or belongs to the action.
 void check_subaction(const Action& action, XrPath path);
 
-/// The hand pose of a pose action, in the stage; none while the hand is inactive.
+/// The hand pose of a pose action, in the stage; nullopt while the hand is inactive.
 std::optional<XrPosef> action_pose(XrSession session, const ActionSpace& space, const Moment& moment);
 
 /// The paths to which the session's interaction profile binds an action, for one subaction or for all.

@@ -13,7 +13,7 @@ namespace test_runtime {
 
 struct Hand {
     bool active = false;
-    XrPosef aim, grip;  ///< in the stage
+    XrPosef aim, grip;  ///< poses in the stage
     std::map<std::string, Input> inputs;
 };
 

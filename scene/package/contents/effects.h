@@ -84,7 +84,7 @@ struct ImageSetDecision {
 struct EffectDecision {
     Effect effect;
     bool on = false;
-    bool forced = false;                         ///< by --effect NAME=on|off
+    bool forced = false;                         ///< set by --effect NAME=on|off
     double measured = 0;                         ///< in the row's unit
     std::string evidence;                        ///< one human-readable sentence
     std::optional<Judgment> judgment{};          ///< if photos were held out to decide

@@ -11,7 +11,7 @@ namespace vantage {
 /// A set of photos that is shown separately, such as infrared photos.
 struct ImageSet {
     std::string name;
-    EffectSet effects = 0;  ///< of the scene, and those decided from the photos of this image set
+    EffectSet effects = 0;  ///< effects of the scene, and those decided from the photos of this image set
 };
 
 /// The image sets of a package, default first; a single one without a name if the effect is off. Throws

@@ -15,7 +15,7 @@ namespace vantage {
 /// within 0.02 px of distort() (LensTables in tests/scene/package/contents/lens_table_test.cpp).
 struct LensTable {
     static constexpr int cells = 64;         ///< along each side of the frame
-    static constexpr int side = cells + 3;   ///< coefficients; those of cell i are i to i + 3
+    static constexpr int side = cells + 3;   ///< coefficients per side; cell i uses coefficients i to i + 3
     Intrinsics camera;                       ///< pixels at full size
     double range = 0;                        ///< lens_range(), at most 1e9
     std::vector<Eigen::Vector2f> displaced;  ///< side * side coefficients, row by row, pixels

@@ -102,15 +102,15 @@ void weigh_rows(const LensTable& table, const SplinePlace& y, std::vector<Eigen:
 }
 
 struct Columns {
-    std::vector<SplinePlace> places;  ///< in the table
-    std::vector<double> squares;      ///< of the rays' horizontal components
+    std::vector<SplinePlace> places;  ///< positions in the table
+    std::vector<double> squares;      ///< squares of the rays' horizontal components
 };
 
 /// A row of the pinhole camera's level.
 struct LevelRow {
     int y;
     float texel;                                ///< size in px of the photo
-    double square;                              ///< of the rays' vertical component
+    double square;                              ///< square of the rays' vertical component
     const std::vector<Eigen::Vector2f>& moves;  ///< the table's coefficients
 };
 

@@ -20,7 +20,7 @@ struct ScalarField {
     std::span<const float> values;          ///< empty until computed
     std::optional<PhotoMeasure> measure{};  ///< for computed fields
     double low = 0, high = 0;               ///< range of the finite values; 0 if there are none
-    double least_positive = 0;              ///< 0 if there is none
+    double least_positive = 0;              ///< smallest positive value; 0 if there is none
     std::size_t without = 0;                ///< vertices without a finite value
     std::array<float, 64> counts{};         ///< histogram of the finite values between low and high
 };
@@ -32,7 +32,7 @@ void summarize_values(ScalarField& field);
 /// its counts.
 std::vector<ScalarField> read_fields(const PackageReader& package);
 
-/// Throws Error(usage) listing the fields if there is none with that name.
+/// The index of the field with this name. Throws Error(usage) listing the fields if there is none.
 int field_named(std::span<const ScalarField> fields, std::string_view name);
 
 /// The values at the ends of a color map.

@@ -10,7 +10,7 @@ namespace vantage {
 /// An open file, mapped as a whole and shared with other processes.
 class MappedFile {
   public:
-    /// Opens a file of exactly this size (bytes); the result is empty if there is none. Links are not
+    /// Opens a file of exactly this size (bytes); the result is empty if there is no such file. Links are not
     /// followed. Throws Error(storage).
     static MappedFile open(const std::filesystem::path& path, std::uint64_t size, bool writable);
     /// Creates a file of zeros, without blocks on the disk unless `reserve`. Throws Error(storage) if it

@@ -39,7 +39,7 @@ class Frames {
         renderer.resources().trials = s.trials;
     }
     FrameReport draw() const {
-        // Milliseconds passed as seconds, so that no photo is still fading in.
+        // Milliseconds are passed as seconds, so that no photo is still fading in.
         const double now =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
                 .count();
@@ -58,7 +58,7 @@ class Frames {
     FlightTarget target_;
 };
 
-/// PSNR of a picture against the exact one, without gains, in pixels that both color.
+/// PSNR of a picture against the exact picture, without gains, over pixels that are colored in both.
 double psnr_against(const Picture& exact, const Picture& picture, const TrueView& view) {
     const auto scored = both(both(scored_pixels(exact, 0), scored_pixels(picture, 0)), view.seeable);
     return std::min(psnr_cap, score(exact, picture, scored).psnr);

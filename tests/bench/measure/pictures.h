@@ -45,8 +45,9 @@ void settle(Renderer& renderer, const TrueView& view, const PictureSetting& sett
 double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
 
 /// Measures each setting on a package of the scene: psnr, ssim, worst, uncoloured, photos, frame_ms,
-/// psnr_frame and psnr_exact against the exact setting of the same curve, or of another curve if that has
-/// none. Exhibits show the window in which the worst setting differs most from the exact one.
+/// psnr_frame and psnr_exact against the exact setting of the same curve, or of another curve if the same
+/// curve has no exact setting. Exhibits show the window in which the worst setting differs most from the
+/// exact one.
 std::vector<Measurement> measure_pictures(const std::filesystem::path& package, const BenchScene& scene,
                                           const Effort& effort, std::span<const PictureSetting> settings,
                                           const std::filesystem::path& folder, const std::string& tag);

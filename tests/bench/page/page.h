@@ -12,7 +12,7 @@ namespace vantage::bench {
 struct PageInput {
     std::string title;
     std::span<const Sweep>
-        sweeps;  ///< in the order of the page; one named "presets" gets its own kind of section
+        sweeps;  ///< sweeps in the order of the page; one named "presets" gets its own kind of section
     Run now;
     std::optional<Run> before;  ///< an earlier run to compare with
 };

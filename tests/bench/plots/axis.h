@@ -11,7 +11,7 @@ namespace vantage::bench {
 /// An axis of a plot. Its range, in `scale.unit`, extends a little beyond the values.
 struct Axis {
     struct Tick {
-        double at;  ///< in `scale.unit`
+        double at;  ///< position in `scale.unit`
         std::string text;
     };
     Scale scale;

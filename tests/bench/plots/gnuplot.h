@@ -24,7 +24,7 @@ struct PlotCurve {
 
 struct PlotAxis {
     std::string title;
-    std::string unit;  ///< of the points; bytes and times are rescaled for display
+    std::string unit;  ///< unit of the points; bytes and times are rescaled for display
     bool log = false;  ///< values <= 0 are drawn at the edge, as the axis title notes
     bool less_is_better = true;
 };

@@ -20,7 +20,7 @@ double text_width(const std::string& utf8, double font_size);
 struct LabelRequest {
     Spot point;
     std::string text;
-    double radius = 5.5;  ///< of the point's mark
+    double radius = 5.5;  ///< radius of the point's mark
     int rank = 0;         ///< lowest is placed first; 0 may cover another point's mark
 };
 struct Mark {
@@ -41,7 +41,7 @@ struct LabelPlace {
     enum Anchor { left, center, right } anchor = left;
 };
 
-/// The position of each text; none if every position is outside the area or taken.
+/// The position of each text; nullopt if every position is outside the area or taken.
 std::vector<std::optional<LabelPlace>> place_labels(const std::vector<LabelRequest>& requests,
                                                     const Obstacles& obstacles, double font_size);
 

@@ -19,7 +19,7 @@ struct Tradeoff {
 std::vector<std::size_t> front(std::span<const Tradeoff> points);
 
 /// Among the points that cost no more than point `i`, the one with the smallest error; the cheapest of
-/// equals. None if point `i` has a non-finite value or does not exist.
+/// equals. nullopt if point `i` has a non-finite value or does not exist.
 std::optional<std::size_t> best_within_cost(std::span<const Tradeoff> points, std::size_t i);
 
 /// Two metrics of each row, negated if higher is better; NaN if a row lacks the metric or it is non-finite.

@@ -43,7 +43,7 @@ struct Measurement {
     std::vector<Exhibit> exhibits;
 };
 
-/// The row's value of that metric; none if it is missing or not finite.
+/// The row's value of that metric; nullopt if it is missing or not finite.
 std::optional<double> finite_value(const Measurement& row, const std::string& metric);
 
 nlohmann::json to_json(const Measurement& m);

@@ -13,7 +13,7 @@ struct Moved {
     const Measurement* row;  ///< current row
     const Metric* metric;
     double before;              ///< times are multiplied by the drift
-    std::optional<double> now;  ///< none if it is no longer measured, or non-finite
+    std::optional<double> now;  ///< nullopt if it is no longer measured, or non-finite
     double by;                  ///< change in multiples of the noise, limited to 1e6; positive is worse
     double weight;              ///< 0 to 1; below 1 for values under 1 % of the sweep's largest
 };

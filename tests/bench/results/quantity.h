@@ -6,7 +6,7 @@ namespace vantage::bench {
 
 /// A readable unit for a set of values.
 struct Scale {
-    double factor = 1;  ///< from the metric's unit to `unit`
+    double factor = 1;  ///< conversion from the metric's unit to `unit`
     std::string unit;
 };
 

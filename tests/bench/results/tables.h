@@ -10,7 +10,7 @@ namespace vantage::bench {
 
 /// The measurements of one run, with the machine and program that made them.
 struct Run {
-    std::string version;               ///< of Vantage
+    std::string version;               ///< version of Vantage
     std::string effort;                ///< Effort::name
     std::vector<std::string> machine;  ///< one entry each: processor, renderer, date
     std::vector<Measurement> measurements;

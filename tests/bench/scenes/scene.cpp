@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a product exists and was made from sources with this stamp, which is stored beside it.
+/// Whether a product exists and was made from sources with this stamp, which is stored next to it.
 bool made_from(const fs::path& product, const std::string& stamp) {
     std::ifstream in(product.string() + ".from");
     return fs::exists(product) && std::string(std::istreambuf_iterator<char>(in), {}) == stamp;
@@ -113,7 +113,7 @@ std::vector<bool> seeable_pixels(const PackageReader& package, const RayScene& r
     return {seeable.begin(), seeable.end()};
 }
 
-/// The finest pyramid level within the effort's size limit.
+/// The finest pyramid level within the effort's limit on size.
 int level_for(const Effort& effort, int width, int height) {
     int level = 0;
     while (std::max(width, height) >> level > effort.longest) ++level;

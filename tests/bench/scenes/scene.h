@@ -18,7 +18,7 @@ struct Effort {
     int longest;         ///< px, limit for the long side of compared pictures
     std::size_t views;   ///< reference views per scene
     std::size_t photos;  ///< per scene, in sweeps whose time grows with them
-    int repeats;         ///< of each timing
+    int repeats;         ///< repetitions of each timing
     std::size_t points;  ///< number of surface points, in sweeps that sample geometry
 };
 
@@ -36,7 +36,7 @@ struct TrueView {
 struct BenchScene {
     std::string name;
     std::filesystem::path folder;   ///< mesh, cameras, photos
-    std::optional<SynthSpec> spec;  ///< for a synthetic scene, of which any view can be ray-cast
+    std::optional<SynthSpec> spec;  ///< specification of a synthetic scene, of which any view can be ray-cast
     std::filesystem::path package;
     std::vector<TrueView> views;
 };

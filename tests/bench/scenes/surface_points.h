@@ -13,7 +13,8 @@ struct SurfacePoint {
     Eigen::Vector3d weights;
 };
 
-/// Random points, uniform by area and reproducible by seed; none if the triangles have no area.
+/// Random points, distributed uniformly by area and reproducible from the seed; empty if the triangles have
+/// no area.
 std::vector<SurfacePoint> surface_points(std::span<const Eigen::Vector3f> positions,
                                          std::span<const std::uint32_t> indices, std::size_t count,
                                          unsigned seed);

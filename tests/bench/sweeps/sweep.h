@@ -32,7 +32,7 @@ struct Sweep {
     const char* truth;      ///< reference that errors are measured against
     const char* precision;  ///< how closely the exact end reproduces the reference
     std::vector<Plot> plots;
-    /// The jobs on a scene; none if the sweep does not apply to it. Exhibits are written to `folder`.
+    /// The jobs on a scene; empty if the sweep does not apply to it. Exhibits are written to `folder`.
     std::vector<Job> (*jobs)(const BenchScene& scene, const Effort& effort,
                              const std::filesystem::path& folder);
     bool apart = false;  ///< each curve is a separate setting; curves are not compared with each other

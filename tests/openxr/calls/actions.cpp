@@ -16,7 +16,7 @@ void check_name(const std::string& name) {
                "the name \"" + name + "\" has characters that names cannot have");
 }
 
-/// Checks that the names of an action or a set differ from those of the others.
+/// Checks that the names of an action or an action set differ from the names of the others.
 template <class Named>
 void check_difference(const Named& added, const Named& other) {
     if (added.name == other.name) breach(XR_ERROR_NAME_DUPLICATED, "there is \"" + added.name + "\" already");

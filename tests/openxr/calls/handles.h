@@ -83,7 +83,7 @@ struct Session {
     std::optional<Frame> waited, begun;  ///< waited for but not begun; begun but not ended
     std::vector<XrActionSet> attached;
     std::set<std::pair<XrActionSet, XrPath>>
-        active;  ///< with their subaction paths, from the latest xrSyncActions
+        active;  ///< action sets with their subaction paths, from the latest xrSyncActions
     std::optional<std::string> profile;
     Loss loss = Loss::none;
 };
@@ -99,7 +99,7 @@ struct ActionSpace {
 struct Space {
     XrSession session;
     std::variant<ReferenceSpace, ActionSpace> of;
-    XrPosef pose;  ///< in `of`
+    XrPosef pose;  ///< relative to `of`
 };
 
 struct Swapchain {
@@ -124,7 +124,7 @@ struct ActionState {
     Input value{};
     bool active = false, changed = false;
     XrTime changed_at = 0;
-    std::string source;  ///< of the value
+    std::string source;  ///< source of the value
 };
 
 struct Action {

@@ -13,7 +13,7 @@ struct SubmittedView {
 
 struct SubmittedLayers {
     nlohmann::json record = nlohmann::json::array();  ///< as in frames.jsonl
-    std::vector<SubmittedView> views;                 ///< of the first projection layer
+    std::vector<SubmittedView> views;                 ///< views of the first projection layer
 };
 
 /// Checks the layers of a frame. Ends the call if one of them is invalid.

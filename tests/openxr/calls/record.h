@@ -1,5 +1,5 @@
 #pragma once
-// Records of the runtime, in the folder VANTAGE_TEST_XR_OUT:
+// Records that the runtime writes to the folder VANTAGE_TEST_XR_OUT:
 // violations.txt: violations of the specification, one per line: the function and the error
 // events.txt: events of instances and sessions, one per line: the frame number and the event
 // frames.jsonl: the layers submitted by each xrEndFrame (frame.cpp)

@@ -32,7 +32,7 @@ void check_pose(const XrPosef& pose) {
     require(is_valid(pose), XR_ERROR_POSE_INVALID, "the pose is not valid");
 }
 
-/// Pose in the stage; none while untracked.
+/// Pose in the stage; nullopt while untracked.
 std::optional<XrPosef> reference_pose(XrReferenceSpaceType type, XrTime time) {
     const Moment& moment = moment_at(time);
     if (moment.untracked) return {};
@@ -40,7 +40,7 @@ std::optional<XrPosef> reference_pose(XrReferenceSpaceType type, XrTime time) {
     return type == XR_REFERENCE_SPACE_TYPE_LOCAL ? local_origin_at(time) : identity_pose;
 }
 
-/// Pose in the stage; none while untracked.
+/// Pose in the stage; nullopt while untracked.
 std::optional<XrPosef> stage_pose(const Space& space, XrTime time) {
     const auto* const reference = std::get_if<ReferenceSpace>(&space.of);
     const std::optional<XrPosef> origin =

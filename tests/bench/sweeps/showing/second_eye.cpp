@@ -1,4 +1,4 @@
-// Cost of the second eye, for different ways of drawing the bare surface for both.
+// Cost of the second eye, for different ways of drawing the bare surface for both eyes.
 #include <deque>
 #include <span>
 #include <vector>

@@ -31,8 +31,8 @@ RenderSettings render_settings_of(const PairSetting& s) {
     return out;
 }
 
-/// A viewer with the left eye at a reference view and the right eye beside it; both converge on the scene's
-/// center.
+/// A viewer with the left eye at a reference view and the right eye next to it; both eyes converge on the
+/// scene's center.
 std::vector<View> eyes_at(const View& view, const PlanScene& scene) {
     const Eyes eyes{.share = 1.0 / 30};
     std::vector<View> out = eye_views(view, eyes, looked_at(view, scene));
@@ -50,7 +50,7 @@ class EyePairs {
         : both_(package, ample_memory()), left_(package, ample_memory()), right_(package, ample_memory()) {}
 
     void draw(const PairSetting& s, const TrueView& view) {
-        now_ += 10;  // seconds: nothing is still fading in
+        now_ += 10;  // seconds, so that nothing is still fading in
         const RenderSettings settings = render_settings_of(s);
         const std::vector<View> eyes = eyes_at(view.view, both_.scene());
         if (s.together) {
