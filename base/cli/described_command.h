@@ -37,7 +37,7 @@ std::vector<std::string> headings_of(const std::vector<DescribedOption>& options
 
 /// The command as one line of JSON.
 std::string to_line(const DescribedCommand& command);
-/// Throws Error(input) if the line was not written by to_line().
+/// The command that the line describes. Throws Error(input) if the line was not written by to_line().
 DescribedCommand from_line(const std::string& line);
 
 }  // namespace vantage

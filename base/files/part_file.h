@@ -43,7 +43,7 @@ class PartFile {
 
     /// Sets the size and allocates the space now, so that a full disk fails the run at once, not hours later.
     void reserve(std::uint64_t bytes) const;
-    /// Only sets the size: unwritten ranges take no space if the file system supports holes.
+    /// Sets the size only: unwritten ranges take no space if the file system supports holes.
     void resize(std::uint64_t bytes) const;
     /// Zeroes a range, and frees its space if the file system supports holes.
     void punch_hole(std::uint64_t offset, std::uint64_t length) const;

@@ -20,7 +20,7 @@ class UnfinishedFile {
     const std::filesystem::path& file() const { return file_; }
     /// The path to write to.
     const std::filesystem::path& part() const { return part_; }
-    /// Throws Error(storage) if it cannot be renamed.
+    /// Renames the file. Throws Error(storage) if that fails.
     void finish() const;
     /// Throws Error(storage) saying that the file cannot be written, with the reason unless that is empty.
     [[noreturn]] void fail(const std::string& why) const;

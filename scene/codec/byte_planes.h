@@ -12,7 +12,7 @@ namespace vantage::codec {
 /// differences. `texels` holds width * height * 4 bytes.
 std::vector<std::byte> encode_planes(std::span<const std::byte> texels, int width, int height);
 
-/// False if the bytes are damaged; the content of `texels` is then unspecified.
+/// Decodes the texels. False if the bytes are damaged; the content of `texels` is then unspecified.
 bool decode_planes(std::span<const std::byte> coded, int width, int height, std::span<std::byte> texels);
 
 }  // namespace vantage::codec

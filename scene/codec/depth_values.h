@@ -18,7 +18,7 @@ inline constexpr double depth_error = 1.0 / (1 << depth_bits);  ///< largest err
 /// factor of 4 billion) or are not positive; they must then be stored raw.
 std::vector<std::byte> encode_depth(std::span<const std::byte> texels, int width, int height);
 
-/// False if the bytes are damaged; the content of `texels` is then unspecified.
+/// Decodes the depth. False if the bytes are damaged; the content of `texels` is then unspecified.
 bool decode_depth(std::span<const std::byte> coded, int width, int height, std::span<std::byte> texels);
 
 /// The depth after encoding and decoding.

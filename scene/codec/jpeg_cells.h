@@ -23,7 +23,7 @@ struct CellGrid {
     std::size_t cells() const { return std::size_t(columns) * std::size_t(rows); }
 };
 
-/// Empty if `header` is not the header of a photo in cells.
+/// The grid of a photo in cells; empty if `header` is not the header of such a photo.
 std::optional<CellGrid> cell_grid(std::span<const std::byte> header);
 
 /// A photo in cells, row by row; cell i ends at ends[i] of `bytes`.

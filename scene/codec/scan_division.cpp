@@ -140,11 +140,11 @@ class BitWriter {
     static constexpr std::size_t room = std::size_t(max_blocks) * 64 * 8;
 
     explicit BitWriter(std::size_t expected) : out_(expected + room) {}
-    /// Must be called before each MCU.
+    /// Makes room for an MCU. Must be called before each of them.
     void make_room() {
         if (out_.size() - at_ < room) out_.resize(2 * out_.size());
     }
-    /// At most 32 bits.
+    /// Writes `n` bits, at most 32.
     void put(std::uint32_t bits, int n) {
         bits_ = bits_ << n | bits;
         held_ += n;

@@ -30,7 +30,8 @@ class PackageReader {
     /// latter, of the photos' chunks only those sealed so far are found, scene-wide chunks may not have been
     /// written yet, and the caller must check the records.
     enum class Expect { whole, part };
-    /// Throws Error(input) if the file cannot be opened, Error(damaged) if it is not as expected.
+    /// Opens a package. Throws Error(input) if the file cannot be opened, Error(damaged) if it is not as
+    /// expected.
     explicit PackageReader(const std::filesystem::path& file, Expect expect = Expect::whole);
     explicit PackageReader(std::unique_ptr<PackageSource> source, Expect expect = Expect::whole);
     ~PackageReader();
@@ -87,7 +88,7 @@ class PackageReader {
     /// Number of bytes that fetch_scene() fetches.
     std::uint64_t scene_bytes() const;
     bool remote() const;
-    /// Empty for a file.
+    /// Traffic with the server; empty for a file.
     std::optional<SourceTraffic> traffic() const;
 
     /// Releases the pages of these bytes, or of the whole file; they are read from the file again when

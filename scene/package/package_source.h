@@ -37,7 +37,7 @@ class PackageSource {
     /// Discards fetched bytes that do not match a checksum, so that hold() fetches them again. False if there
     /// is no other copy.
     virtual bool discard(std::span<const Part> parts) = 0;
-    /// Empty for a file.
+    /// Traffic with the server; empty for a file.
     virtual std::optional<SourceTraffic> traffic() const = 0;
 };
 

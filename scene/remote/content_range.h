@@ -13,8 +13,8 @@ struct ContentRange {
     std::optional<std::uint64_t> total;  ///< size of the whole file; no value for `bytes 0-99/*`
 };
 
-/// Empty if the value is malformed, has a unit other than bytes, exceeds 64 bits, or contradicts itself:
-/// `bytes 9-3/20`, `bytes 0-20/20`, `bytes */*`.
+/// Parses a header's value. Empty if it is malformed, has a unit other than bytes, exceeds 64 bits, or
+/// contradicts itself: `bytes 9-3/20`, `bytes 0-20/20`, `bytes */*`.
 std::optional<ContentRange> parse_content_range(std::string_view value);
 
 }  // namespace vantage

@@ -22,7 +22,7 @@ bool same_version(const Origin& a, const Origin& b);
 
 /// The origin as stored in the cache: lines of a name, a space and a value. The first line states the format.
 std::string text_of(const Origin& origin);
-/// Empty if the text was not written by text_of().
+/// Parses the text of an origin; empty if it was not written by text_of().
 std::optional<Origin> parse_origin(std::string_view text);
 /// True if any version of text_of() may have written the text, even if it is now damaged.
 bool begins_like_origin(std::string_view text);

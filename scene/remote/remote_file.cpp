@@ -214,7 +214,7 @@ void RemoteFile::Impl::request_run(BlockRun run, const Kept& kept, Parts& parts)
     parts.push_back(part);
 }
 
-/// False when stopped. Throws the first failure.
+/// Waits for the parts. False when stopped. Throws the first failure.
 bool RemoteFile::Impl::wait(const Parts& parts, std::stop_token stop) {
     std::unique_lock lock(mutex);
     const auto failed = [](const auto& part) { return part->failure.has_value(); };

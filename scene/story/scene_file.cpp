@@ -135,7 +135,7 @@ class ObjectTable {
         if (!valid) return {};
         return Similarity{turn / scale, m.col(3), scale};
     }
-    /// Row by row.
+    /// The numbers of the matrix, row by row.
     std::vector<double> matrix_numbers() const {
         std::vector<double> out;
         const auto add = [&](const toml::node& n) { out.push_back(n.value<double>().value_or(NAN)); };

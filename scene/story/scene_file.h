@@ -50,7 +50,7 @@ std::vector<SceneObject> read_scene_file(const std::filesystem::path& file, Scen
 /// The text of a scene file in `folder`, with the paths of packages, or of inputs for objects without a
 /// package, relative to that folder.
 std::string scene_file_text(const std::vector<SceneObject>& objects, const std::filesystem::path& folder);
-/// Writes a scene file, with packages relative to its folder. Replaces any existing file. Throws
+/// Writes a scene file, with the packages' paths relative to its folder. Replaces any existing file. Throws
 /// Error(storage).
 void write_scene_file(const std::filesystem::path& file, const std::vector<SceneObject>& objects);
 

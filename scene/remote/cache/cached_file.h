@@ -32,7 +32,7 @@ std::string origin_text(const std::filesystem::path& folder);
 /// stays readable if it is replaced by a newer version. Thread-safe.
 class CachedFile : public std::enable_shared_from_this<CachedFile> {
   public:
-    /// Null if the folder holds no cached file, or a damaged one. Throws Error(storage).
+    /// Opens the cached file in a folder. Null if there is none, or if it is damaged. Throws Error(storage).
     static std::shared_ptr<CachedFile> open(const std::filesystem::path& folder);
     /// Creates a cached file in a folder that has none of its files. Throws Error(storage).
     static std::shared_ptr<CachedFile> create(const std::filesystem::path& folder, const Origin& origin);

@@ -1,4 +1,4 @@
-// Lower bound for the time of a first picture: a window with OpenGL 4.5, cleared and shown once. Prints the
+// Lower bound on the time of a first picture: a window with OpenGL 4.5, cleared and shown once. Prints the
 // milliseconds since the start of the process.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

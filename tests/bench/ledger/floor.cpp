@@ -1,4 +1,4 @@
-// Lower bound for the time to prepare photos on this machine: decodes every JPEG of a folder once and writes
+// Lower bound on the time to prepare photos on this machine: decodes every JPEG of a folder once and writes
 // as many bytes as the package has, on all cores. Prints the seconds.
 #include <turbojpeg.h>
 

@@ -1,4 +1,4 @@
-// Lower bound for the time of a frame with several photos: draws a package's model once per photo, each time
+// Lower bound on the time of a frame with several photos: draws a package's model once per photo, each time
 // with one texture, blended. Prints the milliseconds per frame, median of 30.
 #include <epoxy/gl.h>
 

@@ -74,7 +74,7 @@ std::optional<TransparentLayers::Fragment> TransparentLayers::at(const View& vie
         alpha += shares[i] * c[3];
     }
     const Vector3d toward = (view.cam_from_origin.center() - position).normalized();
-    // 1 where it faces the viewer.
+    // 1 where the surface faces the viewer.
     const double light = (0.12 + 0.35 * std::abs(normal.normalized().dot(toward))) / 0.47;
     return Fragment{z, triangle, color.cwiseMax(0).unaryExpr(&linear_from_srgb) * light, alpha};
 }

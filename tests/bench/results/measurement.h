@@ -19,7 +19,7 @@ struct Metric {
     double noise;
 };
 std::span<const Metric> metrics();
-/// Throws std::out_of_range for an unknown metric.
+/// The metric with this name. Throws std::out_of_range for an unknown one.
 const Metric& metric(const std::string& name);
 
 /// PSNR of equal pictures in dB, and the maximum stored.

@@ -20,9 +20,9 @@ struct Run {
 /// are empty. Throws Error(storage).
 void write_csv(const std::filesystem::path& file, std::span<const Measurement> measurements);
 
-/// Non-finite values, which JSON cannot hold, are skipped. Throws Error(storage).
+/// Writes a run. Non-finite values, which JSON cannot represent, are skipped. Throws Error(storage).
 void write_json(const std::filesystem::path& file, const Run& run);
-/// Throws Error(input) with the file's name if it was not written by write_json().
+/// Reads a run. Throws Error(input) with the file's name if it was not written by write_json().
 Run read_json(const std::filesystem::path& file);
 
 }  // namespace vantage::bench
