@@ -33,7 +33,7 @@ int evaluate(EvaluateOptions o) {
 
 void add_evaluate(const Command& program) {
     const auto o = std::make_shared<EvaluateOptions>();
-    const Command c = program.verb("evaluate", "Compare each photo with its prediction by the others");
+    const Command c = program.verb("evaluate", "Compare each photo with a prediction from the others");
     add_package_argument(c, o->package).required();
     add_exclude_option(c, o->package);
     add_photo_option(c, o->package, "photos to hold out, or 'all'");
