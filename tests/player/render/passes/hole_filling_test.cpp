@@ -38,7 +38,7 @@ std::vector<float> filled(int width, int height, const std::function<Color(int x
                         surface.data());
     HoleFilling filling;
     filling.fit(width, height);
-    filling.fill(frame.samples.front().sum, frame.surface().shaded.id(), {width, height}, samples);
+    filling.fill(frame.samples.front().sum, frame.surface().shaded.id(), frame, samples);
     const int w = (width + 1) / 2, h = (height + 1) / 2;
     std::vector<float> out(std::size_t(w) * std::size_t(h));
     glGetTextureImage((behind ? filling.filled_behind() : filling.filled()).id(), 0, GL_RED, GL_FLOAT,
