@@ -60,9 +60,10 @@ std::array<std::string, 3> value_texts(const ValueRange& range, bool logarithmic
 
 }  // namespace
 
-bool draw_legend(Picture& p, const ScalarField& field, const FieldSettings& settings) {
-    const PictureText text(std::max(smallest_line, p.height / lines_per_picture));
-    const int line = text.line(), space = line / 2;
+bool PictureLegend::draw(Picture& p, const ScalarField& field, const FieldSettings& settings) {
+    const int line = std::max(smallest_line, p.height / lines_per_picture), space = line / 2;
+    if (!text_ || text_->line() != line) text_.emplace(line);
+    const PictureText& text = *text_;
     const auto [map, range] = field_legend(field, settings);
     const auto values = value_texts(range, settings.logarithmic);
     const std::array<int, 3> widths{text.width(values[0]), text.width(values[1]), text.width(values[2])};

@@ -109,15 +109,9 @@ Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader
                                 });
 }
 
-/// Null if no field is shown.
-const ScalarField* shown_field(const Renderer& renderer, const RenderSettings& settings) {
-    const int index = settings.field.index;
-    return index < 0 ? nullptr : &renderer.resources().fields.all()[std::size_t(index)];
-}
-
 /// Prints the values at the ends of the color map, if a field was shown.
 void print_legend(const Renderer& renderer, const RenderSettings& settings) {
-    const ScalarField* const field = shown_field(renderer, settings);
+    const ScalarField* const field = renderer.resources().fields.shown(settings);
     if (!field) return;
     const auto [map, range] = field_legend(*field, settings.field);
     std::fprintf(text_output(), "field %s  %g to %g, %s%s\n", field->name.c_str(), range.low, range.high,
@@ -154,6 +148,7 @@ int run_render(const PackageReader& package, const ShowOptions& options,
         const std::vector<View> eyes = views_of(options.stereo, shot.view, shot.distance);
         return take_picture(scene, stereo, options.stereo.mode, eyes, {settings, photos, side});
     };
+    PictureLegend legend;
     TilesNotShown lacking;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const Shot& shot = wanted[i];
@@ -164,8 +159,8 @@ int run_render(const PackageReader& package, const ShowOptions& options,
         Picture picture = picture_of_shot(shot);
         const double colored = colored_share(picture);
         if (o.legend && !o.panorama && options.stereo.mode == StereoMode::off)
-            if (const ScalarField* field = shown_field(renderer, settings))
-                draw_legend(picture, *field, settings.field);
+            if (const ScalarField* field = renderer.resources().fields.shown(settings))
+                legend.draw(picture, *field, settings.field);
         if (i == 0) print_legend(renderer, settings);
         if (file.has_parent_path()) make_folder(file.parent_path());
         write_picture(file, picture, options);

@@ -72,9 +72,9 @@ class Frames {
         settings_.light = light_settings(o.light);
         settings_.points = point_settings(o.points);
         if (story.background) settings_.plain_background = plain_background_of(*story.background);
+        has_legend_ = o.pictures.legend && stereo_.mode == StereoMode::off;
         // If only some photos are blended, their selection changes between frames: they fade, as in the
         // window.
-        legend_ = o.pictures.legend && settings_.field.index >= 0 && stereo_.mode == StereoMode::off;
         settings_.loading = settings_.photos == 0 ? Loading::complete : Loading::repeatable;
     }
     /// `now`: seconds since the first frame.
@@ -84,12 +84,12 @@ class Frames {
         if (settings_.loading == Loading::repeatable && !settled_) settle(eyes, now);
         settled_ = true;
         Picture out = take_picture(objects_, pair_, stereo_.mode, eyes, {settings_, photos_, side_, now});
-        if (legend_) draw_legend(out, renderer_.resources().fields.all()[shown_field()], settings_.field);
+        const ScalarField* const field = renderer_.resources().fields.shown(settings_);
+        if (has_legend_ && field) legend_.draw(out, *field, settings_.field);
         return out;
     }
 
   private:
-    std::size_t shown_field() const { return std::size_t(settings_.field.index); }
     /// Draws the first frame until nothing fades.
     void settle(std::span<const View> eyes, double now) {
         constexpr int most = 60;
@@ -108,7 +108,8 @@ class Frames {
     std::vector<std::uint32_t> photos_;
     RenderSettings settings_;
     int side_;
-    bool settled_ = false, legend_ = false;
+    bool settled_ = false, has_legend_ = false;
+    PictureLegend legend_;
 };
 
 /// Renders all frames to the output. Returns their missing tiles.

@@ -10,9 +10,10 @@ namespace vantage {
 FieldValues::FieldValues(const PackageReader& package)
     : package_(&package), fields_(all_fields(package)), measured_(fields_.size()) {}
 
-bool FieldValues::shows(const RenderSettings& settings) const {
+const ScalarField* FieldValues::shown(const RenderSettings& settings) const {
     const FieldSettings& l = settings.field;
-    return l.index >= 0 && std::size_t(l.index) < fields_.size() && l.share > 0;
+    const bool exists = l.index >= 0 && std::size_t(l.index) < fields_.size() && l.share > 0;
+    return exists ? &fields_[std::size_t(l.index)] : nullptr;
 }
 
 bool FieldValues::load(const RenderSettings& settings, ClusterDraws& clusters) {

@@ -16,8 +16,9 @@ class FieldValues {
 
     /// Computed fields have no values until first shown.
     std::span<const ScalarField> all() const { return fields_; }
-    /// Whether the settings show an existing field.
-    bool shows(const RenderSettings& settings) const;
+    /// The field that the settings show; null if none.
+    const ScalarField* shown(const RenderSettings& settings) const;
+    bool shows(const RenderSettings& settings) const { return shown(settings) != nullptr; }
     /// Computes the settings' field and passes its values to the model, unless it was the last one. Returns
     /// whether that allocated graphics memory.
     bool load(const RenderSettings& settings, ClusterDraws& clusters);

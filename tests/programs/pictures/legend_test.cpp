@@ -81,7 +81,8 @@ TEST(PictureLegend, IsLaidOverWhatIsTransparentAndNeedsRoom) {
     ScalarField field{.name = "deviation-from-2019", .values = {}};
     field.low = -0.25, field.high = 0.25;
     EXPECT_STREQ(unit_of(field), "input units");
-    ASSERT_TRUE(draw_legend(p, field, {}));
+    PictureLegend legend;
+    ASSERT_TRUE(legend.draw(p, field, {}));
     EXPECT_GE(colors_in_a_row(p, color_table(ColorMap::coolwarm)), 150u);
     std::size_t shown = 0, opaque = 0;
     for (std::size_t i = 3; i < p.rgba.size(); i += 4) {
@@ -92,8 +93,8 @@ TEST(PictureLegend, IsLaidOverWhatIsTransparentAndNeedsRoom) {
     EXPECT_GT(shown, 3 * opaque);
     const std::vector<std::uint8_t> before = p.rgba;
     field.name = std::string(300, 'x');
-    EXPECT_FALSE(draw_legend(p, field, {})) << "a name that is too long for the picture";
+    EXPECT_FALSE(legend.draw(p, field, {})) << "a name that is too long for the picture";
     EXPECT_EQ(p.rgba, before);
     Picture small{60, 40, std::vector<std::uint8_t>(std::size_t(60 * 40 * 4)), {}};
-    EXPECT_FALSE(draw_legend(small, field, {}));
+    EXPECT_FALSE(legend.draw(small, field, {}));
 }
