@@ -28,6 +28,13 @@ std::vector<std::size_t> photos_meant(std::span<const std::string_view> names, s
     });
 }
 
+std::string first_of(std::span<const std::string> names, std::size_t most) {
+    std::string out;
+    for (const std::string& name : names.first(std::min(names.size(), most)))
+        out += (out.empty() ? "" : ", ") + name;
+    return names.size() > most ? out + " and " + std::to_string(names.size() - most) + " more" : out;
+}
+
 std::string listed(std::span<const std::string_view> names, std::span<const std::size_t> indices) {
     std::string out;
     for (std::size_t i = 0; i < indices.size(); ++i)

@@ -18,6 +18,9 @@ std::vector<std::size_t> photos_meant(std::span<const std::string_view> names, s
 /// "0000.jpg and 0000.png", for a message about an ambiguous name.
 std::string listed(std::span<const std::string_view> names, std::span<const std::size_t> indices);
 
+/// The first names, "a, b and 4 more", for a message about many.
+std::string first_of(std::span<const std::string> names, std::size_t most);
+
 /// The stem of each photo's output files: its name without the extension if that is unique, otherwise its
 /// full name. Stems are unique if `names` are.
 std::vector<std::string> file_stems(std::span<const std::string_view> names);

@@ -8,18 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/photo_names.h"
 #include "pipeline/align/open_turns.h"
 
 namespace vantage {
 namespace {
 
-/// "A.jpg, B.jpg and 3 more".
-std::string first_of(std::vector<std::string> names) {
-    constexpr std::size_t most = 20;
-    const std::size_t more = names.size() - std::min(names.size(), most);
-    names.resize(names.size() - more);
-    return fmt::format("{}{}", fmt::join(names, ", "), more ? fmt::format(" and {} more", more) : "");
-}
+constexpr std::size_t max_names = 20;  ///< in a warning
 
 /// The orientation of a photo that lacks a needed EXIF orientation.
 const char* lies(int orientation) {
@@ -42,8 +37,8 @@ void warn_of_turns(SceneInput& scene, const std::vector<std::uint32_t>& photos, 
                                                 : ", but the pixels had been turned before";
         scene.warnings.push_back(fmt::format(
             "{}{} for the cameras, {}: {}; {}{} (EXIF orientation {})", found ? "" : "perhaps ", lies(open),
-            found ? "as neighboring photos show" : "neighboring photos are inconclusive", first_of(of), taken,
-            but, orientation));
+            found ? "as neighboring photos show" : "neighboring photos are inconclusive",
+            first_of(of, max_names), taken, but, orientation));
     }
 }
 
@@ -62,7 +57,7 @@ void settle_turns(SceneInput& scene, unsigned threads) {
         scene.warnings.push_back(
             fmt::format("turned by their EXIF orientation, because their cameras "
                         "have no size and only then agree with neighboring photos: {}",
-                        first_of(displayed)));
+                        first_of(displayed, max_names)));
     warn_of_turns(scene, turns.found, true);
     warn_of_turns(scene, turns.unknown, false);
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "base/text/photo_names.h"
 #include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/reports/inspect/file_facts.h"
 #include "pipeline/stages/mesh_in_view.h"
@@ -35,13 +36,6 @@ std::string counted(std::size_t n, const std::string& one, const std::string& mo
 }
 std::string counted(std::size_t n, const std::string& one) { return counted(n, one, one + "s"); }
 
-/// "a, b, c and 4 more"
-std::string first_of(std::span<const std::string> names) {
-    std::string out = fmt::format("{}", fmt::join(names.first(std::min(names.size(), max_names)), ", "));
-    if (names.size() > max_names) out += fmt::format(" and {} more", names.size() - max_names);
-    return out;
-}
-
 std::string megabytes(double bytes) { return fmt::format("{:.{}f} MB", bytes / 1e6, bytes < 1e5 ? 3 : 1); }
 
 std::string corner(const Eigen::Vector3d& p) {
@@ -69,11 +63,12 @@ void add_shape(const ShapeFacts& shape, const std::vector<std::filesystem::path>
             shape.strays ? ", without " + counted(shape.strays, "vertex", "vertices") + " far away" : "");
     std::string has = shape.colors ? "vertex colors" : "no vertex colors";
     if (!shape.fields.empty())
-        has += fmt::format(", {} ({})", counted(shape.fields.size(), "scalar field"), first_of(shape.fields));
+        has += fmt::format(", {} ({})", counted(shape.fields.size(), "scalar field"),
+                           first_of(shape.fields, max_names));
     std::vector<std::string> names;
     for (const auto& file : companions)
         if (std::filesystem::exists(file)) names.push_back(file.filename().string());
-    if (!names.empty()) has += ", also read: " + first_of(names);
+    if (!names.empty()) has += ", also read: " + first_of(names, max_names);
     out.add(label, "{}", has);
 }
 
@@ -191,7 +186,7 @@ void add_view(const InputFacts& facts, Lines& out) {
         out.add("view", "every photo's camera sees the {}", what);
     else
         out.add("view", "{} of {} cameras do not see the {} (less than {:g} % of the frame): {}", blind, all,
-                what, 100 * least_share_of_frame, first_of(facts.plan->not_seeing));
+                what, 100 * least_share_of_frame, first_of(facts.plan->not_seeing, max_names));
 }
 
 void add_effects(const std::vector<EffectDecision>& effects, std::size_t photos, Lines& out) {
@@ -217,7 +212,7 @@ void add_warnings(const InputFacts& facts, Lines& out) {
 void add_skipped(const std::vector<UnusablePhoto>& skipped, Lines& out) {
     std::map<std::string, std::vector<std::string>> by_reason;
     for (const UnusablePhoto& photo : skipped) by_reason[photo.why].push_back(photo.photo);
-    for (const auto& [why, names] : by_reason) out.add("skipped", "{}: {}", first_of(names), why);
+    for (const auto& [why, names] : by_reason) out.add("skipped", "{}: {}", first_of(names, max_names), why);
 }
 
 void add_result(const InputFacts& facts, Lines& out) {
