@@ -53,16 +53,16 @@ void moulding(ModelBuilder& b, const Profile& edges, int steps,
         b.sweep(std::span(edges).subspan(i, 2), steps, at, Material::limestone);
 }
 
-/// The wall between two height profiles, which depend on x.
+/// The part of the plane at this y between two height profiles, which depend on x, as wide as an opening.
 void wall(ModelBuilder& b, const Opening& o, const std::function<double(double)>& low,
-          const std::function<double(double)>& high) {
+          const std::function<double(double)>& high, double y = 0, Material material = Material::ashlar) {
     b.surface(
         24, 1,
         [&](double u, double v) {
             const double x = o.x - o.radius * std::cos(u * turn / 2);
-            return Vector3d(x, 0, low(x) + v * (high(x) - low(x)));
+            return Vector3d(x, y, low(x) + v * (high(x) - low(x)));
         },
-        Material::ashlar);
+        material);
 }
 
 /// The wall from x0 to x1 and from z = low to `high` around an opening of this size.
@@ -96,12 +96,8 @@ void reveal(ModelBuilder& b, const Opening& o, double recess, int orders, double
     const double edge = orders * step;
     moulding(b, {{edge, 0}, {edge, 0.09}, {edge + 0.1, 0.12}, {edge + 0.14, 0}}, 40,
              [&](double t, const Vector2d& p) { return o.around(t, p); });
-    b.surface(
-        24, 1,
-        [&](double u, double v) {
-            const double x = o.x - o.radius * std::cos(u * turn / 2);
-            return Vector3d(x, recess, o.low(x) + v * (o.high(x) - o.low(x)));
-        },
+    wall(
+        b, o, [&](double x) { return o.low(x); }, [&](double x) { return o.high(x); }, recess,
         o.sill < 1 && !o.round ? Material::wood : Material::leads);
     if (o.round) return;
     const Opening wide = o.wider(edge);

@@ -41,16 +41,6 @@ Vector3d sun_point(double random) {
     return (toward_sun + r * (std::cos(angle) * x + std::sin(angle) * toward_sun.cross(x))).normalized();
 }
 
-}  // namespace
-
-void add_daylight(SynthModel& model, const RayScene& rays) {
-    for (std::size_t i = 0; i < model.mesh.positions.size(); ++i)
-        model.sky.push_back(
-            float(sky_share(rays, model.mesh.positions[i], model.mesh.normals[i].cast<double>())));
-}
-
-namespace {
-
 /// `d` has length 1; `pixel` is the angle of a pixel in radians.
 Vector3f daylight_sky(const Vector3d& d, double pixel) {
     const double up = std::max(0.0, d.z());
@@ -69,6 +59,12 @@ Vector3f daylight_sky(const Vector3d& d, double pixel) {
 }
 
 }  // namespace
+
+void add_daylight(SynthModel& model, const RayScene& rays) {
+    for (std::size_t i = 0; i < model.mesh.positions.size(); ++i)
+        model.sky.push_back(
+            float(sky_share(rays, model.mesh.positions[i], model.mesh.normals[i].cast<double>())));
+}
 
 Seen daylight(const SynthModel& model, const RayScene& rays, const Vector3d& eye, const Vector3d& direction,
               double pixel) {

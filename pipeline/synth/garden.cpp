@@ -72,16 +72,6 @@ void railings(ModelBuilder& b, const SynthSpec& spec) {
         }
 }
 
-}  // namespace
-
-void add_garden(ModelBuilder& b, const SynthSpec::Garden& garden) {
-    lawn(b, garden.radius);
-    if (garden.hill > 0) hill(b, garden);
-    b.model.clouds = true;
-}
-
-namespace {
-
 /// Triangles are smaller than the model's; each vertex stores the visible fraction of the sky.
 SynthModel build_chapel_world(SynthSpec spec) {
     spec.building.max_edge = 0.12;
@@ -92,6 +82,12 @@ SynthModel build_chapel_world(SynthSpec spec) {
 }
 
 }  // namespace
+
+void add_garden(ModelBuilder& b, const SynthSpec::Garden& garden) {
+    lawn(b, garden.radius);
+    if (garden.hill > 0) hill(b, garden);
+    b.model.clouds = true;
+}
 
 SynthModel build_world(const SynthSpec& spec) {
     if (spec.building.chapel) return build_chapel_world(spec);

@@ -13,11 +13,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-/// Coordinates on the surface, in meters: across and up on walls, x and y on floors.
-Vector2d across_and_up(const Vector3d& p, const Vector3d& n) {
-    if (std::abs(n.z()) > 0.9) return {p.x(), p.y()};
-    return {std::abs(n.x()) > std::abs(n.y()) ? p.y() : p.x(), p.z()};
-}
+constexpr double level = 0.9;  ///< |normal.z| of a floor, at least
 
 /// A point of masonry.
 struct Course {
@@ -115,8 +111,13 @@ Vector3f marble(const Vector3d& p) {
 
 }  // namespace
 
+Vector2d across_and_up(const Vector3d& p, const Vector3d& n, double level) {
+    if (std::abs(n.z()) > level) return {p.x(), p.y()};
+    return {std::abs(n.x()) > std::abs(n.y()) ? p.y() : p.x(), p.z()};
+}
+
 Vector3f albedo(Material material, const Vector3d& p, const Vector3d& n) {
-    const Vector2d uv = across_and_up(p, n);
+    const Vector2d uv = across_and_up(p, n, level);
     switch (material) {
         case Material::brick:
             return brick(p, uv);
@@ -167,7 +168,7 @@ Vector3f infrared_albedo(Material material, const Vector3d& p, const Vector3d& n
     switch (material) {
         case Material::plaster:
         case Material::brick:
-            return gray((0.55 + 0.3 * mean) * (1 - 0.8 * charcoal(across_and_up(p, n))));
+            return gray((0.55 + 0.3 * mean) * (1 - 0.8 * charcoal(across_and_up(p, n, level))));
         case Material::grass:
         case Material::trees:
             return gray(0.5 + mean);  // leaves are bright

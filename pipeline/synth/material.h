@@ -35,6 +35,10 @@ Eigen::Vector3f albedo(Material material, const Eigen::Vector3d& point, const Ei
 Eigen::Vector3f infrared_albedo(Material material, const Eigen::Vector3d& point,
                                 const Eigen::Vector3d& normal);
 
+/// Coordinates on a surface with this normal, across and up; those of the ground plane if |normal.z| exceeds
+/// `level`.
+Eigen::Vector2d across_and_up(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double level);
+
 /// Light of a cloudy sky at infinity, in a direction of length 1.
 Eigen::Vector3f clouded(const Eigen::Vector3f& sky, const Eigen::Vector3d& direction);
 

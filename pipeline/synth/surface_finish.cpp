@@ -26,11 +26,6 @@ double slope(const SurfacePoint& at, const Height& height) {
     return (height(at.position + step * at.toward) - height(at.position)) / step;
 }
 
-Vector2d in_surface(const Vector3d& p, const Vector3d& n) {
-    if (std::abs(n.z()) > 0.7) return {p.x(), p.y()};
-    return {std::abs(n.x()) > std::abs(n.y()) ? p.y() : p.x(), p.z()};
-}
-
 /// One of the stones of a wall or a pavement.
 struct Stone {
     double id;    ///< [0, 1), random
@@ -67,7 +62,7 @@ Vector3f weathered(const Vector3f& clean, const SurfacePoint& at) {
 
 Finish ashlar(const SurfacePoint& at) {
     const auto stone = [&](const Vector3d& p, double chipped) {
-        Stone s = stone_at(in_surface(p, at.normal), 0.31);
+        Stone s = stone_at(across_and_up(p, at.normal, 0.7), 0.31);
         s.edge -= 0.008 + 0.008 * chipped;
         return s;
     };
