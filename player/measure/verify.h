@@ -12,7 +12,7 @@ struct VerifyOptions {
     std::string size = "640x360", junit;
     int tolerance = 8;     ///< allowed difference of a pixel, in gray levels
     double share = 0.001;  ///< allowed fraction of pixels with larger differences
-    bool update = false, json = false;
+    bool update = false;
 };
 
 /// Renders each package's recorded views without a display, and compares them with the stored pictures or,
