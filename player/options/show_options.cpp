@@ -20,4 +20,11 @@ void add_scene_options(const Command& c, ShowOptions& o) {
     add_point_options(c, o.points);
 }
 
+void show_by(const Command& c, const std::shared_ptr<ShowOptions>& o, int (*show)(const ShowOptions&)) {
+    c.action([o, show](const Command& given) {
+        o->blending.given = given.given(blending_group);
+        return show(*o);
+    });
+}
+
 }  // namespace vantage

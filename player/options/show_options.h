@@ -1,4 +1,6 @@
 #pragma once
+#include <memory>
+
 #include "player/options/headset_options.h"
 #include "player/options/memory_options.h"
 #include "player/options/output_options.h"
@@ -34,5 +36,8 @@ struct ShowOptions {
 
 /// The common options of verbs that draw a scene, except the package and the output.
 void add_scene_options(const Command& command, ShowOptions& options);
+/// The action of a command that shows a scene until it is closed, with remembered settings.
+void show_by(const Command& command, const std::shared_ptr<ShowOptions>& options,
+             int (*show)(const ShowOptions& options));
 
 }  // namespace vantage

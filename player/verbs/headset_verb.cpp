@@ -31,10 +31,7 @@ void add_headset(const Command& program) {
         "A window shows a copy of the picture in the headset.\n"
         "Example:\n"
         "  vantage-player headset chapel.vantage --meters-per-unit 0.01");
-    c.action([o](const Command& given) {
-        o->blending.given = given.given(blending_group);
-        return show_in_headset(*o);
-    });
+    show_by(c, o, show_in_headset);
 }
 
 }  // namespace vantage

@@ -17,7 +17,8 @@ int open_window(const ShowOptions& o) {
     return run_window(o, {});
 }
 
-int open_kiosk(ShowOptions o) {
+int open_kiosk(const ShowOptions& given) {
+    ShowOptions o = given;
     o.window.kiosk = true;
     const std::vector<SceneObject> objects = named_objects(o.package, o.objects);
     const auto run = [&](int heartbeat_fd) {
@@ -60,10 +61,7 @@ void add_window(const Command& program) {
         "  vantage-player church.toml\n"
         "  vantage-player chapel.vantage --add altar.vantage --add scanner.vantage\n" +
         exit_codes_text());
-    program.action([o](const Command& given) {
-        o->blending.given = given.given(blending_group);
-        return open_window(*o);
-    });
+    show_by(program, o, open_window);
 }
 
 void add_kiosk(const Command& program) {
@@ -79,10 +77,7 @@ void add_kiosk(const Command& program) {
         "Examples:\n"
         "  vantage-player kiosk chapel.vantage\n"
         "  vantage-player kiosk chapel.vantage --idle-timeout 90 --attract chapel-0001.path --language de");
-    c.action([o](const Command& given) {
-        o->blending.given = given.given(blending_group);
-        return open_kiosk(*o);
-    });
+    show_by(c, o, open_kiosk);
 }
 
 }  // namespace vantage
