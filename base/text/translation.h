@@ -14,8 +14,8 @@ constexpr const char* marked(const char* text) { return text; }
 /// The text without its context, if it has one.
 const char* without_context(const char* text);
 
-/// Translates a text, or returns it unchanged but without its context if there is no translation. Valid until
-/// the language changes.
+/// Translates a text. Without a translation, returns the text minus its context. Valid until the language
+/// changes.
 [[gnu::format_arg(1)]] const char* tr(const char* text);
 /// Translates a text in a context.
 [[gnu::format_arg(2)]] const char* tr_in(const char* context, const char* text);
@@ -23,7 +23,8 @@ const char* without_context(const char* text);
 [[gnu::format_arg(1), gnu::format_arg(2)]] const char* tr_count(const char* one, const char* several,
                                                                 std::size_t count);
 
-/// Selects a language: "de", or "de-AT", which falls back to "de". English if there is no catalog.
+/// Selects a language, such as "de"; "de-AT" uses the catalog of "de". A language without a catalog selects
+/// English.
 void use_language(const std::string& language);
 /// Codes of the languages that have a catalog, and English.
 std::vector<std::string> languages_of_window();
