@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "base/files/run_child.h"
 #include "base/text/error.h"
-#include "tests/bench/measure/run_program.h"
 #include "tests/bench/measure/timing.h"
 
 namespace vantage::bench {
@@ -35,7 +35,7 @@ PrepareCost run_prepare(const std::filesystem::path& folder, const std::filesyst
     const std::filesystem::path log = package.string() + ".log";
     PrepareCost cost;
     int status = -1;
-    cost.seconds = milliseconds([&] { status = run_program(words, log, log); }) / 1000;
+    cost.seconds = milliseconds([&] { status = run_child(words, log, log); }) / 1000;
     if (status != 0) throw Error(Exit::input, std::string(VANTAGE_PROGRAM) + " prepare: " + last_line(log));
     cost.memory_bytes = 1e6 * number_after(log, "memory");
     std::filesystem::remove(log);

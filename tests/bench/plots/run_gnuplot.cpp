@@ -4,8 +4,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/files/run_child.h"
 #include "base/text/error.h"
-#include "tests/bench/measure/run_program.h"
+#include "tests/bench/measure/scratch_folder.h"
 
 namespace vantage::bench {
 namespace {
@@ -32,7 +33,7 @@ std::string drawn_by_gnuplot(const std::string& script) {
     out << script;
     out.close();
     if (!out) throw Error(Exit::storage, file.string() + ": cannot be written");
-    const int status = run_program({"gnuplot", "-d", file.string()}, svg, errors);
+    const int status = run_child({"gnuplot", "-d", file.string()}, svg, errors);
     if (status == 127)
         throw Error(Exit::input, "gnuplot is missing; on Debian, install the package gnuplot-nox");
     if (status != 0) throw Error(Exit::input, "gnuplot failed: " + complaint(errors));

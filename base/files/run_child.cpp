@@ -1,34 +1,17 @@
-#include "tests/bench/measure/run_program.h"
+#include "base/files/run_child.h"
 
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
-#include <system_error>
-
-#include "base/text/error.h"
 
 extern char** environ;
 
-namespace vantage::bench {
+namespace vantage {
 
-ScratchFolder::ScratchFolder() {
-    std::error_code none;
-    std::string name = (std::filesystem::temp_directory_path(none) / "vantage-bench-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw Error(Exit::storage, name + ": cannot be created");
-    path_ = name;
-}
-
-ScratchFolder::~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
-
-int run_program(const std::vector<std::string>& words, const std::filesystem::path& out,
-                const std::filesystem::path& err) {
+int run_child(const std::vector<std::string>& words, const std::filesystem::path& out,
+              const std::filesystem::path& err) {
     std::vector<char*> arguments;
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
@@ -51,4 +34,4 @@ int run_program(const std::vector<std::string>& words, const std::filesystem::pa
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-}  // namespace vantage::bench
+}  // namespace vantage
