@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "base/files/shell_word.h"
 #include "base/text/error.h"
 #include "base/text/translation.h"
 #include "player/interface/state/failure_text.h"
@@ -11,21 +12,14 @@
 namespace vantage {
 namespace {
 
-/// The text in single quotes, for a shell.
-std::string quoted(const std::string& text) {
-    std::string out = "'";
-    for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return out + "'";
-}
-
 void copy(Session& s, const PackageReader& package, double now) {
-    const std::string command = "vantage-player " + quoted(package.path().string()) + " --view " +
+    const std::string command = "vantage-player " + shell_word(package.path().string()) + " --view " +
                                 view_text(s.viewpoint.camera, package);
     ImGui::SetClipboardText(command.c_str());
     say(s.message, tr("The view is copied as a command line"), now);
 }
 
-/// The numbers after --view in a command line, or otherwise the whole text.
+/// The numbers after --view if the text is a command line, otherwise the whole text.
 std::string view_in(const std::string& text) {
     const std::string option = "--view";
     const std::size_t at = text.find(option);
