@@ -4,7 +4,8 @@
 
 #include "base/cli/standard_output.h"
 #include "pipeline/commands/commands.h"
-#include "pipeline/output/effect_costs.h"
+#include "pipeline/costs/effect_costs.h"
+#include "pipeline/costs/known_costs.h"
 #include "pipeline/output/meta.h"
 #include "pipeline/prepare/pose_refinement_reuse.h"
 #include "scene/package/contents/image_sets.h"
@@ -62,7 +63,7 @@ nlohmann::json describe_package(const PackageReader& reader) {
     return out;
 }
 
-void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
+void print_package(const nlohmann::json& j, std::span<const EffectCost> costs, const KnownCosts& known) {
     const auto count = [&](const char* key) { return j[key].get<std::uint64_t>(); };
     const std::string shape =
         j.contains("points") ? fmt::format("{} point{}", count("points"), count("points") == 1 ? "" : "s")
@@ -78,7 +79,7 @@ void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
                    e["on"].get<bool>() ? "on" : "off", e["forced"].get<bool>() ? "(forced)" : "",
                    e["evidence"].get<std::string>());
     fmt::print(text_output(), "\n");
-    for (const std::string& line : table_of(costs)) fmt::print(text_output(), "  {}\n", line);
+    for (const std::string& line : effect_lines(costs, known)) fmt::print(text_output(), "  {}\n", line);
     fmt::print(text_output(), "\nphotos\n");
     for (const auto& p : j["photos"])
         fmt::print(text_output(), "  {:<24} {}{}x{}  sees {:.1f} % of the {}{}\n",
@@ -94,6 +95,15 @@ void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
             fmt::print(text_output(), "warning  {}\n", w.get<std::string>());
 }
 
+/// Adds the effect's row of the table to its JSON object.
+void add_costs_of(const EffectCost& cost, nlohmann::json& effect) {
+    effect["package_bytes"] = cost.bytes;
+    if (cost.gain) effect["gain_db"] = {{"mean", cost.gain->mean}, {"error", cost.gain->error}};
+    if (cost.seams) effect["seams_change"] = *cost.seams;
+    if (cost.seconds) effect["prepare_seconds"] = *cost.seconds;
+    if (cost.frame_ms) effect["frame_ms"] = *cost.frame_ms;
+}
+
 }  // namespace
 
 void add_info(const Command& program) {
@@ -106,8 +116,12 @@ void add_info(const Command& program) {
     c.file("FILE", *file, "the package, or its URL").type("PACKAGE").required();
     c.action([file] {
         const PackageReader package = open_package(*file);
-        const nlohmann::json j = describe_package(package);
-        print_package(j, effect_costs(package, {}));
+        nlohmann::json j = describe_package(package);
+        const KnownCosts known = known_costs(costs_key(package));
+        const std::vector<EffectCost> costs = effect_costs(package, {}, known);
+        for (std::size_t i = 0; i < costs.size(); ++i) add_costs_of(costs[i], j["effects"][i]);
+        j["costs_of_effects"] = origin_of(known);
+        print_package(j, costs, known);
         results().update(j);
         return int(Exit::ok);
     });

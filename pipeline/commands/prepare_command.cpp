@@ -21,6 +21,9 @@
 #include "pipeline/commands/shared/prepare_scene.h"
 #include "pipeline/commands/shared/progress_option.h"
 #include "pipeline/commands/shared/skipped_photos.h"
+#include "pipeline/costs/cost_table.h"
+#include "pipeline/costs/effect_costs.h"
+#include "pipeline/costs/known_costs.h"
 #include "pipeline/input/input_paths.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/output/meta.h"
@@ -40,7 +43,7 @@
 namespace vantage {
 namespace {
 
-/// The corrections made where photos disagree.
+/// The corrections that are made where photos disagree.
 enum class Refine { off, color, full };
 
 struct PrepareOptions {
@@ -68,7 +71,8 @@ Share share(const std::string& text) {
     return s;
 }
 
-/// Resolves the files to write, following links. Throws Error(usage) if one of them must not be replaced.
+/// Resolves the files to write, following links. Throws Error(usage) if one of these files must not be
+/// replaced.
 void resolve_outputs(PrepareOptions& o, const InputFiles& files) {
     Inputs inputs{input_paths(files), {}};
     if (!o.config.empty()) inputs.files.push_back(find_preset(o.config));
@@ -94,7 +98,7 @@ std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const
             !changed_inputs(package, files, identities).empty())
             return {};
         if (const std::string damage = damage_of(package, identities); !damage.empty()) {
-            fmt::print(text_output(), "package  {} is damaged and is repaired: {}\n", o.out, damage);
+            fmt::print(text_output(), "package  {} is damaged and will be repaired: {}\n", o.out, damage);
             return {};
         }
         return skipped_of(package);
@@ -154,7 +158,8 @@ std::string some(const std::vector<std::string>& photos) {
     return photos.size() == 1 ? first : fmt::format("{} photos, the first {}", photos.size(), first);
 }
 
-/// Prints the number of photos that each stage made and kept; with `why`, the reasons.
+/// Prints for how many photos each stage ran and for how many its earlier results were kept; with `why`, also
+/// the reasons.
 void print_done(const PrepareResult& done, bool why) {
     std::size_t kept = 0;
     for (const PrepareResult::Stage& s : done.stages) kept += s.kept;
@@ -171,7 +176,7 @@ void print_done(const PrepareResult& done, bool why) {
                                        {"why", done.stages[s].why}});
 }
 
-/// Prints the package on disk.
+/// Prints the names of the finished package and of its report, and the size, time and memory.
 void print_package(const PrepareOptions& o, double seconds) {
     const std::uintmax_t bytes = std::filesystem::file_size(o.out);
     fmt::print(text_output(), "package  {} ({:.1f} MB, {:.1f} s)\nmemory   {:.0f} MB peak\n", o.out,
@@ -186,17 +191,27 @@ void print_package(const PrepareOptions& o, double seconds) {
     results()["report"] = o.report;
 }
 
+/// Prints the costs of the settings: those measured on this scan or, if there are none, those shipped with
+/// the program.
+void print_known_costs(const std::string& package) {
+    const KnownCosts known = known_costs(costs_key(PackageReader(package)));
+    fmt::print(text_output(), "costs    {}\n", origin_of(known));
+    if (known.costs.scans.empty()) return;
+    for (const std::string& line : as_lines(trial_table(known.costs.scans)))
+        fmt::print(text_output(), "         {}\n", line);
+}
+
 /// Reports that the package is current; with --explain, also why.
 void print_current(const PrepareOptions& o) {
     fmt::print(text_output(), "package  {} is current, nothing to do\n", o.out);
     results().update({{"package", o.out}, {"current", true}});
     if (!o.explain) return;
     const std::size_t files = inputs_of(PackageReader(o.out)).contents.size();
-    fmt::print(
-        text_output(),
-        "explain  {} input files, none changed, added or missing; no setting changed, nor the program; "
-        "every checksum matches\n",
-        files);
+    fmt::print(text_output(),
+               "explain  {} input files: none changed, added or missing; settings and program unchanged; "
+               "every checksum matches\n",
+               files);
+    print_known_costs(o.out);
 }
 
 void print_needs(const ResourceEstimate& n) {
@@ -226,13 +241,13 @@ SceneInput read_traced(const InputFiles& files, Trace& trace) {
 
 ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& settings, Trace& trace) {
     const Traced traced(&trace, "conventions");
-    // Each thread takes about 70 MB, which the estimate does not include.
+    // Each thread takes about 70 MB, which the memory estimate does not include.
     const unsigned threads = settings.memory > 0 ? 1 : std::min(2u, threads_of(settings));
     settle_turns(scene, threads);
     return settle_convention(scene, settings.convention, threads);
 }
 
-/// If the mesh does not fit, its warnings may give the reason.
+/// Also prints the scene's warnings if the mesh does not fit, because they may give the reason.
 ConventionTrials settled_or_warned(SceneInput& scene, const PrepareSettings& settings, Trace& trace) {
     try {
         return settle_traced(scene, settings, trace);
@@ -272,6 +287,7 @@ int run_prepare(PrepareOptions o) {
                      ReportRun{done, trace.spans(), s, double(memory_peak()) / 1e6});
     if (done.agreement) print_warnings(done.agreement->pose_refinement.warnings);
     print_done(done, o.explain);
+    if (o.explain) print_known_costs(o.out);
     print_package(o, s);
     return int(report_skipped(done.skipped));
 }
@@ -289,7 +305,7 @@ int run_prepare_scene(const PrepareOptions& o) {
     });
 }
 
-/// Named as in META.
+/// The values, each with its name in META.
 template <class Enum>
 std::vector<std::pair<std::string, Enum>> named(std::initializer_list<Enum> values) {
     std::vector<std::pair<std::string, Enum>> out;
@@ -312,8 +328,9 @@ void add_prepare(const Command& program) {
         "  vantage prepare chapel -o c.vantage --points scanner.ply\n"
         "  vantage prepare panel -o panel.vantage --image-sets folders\n"
         "  vantage prepare chapel -o chapel-3.shard --shard 3/8\n"
-        "  vantage prepare church.toml -o church    # several objects, see docs/scenes.md\n"
-        "Run again, it resumes an interrupted run and repeats only the stages that a change affects.");
+        "  vantage prepare church.toml -o church    # several objects; see docs/scenes.md\n"
+        "If it is run again, it resumes an interrupted run and repeats only the stages that a change "
+        "affects.");
     PrepareSettings& settings = o->settings;
     add_input_options(c, o->input, settings);
     c.list("--deviation-from", settings.deviation_from,
@@ -321,16 +338,16 @@ void add_prepare(const Command& program) {
            "repeated")
         .type("FILE");
     c.list("--convention", o->conventions,
-           "corrections to the convention of cameras or mesh: auto (tested against the photos), as-read, or "
-           "one or more of the others")
+           "corrections to the convention of cameras or mesh: auto (tested against the photos), as-read "
+           "(none), or one or more of the others")
         .type("NAME")
         .suggests(convention_names())
         .commas()
         .one_word();
-    c.file("-o,--output", o->out, "the package to write; for a scene file: the folder for packages")
+    c.file("-o,--output", o->out, "the package to write, or the folder for the packages of a scene file")
         .required();
     c.file("--preset", o->config,
-           "preset to use, or a TOML file with settings; the command line overrides them")
+           "preset to use, or a TOML file with settings; options on the command line take precedence")
         .suggests({presets.begin(), presets.end()});
     c.choice("--border-distance", settings.distance,
              named({DistanceMethod::automatic, DistanceMethod::exact, DistanceMethod::jump_flooding}),
@@ -339,10 +356,10 @@ void add_prepare(const Command& program) {
     c.real("--border-width", settings.border_width, 1, 4096,
            "distance at which the border weight reaches 1, in px of a photo 3072 px wide");
     c.real("--border-threshold", settings.border_threshold, 1e-6, 10,
-           "relative depth step that makes a border");
+           "relative depth step that counts as a border");
     c.integer("--thumbnail-size", settings.thumbnail, 16, 4096, "long side of the thumbnails in px");
     c.integer("--max-photo-size", settings.photo_size, 0, 1 << 16,
-              "reduce photos to this long side in px; 0 = full size");
+              "scale photos down so that the long side is at most this many px; 0 = full size");
     c.flag("--vertex-coordinates", settings.vertex_coordinates,
            "store texture coordinates per vertex, for the player's --coordinates vertex, even if the scene "
            "does not need them");
@@ -353,16 +370,18 @@ void add_prepare(const Command& program) {
              "on: effects must improve held-out photos; off: faster, thresholds alone decide");
     c.choice("--renderer", settings.render_by,
              named({RenderBy::automatic, RenderBy::opengl, RenderBy::processor}),
-             "renderer of the model from the photos' cameras; auto: a GPU if available");
-    c.integer("--threads", settings.threads, 0, 1024, "photos in flight; 0 = all cores");
-    c.bytes("--memory", settings.memory, "memory limit in bytes, such as 800M: fewer photos in flight");
+             "renderer of the model as seen by the photos' cameras; auto: a GPU if available");
+    c.integer("--threads", settings.threads, 0, 1024,
+              "number of threads, and of photos in flight; 0 = one per core");
+    c.bytes("--memory", settings.memory,
+            "memory limit in bytes, such as 800M; lowers the number of photos in flight");
     c.list("--hold-out", settings.hold_out, "photos to store as cameras only, without their pixels")
         .type("PHOTO")
         .commas();
-    c.flag("--explain", o->explain, "print the number of runs of each stage, with the reasons");
+    c.flag("--explain", o->explain, "print for how many photos each stage ran, and why");
     c.flag("--strict", o->strict, "stop at the first unusable photo instead of skipping it");
     c.flag("--rehash", o->rehash, "detect changed files by content, not by size and timestamps");
-    c.text("--shard", o->share, "i/n: only every n-th photo, for 'vantage merge'").type("I/N");
+    c.text("--shard", o->share, "i/n: prepare only every n-th photo, for 'vantage merge'").type("I/N");
     c.flag("--no-report", o->no_report, "do not write a report (NAME.html) next to the package");
     c.force(o->force);
     c.file("--trace", o->trace, "write a trace of all threads for Perfetto or chrome://tracing");

@@ -5,11 +5,10 @@
 #include "base/text/error.h"
 
 namespace vantage {
-namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<fs::path> in_configs(const std::string& name) {
+std::optional<fs::path> find_config(const std::string& name) {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
     for (const fs::path& folder : {program / "../share/vantage/configs", fs::path(VANTAGE_CONFIGS)})
@@ -17,11 +16,9 @@ std::optional<fs::path> in_configs(const std::string& name) {
     return {};
 }
 
-}  // namespace
-
 fs::path find_preset(const std::string& name) {
     if (fs::is_regular_file(name)) return name;
-    if (const auto preset = in_configs(name + ".toml")) return *preset;
+    if (const auto preset = find_config(name + ".toml")) return *preset;
     std::string known;
     for (const char* preset : presets) known += (known.empty() ? "" : ", ") + std::string(preset);
     throw Error(Exit::usage, "--preset " + name + ": expected a TOML file or one of " + known);

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Tests all verbs of both programs, as listed by --describe: each supports --help, --version, -q and --json, whose results
-match docs/results.schema.json, returns the expected exit codes, and reports errors in one line.
+"""Tests all verbs of both programs, as listed by --describe. Each must support --help, --version, -q and --json, return the
+expected exit codes, and report errors in one line. Results printed by --json must match docs/results.schema.json.
 
-    walk_verbs.py VANTAGE VANTAGE_PLAYER SOURCE_FOLDER [--table]     --table: prints the runs
+    walk_verbs.py VANTAGE VANTAGE_PLAYER SOURCE_FOLDER [--table]     --table: print a table of the runs
 """
 import json
 import os
@@ -16,8 +16,8 @@ PROGRAMS = dict(zip(('vantage', 'vantage-player'), map(os.path.abspath, sys.argv
 SOURCE = os.path.abspath(sys.argv[3])
 SCHEMA = json.load(open(os.path.join(SOURCE, 'docs/results.schema.json')))
 
-# For each verb, the arguments of a successful run in a folder with the scene and its package; each run replaces the previous
-# run's files. None: the verb shows a window until it is closed.
+# For each verb, the arguments of a successful run in a folder with the scene and its package. Each run replaces the files of
+# the previous run. None means that the verb shows a window until it is closed.
 SUCCEEDS = {
     'vantage synth': f'{SOURCE}/data/tiny.toml -o scene',
     'vantage inspect': 'scene',
@@ -31,6 +31,7 @@ SUCCEEDS = {
     'vantage diff': 'p.vantage p.vantage',
     'vantage extract': 'p.vantage -o files --photo 0001',
     'vantage thumbnail': 'p.vantage -o small.png',
+    'vantage costs': 'p.vantage --minutes 0.1 -o costs',
     'vantage-player kiosk': None,
     'vantage-player headset': None,
     'vantage-player render': 'p.vantage --photo 0001 -o picture.png',
@@ -42,9 +43,9 @@ SUCCEEDS = {
     'vantage-player bench': 'p.vantage --paths still --modes resident --path-frames 2 --size 64x48 -o flights',
     'vantage-player smoothness': 'p.vantage --step 30 --size 64x48 -o steps',
 }
-# The tiny scene has too few features for align, which reports this.
+# The tiny scene has too few features for align, so align reports an error.
 ENDS_WITH = {'vantage align': 13}
-# Arguments with a missing file, for verbs that need more than the file.
+# Arguments that name a missing file, for verbs that also need other arguments.
 MISSING = {
     'vantage synth': 'none.toml -o none',
     'vantage inspect': 'none',
@@ -52,6 +53,7 @@ MISSING = {
     'vantage prepare': 'none -o none.vantage',
     'vantage merge': 'none.shard -o none.vantage',
     'vantage diff': 'none.vantage p.vantage',
+    'vantage costs': 'none -o none',
     'vantage-player orthophoto': 'none.vantage --resolution 1 -o none.png',
     'vantage-player verify': 'none.vantage --golden golden',
 }
@@ -72,7 +74,7 @@ def run(command, arguments):
 
 
 def results(command, code, text):
-    """The JSON object, validated by the schema; an empty one if it is invalid."""
+    """The JSON object, validated against the schema; an empty object if it is invalid."""
     try:
         out = json.loads(text)
         jsonschema.Draft202012Validator(SCHEMA).validate(out)
@@ -84,7 +86,7 @@ def results(command, code, text):
 
 
 def fails(command, arguments, codes, word):
-    """Expects one line with the word, and the same exit code with and without --json; returns the code."""
+    """Expects one line that contains the word, and the same exit code with and without --json. Returns the exit code."""
     code, out, err = run(command, arguments)
     lines = [line for line in err.splitlines() if line]
     one_line = len(lines) == 1 and lines[0].startswith(command.split()[0] + ': ') and word in lines[0]
@@ -97,7 +99,7 @@ def fails(command, arguments, codes, word):
 
 
 def succeeds(command, arguments):
-    """Expects text, nothing with -q, and JSON with --json; returns the exit code."""
+    """Expects text by default, no output with -q, and JSON with --json. Returns the exit code."""
     if command == 'vantage merge':
         for name, i in (('one', 1), ('two', 2)):
             run('vantage prepare', ['scene', '-o', f'{name}.shard', '--shard', f'{i}/2'])
@@ -130,7 +132,7 @@ def walk(command):
 
 
 def options_say_why():
-    """Messages for options that cannot have an effect."""
+    """Tests the messages for options that cannot have an effect."""
     _, out, _ = run('vantage prepare', ['scene', '-o', 'p.vantage', '--explain'])
     expect('is current' in out and 'explain' in out, 'vantage prepare', f'--explain of a current package: {out}')
     open('church.toml', 'w').close()

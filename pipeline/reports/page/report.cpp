@@ -13,7 +13,8 @@
 #include "base/text/explained_table.h"
 #include "base/text/markup.h"
 #include "base/text/page_style.h"
-#include "pipeline/output/effect_costs.h"
+#include "pipeline/costs/effect_costs.h"
+#include "pipeline/costs/known_costs.h"
 #include "pipeline/output/meta.h"
 #include "pipeline/output/stage_table.h"
 #include "pipeline/output/staleness.h"
@@ -90,31 +91,31 @@ std::string warnings_part(const json& meta) {
 
 const Column effect_columns[] = {
     {"effect", "name of the effect, as in --effect NAME=on"},
-    {"state", "whether it is used; forced: by --effect, not by the measurement"},
-    {"evidence", "findings in the photos, cameras and mesh"},
+    {"state", "whether the effect is used; forced: set by --effect, not by the measurement"},
+    {"evidence", "what was found in the photos, cameras and mesh"},
     {"measured", "the value compared with the threshold, in the given unit", true},
-    {"threshold", "the effect is considered if the measured value is above it", true},
+    {"threshold", "the effect is considered if the measured value exceeds this", true},
     {"gain",
-     "improvement, with the effect, of the prediction of held-out photos from the others: "
-     "mean and "
-     "standard error in dB (3 dB: half the squared error). Empty: not validated",
+     "how much the effect improves the prediction of held-out photos from the others: mean and "
+     "standard error in dB (3 dB: half the squared error). Empty: neither validated nor measured",
      true},
     {"seams",
-     "change, with the effect, of the steps in the picture where the blended photos change, in percent; "
-     "negative is "
+     "how much the effect changes the color steps where the blended photos change, in percent; negative is "
      "better. Empty: not validated",
      true},
-    {"time", "spent on it in this run, summed over all threads, in seconds", true},
-    {"stored", "size in the package, in KB (1000 bytes)", true}};
+    {"time", "time spent on the effect in this run, summed over all threads, in seconds", true},
+    {"stored", "size in the package, in kB (1000 bytes)", true},
+    {"frame", "time spent on the effect when drawing the opening view at 1280x720, in milliseconds", true}};
 
 std::string effects_part(const PackageReader& package, const json& meta,
                          const std::optional<ReportRun>& run) {
+    const KnownCosts known = known_costs(costs_key(package));
     const std::vector<EffectCost> costs =
-        effect_costs(package, run ? run->spans : std::vector<Trace::Span>{});
+        effect_costs(package, run ? run->spans : std::vector<Trace::Span>{}, known);
     std::string out =
-        "<h2>Effects</h2>\n<p>Corrections and additions, and the reasons. An effect is on if the scene needs "
-        "it.</p>\n" +
-        explained_table(effect_columns);
+        "<h2>Effects</h2>\n<p>Corrections and additions, with reasons. An effect is on if the scene needs "
+        "it. Costs: " +
+        escaped(origin_of(known)) + ".</p>\n" + explained_table(effect_columns);
     const json effects = meta.value("effects", json::array());
     for (std::size_t i = 0; i < costs.size(); ++i) {
         const json& e = effects[i];
@@ -123,9 +124,9 @@ std::string effects_part(const PackageReader& package, const json& meta,
         out += "<tr>" + cell(effect_row(cost.name).option) + cell(cost.state) +
                cell(e.value("evidence", "")) +
                number(fmt::format("{:.3g} {}", e.value("measured", 0.0), unit)) +
-               number(fmt::format("{:g} {}", e.value("threshold", 0.0), unit)) + number(cost.gain) +
-               number(cost.seams) + number(cost.seconds ? fmt::format("{:.2f} s", *cost.seconds) : "") +
-               number(fmt::format("{:.1f} KB", double(cost.bytes) / 1000)) + "</tr>\n";
+               number(fmt::format("{:g} {}", e.value("threshold", 0.0), unit));
+        for (const std::string& text : effect_cells(cost)) out += number(text);
+        out += "</tr>\n";
     }
     return out + "</table>\n";
 }
@@ -145,8 +146,8 @@ std::string coverage_part(const PackageReader& package) {
     });
     const auto area = covered.get();
     std::string out =
-        "<h2>Coverage</h2>\n<p>The number of photos that see the surface: each part of the bar is a fraction "
-        "of its area. Below, the model from six sides along the input's axes.</p>\n<div class=bar>";
+        "<h2>Coverage</h2>\n<p>The number of photos that see the surface. Each part of the bar is a fraction "
+        "of the surface's area. Below, the model from six sides along the input's axes.</p>\n<div class=bar>";
     for (std::size_t c = 0; c < area.size(); ++c)
         out += fmt::format("<div style=\"width:{:.3f}%;background:{}\"></div>", 100 * area[c],
                            css(coverage_classes[c].color));
@@ -159,7 +160,7 @@ std::string coverage_part(const PackageReader& package) {
     return out + "</div>\n";
 }
 
-constexpr int shown_side = 320;  ///< px: the longer side of photos and weight maps
+constexpr int shown_side = 320;  ///< longer side of photos and weight maps, px
 
 RgbaImage thumbnail(const PackageReader& package, std::uint32_t i, const PhotoRecord& p) {
     RgbaImage image = blank_image(int(p.thumbnail_width), int(p.thumbnail_height));
@@ -195,10 +196,9 @@ std::string weight_legend() {
 
 void write_photos_part(std::ostream& out, const PackageReader& package) {
     const auto photos = package.photos();
-    out << "<h2>Photos</h2>\n<p>Below each photo, the weight it has when photos are blended, whatever the "
-           "view: white for full weight, otherwise the color of the main cause that lowers it; the deeper "
-           "the color, "
-           "the lower the weight. Distances are along the optical axis, in the input's unit.</p>\n"
+    out << "<h2>Photos</h2>\n<p>Below each photo is its weight when photos are blended, regardless of the "
+           "view: white for full weight, otherwise the color of the main cause of a lower weight. The deeper "
+           "the color, the lower the weight. Distances are along the optical axis, in the input's unit.</p>\n"
         << weight_legend() << "<div class=grid>\n";
     const double best = best_density(photos);
     constexpr std::size_t batch = 16;  // bounds the memory for encoded pictures
@@ -215,16 +215,16 @@ void write_photos_part(std::ostream& out, const PackageReader& package) {
 }
 
 std::string run_part(const ReportRun& run) {
-    const Column stages[] = {{"stage", "a step of preparing each photo"},
-                             {"made", "photos for which this run did it", true},
-                             {"kept", "photos for which an earlier run's result was reused", true},
-                             {"reason", "reason to run it, with the photo or the number of photos"}};
-    const Column times[] = {
-        {"task", "what was done, as in the timeline"},
-        {"count", "how often", true},
-        {"total", "time of all of them together, in seconds; tasks of several threads overlap", true},
-        {"median", "half of them took less time, in milliseconds", true},
-        {"longest", "the slowest of them, in milliseconds", true}};
+    const Column stages[] = {
+        {"stage", "a step in the preparation of each photo"},
+        {"made", "photos for which this run performed the step", true},
+        {"kept", "photos for which the result of an earlier run was reused", true},
+        {"reason", "reason for performing the step, with the photo or the number of photos"}};
+    const Column times[] = {{"task", "the task, as in the timeline"},
+                            {"count", "how often it was performed", true},
+                            {"total", "total time in seconds; tasks on different threads overlap", true},
+                            {"median", "median time in milliseconds", true},
+                            {"longest", "longest time in milliseconds", true}};
     std::string out = "<h2>Stages</h2>\n" + explained_table(stages);
     for (std::size_t s = 0; s < run.prepared.stages.size(); ++s) {
         const PrepareResult::Stage& stage = run.prepared.stages[s];
@@ -236,9 +236,8 @@ std::string run_part(const ReportRun& run) {
                number(std::to_string(stage.kept)) + cell(why) + "</tr>\n";
     }
     out +=
-        "</table>\n<h2>Time</h2>\n<p>Each row is a thread; hold the pointer over a bar for its task, photo "
-        "and "
-        "time.</p>\n" +
+        "</table>\n<h2>Time</h2>\n<p>Each row is a thread. Hold the pointer over a bar to see its task, "
+        "photo and time.</p>\n" +
         timeline(run.spans) + explained_table(times);
     for (const StageTime& t : stage_times(run.spans))
         out += "<tr>" + cell(t.stage) + number(std::to_string(t.count)) +

@@ -12,10 +12,10 @@ using namespace vantage;
 
 namespace {
 
-constexpr float infinite = std::numeric_limits<float>::infinity();
+constexpr float infinite_float = std::numeric_limits<float>::infinity();
 
-/// A photo of the plane z = 10, taken from (x, 0, 0) along z, brighter by `exposure`. It shows the plane
-/// where X is at most `until`.
+/// A photo of the plane z = 10, taken from (x, 0, 0) along z and brightened by the factor `exposure`. It
+/// shows the plane where X is at most `until`.
 CoarsePhoto photo_of_plane(double x, float exposure, double until = 1e9) {
     CoarsePhoto photo;
     photo.k = {96, 64, 80, 80, 48, 32};
@@ -31,7 +31,7 @@ CoarsePhoto photo_of_plane(double x, float exposure, double until = 1e9) {
         for (int u = 0; u < photo.k.width; ++u) {
             const auto [X, Y] = plane(u + 0.5, v + 0.5);
             const float c = light_at(X, Y);
-            photo.texels.push_back({{c, c, c}, {c, c, c}, X <= until ? 10.0f : infinite, 1});
+            photo.texels.push_back({{c, c, c}, {c, c, c}, X <= until ? 10.0f : infinite_float, 1});
         }
     const int fine_width = 2 * photo.k.width, fine_height = 2 * photo.k.height;
     std::vector<std::array<float, 3>> fine;
@@ -45,7 +45,7 @@ CoarsePhoto photo_of_plane(double x, float exposure, double until = 1e9) {
     return photo;
 }
 
-/// A target between two photos, of which the second is brighter and shows only half of the plane.
+/// A target between two photos. The second photo is brighter and shows only half of the plane.
 struct PhotosBesideTarget {
     CoarsePhoto target = photo_of_plane(0, 1), left = photo_of_plane(-0.5, 1),
                 right = photo_of_plane(0.5, 1.5f, 0);
@@ -81,7 +81,7 @@ TEST(Prediction, PaintedSeamIsMeasuredAndMendedByGains) {
 
 TEST(Prediction, ContradictedTexelsAreSkipped) {
     PhotosBesideTarget two;
-    // A mask of a passer-by in the left photo.
+    // The left photo shows a passer-by, who is masked.
     std::vector<std::uint8_t> weights(two.left.texels.size(), 255);
     for (int y = 20; y < 40; ++y)
         for (int x = 20; x < 40; ++x) {
@@ -115,7 +115,7 @@ TEST(Prediction, PhotosBehindTheSurfaceAndBehindTheCameraAreNotSeen) {
 }
 
 TEST(SquareMeans, GiveTheMeanAroundAnyPosition) {
-    // Red grows along x, green along y: their mean over a square is their value at its center.
+    // Red increases along x, and green along y, so the mean over a square is the value at its center.
     std::vector<std::array<float, 3>> colors;
     for (int y = 0; y < 6; ++y)
         for (int x = 0; x < 8; ++x) colors.push_back({float(x) + 0.5f, float(y) + 0.5f, 1});
@@ -126,7 +126,7 @@ TEST(SquareMeans, GiveTheMeanAroundAnyPosition) {
         EXPECT_NEAR(c[1], 2 * y, 1e-5);
         EXPECT_NEAR(c[2], 1, 1e-6);
     }
-    EXPECT_NEAR(means.around(0, 0)[0], 0.5, 1e-6) << "at the frame's edge, the texels inside";
+    EXPECT_NEAR(means.around(0, 0)[0], 0.5, 1e-6) << "at the edge of the frame, only texels inside count";
     EXPECT_NEAR(means.around(4, 3)[0], 7.5, 1e-6);
     EXPECT_TRUE(square_means({}, 0, 0).colors.empty());
 }

@@ -1,0 +1,50 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pipeline/costs/costs.h"
+
+namespace vantage {
+
+/// A mean and half the width of its 95 % confidence interval (Student's t), which is infinite for a single
+/// value.
+struct MeanWithError {
+    double mean = 0, error = 0;
+    std::size_t values = 0;
+};
+/// nullopt if there are no values.
+std::optional<MeanWithError> estimate(std::span<const double> values);
+/// Standard error of the mean of at least two values.
+double standard_error(std::span<const double> values);
+/// Whether the confidence interval excludes zero.
+bool certain(const MeanWithError& e);
+
+double median_of(std::vector<double> values);
+
+/// A cost of a trial divided by that of the defaults; nullopt if either was not measured or is zero.
+using CostRatio = std::optional<double>;
+CostRatio seconds_ratio(const TrialCosts& trial, const TrialCosts& defaults);
+CostRatio bytes_ratio(const TrialCosts& trial, const TrialCosts& defaults);
+CostRatio memory_ratio(const TrialCosts& trial, const TrialCosts& defaults);
+CostRatio frame_ratio(const TrialCosts& trial, const TrialCosts& defaults);
+
+/// The costs of one trial relative to the defaults, combined over all scans on which it was measured.
+struct PooledTrial {
+    CostTrial trial;
+    CostRatio seconds, bytes, memory, frame;  ///< geometric means over the scans
+    std::optional<MeanWithError> psnr, ssim;  ///< differences from the defaults, over all photos of all scans
+    std::vector<std::string> scans;           ///< names
+};
+/// Pools the trials that have the same setting and value; reduced photo sizes are the same if they are the
+/// same fraction of the full size. The result is in the order of the first scan's trials, the defaults first.
+std::vector<PooledTrial> pooled_trials(std::span<const ScanCosts> scans);
+
+/// The relative difference between two successive times of the defaults that 90 % of such differences do not
+/// exceed; 0 if no time was repeated. The times are `of_defaults` of a scan's first trial, and
+/// `before_others` of its other trials.
+double noise_of_times(std::span<const ScanCosts> scans, std::vector<double> TrialCosts::*of_defaults,
+                      std::vector<double> TrialCosts::*before_others);
+
+}  // namespace vantage
