@@ -59,7 +59,7 @@ void FramePainter::paint(PlannedFrame& frame, std::size_t number, FrameReport& r
     report = first.report;
     for (const ImageSetFrame& b : std::span(eye.image_sets).subspan(1)) {
         PaintedImageSet second = image_set_of(b);
-        // Draws its own surface, which may lack the background.
+        // Draws the second image set's own surface, which may lack the background.
         r.pass_clock.begin(TimedPass::surface);
         r.surface.draw(second.drawn, r.targets);
         draw_photos(second);
@@ -101,7 +101,7 @@ void FramePainter::draw_next_surface(std::size_t eye) {
     resources_->targets.surface_number = eye;
 }
 
-/// Draws the photos on the surface; during a transition also those that are being replaced.
+/// Draws the photos on the surface; during a transition, also those that are being replaced.
 void FramePainter::draw_photos(PaintedImageSet& image_set) {
     const ViewPlan& plan = image_set.drawn.plan;
     const Pass drawn = plan.drawn();
@@ -134,7 +134,7 @@ void FramePainter::draw_points(PaintedImageSet& image_set) {
     image_set.report.draws += points.drawn().size();
 }
 
-/// Blends photos into empty sums. Returns the index of the sums.
+/// Blends photos into empty sums and returns the index of these sums.
 int FramePainter::draw_set(Pass photos, PaintedImageSet& image_set) {
     const RenderSettings& settings = image_set.drawn.settings;
     resources_->pass_clock.begin(TimedPass::photos);
@@ -199,7 +199,7 @@ void FramePainter::draw_transparent(PaintedImageSet& image_set) {
     });
 }
 
-/// Pictures wait for their own counts; a window shows the latest available.
+/// Pictures wait for their own fragment counts; a window shows the latest counts available.
 void FramePainter::count_fragments(const PaintedImageSet& image_set, FrameReport& report) {
     if (!resources_->transparent) return;
     TransparentPass& pass = *resources_->transparent;

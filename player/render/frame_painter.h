@@ -20,7 +20,7 @@ class FramePainter {
     /// Begins a frame. Draws the bare surfaces of both eyes if they are drawn together. The frame must not
     /// change until its last eye is painted.
     void begin(const PlannedFrame& frame);
-    /// Paints an eye, and may draw the bare surface of the next. Adds to the report.
+    /// Paints an eye, and may draw the bare surface of the next one. Adds this eye's statistics to `report`.
     void paint(PlannedFrame& frame, std::size_t eye, FrameReport& report);
     /// Replaces the picture of the last painted eye with the photos of the frame's first eye, in their
     /// current state of fading, seen from another view, with one sample per pixel.

@@ -26,7 +26,7 @@ struct FrameRequest {
     const RenderSettings& settings;
     /// Indices. Held-out photos and those of hidden image sets are skipped.
     std::span<const std::uint32_t> photos;
-    PixelSample sample{};        ///< added to the samples drawn since sample 0, unless all are drawn
+    PixelSample sample{};        ///< added to the samples drawn since sample 0, unless all are drawn at once
     double now = 0;              ///< seconds, for fading
     const View* next = nullptr;  ///< the next expected view, for prefetching
 };
@@ -38,7 +38,7 @@ struct ShowTarget {
     std::size_t eye = 0;  ///< the eye whose picture is shown
 };
 
-/// Rejects views with non-finite values, or values whose square overflows single precision. Throws
+/// Rejects views that contain non-finite values, or values whose square overflows single precision. Throws
 /// Error(usage).
 void check_view(const View& view);
 

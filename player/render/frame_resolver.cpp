@@ -20,8 +20,8 @@ static_assert(GLuint(Compare::nothing) == shader::compare_nothing &&
 
 constexpr float dimmed_light = 0.2f;  ///< brightness of the dimmed background
 
-/// 1 near the cameras, 0 at distances above their spread from all of them: in between, the viewer may be
-/// outside the background in one direction while still inside in others.
+/// 1 up to one spread of the cameras away from the nearest camera, 0 from two spreads on. In between, the
+/// viewer may be outside the background in one direction but still inside it in others.
 double nearness_to_photos(const PlanScene& scene, const Eigen::Vector3d& eye) {
     return scene.spread > 0 ? std::clamp(2 - distance_from_cameras(scene, eye) / scene.spread, 0.0, 1.0) : 0;
 }
@@ -93,7 +93,8 @@ void FrameResolver::draw_resolved(int sums, const PaintedImageSet& image_set, bo
     const RenderSettings& settings = image_set.drawn.settings;
     const FrameTargets& targets = resources_->targets;
     const double progress = before ? 1 : image_set.drawn.plan.progress();
-    // The picture that is being replaced is lit, and gets its field, together with the new one.
+    // Light and the scalar field are applied to the picture being replaced later, when the new one is
+    // resolved.
     glUseProgram((before ? plain_program_ : program_for(settings)).id());
     if (!before) set_light(settings);
     const bool counts = settings.show == Show::coverage;
@@ -165,7 +166,7 @@ void FrameResolver::set_transparent(const PaintedImageSet& image_set, bool befor
     if (shows) resources_->transparent->bind();
 }
 
-/// Colors are summed in the mean photo's exposure and shown in the view's.
+/// Colors are summed at the mean photo's exposure and shown at the view's exposure.
 void FrameResolver::set_exposure(const DrawnView& drawn) const {
     const RenderSettings& settings = drawn.settings;
     const std::span<const package::PhotoRecord> photos = resources_->scene.photos;

@@ -29,10 +29,11 @@ class FrameResolver {
   public:
     explicit FrameResolver(FrameResources& resources);
 
-    /// Adds the picture in sums, lit, with points and transparent surfaces, to the samples of its eye.
+    /// Lights the picture in `sums`, combines it with points and transparent surfaces, and adds it to its
+    /// eye's samples.
     void resolve(int sums, const PaintedImageSet& image_set);
-    /// Stores the picture in sums, of photos that are being replaced, with transparent holes; resolve() mixes
-    /// it in.
+    /// Stores the picture in `sums`, made from photos that are being replaced. Its holes are transparent.
+    /// resolve() mixes it into the new picture.
     void resolve_before(int sums, const PaintedImageSet& image_set);
     /// Shows the samples of an eye; the target has the view's size. `image_sets`: the image sets of the
     /// samples.

@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// Bytes for points: a quarter of a given limit.
+/// Memory for points, in bytes: at most a quarter of the limit, if one is set.
 std::uint64_t points_memory(const MemoryBudget& budget) {
     return budget.graphics ? std::min(PointStore::max_bytes, budget.graphics / 4) : PointStore::max_bytes;
 }
@@ -44,8 +44,9 @@ bool shows_transparent(const FrameResources& r, const RenderSettings& settings, 
            settings.show == Show::colors && !plan.in_view().transparent.empty();
 }
 
-/// Ignores temporary content, since new targets displace tiles. At once only if photos are blended by
-/// triangle: otherwise the redrawn model would have to match the surface's depth exactly.
+/// Ignores temporary content, since reallocating targets evicts tiles. Both eyes are drawn at once only if
+/// photos are blended by triangle: otherwise the redrawn model would have to match the surface's depth
+/// exactly.
 EyeSurfaces eye_surfaces(const FrameResources& r, const RenderSettings& settings, std::size_t eyes) {
     const bool transparent = r.transparent && settings.transparency != Transparency::off;
     if (eyes < 2 || transparent || !r.parts.mesh) return EyeSurfaces::in_turn;

@@ -26,7 +26,7 @@ struct FrameResources {
     const PackageReader& package;
     const bool software;          ///< rendering on the CPU
     const bool layers_by_vertex;  ///< vertex shaders can select the layer
-    RenderTrials trials;          ///< apply from the next frame
+    RenderTrials trials;          ///< take effect in the next frame
     PlanScene scene;
     PhotoStore store;
     FieldValues fields;
@@ -40,16 +40,17 @@ struct FrameResources {
     FrameTargets targets;                        ///< targets of the last frame
     PassClock pass_clock{};                      ///< off unless started by a measurement
 
-    /// Reason why a server recently failed to deliver requested data; empty without a failure, and for a
-    /// file.
+    /// The reason why a server recently failed to deliver requested data; empty if it did not fail, or if the
+    /// package is a local file.
     std::string failure() const;
 };
 
-/// Whether a frame shows transparent surfaces, with some in view in its first plan. Only for colors: mixed
-/// with counts or false colors, they would give wrong values.
+/// Whether a frame shows transparent surfaces and its first plan has some in view. Only color pictures show
+/// them: mixed with counts or false colors, they would give wrong values.
 bool shows_transparent(const FrameResources& resources, const RenderSettings& settings, const ViewPlan& plan);
 
-/// How a frame's bare surfaces are drawn: for two eyes, according to the trials. Never returns `automatic`.
+/// How a frame's bare surfaces are drawn; for two eyes, this depends on the trials. Never returns
+/// `automatic`.
 EyeSurfaces eye_surfaces(const FrameResources& resources, const RenderSettings& settings, std::size_t eyes);
 
 }  // namespace vantage

@@ -18,7 +18,7 @@ using package::Type;
 
 namespace {
 
-/// For the mesh, as stored. For the background, which has no normals, its color corrections.
+/// The mesh's normals as stored, then the color corrections of the background, which has no normals.
 std::vector<Eigen::Vector3f> normals_of(const PackageReader& package, const PlanScene& scene) {
     const auto stored = package.records<Eigen::Vector3f>(Type::normals);
     std::vector<Eigen::Vector3f> out(stored.begin(), stored.end());
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> clusters_of_all(const PlanScene& scene) {
     return clusters_of(scene, triangles);
 }
 
-/// A value, and a flag that it is valid.
+/// A value, and 1 if it is valid or 0 if not.
 using Value = std::array<float, 2>;
 
 template <class T>
@@ -72,7 +72,7 @@ gl::Buffer buffer_of(const char* name, std::span<const T> values) {
     return gl::make_buffer(name, values.size_bytes(), values.data());
 }
 
-/// With space for `more` values at the end.
+/// A buffer with space for `more` values at the end.
 gl::Buffer buffer_of(const char* name, std::span<const std::uint32_t> values, std::size_t more) {
     if (more == 0) return buffer_of(name, values);
     gl::Buffer out =

@@ -14,7 +14,7 @@ namespace vantage {
 /// `draw` is one DrawRecord per draw, selected by base instance from a buffer that each pass binds.
 struct Model {
     gl::Buffer positions, normals, colors, indices;
-    gl::Buffer triangle_clusters;  ///< cluster of each triangle, if photos can be blended by_triangle
+    gl::Buffer triangle_clusters;  ///< cluster of each triangle, if photos can be blended by triangle
     gl::Buffer values;             ///< values of the last scalar field shown, if any
     gl::VertexArray vertices;
     std::uint32_t vertex_count = 0;  ///< of the mesh
@@ -25,7 +25,8 @@ struct Model {
 /// Sets the attribute `value` to a field's values, one per vertex of the mesh.
 void show_values(Model& model, const PlanScene& scene, std::span<const float> values);
 
-/// Appends a coarse mesh of the scene after its triangles. Returns false if it has too many triangles.
+/// Appends a coarse mesh after the scene's triangles. Returns false if the coarse mesh has too many
+/// triangles.
 bool add_coarse_mesh(Model& model, const PlanScene& scene, const CoarseMesh& mesh);
 
 /// Throws Error(damaged) for a checksum mismatch or a triangle with a vertex out of range.
@@ -37,7 +38,7 @@ struct DrawCommand {
 };
 struct DrawRecord {
     std::uint32_t first_triangle;
-    std::uint32_t photos;  ///< one bit per photo of the pass; shader::background_bit
+    std::uint32_t photos;  ///< one bit per photo of the pass, and shader::background_bit
 };
 
 }  // namespace vantage

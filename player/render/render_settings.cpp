@@ -20,10 +20,11 @@ PlanSettings plan_settings(const RenderSettings& s, int anisotropy) {
     p.background = s.background != ShowBackground::off;
     p.complete = is_complete(s.loading);
     p.angle_limit = s.photos > 0 ? s.angle_limit * std::numbers::pi / 180 : 0;
-    // Plans allow footprints up to 4 times longer than wide at full sharpness; more taps read finer levels.
+    // Plans allow footprints up to 4 times as long as they are wide at full sharpness; more taps read finer
+    // levels.
     p.samples = std::exp2(-s.lod_bias) * std::max(1.0, anisotropy / 4.0);
-    // Half the bytes, with at least 47 dB relative to all tiles that may be sampled; in pictures at least 60
-    // dB.
+    // 0.1 halves the bytes that are read; frames agree with frames from all tiles that may be sampled to at
+    // least 47 dB. With 0.01, pictures agree to at least 60 dB.
     p.worth = s.loading == Loading::complete ? 0.01 : 0.1;
     if (!waits_for_tiles(s.loading)) p.margin = 0.1;
     const bool falls = s.weights.angle && !s.weights.angle_per_photo && s.show != Show::coverage;

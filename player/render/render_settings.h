@@ -29,8 +29,8 @@ enum class Compare { nothing, side_by_side, swipe, difference, count };
 enum class ShowBackground { on, dimmed, off, count };
 
 inline constexpr int max_photos_per_pass = 16;
-/// Photos that a window blends: 4 look as good as 8 and take two thirds to four fifths of the time
-/// (`vantage-bench --only blending`).
+/// The number of photos that a window blends: 4 look as good as 8 and take two thirds to four fifths of the
+/// time (`vantage-bench --only blending`).
 inline constexpr int window_photos = 4;
 
 /// A scalar field instead of the photos, or mixed with them. Its colors are not shaded, so that they match
@@ -38,7 +38,7 @@ inline constexpr int window_photos = 4;
 struct FieldSettings {
     int index = -1;  ///< -1: none
     ColorMap map = ColorMap::automatic;
-    std::optional<ValueRange> range;  ///< whole_range() by default; values outside get the end's color
+    std::optional<ValueRange> range;  ///< whole_range() by default; values beyond an end get its color
     bool logarithmic = false;         ///< non-positive values count as missing
     int isolines = 0;                 ///< intervals between lines; 0: no lines
     double share = 1;                 ///< weight of the field's color in a mix with photos
@@ -50,7 +50,7 @@ struct FieldSettings {
 enum class Light { photos, lamp, raking, normals, count };
 struct LightSettings {
     Light light = Light::photos;
-    double azimuth = 135;    ///< degrees, of the raking light: 0 from the right of the frame, 90 from above
+    double azimuth = 135;    ///< direction of the raking light, degrees: 0 from the right, 90 from above
     double elevation = 15;   ///< degrees above the picture plane, 1 to 90
     bool on_photos = false;  ///< multiplied with the photos; does not apply to normals
     bool wireframe = false;  ///< edges of the visible triangles, over the picture
@@ -64,7 +64,7 @@ struct FieldLegend {
 };
 FieldLegend field_legend(const ScalarField& field, const FieldSettings& settings);
 
-/// The unit of a field's values, to be translated; null if it is stored in the field's file only.
+/// The unit of a field's values, to be translated; null if it is only stored in the field's file.
 const char* unit_of(const ScalarField& field);
 
 /// How transparent surfaces are blended: sorted at each pixel, or by weighted sums.
@@ -80,7 +80,7 @@ enum class PointSize {
 /// Source of point colors.
 enum class PointColor {
     automatic,  ///< photos in a point-only scene, own colors next to a mesh
-    photos,     ///< the photos', where one shows the point, otherwise their own
+    photos,     ///< from photos where one shows the point, otherwise the point's own color
     own
 };
 
@@ -89,7 +89,7 @@ struct PointSettings {
     bool show = true;
     bool alone = false;  ///< without the model
     PointColor color = PointColor::automatic;
-    bool pick = false;  ///< draws data for Renderer::pick()
+    bool pick = false;  ///< also draws the data for Renderer::pick()
     PointSize by = PointSize::gaps;
     double size = 1;                   ///< diameter, in the unit of `by`
     double eye_dome = 1;               ///< strength of the shading by depth; 0: none
@@ -100,8 +100,8 @@ struct PointSettings {
 /// Layout of two image sets.
 enum class ImageSetView { mix, side_by_side, swipe, count };
 
-/// The shown image sets of photos, by index. Photos of different image sets are never blended: each image set
-/// makes its own picture.
+/// The indices of the image sets that are shown. Photos of different image sets are never blended: each image
+/// set makes its own picture.
 struct ImageSetSettings {
     std::uint32_t shown = 0;
     std::optional<std::uint32_t> other{};  ///< a second image set
@@ -113,9 +113,10 @@ struct ImageSetSettings {
 
 /// The background behind the model if holes are filled.
 struct PlainBackground {
-    std::array<float, 3> top{0.012f, 0.014f, 0.018f}, bottom = top;  ///< linear; a gradient between them
-    /// Fraction of the shorter side over which the picture fades toward its edges, into the background or
-    /// into transparency; not during a comparison.
+    std::array<float, 3> top{0.012f, 0.014f, 0.018f},
+        bottom = top;  ///< linear light; a gradient between the two
+    /// The fraction of the shorter side over which the picture fades toward its edges, into the background or
+    /// into transparency. It does not fade during a comparison.
     double soft_edges = 0;
     bool operator==(const PlainBackground&) const = default;
 };
@@ -127,15 +128,15 @@ PlainBackground plain_background_of(const package::SceneRecord& scene);
 /// The tiles and points that a frame waits for.
 enum class Loading {
     complete,  ///< all that the view needs; photos do not fade
-    sparing,   ///< the same, without tiles of which only a small part is visible
-    /// All that the frame needs. Photos fade as in a window, and are chosen for the triangles of the previous
-    /// frame: equal frames at equal times give equal pictures.
+    sparing,   ///< like `complete`, but without tiles of which only a small part is visible
+    /// All that the frame needs. Photos fade as in a window, and are chosen for the triangles visible in the
+    /// previous frame: identical frames at identical times give identical pictures.
     repeatable,
-    streamed,   ///< none: shows resident tiles, after uploading at most upload_bytes; photos fade
-    uploading,  ///< streamed, but waits for tiles until upload_bytes are uploaded
-    beginning   ///< streamed, but waits for the minimum of each photo: for the first frame
+    streamed,   ///< waits for none: shows resident tiles, after uploading at most upload_bytes; photos fade
+    uploading,  ///< like `streamed`, but waits for tiles until upload_bytes are uploaded
+    beginning   ///< like `streamed`, but waits for the minimum of each photo; for the first frame
 };
-/// Whether a frame's pictures are complete immediately: photos are chosen for this frame, and none fades.
+/// Whether a frame's pictures are complete immediately: photos are chosen for this frame, and no photo fades.
 inline bool is_complete(Loading l) { return l == Loading::complete || l == Loading::sparing; }
 /// Whether a frame waits for all that it needs.
 inline bool waits_for_tiles(Loading l) { return is_complete(l) || l == Loading::repeatable; }
@@ -143,7 +144,7 @@ inline bool waits_for_tiles(Loading l) { return is_complete(l) || l == Loading::
 /// How a view is rendered.
 struct RenderSettings {
     Blend blend = Blend::lumigraph;
-    bool transients = false;  ///< outlying colors get lower weights: needs a second round of passes
+    bool transients = false;  ///< outlying colors get lower weights; this needs a second round of passes
     Coordinates coordinates = Coordinates::automatic;
     WeightSettings weights;
     Choice choice = Choice::cover;
@@ -163,7 +164,7 @@ struct RenderSettings {
     ImageSetSettings image_sets;
     Compare compare = Compare::nothing;
     std::uint32_t compare_photo = 0;
-    std::optional<View> weights_from;  ///< if set, the weights are those for this view, frozen [M]
+    std::optional<View> weights_from;  ///< if set, the weights are frozen at those for this view [M]
     double swipe = 0.5;                ///< fraction of the width
     bool refined_colors = true;        ///< apply gains and vignetting if the package's effects are enabled
     std::optional<std::uint32_t> exposure;  ///< exposure of this photo instead of the view's

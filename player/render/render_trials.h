@@ -4,11 +4,11 @@ namespace vantage {
 
 /// Methods for drawing the bare surface for two eyes. The pictures are identical.
 enum class EyeSurfaces {
-    automatic,   ///< at once if the graphics card supports it; on a software rasterizer overlapped; otherwise
-                 ///< in turn
+    automatic,   ///< at_once if the graphics card supports it; overlapped on a software rasterizer; otherwise
+                 ///< in_turn
     in_turn,     ///< into shared targets, each when its eye is painted
     overlapped,  ///< into separate targets; the second while the first eye's photos are blended
-    at_once      ///< in one pass; without support for it, overlapped
+    at_once      ///< in one pass; overlapped if the graphics card does not support that
 };
 
 /// Alternative drawing methods, which measurements and tests compare with the default ones.

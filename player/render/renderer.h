@@ -17,21 +17,21 @@ class Renderer {
   public:
     Renderer(const PackageReader& package, const MemoryBudget& budget);
 
-    /// The sequence of samples that gives each pixel `side` * `side` samples for one eye: one frame for all,
-    /// or one frame per sample.
+    /// The frames that together give each pixel `side` * `side` samples for one eye: one frame for all
+    /// samples, or one frame per sample.
     std::vector<PixelSample> samples(const View& view, const RenderSettings& settings, int side) const;
-    /// Draws one or all samples of each pixel of `view`, see FrameRequest. Throws Error(usage) for a view
+    /// Draws one or all samples of each pixel of `view` (see FrameRequest). Throws Error(usage) for a view
     /// that cannot be drawn.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
-    /// The same in steps, for one or two eyes. Plans for all of them, and streams their data; paint() then
-    /// draws one eye, and may draw the surface of the next. See FramePlanner::plan().
+    /// Like draw() but in steps, and for one or two eyes. prepare() plans for all eyes and streams their
+    /// data; paint() then draws one eye, and may draw the surface of the next one. See FramePlanner::plan().
     FrameReport prepare(const FrameRequest& request);
-    /// Draws an eye of the last prepared frame. Adds to its report.
+    /// Draws an eye of the last prepared frame, and adds to that frame's report.
     void paint(std::size_t eye, FrameReport& report);
-    /// Replaces the picture of the last draw() with one of the same photos, in their current state of fading,
-    /// from another view of the same size, with one sample per pixel. The plan and the fading do not change.
-    /// If settings.weights_from is that draw's view, surfaces keep their weights.
+    /// Replaces the picture of the last draw() with one that shows the same photos, in their current state of
+    /// fading, from another view of the same size, with one sample per pixel. The plan and the fading do not
+    /// change. If settings.weights_from is the view of the last draw(), surfaces keep their weights.
     void redraw(const View& view, const RenderSettings& settings);
     /// Shows the samples of an eye in a framebuffer of the view's size.
     void show(const View& view, const RenderSettings& settings, const ShowTarget& target);
@@ -47,11 +47,11 @@ class Renderer {
     const FrameResources& resources() const { return resources_; }
     FramePlanner& planner() { return planner_; }
     const FramePlanner& planner() const { return planner_; }
-    /// Graphics memory that this renderer holds, bytes.
+    /// Graphics memory that this renderer holds, in bytes.
     std::uint64_t held() const { return held_; }
 
   private:
-    std::uint64_t held_ = gl::memory_held();  ///< the amount held by others during construction
+    std::uint64_t held_ = gl::memory_held();  ///< first the amount that others hold, during construction
     FrameResources resources_;
     FramePlanner planner_;
     FrameResolver resolver_;

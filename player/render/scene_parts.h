@@ -18,8 +18,8 @@ bool shows_points(const RenderSettings& settings, const SceneParts& parts);
 /// Whether photos are needed: points alone and light do not need them, unless a background is shown.
 bool shows_photos(const RenderSettings& settings, const SceneParts& parts);
 bool shows_background(const RenderSettings& settings, const SceneParts& parts);
-/// Whether holes are filled with surrounding colors. Only for colors: mixed with counts or false colors, they
-/// would give wrong values.
+/// Whether holes are filled with surrounding colors. Holes are filled only in color pictures: mixed with
+/// counts or false colors, fill colors would give wrong values.
 bool fills_holes(const RenderSettings& settings, const SceneParts& parts);
 
 }  // namespace vantage

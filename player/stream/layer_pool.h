@@ -8,11 +8,11 @@ namespace vantage {
 /// Maps many pages to a few layers; the least recently used page is evicted. Allocates only on construction.
 class LayerPool {
   public:
-    /// A pool without layers is empty.
+    /// With 0 layers, no page is ever resident.
     LayerPool(std::uint32_t layers, std::uint32_t pages);
 
     std::optional<std::uint32_t> layer_of(std::uint32_t page) const;
-    /// Marks a page as used in `frame`; false if it is not resident.
+    /// Marks a page as used in `frame`; returns false if the page is not resident.
     bool use(std::uint32_t page, std::uint64_t frame);
     /// Assigns a layer to the page, evicting the least recently used page if none is free, and marks it as
     /// used in `frame`. Returns nullopt if every layer was used in `frame`.

@@ -11,7 +11,8 @@ namespace vantage {
 using PhotoBlock = shader::Photo;
 static_assert(shader::level_count == max_levels);
 
-/// The fields that are constant over frames; nothing is resident. `label`: see BackgroundContent.
+/// Sets the fields that do not change between frames, for a photo of which nothing is resident. `label`: see
+/// BackgroundContent.
 PhotoBlock make_photo_block(const package::PhotoRecord& photo, std::uint32_t index, std::uint8_t label = 0);
 
 /// A color that distinguishes photo `index` from the others, sRGB in [0, 1].

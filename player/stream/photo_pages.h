@@ -26,9 +26,9 @@ StreamRequest color_request(const PackageReader& package, const PackagePages& pa
                             std::uint32_t level, std::uint32_t tile);
 StreamRequest weight_map_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,
                                  std::uint32_t level, std::uint32_t tile);
-/// The minimum level of color for drawing a photo: the coarsest but one.
+/// The minimum level of color for drawing a photo: the second coarsest.
 std::uint32_t base_level(const package::PhotoRecord& photo);
-/// The number of tiles of that level, at most four.
+/// The number of tiles in the base level, at most four.
 std::uint32_t base_tiles(const package::PhotoRecord& photo);
 StreamRequest thumbnail_request(const PackageReader& package, std::uint32_t photo);
 

@@ -53,7 +53,7 @@ void PhotoStore::make_room(std::uint32_t color, std::uint32_t weight_maps, std::
 void PhotoStore::enlarge(std::uint32_t color, std::uint32_t weight_maps, std::uint64_t bytes) {
     ResidencyLayout layout = residency_->layout();
     if (layout.color >= color && layout.weight_maps >= weight_maps) return;
-    // With some extra: the next picture may need a few more.
+    // Makes space for some more tiles, because the next picture may need a few more.
     const auto enough = [](std::uint32_t tiles, std::uint32_t pages) {
         return std::min(tiles + tiles / 4, pages);
     };
@@ -143,12 +143,12 @@ std::size_t PhotoStore::stream(std::size_t budget) {
     // Uploads follow the frame's requests, which mark used tiles, so that no tile in use is evicted.
     const std::size_t uploaded = residency_->upload(stream_, budget);
     sort_wanted();
-    // Fetches no more than there is space for, so that nothing is read and then discarded.
+    // Fetches only as much as there is space for, so that nothing is read and then discarded.
     std::array<std::uint32_t, photo_resources> available;
     for (std::size_t i = 0; i < photo_resources; ++i) available[i] = residency_->available(Resource(i));
     ordered_.clear();
     to_come_ = 0;
-    // The photo that gets the next slot for coordinates, which its pieces share.
+    // The photo that gets the next slot for coordinates; its pieces share that slot.
     std::optional<std::uint32_t> given;
     const auto has_slot = [&](std::uint32_t photo) { return given == photo || residency_->has_slot(photo); };
     for (const Wanted& w : wanted_) {
@@ -216,7 +216,7 @@ void PhotoStore::write_pages(std::uint32_t photo, PhotoBlock& block, std::byte* 
             next + pages.color_count + pages.weight_maps[l] - pages.weight_map_first;
     }
     const auto write = [&](std::uint32_t entry) { std::memcpy(table + std::size_t(next++) * 4, &entry, 4); };
-    // A first picture, or a photo that was not shown before, has nothing coarser to fade in from.
+    // The first picture, and a photo that was not shown before, have nothing coarser to fade in from.
     const std::uint32_t at_once = pages.color[base_level(photos_[photo])];
     for (std::uint32_t page = pages.color_first; page < pages.color_first + pages.color_count; ++page)
         write(residency_->color_entry(page, page < at_once));

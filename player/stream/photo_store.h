@@ -16,25 +16,27 @@
 
 namespace vantage {
 
-/// The resident parts of the photos, and those in flight. Per frame: begin_frame(); request the needed parts;
-/// stream() or load(); write_pages() for the shaders. Belongs to the OpenGL thread.
+/// The resident parts of the photos, and those in flight. In each frame, call begin_frame(), request the
+/// needed parts, call stream() or load(), and then write_pages() for the shaders. Belongs to the OpenGL
+/// thread.
 class PhotoStore {
   public:
     PhotoStore(const PackageReader& package, std::uint64_t ring_bytes);
 
-    /// Allocates at most `bytes` of graphics memory. Evicts everything if the allocation changes; it is kept
-    /// while it is within the budget and more than half of it. Throws Error(usage) if `bytes` is
+    /// Allocates at most `bytes` of graphics memory. Keeps the present allocation if it is at most `bytes`
+    /// and more than half of a new one; otherwise evicts everything. Throws Error(usage) if `bytes` is
     /// insufficient.
     void fit(std::uint64_t bytes, bool with_coordinates);
-    /// Makes space for exactly this many tiles at once. If the limits of the arrays are lower, raises them,
-    /// which evicts everything, unless all arrays would then exceed `bytes`.
+    /// Makes space for this many tiles at once. If the limits of the arrays are lower, raises the limits,
+    /// which evicts everything, unless all arrays together would then exceed `bytes`.
     void make_room(std::uint32_t color, std::uint32_t weight_maps, std::uint64_t bytes);
     std::uint64_t bytes() const { return residency_ ? residency_->bytes() : 0; }
     bool has_coordinates() const { return residency_ && residency_->layout().coordinates > 0; }
 
     /// Replaces the stored transient weights in the weight maps: `weights` returns a photo's map (see
-    /// set_weights); it is called when a tile of its weight maps is to be fetched, and must remain valid.
-    /// Evicts all weight maps. Requires that nothing is in flight. Empty: the stored weights.
+    /// set_weights). The function is called when a tile of the photo's weight maps is about to be fetched,
+    /// and must remain valid. An empty function restores the stored weights. Evicts all weight maps. Nothing
+    /// may be in flight.
     void use_weights(std::function<const TransientMap*(std::uint32_t photo)> weights);
 
     /// Begins a frame at `now` seconds; without `fade`, tiles are shown at full weight as soon as they
@@ -43,27 +45,27 @@ class PhotoStore {
     /// Requests the minimum for drawing a photo: color of its base level, coarsest weight maps, and texture
     /// coordinates if `coordinates`.
     void need_base(std::uint32_t photo, bool coordinates);
-    /// Requests tiles. Returns the number that are not resident, not counting damaged ones.
+    /// Requests tiles. Returns the number of these that are not resident, not counting damaged ones.
     std::size_t need(std::uint32_t photo, const TileNeeds& needs);
-    /// The same, with the lowest priority and only while there is space.
+    /// Like need(), but with the lowest priority and only while there is space.
     void prefetch(std::uint32_t photo, const TileNeeds& needs);
     /// The number of these tiles that are not resident.
     std::size_t missing(std::uint32_t photo, const TileNeeds& needs) const;
     void need_thumbnail(std::uint32_t photo);
 
     /// Uploads at most `budget` bytes of fetched data, or one larger piece, and fetches this frame's
-    /// requests. Returns the bytes uploaded.
+    /// requests. Returns the number of bytes uploaded.
     std::size_t stream(std::size_t budget);
-    /// The same, but waits for the requests until the budget is used.
+    /// Like stream(), but waits for the requests until the budget is used up.
     std::size_t await(std::size_t budget);
     /// The number of needed resources that are being fetched.
     std::size_t to_come() const { return to_come_; }
     /// Fetches and uploads everything requested since the last call or the start of the frame. Waits. Throws
-    /// Error(input) if a server does not deliver it.
+    /// Error(input) if a server does not deliver the data.
     void load();
-    /// The same, within `budget` bytes. Returns the bytes uploaded.
+    /// Like load(), within `budget` bytes. Returns the number of bytes uploaded.
     std::size_t load(std::size_t budget);
-    /// Uploads a complete photo in this frame, without a time limit. Returns the bytes uploaded.
+    /// Uploads a complete photo in this frame, without a time limit. Returns the number of bytes uploaded.
     std::size_t load_whole(std::uint32_t photo);
 
     bool base_resident(std::uint32_t photo, bool coordinates) const;
@@ -71,7 +73,7 @@ class PhotoStore {
     const Residency& residency() const { return *residency_; }
     StreamedSoFar streamed() const { return stream_.streamed(); }
     std::size_t waiting() const { return stream_.waiting(); }
-    /// Reason why a server recently failed to deliver requested data; empty without a failure.
+    /// The reason why a server recently failed to deliver requested data; empty if it did not fail.
     std::string failure() const {
         return residency_ && residency_->absent_count() > 0 ? stream_.failure() : std::string();
     }
@@ -97,12 +99,12 @@ class PhotoStore {
         StreamRequest request;
         Urgency urgency;
         std::uint32_t level;   ///< of a tile
-        std::uint32_t number;  ///< in the order of requests
+        std::uint32_t number;  ///< position in the order of the requests
     };
     void enlarge(std::uint32_t color, std::uint32_t weight_maps, std::uint64_t bytes);
     void want(StreamRequest request, Urgency urgency, std::uint32_t level = 0);
     std::size_t want(std::uint32_t photo, const TileNeeds& needs, Urgency urgency);
-    /// Sorts wanted_: by urgency, coarse levels before fine ones, then in the order of requests.
+    /// Sorts wanted_ by urgency, then by level (coarse before fine), then in the order of the requests.
     void sort_wanted();
 
     const PackageReader* package_;
@@ -113,7 +115,7 @@ class PhotoStore {
     std::unique_ptr<Residency> residency_;
     std::function<const TransientMap*(std::uint32_t photo)> weights_;
     std::vector<Wanted> wanted_;                         ///< not resident
-    std::pmr::unsynchronized_pool_resource identities_;  ///< their memory, reused between frames
+    std::pmr::unsynchronized_pool_resource identities_;  ///< memory reused between frames
     std::pmr::unordered_set<std::uint64_t> wanted_identities_{&identities_};
     std::vector<StreamRequest> missing_, ordered_;
     std::size_t to_come_ = 0;

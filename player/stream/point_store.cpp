@@ -10,7 +10,8 @@ namespace vantage {
 namespace {
 
 constexpr std::uint64_t block_bytes = package::point_block * sizeof(package::PackedPoint);
-/// Initial capacity in blocks. More is allocated on demand, since it would delay the first picture.
+/// Initial capacity in blocks. More is allocated on demand, since a larger buffer would delay the first
+/// picture.
 constexpr std::uint32_t first_capacity = 16;
 
 gl::Buffer buffer_of(std::uint32_t blocks) {

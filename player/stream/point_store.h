@@ -15,38 +15,38 @@ namespace vantage {
 /// by the current frame. Belongs to the OpenGL thread.
 class PointStore {
   public:
-    /// Maximum graphics memory for points, and for the upload buffer.
+    /// The maximum graphics memory for points, and that for the upload buffer.
     static constexpr std::uint64_t max_bytes = std::uint64_t(256) << 20, ring_bytes = std::uint64_t(4) << 20;
 
-    /// `bytes` of graphics memory for points, but at least two blocks.
+    /// Uses `bytes` of graphics memory for points, but at least two blocks.
     PointStore(const PackageReader& package, const PointCloud& cloud, std::uint64_t bytes = max_bytes);
 
     /// Begins a frame at `now` seconds.
     void begin_frame(double now);
-    /// Marks the node's block as used in this frame, and requests it if it is not resident; returns whether
-    /// it is.
+    /// Marks the node's block as used in this frame, and requests it if it is not resident. Returns whether
+    /// the block is resident.
     bool need(const package::PointNode& node);
     bool resident(const package::PointNode& node) const { return pool_.layer_of(node.block).has_value(); }
-    /// Whether the node's block is pending: neither resident nor damaged, and with space for it.
+    /// Whether the node's block is pending: it is neither resident nor damaged, and there is space for it.
     bool awaits(const package::PointNode& node) const {
         return !resident(node) && !failed_.contains(node.block) && pool_.available(frame_) > 0;
     }
-    /// Uploads fetched data, at most `budget` bytes or one block. Returns the bytes uploaded.
+    /// Uploads fetched data, at most `budget` bytes or one block. Returns the number of bytes uploaded.
     std::size_t stream(std::size_t budget);
     /// Waits for all requested blocks that fit. Throws Error(input) if a server does not deliver them.
     void load();
 
-    /// Index of the node's first point in buffer().
+    /// The index of the node's first point in buffer().
     std::uint32_t first_point(const package::PointNode& node) const {
         return *pool_.layer_of(node.block) * package::point_block + node.first;
     }
     /// The buffer of points, which stream() or load() may replace with a larger one.
     GLuint buffer() const { return points_.id(); }
-    /// Graphics memory by which the buffer may still grow, bytes.
+    /// Graphics memory by which the buffer may still grow, in bytes.
     std::uint64_t growth() const;
     std::size_t damaged() const;
     std::size_t absent() const { return failed_.size() - damaged(); }
-    /// Reason why a server recently failed to deliver requested data; empty without a failure.
+    /// The reason why a server recently failed to deliver requested data; empty if it did not fail.
     std::string failure() const { return absent() > 0 ? stream_.failure() : std::string(); }
 
   private:
@@ -58,11 +58,11 @@ class PointStore {
     std::uint32_t capacity_;  ///< layers of the pool for which the buffer has space
     gl::Buffer points_;
     std::vector<StreamRequest> missing_;
-    std::vector<bool> requested_;                                   ///< per block, in this frame
+    std::vector<bool> requested_;  ///< one per block: whether it was requested in this frame
     std::unordered_map<std::uint32_t, Residency::Failure> failed_;  ///< by block
     std::uint64_t frame_ = 0;
     double now_ = 0;
-    TileStream stream_;  ///< last: its threads use the package
+    TileStream stream_;  ///< declared last, because its threads use the package
 };
 
 }  // namespace vantage

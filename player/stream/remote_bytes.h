@@ -16,25 +16,25 @@
 
 namespace vantage {
 
-/// The requested bytes of a remote package. Separate threads fetch them, the most urgent first, with
-/// neighboring ranges combined into one transfer. They stay readable until taken or no longer requested.
-/// Thread-safe.
+/// The requested bytes of a remote package. Separate threads fetch the bytes, the most urgent first, and
+/// combine neighboring ranges into one transfer. Fetched bytes stay readable until they are taken or no
+/// longer requested. Thread-safe.
 class RemoteBytes {
   public:
-    /// `arrived` is called on those threads when bytes have arrived or could not be fetched.
+    /// `arrived` is called on the fetching threads when bytes have arrived or could not be fetched.
     RemoteBytes(const PackageReader& package, std::function<void()> arrived);
     ~RemoteBytes();
 
-    /// Replaces the queue, most urgent first. Cancels transfers that none of these need.
+    /// Replaces the queue, most urgent first. Cancels transfers that no request in the new queue needs.
     void want(std::span<const StreamRequest> requests);
     /// Result of a request.
     struct Arrival {
         StreamRequest request;
         Held held;            ///< null if its bytes could not be fetched
-        std::string failure;  ///< reason for the failure
+        std::string failure;  ///< why the bytes could not be fetched
     };
-    /// Removes and returns the most urgent request that has arrived, unless `accepts` rejects it. `accepts`
-    /// is called only for fetched bytes.
+    /// Removes and returns the most urgent request whose bytes have arrived, unless `accepts` rejects it.
+    /// `accepts` is called only for requests whose bytes were fetched.
     std::optional<Arrival> take(const std::function<bool(const StreamRequest&)>& accepts);
 
   private:
@@ -58,7 +58,7 @@ class RemoteBytes {
     std::unordered_map<std::uint64_t, Arrival> arrivals_;  ///< arrivals not yet taken, by identity
     std::unordered_set<std::uint64_t> fetching_;
     std::vector<Group*> groups_;         ///< in flight
-    std::vector<std::jthread> threads_;  ///< last: they use all members above
+    std::vector<std::jthread> threads_;  ///< declared last, because the threads use all members above
 };
 
 }  // namespace vantage

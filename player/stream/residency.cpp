@@ -13,8 +13,8 @@ namespace {
 
 using package::Type;
 
-// Usual maximum of a first picture: up to four tiles of color for each of ten photos, and one of weight maps
-// for four. Allocating space for all tiles would take longer than the picture.
+// The usual maximum for the first picture: up to four tiles of color for each of ten photos, and one tile of
+// weight maps for each of four. Allocating space for all tiles would take longer than drawing that picture.
 constexpr std::uint32_t first_color = 40, first_weight_maps = 4;
 constexpr std::uint64_t piece_bytes = 256 * 1024;  ///< size of a piece of texture coordinates
 
@@ -58,8 +58,9 @@ ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& 
     if (with_coordinates)
         out.coordinates = std::max(1u, std::min(photos, fit(std::uint64_t(out.vertices) * 8, max_slots)));
     const std::uint64_t fixed = out.bytes(), left = bytes > fixed ? bytes - fixed : 0;
-    // A distant view needs as many tiles of weight maps (two layers each: with depth) as of color, a close
-    // one more of color. A compromise: 0.6 tiles of weight maps (1.2 layers) per tile of color.
+    // A distant view needs as many tiles of weight maps (two layers each, because depth is included) as tiles
+    // of color; a close view needs more tiles of color. As a compromise, there are 0.6 tiles of weight maps
+    // (1.2 layers) per tile of color.
     const double unit = double(left) / double(tile_bytes) / 2.2;
     const auto layers = [](double wanted, std::uint32_t most) {
         return std::uint32_t(std::clamp(wanted, 0.0, double(std::min(most, max_layers()))));
@@ -179,7 +180,8 @@ void Residency::discard_coordinates(const StreamRequest& r) {
 
 std::size_t Residency::upload(TileStream& stream, std::size_t budget) {
     std::size_t uploaded = 0;
-    // The first piece ignores the budget: otherwise a piece larger than the budget would block later ones.
+    // The budget does not apply to the first piece: otherwise a piece larger than the budget would block
+    // later ones.
     while (const auto fetched = stream.take(uploaded == 0 ? SIZE_MAX : budget - std::min(budget, uploaded))) {
         if (fetched->state != Fetched::State::valid) {
             failed_[fetched->request.identity()] = {now_, fetched->state == Fetched::State::damaged};
@@ -281,7 +283,7 @@ std::uint32_t Residency::entry(const LayerPool& pool, const std::vector<double>&
                                bool fades) const {
     const auto layer = pool.layer_of(page);
     if (!layer) return shader::not_resident;
-    // An arrival in the future: the clock was set back.
+    // If the arrival lies in the future, the clock was set back.
     const bool fading = fades && fades_ && arrivals[*layer] <= now_;
     const double age = fading ? std::clamp((now_ - arrivals[*layer]) / fade_seconds, 0.0, 1.0) : 1;
     return *layer | std::uint32_t(std::lround(255 * age)) << 16;

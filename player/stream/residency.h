@@ -22,12 +22,12 @@ struct ResidencyLayout {
     bool operator==(const ResidencyLayout&) const = default;
 };
 
-/// Limit of an array texture.
+/// Limit on the layers of an array texture.
 std::uint32_t max_layers();
 
-/// Divides `bytes` of graphics memory: first thumbnails and coordinates (if `with_coordinates`), at most an
-/// eighth each, then tiles; never more than the package has, and never fewer than 16 of color and of weight
-/// maps, even if these do not fit.
+/// Divides `bytes` of graphics memory: thumbnails and coordinates (if `with_coordinates`) get at most an
+/// eighth each, and tiles the rest. Never makes space for more than the package has, nor for fewer than 16
+/// tiles of color and 16 of weight maps, even if these do not fit.
 ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& pages, std::uint64_t bytes,
                               bool with_coordinates);
 
@@ -39,7 +39,7 @@ class Residency {
     static constexpr double retry_seconds = 5;
     struct Failure {
         double at;     ///< time of the last failure, seconds
-        bool damaged;  ///< false: it could not be fetched
+        bool damaged;  ///< if false, the resource could not be fetched
     };
 
     Residency(const PackageReader& package, const PackagePages& pages, const ResidencyLayout& layout);
@@ -52,17 +52,19 @@ class Residency {
     /// Marks a resource as used in this frame. If it is not resident, returns false and appends it to
     /// `missing` unless it was damaged recently.
     bool need(const StreamRequest& request, std::vector<StreamRequest>& missing);
-    /// The same for all of a photo's texture coordinates.
+    /// Like need(), for all of a photo's texture coordinates.
     bool need_coordinates(std::uint32_t photo, std::vector<StreamRequest>& missing);
-    /// Uploads fetched data, at most `budget` bytes or one larger piece. Returns the bytes uploaded.
+    /// Uploads fetched data, at most `budget` bytes or one larger piece. Returns the number of bytes
+    /// uploaded.
     std::size_t upload(TileStream& stream, std::size_t budget);
     /// Evicts all weight maps and depth.
     void evict_weight_maps();
-    /// Uploads all tiles of a photo at once, directly from the mapped package. Returns the bytes uploaded.
+    /// Uploads all tiles of a photo at once, directly from the mapped package. Returns the number of bytes
+    /// uploaded.
     std::size_t upload_whole(std::uint32_t photo, std::uint32_t levels);
 
-    /// A page's entry for the shaders: the layer in the low 16 bits, above them its state of fading in (0 to
-    /// 255); or shader::not_resident.
+    /// A page's entry for the shaders: the layer in the low 16 bits, and above them how far the page has
+    /// faded in (0 to 255); or shader::not_resident.
     std::uint32_t color_entry(std::uint32_t page, bool fades) const {
         return entry(color_pool_, color_arrivals_, page, fades);
     }
@@ -87,7 +89,7 @@ class Residency {
     bool settled() const { return !fades_ || now_ < last_arrival_ || now_ >= last_arrival_ + fade_seconds; }
 
     const ResidencyLayout& layout() const { return layout_; }
-    /// Graphics memory held, bytes: less than layout().bytes() until many tiles have arrived.
+    /// The graphics memory held, in bytes: less than layout().bytes() until many tiles have arrived.
     std::uint64_t bytes() const;
     std::uint32_t color_held() const { return color_pool_.held(); }
     std::uint32_t weight_maps_held() const { return weight_map_pool_.held(); }
@@ -100,11 +102,11 @@ class Residency {
   private:
     static constexpr double fade_seconds = 0.25;
     const LayerPool& pool_of(Resource resource) const;
-    /// Within the last retry_seconds. Afterward it is fetched again: the package or the network may have been
-    /// restored meanwhile.
+    /// Whether the request failed within the last retry_seconds. After that time it is fetched again, since
+    /// the package or the network may have been restored.
     bool recently_failed(const StreamRequest& request) const;
     /// Fetches all pieces of a photo's texture coordinates again after one was restored: pieces share a
-    /// checksum, and the others may have arrived while it mismatched.
+    /// checksum, and the others may have arrived while the checksum did not match.
     void discard_coordinates(const StreamRequest& restored);
     std::uint32_t entry(const LayerPool& pool, const std::vector<double>& arrivals, std::uint32_t page,
                         bool fades) const;

@@ -6,7 +6,7 @@ namespace vantage {
 /// Total work of a TileStream's threads since opening.
 struct StreamedSoFar {
     std::uint64_t bytes = 0;  ///< read from the package
-    double seconds = 0;       ///< spent on reading and decoding, sum of all threads
+    double seconds = 0;       ///< time spent on reading and decoding, summed over all threads
 
     StreamedSoFar operator+(const StreamedSoFar& o) const { return {bytes + o.bytes, seconds + o.seconds}; }
     StreamedSoFar operator-(const StreamedSoFar& o) const { return {bytes - o.bytes, seconds - o.seconds}; }

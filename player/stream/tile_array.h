@@ -7,8 +7,8 @@
 namespace vantage {
 
 /// An array texture of tiles. It starts with few layers and is enlarged to its maximum on demand: the first
-/// picture, which needs few tiles, does not wait for the full allocation. With a given number of layers
-/// (expect()), it gets no more, since touching memory for the first time takes as long as uploading tiles.
+/// picture, which needs few tiles, does not wait for the full allocation. If few layers are expected,
+/// expect() allocates only these, since touching memory for the first time takes as long as uploading tiles.
 /// Belongs to the OpenGL thread.
 class TileArray {
   public:
@@ -16,11 +16,11 @@ class TileArray {
     TileArray(const char* label, GLenum format, GLenum filter, std::uint32_t layers, std::uint32_t first);
 
     GLuint id() const { return texture_.id(); }
-    /// Enlarges it to this many layers, or to its maximum.
+    /// Enlarges the texture to this many layers, or to its maximum.
     void expect(std::uint32_t layers);
-    /// Enlarges it if necessary to include the layer; layers keep their content.
+    /// Enlarges the texture if necessary to include the layer; layers keep their content.
     void make_room(std::uint32_t layer);
-    /// The currently allocated layers.
+    /// The number of layers that are allocated at present.
     std::uint32_t layers() const { return layers_; }
 
   private:

@@ -67,7 +67,8 @@ void TileStream::fence() {
 bool TileStream::wait() {
     std::unique_lock lock(mutex_);
     const auto idle = [&] { return wanted_.empty() && begun_.empty(); };
-    // With a timeout: space in a full ring is freed by the graphics card, which does not signal threads.
+    // A timeout is necessary: space in a full ring is freed by the graphics card, which does not signal
+    // threads.
     fetched_.wait_for(lock, std::chrono::milliseconds(2), [&] { return !done_.empty() || idle(); });
     return !idle();
 }

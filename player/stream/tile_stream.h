@@ -19,12 +19,12 @@
 
 namespace vantage {
 
-/// A request whose bytes are in the ring, or its failure.
+/// A request whose bytes are in the ring or could not be fetched.
 struct Fetched {
     enum class State {
         valid,
         damaged,  ///< its checksum mismatched
-        absent    ///< the server could not be reached, see TileStream::failure
+        absent    ///< the server could not be reached (see TileStream::failure)
     };
     StreamRequest request;
     std::optional<UploadRing::Piece> piece;  ///< none if absent
@@ -44,13 +44,13 @@ class TileStream {
 
     /// Replaces the queue of requests, most urgent first. Requests in flight are not affected.
     void want(std::span<const StreamRequest> requests);
-    /// The next fetched request; empty if there is none or it has more than `budget` bytes.
+    /// The next fetched request; empty if there is none, or if that request has more than `budget` bytes.
     std::optional<Fetched> take(std::size_t budget);
     /// Must be called when the taken piece has been uploaded or discarded.
     void release(const Fetched& fetched);
-    /// Ends a frame: see UploadRing::fence.
+    /// Ends a frame (see UploadRing::fence).
     void fence();
-    /// Waits until something has been fetched, at most 2 ms. False if nothing is queued, in flight or
+    /// Waits until something has been fetched, but at most 2 ms. False if nothing is queued, in flight or
     /// fetched.
     bool wait();
 
@@ -58,7 +58,7 @@ class TileStream {
     std::size_t ring_bytes() const { return ring_.bytes(); }
     std::size_t waiting() const;
     StreamedSoFar streamed() const;
-    /// Reason for the last failed fetch; empty if none has failed.
+    /// The reason for the last failed fetch; empty if none has failed.
     std::string failure() const;
 
   private:
@@ -87,11 +87,11 @@ class TileStream {
     std::condition_variable_any work_, fetched_;
     std::vector<StreamRequest> wanted_;  ///< in reverse order: the next one is last
     std::deque<Fetched> done_;
-    std::unordered_map<std::uint64_t, bool> begun_;  ///< in flight, or fetched and not taken
+    std::unordered_map<std::uint64_t, bool> begun_;  ///< in flight, or fetched but not yet taken
     StreamedSoFar streamed_;
     std::string failure_;
     std::unique_ptr<RemoteBytes> remote_;  ///< exists for a remote package; uses the mutex
-    std::vector<std::jthread> threads_;    ///< last: they use all members above
+    std::vector<std::jthread> threads_;    ///< declared last, because the threads use all members above
 };
 
 }  // namespace vantage

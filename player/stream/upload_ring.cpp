@@ -31,7 +31,7 @@ std::optional<UploadRing::Piece> UploadRing::take(std::size_t bytes) {
     } else if (at + wanted > tail) {
         return std::nullopt;
     }
-    // A full ring, with head and tail at the same offset, would look empty.
+    // A full ring, whose head and tail are at the same offset, would look empty.
     if (!given_.empty() && at + wanted == given_.front().offset) return std::nullopt;
     given_.push_back({at, wanted});
     head_ = at + wanted;

@@ -9,8 +9,9 @@
 
 namespace vantage {
 
-/// A persistently mapped buffer for uploads: worker threads fill pieces of it, the OpenGL thread uploads them
-/// and sets a fence. Pieces are handed out and reclaimed in order. No function waits. Not thread-safe.
+/// A persistently mapped buffer for uploads: worker threads fill pieces of it, and the OpenGL thread uploads
+/// the pieces and sets a fence. Pieces are handed out and reclaimed in order. No function waits. Not
+/// thread-safe.
 class UploadRing {
   public:
     explicit UploadRing(std::size_t bytes);
@@ -27,7 +28,8 @@ class UploadRing {
     std::span<std::byte> memory(const Piece& piece) { return {mapped_ + piece.offset, piece.bytes}; }
     /// Must be called when the piece has been uploaded (before the next fence()) or is no longer needed.
     void release(const Piece& piece);
-    /// Sets a fence for the pieces released since the last one, and reclaims pieces whose fence has passed.
+    /// Sets a fence for the pieces released since the last fence, and reclaims pieces whose fence has been
+    /// passed.
     void fence();
 
     GLuint buffer() const { return buffer_.id(); }

@@ -10,8 +10,8 @@
 namespace vantage {
 namespace {
 
-/// Fraction of the segment from the camera to the point that must be unobstructed; below 1, since positions
-/// have single precision.
+/// The fraction of the segment from the camera to the point that must be unobstructed. It is below 1 because
+/// positions have single precision.
 constexpr double free_share = 1 - 1e-4;
 
 bool is_hidden(const PlanScene& scene, std::uint32_t photo, const Eigen::Vector3d& position) {
@@ -19,7 +19,8 @@ bool is_hidden(const PlanScene& scene, std::uint32_t photo, const Eigen::Vector3
     return first_hit(scene, {eye, position - eye}, {0, free_share}).has_value();
 }
 
-/// Candidates: photos that cover the triangle and have the position in their frame; smallest footprint first.
+/// Footprints of the photos whose coverage includes the triangle and whose frame contains the position,
+/// smallest first.
 std::vector<Footprint> likely_footprints(const PlanScene& scene, std::uint32_t triangle,
                                          const Eigen::Vector3d& position) {
     std::vector<Footprint> out;

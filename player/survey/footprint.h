@@ -14,9 +14,9 @@ struct Footprint {
     std::uint32_t photo;  ///< index of the photo
 };
 
-/// Footprints of the photos that see a point of a triangle (numbered from 0), the smallest first: those whose
-/// coverage includes the triangle, whose frame contains the point, and between whose camera and the point the
-/// mesh has no other surface.
+/// Footprints of the photos that see a point of a triangle (numbered from 0), smallest first. A photo sees
+/// the point if its coverage includes the triangle, its frame contains the point, and no other surface of the
+/// mesh lies between its camera and the point.
 std::vector<Footprint> footprints(const PlanScene& scene, std::uint32_t triangle,
                                   const Eigen::Vector3d& position);
 /// The smallest of these footprints; nullopt if no photo sees the point.

@@ -83,7 +83,7 @@ Derived angle(std::span<const Vector3d> p) {
     if (!(of_a > 0) || !(of_b > 0)) return {{}, {}, tr("no angle: two of its points are equal")};
     const Vector3d u = a / of_a, v = b / of_b;
     const double sine = u.cross(v).norm(), cosine = u.dot(v);
-    // Away from the other side; an arbitrary perpendicular if the angle is 0 or 180 degrees.
+    // Perpendicular to a side and away from the other side; arbitrary if the angle is 0 or 180 degrees.
     Vector3d from_b = u.unitOrthogonal(), from_a = cosine < 0 ? from_b : Vector3d(-from_b);
     if (sine > 1e-9) from_b = (cosine * u - v) / sine, from_a = (cosine * v - u) / sine;
     const Vector3d of_first = from_b / of_a, of_last = from_a / of_b;
@@ -94,8 +94,8 @@ Derived height(std::span<const Vector3d> p, const Vector3d& up) { return {up.dot
 
 /// The least-squares plane of points, through their mean.
 struct FittedPlane {
-    Vector3d middle = Vector3d::Zero(), normal, along;  ///< `along`: in the plane; both of length 1
-    double farthest = 0;                                ///< largest distance of a point
+    Vector3d middle = Vector3d::Zero(), normal, along;  ///< unit vectors: normal to the plane, and along it
+    double farthest = 0;                                ///< largest distance of a point from the plane
 };
 
 FittedPlane plane_of(std::span<const Vector3d> points) {
@@ -154,7 +154,7 @@ Derived area(std::span<const Vector3d> p, double& off_plane) {
     return out;
 }
 
-/// For independent points; nullopt if one of them has no uncertainty.
+/// The uncertainty for independent points; nullopt if one of them has no uncertainty.
 std::optional<double> propagated(const Measurement& m, std::span<const Vector3d> slopes) {
     double squares = 0;
     for (std::size_t i = 0; i < slopes.size(); ++i) {

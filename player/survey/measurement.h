@@ -14,8 +14,8 @@ namespace vantage {
 struct SurveyPoint {
     Eigen::Vector3d position;  ///< in input coordinates
     std::optional<double>
-        uncertainty{};    ///< standard, per coordinate: see smallest_footprint(); nullopt: unknown
-    std::string photo{};  ///< the photo with these pixels; empty: unknown
+        uncertainty{};  ///< standard uncertainty per coordinate, see smallest_footprint(); nullopt if unknown
+    std::string photo{};  ///< the photo that has the smallest footprint; empty if unknown
 };
 
 /// Kind of a measurement.
@@ -44,21 +44,21 @@ struct Measurement {
 /// Result of a measurement.
 struct Measured {
     std::optional<double>
-        value{};  ///< nullopt: invalid, with the reason in `note`; always nullopt for Measure::point
-    std::optional<double> uncertainty{};  ///< standard; nullopt: unknown, since a point's is unknown
+        value{};  ///< nullopt if invalid, with the reason in `note`; always nullopt for Measure::point
+    std::optional<double> uncertainty{};  ///< standard; nullopt if that of a point is unknown
     const char* unit = "";                ///< such as "cm", "cm2", "deg"
     std::string note{};                   ///< additional remark, or empty
 };
 
-/// Evaluates a measurement, with `up` a unit vector in input coordinates. Uncertainties are propagated to
-/// first order from those of the points, assumed independent, and of the scale (docs/method.md). Values are
-/// always finite.
+/// Evaluates a measurement; `up` is a unit vector in input coordinates. Uncertainties are propagated to first
+/// order from those of the points, which are assumed to be independent, and of the scale (docs/method.md).
+/// Values are always finite.
 Measured evaluate(const Measurement& measurement, const Scale& scale, const Eigen::Vector3d& up);
 
 /// "x 1.253   y 0.004   z 12.480", with as many digits as the uncertainty allows.
 std::string coordinates_text(const SurveyPoint& point);
-/// "2.014 ± 0.003 m" as displayed in the window, with as many digits as the uncertainty allows, or six if it
-/// is unknown; the note if there is no value.
+/// "2.014 ± 0.003 m" as displayed in the window, with as many digits as the uncertainty allows, or six if the
+/// uncertainty is unknown. Without a value, returns the note.
 std::string text_of(const Measured& measured);
 
 }  // namespace vantage

@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// Decimals down to the second significant digit, at most twelve. 0.00996 is written 0.010.
+/// Decimals down to the second significant digit, at most twelve. 0.00996 is written as 0.010.
 int decimals_for(double uncertainty) {
     if (!(uncertainty > 0)) return 6;
     return int(std::clamp(1 - std::floor(std::log10(uncertainty * 1.005)), 0.0, 12.0));

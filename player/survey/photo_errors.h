@@ -7,9 +7,9 @@
 
 namespace vantage {
 
-/// The camera error of each photo, estimated from the pairs of overlapping photos that prepare compared: the
-/// median over its pairs of their median distance between matching corners, weighted by the number of
-/// matches; in pixels. Nullopt for a photo without matches.
+/// The camera error of each photo in pixels, estimated from the pairs of overlapping photos that prepare
+/// compared. Each pair has a median distance between matching corners; the error is the median of these over
+/// the photo's pairs, weighted by the number of matches. Nullopt for a photo without matches.
 std::vector<std::optional<double>> photo_errors(std::span<const package::PairRecord> pairs,
                                                 std::size_t photos);
 

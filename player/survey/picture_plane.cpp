@@ -33,7 +33,7 @@ Vector3d across(const Vector3d& v, const Vector3d& axis) {
     return rest.norm() > least_angle * v.norm() ? Vector3d(rest.normalized()) : axis.unitOrthogonal();
 }
 
-/// Right in the front view: along x, or along y if x is up.
+/// The direction to the right in the front view: along x, or along y if x is up.
 Vector3d right_of_front(const Vector3d& up) {
     const bool x_is_up = std::abs(up.x()) > 0.9;
     return across(x_is_up ? Vector3d::UnitY() : Vector3d::UnitX(), up);

@@ -6,19 +6,19 @@
 
 namespace vantage {
 
-/// A plane for orthogonal projection of the model: a point p of the input is at x = right . (p - origin), y =
-/// up . (p - origin). The viewer is on the side of right x up, infinitely far away.
+/// A plane for the orthogonal projection of the model: a point p of the input is at x = right . (p - origin),
+/// y = up . (p - origin). The viewer is on the side of right x up, infinitely far away.
 struct PicturePlane {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(), right,
-                    up;  ///< the last two of length 1, perpendicular
+                    up;  ///< right and up are perpendicular unit vectors
 };
 
 /// Parses the name of a plane through the origin of the input coordinates: top, bottom, front, back, left or
-/// right, viewed from that side. `scene_up` is up in the scene. In the front view, x points right if it is
-/// level, and also in the top view, as on a map: with z up, the front view looks along y, and the top view
-/// has y upward. Also parses nine numbers separated by commas: a point of the plane, its normal toward the
-/// viewer, and the picture's up direction; without the last three, up is `scene_up`, or any direction if that
-/// is along the normal. Throws Error(usage).
+/// right, viewed from that side. `scene_up` is the scene's up direction. If x is level, it points right in
+/// the front view, and also in the top view, as on a map: with z up, the front view looks along y, and y
+/// points upward in the top view. Also parses nine numbers separated by commas: a point of the plane, the
+/// plane's normal toward the viewer, and the picture's up direction. If the last three numbers are missing,
+/// up is `scene_up`, or any direction if `scene_up` is along the normal. Throws Error(usage).
 PicturePlane parse_plane(const std::string& text, const Eigen::Vector3d& scene_up);
 
 /// The rectangle of the plane covered by the model's bounds.
@@ -27,7 +27,7 @@ Eigen::AlignedBox2d extent_on(const PicturePlane& plane, const package::SceneRec
 Eigen::AlignedBox2d parse_extent(const std::string& text);
 
 /// The six lines of a world file (ESRI), which map columns and rows of a picture to x and y of the plane: the
-/// center of the upper left pixel, and the steps per pixel.
+/// steps per pixel and the center of the upper left pixel.
 std::string world_file_text(const Eigen::Vector2d& upper_left, double resolution);
 
 }  // namespace vantage

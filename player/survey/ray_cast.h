@@ -12,11 +12,11 @@ namespace vantage {
 /// Intersection of a ray with the mesh.
 struct MeshHit {
     std::uint32_t triangle;  ///< from 0
-    double distance;         ///< in lengths of the ray's direction
+    double distance;         ///< as a multiple of the ray's direction vector
     Eigen::Vector3d position;
 };
 
-/// The tested range of a ray, in lengths of its direction.
+/// The tested range of a ray, as multiples of its direction vector.
 struct RayRange {
     double nearest = 0, farthest = std::numeric_limits<double>::infinity();
 };

@@ -16,7 +16,7 @@ namespace {
 struct Found {
     const PlacedMesh* mesh;
     std::uint32_t triangle;
-    double distance;  ///< in lengths of the ray's direction
+    double distance;  ///< as a multiple of the ray's direction vector
     Eigen::Vector3d position;
 };
 

@@ -22,28 +22,28 @@ struct PlacedMesh {
 
 /// Constraints on points that the user sets.
 struct Snapping {
-    std::span<const SectionPlane> sections{};  ///< the scene's planes: excludes points that are cut away
+    std::span<const SectionPlane> sections{};  ///< the scene's section planes, which exclude points
     double vertex_pixels =
-        0;  ///< snaps to the nearest visible vertex within this distance in the picture; 0: does not snap
+        0;  ///< snaps to the nearest visible vertex within this distance in the picture; 0 disables snapping
 };
 
-/// The nearest point of the meshes at a position in the view's picture, in pixels, in coordinates of the
-/// scene's first input, whose origin is `origin`; with the uncertainty from its photos. Returns nullopt if
+/// The nearest point of the meshes at `pixel` in the view's picture, in coordinates of the scene's first
+/// input, whose origin is `origin`. Its uncertainty comes from the photos that see it. Returns nullopt if
 /// there is no surface.
 std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
                                        const View& view, const Eigen::Vector2d& pixel,
                                        Snapping snapping = {});
 
-/// The same for a ray in the scene.
+/// Like scene_point() for a pixel, but along a ray in the scene.
 std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
                                        const Ray& ray, std::span<const SectionPlane> sections = {});
 
-/// A point of a surface, relative to the scene's origin, and its normal, of length 1, toward the viewer.
+/// A point of a surface, relative to the scene's origin, and its unit normal, which points toward the viewer.
 struct SurfacePoint {
     Eigen::Vector3d at, normal;
 };
-/// The first surface point on a ray, up to `farthest` lengths of its direction. Returns nullopt for a
-/// degenerate triangle.
+/// The first surface point on a ray, at most `farthest` times the ray's direction vector from its start.
+/// Returns nullopt for a degenerate triangle.
 std::optional<SurfacePoint> surface_on(std::span<const PlacedMesh> meshes, const Ray& ray, double farthest,
                                        std::span<const SectionPlane> sections = {});
 

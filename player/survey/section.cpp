@@ -45,7 +45,7 @@ std::span<const std::uint32_t> vertices_of(const PlanScene& scene, const package
     return std::span(scene.indices).subspan(3 * std::size_t(c.first_triangle), 3 * std::size_t(c.triangles));
 }
 
-/// Shortens a line to the part behind the planes; false if nothing remains.
+/// Shortens a line to the part behind the planes; returns false if nothing remains.
 bool shorten(SectionLine& line, std::span<const SectionPlane> planes) {
     const Ray along{line[0], line[1] - line[0]};
     const RayRange range = behind(planes, along);

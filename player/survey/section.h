@@ -12,9 +12,9 @@
 
 namespace vantage {
 
-/// Section lines of planes and the surface, limited to the part that remains after the other planes' cuts:
-/// one line per intersected triangle, relative to the scene's origin. A corner on a plane counts as behind
-/// it, so that a line through a corner has no gap. The background is not cut.
+/// The lines along which planes cut the surface, limited to the part that remains after the other planes'
+/// cuts: one line per intersected triangle, relative to the scene's origin. A vertex on a plane counts as
+/// behind the plane, so that a line through a vertex has no gap. The background is not cut.
 using SectionLine = std::array<Eigen::Vector3d, 2>;
 std::vector<SectionLine> section_lines(std::span<const PlacedMesh> meshes,
                                        std::span<const SectionPlane> planes);
@@ -28,13 +28,14 @@ RayRange behind(std::span<const SectionPlane> planes, const Ray& ray);
 /// Minimum and maximum of normal . p over the mesh's vertices, without the background.
 std::array<double, 2> extent_along(const PlanScene& scene, const Eigen::Vector3d& normal);
 
-/// Caches extent_along() of one scene for each direction, since it visits all vertices.
+/// Caches the result of extent_along() for each direction in one scene, since that function visits all
+/// vertices.
 class KnownExtents {
   public:
     std::array<double, 2> along(const PlanScene& scene, const Eigen::Vector3d& normal);
 
   private:
-    static constexpr std::size_t most = 8;  ///< the input's axes, and viewing directions of cuts
+    static constexpr std::size_t most = 8;  ///< for the input's axes, and for viewing directions of cuts
     std::vector<std::pair<Eigen::Vector3d, std::array<double, 2>>> known_;
 };
 

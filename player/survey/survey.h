@@ -20,8 +20,8 @@ struct Survey {
 /// "+z", or the direction's three numbers.
 std::string direction_text(const Eigen::Vector3d& direction);
 
-/// A table with a line per measurement; numbers in full precision, lengths in the displayed unit, coordinates
-/// as in the input.
+/// A table with one line per measurement. Numbers have full precision, lengths are in the displayed unit, and
+/// coordinates are those of the input.
 std::string survey_csv(const Survey& survey);
 
 }  // namespace vantage

@@ -145,8 +145,8 @@ Survey read_survey(SurveyFile& file, const Survey& otherwise) {
 void write_survey(SurveyFile& file, const Survey& survey) {
     if (content_of(file.path) != file.content)
         throw Error(Exit::storage, file.path.string() +
-                                       ": was changed by another program and is not replaced; "
-                                       "move it away to save measurements");
+                                       ": was changed by another program and will not be replaced; move the "
+                                       "file away to save measurements");
     const std::string text = survey_text(survey);
     replace_file(file.path, text);
     file.content = text;

@@ -9,19 +9,19 @@
 
 namespace vantage {
 
-/// Reads and writes a survey's file; writes in the background, so that frames do not wait for the disk. If
-/// surveys change faster than they are written, only the last one is written. Its destructor writes the
-/// pending survey, and prints unreported errors to stderr.
+/// Reads and writes a survey's file. Writing happens in the background, so that frames do not wait for the
+/// disk. If surveys change faster than they are written, only the last one is written. Its destructor writes
+/// the pending survey, and prints unreported errors to stderr.
 class SurveySaver {
   public:
     explicit SurveySaver(SurveyFile file);
     ~SurveySaver();
     SurveySaver(const SurveySaver&) = delete;
 
-    /// Like read_survey(), after pending writes.
+    /// Like read_survey(), but waits for pending writes first.
     Survey read(const Survey& otherwise);
     void save(const Survey& survey);
-    /// Error of the last write; empty if it succeeded, or if the error was taken before.
+    /// The error of the last write; empty if that write succeeded, or if its error has already been taken.
     std::string take_trouble();
     /// Whether a survey is pending, or an error has not been taken.
     bool busy() const;
@@ -37,7 +37,7 @@ class SurveySaver {
     std::optional<Survey> next_;
     bool writing_ = false;
     std::string trouble_;
-    std::jthread thread_;  ///< last: it uses the other members
+    std::jthread thread_;  ///< declared last, because the thread uses the other members
 };
 
 }  // namespace vantage

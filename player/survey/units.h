@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// Units of length. `unknown`: the input's units, if its files do not specify them.
+/// Units of length. `unknown`: the input's own units, if its files do not say which.
 enum class Unit { unknown, m, cm, mm, ft, in, count };
 
 /// "m", "cm", "mm", "ft", "in", or "units".
@@ -16,12 +16,12 @@ std::optional<Unit> unit_named(std::string_view name);
 struct Scale {
     double length = 1;           ///< length of an input unit, in `unit`; above 0
     Unit unit = Unit::unknown;   ///< unknown: `length` is 1
-    Unit shown = Unit::unknown;  ///< unknown: same as `unit`
-    double relative = 0;         ///< standard uncertainty of `length`, relative to it
+    Unit shown = Unit::unknown;  ///< if unknown, the same as `unit`
+    double relative = 0;         ///< standard uncertainty of `length`, as a fraction of it
     bool operator==(const Scale&) const = default;
 };
 
-/// Meters in a unit of length; 1 for an unknown one.
+/// The number of meters in a unit of length; 1 for `unknown`.
 double meters_in(Unit unit);
 
 /// The displayed unit of lengths.
@@ -29,7 +29,7 @@ Unit shown_unit(const Scale& scale);
 /// The length of an input unit in the displayed unit.
 double shown_length(const Scale& scale);
 
-/// The scale for which a length of `measured` input units, with its standard uncertainty, equals `known` in
+/// The scale at which a length of `measured` input units, with its standard uncertainty, equals `known` in
 /// `unit`. Returns nullopt unless both lengths are positive and finite, and the unit is known.
 std::optional<Scale> scale_from(double measured, double uncertainty, double known, Unit unit);
 

@@ -8,7 +8,8 @@
 
 namespace vantage {
 
-/// A flight that an idle kiosk repeats: along a curve, or through positions evenly spaced in time.
+/// A flight that an idle kiosk repeats, either along a curve or through positions that are evenly spaced in
+/// time.
 struct AttractLoop {
     std::vector<Navigation> positions{};
     std::shared_ptr<const CameraSpline> along{};
@@ -17,8 +18,8 @@ struct AttractLoop {
     Navigation begin() const { return along ? along->at(0) : positions.front(); }
 };
 
-/// The story's content for an idle kiosk whose first view is `home`; nullopt if it has none. Throws
-/// Error(input) naming `story_file` for a stop without a view.
+/// The content that the story has for an idle kiosk whose first view is `home`; nullopt if it has none.
+/// Throws Error(input) naming `story_file` if a stop has no view.
 std::optional<AttractLoop> attract_loop(const Story& story, const Navigation& home, const InputAxes& axes,
                                         const std::string& story_file);
 

@@ -17,7 +17,7 @@ Navigation camera_at(const StoryView& view, const InputAxes& axes) {
 }
 
 Eigen::Vector3d rounded_place(const Eigen::Vector3d& place, double distance) {
-    // Of a power of ten and its inverse, uses the one that is an integer and therefore exact, which yields
+    // Uses either the power of ten or its inverse, whichever is an integer and therefore exact. This yields
     // short decimals.
     const double exponent = std::floor(std::log10(std::max(distance, 1e-9) * 1e-6));
     const double whole = std::pow(10, std::abs(exponent));

@@ -10,8 +10,7 @@ struct TourStop {
     std::size_t stop;
     double reached;
 };
-/// State at a time after the tour's start, in seconds; after its end, the last stop. The tour must have
-/// stops.
+/// The state `seconds` after the tour's start; after the tour's end, the last stop. The tour must have stops.
 TourStop tour_stop(const StoryTour& tour, double seconds);
 
 }  // namespace vantage

@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// Throws Error(usage) if the measurements would overwrite anything but earlier ones.
+/// Throws Error(usage) if the measurements would overwrite anything but earlier measurements.
 void expect_bench_folder(const PackageReader& package, const BenchOptions& o) {
     const Inputs inputs = inputs_of(package);
     expect_result_folder(o.folder, "frames.csv", Product::csv, {"summary.json"}, inputs, o.output.force);
@@ -27,25 +27,25 @@ int bench(BenchOptions o) {
 
 void add_flights(const Command& c, BenchOptions& o) {
     const std::string group = "Bench";
-    c.list("--paths", o.paths, "paths to fly: these, or files of views")
+    c.list("--paths", o.paths, "paths to fly: the names below, or files of views")
         .type("FILE")
         .suggests({"still", "orbit", "approach", "jump", "flight"})
         .commas()
         .group(group);
-    c.choices(
-         "--modes", o.modes, {"stream", "resident", "whole", "adaptive"},
-         "stream: within the upload budget of each frame; resident: everything loaded in advance; whole: "
-         "photos uploaded completely when they are selected; adaptive: like stream, with a window's pace "
-         "(--fps)")
+    c.choices("--modes", o.modes, {"stream", "resident", "whole", "adaptive"},
+              "stream: tiles are uploaded within each frame's budget; resident: everything is loaded in "
+              "advance; whole: photos are uploaded completely when they are selected; adaptive: like stream, "
+              "at the pace of a window (--fps)")
         .commas()
         .group(group);
     c.integer("--path-frames", o.frames, 2, 1 << 20, "frames per path").group(group);
-    c.real("--minutes", o.minutes, 0.001, 1e4, "fly each path for this long instead").group(group);
+    c.real("--minutes", o.minutes, 0.001, 1e4, "fly each path for this time instead of a number of frames")
+        .group(group);
     add_fps_option(c, o.fps, group);
     c.flag("--until-exact", o.until_exact,
-           "end the paths still and jump as soon as the picture is exact (one object)")
+           "end the paths still and jump as soon as the picture is exact (only for one object)")
         .group(group);
-    c.integer("--repeats", o.repeats, 1, 1000, "flights of each path and mode").group(group);
+    c.integer("--repeats", o.repeats, 1, 1000, "number of flights for each path and mode").group(group);
     c.flag("--warm", o.warm, "keep the package in the page cache").group(group);
 }
 

@@ -42,7 +42,8 @@ void add_evaluate(const Command& program) {
     add_blending_options(c, o->blending);
     add_blended_option(c, o->blending);
     const std::string group = "Evaluation";
-    c.integer("--level", o->level, 0, 8, "pyramid level to compare: 0 full size, 1 half size").group(group);
+    c.integer("--level", o->level, 0, 8, "pyramid level to compare: 0 is full size, 1 half size")
+        .group(group);
     c.integer("--every", o->every, 1, 1 << 20, "hold out only every n-th photo (or those of --photo)")
         .group(group);
     c.integer("--worst", o->worst, 0, 1 << 20, "number of worst photos to show first").group(group);
@@ -54,17 +55,19 @@ void add_evaluate(const Command& program) {
         "Writes index.html, photos.csv, regions.csv, regions.ply and pictures into the folder given by -o "
         "(default\n"
         "evaluation).\n"
-        "Columns, over the colored pixels: PSNR and SSIM, each before and after the best gain per channel. "
-        "Over the\n"
-        "whole frame as in the window, including holes: PSNR and SSIM after that gain. Then: dB above "
-        "the nearest\n"
-        "photo alone; percent of the photo's surface that the others color; stops brighter than the others; "
-        "offset of\n"
-        "the photo's content to the right and down, px at full size; energy of the finest detail relative "
-        "to the photo's.\n"
-        "A second table divides the squared error by cause: share of the whole frame's error and of that at "
-        "colored\n"
-        "pixels, each with the gain in dB without it (docs/method.md).\n"
+        "Columns computed over the colored pixels: PSNR and SSIM, each before and after the best gain per "
+        "channel.\n"
+        "Columns computed over the whole frame as in the window, including holes: PSNR and SSIM after that "
+        "gain.\n"
+        "The other columns: dB gained over the nearest photo alone; percentage of the photo's surface that "
+        "the others\n"
+        "color; stops by which the photo is brighter than the others; offset of its content to the right "
+        "and down,\n"
+        "in px at full size; energy of the finest detail relative to the photo's.\n"
+        "A second table divides the squared error by cause. It shows each cause's fraction of the error of "
+        "the whole\n"
+        "frame and of the colored pixels, and the dB that would be gained without that cause "
+        "(docs/method.md).\n"
         "Examples:\n"
         "  vantage-player evaluate chapel.vantage\n"
         "  vantage-player evaluate chapel.vantage --every 10 --level 2 -o quick\n"

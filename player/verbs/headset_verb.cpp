@@ -23,7 +23,7 @@ void add_headset(const Command& program) {
     add_package_argument(c, o->package).required();
     add_headset_options(c, o->headset);
     add_scene_options(c, *o);
-    add_photo_option(c, o->package, "photo from which the view begins");
+    add_photo_option(c, o->package, "photo whose camera is the first view");
     add_view_option(c, o->pictures);
     add_upload_option(c, o->memory);
     add_window_options(c, o->window);

@@ -29,10 +29,10 @@ void add_orthophoto(const Command& program) {
     c.integer("--samples", o->samples, 1, 8, "samples per side of a pixel").group(group);
     c.notes(
         "Writes a picture, transparent outside the model: a GeoTIFF (.tif), or a PNG with a world file\n"
-        "(.pgw). Both store its position on the plane.\n"
-        "With z up, top has the model's x to the right and y upward, and front looks along y. The plane's "
+        "(.pgw). Both formats store the picture's position on the plane.\n"
+        "With z up, top shows the model's x to the right and y upward, and front looks along y. The plane's "
         "coordinates\n"
-        "begin at the model's origin, or at the given point.\n"
+        "start at the model's origin, or at the given point.\n"
         "Examples:\n"
         "  vantage-player orthophoto chapel.vantage --resolution 0.005 -o plan.tif\n"
         "  vantage-player orthophoto chapel.vantage --plane front --resolution 0.002 --extent -3,0,3,5 -o "

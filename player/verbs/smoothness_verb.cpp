@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// Throws Error(usage) if the measurements would overwrite anything but earlier ones.
+/// Throws Error(usage) if the measurements would overwrite anything but earlier measurements.
 void expect_smoothness_folder(const PackageReader& package, const SmoothnessOptions& o) {
     const Inputs inputs = inputs_of(package);
     expect_result_folder(o.folder, "steps.csv", Product::csv, {"summary.json"}, inputs, o.output.force);
@@ -39,21 +39,23 @@ void add_smoothness(const Command& program) {
     add_background_option(c, o->blending);
     const std::string group = "Smoothness";
     c.file("--path", o->path,
-           "file of views to fly along (default: past the photos' cameras, or those of --photo, from each to "
-           "the nearest remaining one)")
+           "file of views to fly along (default: the cameras of all photos or of those of --photo, from each "
+           "camera to the nearest remaining one)")
         .group(group);
     c.real("--step", o->step, 0.01, 90,
-           "rotation of the camera, or movement around its target, in degrees per frame")
+           "rotation of the camera or movement around its target, in degrees per frame")
         .group(group);
-    c.integer("--worst", o->worst, 0, 1000, "number of steps to save as PNG, the largest first").group(group);
+    c.integer("--worst", o->worst, 0, 1000, "number of steps to save as PNG files, the largest first")
+        .group(group);
     c.notes(
         "Each frame is drawn as in the window (640x360 by default, 30 per second, 4 photos), with all tiles "
         "loaded, and\nagain with the photos and weights of the next frame: the difference is the color jump "
-        "of surfaces without\nmovement. It is averaged in cells of 1/40 of the picture's width. Prints the "
-        "mean over a picture's cells and their\n99th percentile, per frame and per degree of movement.\n"
-        "Writes steps.csv, summary.json, steps.svg and the largest steps as step-FRAME.png (the frame, the "
-        "frame with the\nnext one's weights, eight times the difference) into the folder given by -o "
-        "(default smoothness).\n"
+        "of surfaces without\nmovement. It is averaged in cells whose side is 1/40 of the picture's width. "
+        "Prints the mean over a picture's\ncells and their 99th percentile, per frame and per degree of "
+        "movement.\n"
+        "Writes steps.csv, summary.json, steps.svg and the largest steps as step-FRAME.png into the folder "
+        "given by -o\n(default smoothness). These pictures show the frame, the frame with the weights of the "
+        "next one, and eight times\nthe difference.\n"
         "Examples:\n"
         "  vantage-player smoothness chapel.vantage\n"
         "  vantage-player smoothness chapel.vantage --original-colors -o as-taken\n"

@@ -73,10 +73,12 @@ Run watch(pid_t child, int heartbeat_fd) {
 Run run_once(const std::function<int(int heartbeat_fd)>& run) {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0)
-        throw Error(Exit::internal, std::string("no pipe to the player: ") + std::strerror(errno));
+        throw Error(Exit::internal,
+                    std::string("cannot create a pipe to the player: ") + std::strerror(errno));
     const pid_t child = ::fork();
     if (child < 0)
-        throw Error(Exit::internal, std::string("no process for the player: ") + std::strerror(errno));
+        throw Error(Exit::internal,
+                    std::string("cannot start a process for the player: ") + std::strerror(errno));
     if (child == 0) {
         std::signal(SIGTERM, SIG_DFL);
         std::signal(SIGINT, SIG_DFL);
@@ -105,7 +107,7 @@ int supervise(const std::function<int(int heartbeat_fd)>& run, const std::filesy
         const Run r = run_once(run);
         if (told_to_end) return note(log, "ended by SIGTERM or SIGINT"), 0;
         showed |= r.showed;
-        note(log, r.hung          ? "unresponsive for a minute: restarted"
+        note(log, r.hung          ? "unresponsive for a minute; restarted"
                   : r.code >= 128 ? "ended by signal " + std::to_string(r.code - 128) + ": restarted"
                                   : "ended with exit code " + std::to_string(r.code) + ": restarted");
         const Exit code = Exit(r.code);

@@ -7,7 +7,7 @@ namespace vantage {
 /// The command line of vantage-player. Its actions return the exit code and throw Error.
 Command player_command();
 
-/// Parts of player_command(). Without a verb, it opens a window.
+/// Parts of player_command(). Without a verb, the command opens a window.
 void add_window(const Command& program);
 void add_kiosk(const Command& program);
 void add_headset(const Command& program);

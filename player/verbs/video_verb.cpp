@@ -14,10 +14,11 @@ int write_video(const ShowOptions& o) {
 
 void add_video(const Command& program) {
     const auto o = std::make_shared<ShowOptions>();
-    const Command c = program.verb("video", "Write a video: a turntable, a tour or along a path");
+    const Command c = program.verb("video", "Write a video of a turntable, a tour or a path");
     add_package_argument(c, o->package).required();
     add_video_options(c, o->video);
-    add_path_option(c, o->pictures, "a video along them, each at its at=SECONDS, or 3 seconds apart");
+    add_path_option(c, o->pictures,
+                    "a video that flies along them, each at its at=SECONDS, or 3 seconds apart");
     add_photo_option(c, o->package, "photo from which the turntable starts");
     add_view_option(c, o->pictures);
     add_output_options(c, o->output);
@@ -28,7 +29,7 @@ void add_video(const Command& program) {
     c.common({"--help", "--help-all", "--turntable", "--arc", "--tour", "--path", "--seconds", "--frame-rate",
               "--output", "--size", "--view", "--photo", "--max-photos", "--holes", "--stereo"});
     c.notes(
-        "Writes MP4 or WebM, encoded by ffmpeg; into a folder, a PNG per frame.\n"
+        "Writes MP4 or WebM, encoded by ffmpeg. If the output is a folder, writes a PNG per frame.\n"
         "Examples:\n"
         "  vantage-player video chapel.vantage --turntable -o chapel.mp4\n"
         "  vantage-player video chapel.vantage --turntable --arc 60 --photo 0003 -o chapel.webm\n"

@@ -34,7 +34,7 @@ int open_kiosk(const ShowOptions& given) {
 
 void add_shown_options(const Command& c, ShowOptions& o) {
     add_scene_options(c, o);
-    add_photo_option(c, o.package, "photo from which the window opens");
+    add_photo_option(c, o.package, "photo whose camera is the window's first view");
     add_view_option(c, o.pictures);
     add_upload_option(c, o.memory);
     add_stereo_options(c, o.stereo);
@@ -45,7 +45,7 @@ void add_shown_options(const Command& c, ShowOptions& o) {
 
 void add_window(const Command& program) {
     const auto o = std::make_shared<ShowOptions>();
-    add_package_argument(program, o->package, "; without one, a window that lists recent ones");
+    add_package_argument(program, o->package, "; without a file, the window lists recent packages");
     program.quiet();
     add_shown_options(program, *o);
     program.common({"--help", "--help-all", "--version", "--photo", "--view", "--size", "--add",
@@ -71,8 +71,8 @@ void add_kiosk(const Command& program) {
     add_kiosk_options(c, o->window);
     add_shown_options(c, *o);
     c.notes(
-        "Visitors can neither quit nor open files or settings. It is restarted if it fails; SIGTERM ends "
-        "it.\n"
+        "Visitors can neither quit nor open files or settings. The player is restarted if it fails; SIGTERM "
+        "ends it.\n"
         "Its log is ~/.local/state/vantage/kiosk.log.\n"
         "Examples:\n"
         "  vantage-player kiosk chapel.vantage\n"

@@ -132,7 +132,7 @@ std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double st
             std::max((b.eye - a.eye).norm() / distance, Eigen::AngleAxisd(b.R * a.R.transpose()).angle());
         const double count = std::max(1.0, std::ceil(length / step));
         if (!(double(frames.size()) + count < most))
-            throw Error(Exit::usage, "a path of more than a million frames, expected larger steps");
+            throw Error(Exit::usage, "the path has more than a million frames, expected larger steps");
         for (double k = 0; k < count; ++k) frames.push_back(between(a, b, k / count));
     }
     if (!stops.empty()) frames.push_back(stops.back());

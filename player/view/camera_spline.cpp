@@ -8,8 +8,8 @@
 namespace vantage {
 namespace {
 
-/// Components of a state: the target, the logarithms of the distance and of the picture's half height at
-/// distance 1, and the camera's rotation as a quaternion.
+/// The components of a state: the target, the logarithm of the distance, the logarithm of half the picture's
+/// height at distance 1, and the camera's rotation as a quaternion.
 struct Part {
     int first, count;
 };
@@ -35,8 +35,9 @@ Eigen::Matrix3d leveled(const Eigen::Matrix3d& R, const Eigen::Vector3d& up) {
     return out;
 }
 
-/// The velocity of one component at the middle of three keys: that of the parabola through them, but at most
-/// three times the slower of both sides, to avoid overshooting. It is 0 if one side is at rest.
+/// The velocity of each component at the middle of three keys: that of the parabola through the keys, but at
+/// most three times the lower of the speeds on the two sides, to avoid overshooting. It is 0 if one side is
+/// at rest.
 Eigen::VectorXd middle_speed(const Eigen::VectorXd& before, double seconds_before,
                              const Eigen::VectorXd& after, double seconds_after) {
     if (!(seconds_before > 0) || !(seconds_after > 0)) return Eigen::VectorXd::Zero(before.size());

@@ -13,23 +13,23 @@ struct KeyView {
     double seconds = 0;
 };
 
-/// A smooth flight through key views. The camera's rotation, its target and its distance (logarithmic) follow
-/// cubic curves with continuous velocity: between views of an object it flies around it, not through it. It
-/// starts and ends at rest, and between two equal keys it does not move. Two keys at the same time are a cut.
-/// If all keys are level, so is every view between them.
+/// A smooth flight through key views. The camera's rotation, its target and the logarithm of its distance
+/// follow cubic curves with continuous velocity: between views of an object, the camera flies around the
+/// object, not through it. It starts and ends at rest, and does not move between two equal keys. Two keys at
+/// the same time make a cut. If all keys are level, every view between them is level too.
 class CameraSpline {
   public:
     /// `keys`: at least one, in order of time. Each target is moved onto the camera's axis.
     explicit CameraSpline(std::span<const KeyView> keys);
 
-    /// Time of the last key.
+    /// The time of the last key.
     double seconds() const { return knots_.back().seconds; }
     /// Clamped to the first and last key.
     Navigation at(double seconds) const;
 
   private:
     static constexpr int dimensions = 9;
-    using Place = Eigen::Matrix<double, dimensions, 1>;  ///< components are named in the source
+    using Place = Eigen::Matrix<double, dimensions, 1>;  ///< the source file names the components
     struct Knot {
         double seconds;
         Place place, speed;  ///< speed: per second

@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// Size of a picture, pixels.
+/// The size of a picture, in pixels.
 struct FrameSize {
     int width = 0, height = 0;
     bool operator==(const FrameSize&) const = default;

@@ -11,7 +11,7 @@
 namespace vantage {
 namespace {
 
-/// The rotation of the world for `right` and `down`, stopped 3 degrees from the poles.
+/// The rotation of the world for the angles `right` and `down`, which stops 3 degrees from the poles.
 Eigen::Matrix3d turn(const Navigation& n, double right, double down) {
     const Eigen::Vector3d x = n.R.row(0), ahead = n.R.row(2);
     const double above = std::asin(std::clamp(ahead.dot(n.up), -1.0, 1.0)),
@@ -117,7 +117,7 @@ void approach_point(Navigation& n, const Eigen::Vector3d& point, double factor, 
                     double farthest) {
     const double distance = (n.eye - point).norm();
     if (!(distance > 0)) return;
-    // Beyond a limit, the eye may only move back toward it.
+    // If the eye is beyond a limit, it may only move back toward that limit.
     const double least = std::min(nearest, distance), most = std::max(farthest, distance),
                  scale = std::clamp(distance * factor, least, most) / distance;
     n.eye = point + scale * (n.eye - point);

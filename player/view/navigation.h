@@ -6,42 +6,43 @@
 
 namespace vantage {
 
-/// A camera moved by the user: it orbits a target, or flies. Coordinates relative to the origin.
+/// A camera that the user moves: it orbits a target or flies. Coordinates relative to the origin.
 struct Navigation {
     Eigen::Vector3d eye, target, up;
     Eigen::Matrix3d R;  ///< cam_from_origin
     double fov = 45;    ///< vertical, degrees
-    double aspect = 0;  ///< width over height of the frame that `fov` was chosen for, such as a photo; 0: any
+    double aspect = 0;  ///< width over height of the frame, such as a photo, that `fov` is for; 0: any
 };
 
-/// At the photo's camera, in its viewing direction; the target is at the distance of the surface that it
+/// At the photo's camera, in its viewing direction. The target is as far away as the surface that the photo
 /// sees.
 Navigation stand_at(const package::PhotoRecord& photo, const Eigen::Vector3d& up);
 
 /// At a view, with the target `distance` away on its axis.
 Navigation stand_at(const View& view, const Eigen::Vector3d& up, double distance);
 
-/// In front of the whole model, slightly elevated, with the target in its center; for scenes without photos.
+/// In front of the whole model, slightly elevated, with the target at the model's center; for scenes without
+/// photos.
 Navigation stand_before(const package::SceneRecord& scene, const Eigen::Vector3d& up);
 
-/// In front of the whole model, in the viewing direction of a picture with these axes (of length 1,
-/// perpendicular); `up`: the scene's up direction.
+/// In front of the whole model, in the viewing direction of a picture with these axes (perpendicular unit
+/// vectors). `up`: the scene's up direction.
 Navigation stand_beside(const package::SceneRecord& scene, const Eigen::Vector3d& right,
                         const Eigen::Vector3d& picture_up, const Eigen::Vector3d& up);
 
 /// At the photo's camera, or in front of the model if the package has no photos.
 Navigation home_of(const PackageReader& package, std::uint32_t photo);
 
-/// The view that `prepare` chose for the scene; for image sets other than that of its photo, at the camera of
-/// their nearest photo.
+/// The view that `prepare` chose for the scene. For an image set other than that of the chosen photo, the
+/// view is at the camera of its nearest photo.
 Navigation first_view(const PackageReader& package, std::uint32_t image_set);
 
 /// Orbits the target by angles in radians: `right` about up, `down` about the camera's x axis. Stops 3
 /// degrees from the poles.
 void orbit(Navigation& n, double right, double down);
-/// The same about a point other than the target.
+/// Like orbit(), about a point other than the target.
 void orbit_about(Navigation& n, const Eigen::Vector3d& pivot, double right, double down);
-/// Turns the camera in place, by the same angles.
+/// Turns the camera in place, by the same angles as orbit().
 void look(Navigation& n, double right, double down);
 /// Moves eye and target along the camera's axes (x right, y down, z ahead).
 void fly(Navigation& n, const Eigen::Vector3d& step);
@@ -51,13 +52,13 @@ void approach(Navigation& n, double factor);
 /// distance is clamped to [nearest, farthest].
 void approach_point(Navigation& n, const Eigen::Vector3d& point, double factor, double nearest,
                     double farthest);
-/// The camera that sees a point from the same direction, at this distance, and in the center; the point
-/// becomes the target.
+/// The camera that sees a point from the same direction as before, at this distance and in the center. The
+/// point becomes the target.
 Navigation facing(const Navigation& n, const Eigen::Vector3d& point, double distance);
 
 View view_of(const Navigation& n, int width, int height);
-/// The same, but with the field of view, `fov` high and `aspect` times as wide, fitted into the part `free`
-/// of the frame and centered there. `free` is enlarged to at least one pixel.
+/// Like view_of(), but with the field of view, which is `fov` high and `aspect` times as wide, fitted into
+/// the part `free` of the frame and centered there. `free` is enlarged to at least one pixel.
 View view_of(const Navigation& n, int width, int height, const Area& free);
 
 }  // namespace vantage

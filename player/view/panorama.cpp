@@ -13,7 +13,8 @@ using Eigen::Vector3d;
 Panorama panorama_at(const View& view, const Vector3d& up, FrameSize size) {
     if (size.height < 1 || size.width != 2 * size.height)
         throw Error(Exit::usage, "--panorama: a picture of " + std::to_string(size.width) + "x" +
-                                     std::to_string(size.height) + ", expected one twice as wide as high");
+                                     std::to_string(size.height) +
+                                     ", expected a picture twice as wide as it is high");
     const Vector3d down = -up.normalized();
     const Pose& pose = view.cam_from_origin;
     Vector3d right = down.cross(pose.direction());

@@ -8,24 +8,24 @@
 namespace vantage {
 
 /// An equirectangular picture of all directions around an eye: longitudes along its rows, -180 to 180
-/// degrees, and latitudes along its columns, 90 to -90. It is twice as wide as high.
+/// degrees, and latitudes along its columns, 90 to -90. It is twice as wide as it is high.
 struct Panorama {
     Eigen::Vector3d eye;
-    Eigen::Matrix3d R;  ///< rotates the origin's axes to right, down and forward, the center of the picture
+    Eigen::Matrix3d R;  ///< rotates the origin's axes to right, down and forward (the picture's center)
     FrameSize size;
 };
 
 /// At the eye of a view, level, with the view's target in the center. `up`: the scene's up direction. Throws
-/// Error(usage) for a size that is not twice as wide as high.
+/// Error(usage) if the size is not twice as wide as it is high.
 Panorama panorama_at(const View& view, const Eigen::Vector3d& up, FrameSize size);
 
-/// The position in the picture of a direction given along the axes of R, in pixels from the upper left
-/// corner.
+/// The position in the picture of a direction that is given along the axes of R; in pixels from the upper
+/// left corner.
 Eigen::Vector2d pixel_of(const Panorama& panorama, const Eigen::Vector3d& direction);
 
-/// The views of a cube's faces around the eye: front, right, back, left, top and bottom. Each shows 90
-/// degrees plus `margin`, a fraction of that, which is at least two pixels wide. At the center of a face,
-/// their resolution is `finer` times that of the panorama.
+/// The views of a cube's faces around the eye: front, right, back, left, top and bottom. Each view shows 90
+/// degrees plus `margin`, a fraction of these, which is at least two pixels wide. At the center of a face,
+/// the resolution is `finer` times that of the panorama.
 std::array<View, 6> cube_views(const Panorama& panorama, double finer, double margin);
 /// Rotations from the panorama's axes to those of each face.
 std::array<Eigen::Matrix3d, 6> cube_axes();

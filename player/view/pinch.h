@@ -6,23 +6,24 @@
 
 namespace vantage {
 
-/// Similarity transform given by the movement of two fingers. Pixels, x right, y down.
+/// The similarity transform given by the movement of two fingers. Pixels, x right, y down.
 struct Pinch {
     Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< midpoint of the fingers, after the movement
     Eigen::Vector2d moved = Eigen::Vector2d::Zero();   ///< of the center
-    double spread = 1;                                 ///< ratio of their distance to the previous one
-    double turned = 0;                                 ///< radians, clockwise
+    double spread = 1;  ///< ratio of the fingers' distance to the previous distance
+    double turned = 0;  ///< radians, clockwise
 };
 
 using FingerPair = std::array<Eigen::Vector2d, 2>;
 
 /// The movement between two pairs of positions. Fingers closer than a few pixels neither spread nor turn.
 Pinch pinch_between(const FingerPair& before, const FingerPair& now);
-/// Composition of two movements.
+/// The composition of two movements.
 Pinch then(const Pinch& first, const Pinch& second);
 
-/// Moves the camera so that a point that was under the fingers' center follows it: sideways, in distance like
-/// approach_point(), and around the viewing direction. `view`: the view before the movement.
+/// Moves the camera so that a point that was under the fingers' center follows the fingers. The camera moves
+/// sideways, changes its distance like approach_point(), and turns about the viewing direction. `view`: the
+/// view before the movement.
 void follow_pinch(Navigation& n, const Pinch& pinch, const Eigen::Vector3d& point, const View& view,
                   double nearest, double farthest);
 

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// A ray, relative to the package's origin; its direction has any nonzero length.
+/// A ray, relative to the package's origin. Its direction may have any nonzero length.
 struct Ray {
     Eigen::Vector3d from, along;
 };

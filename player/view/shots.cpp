@@ -70,9 +70,9 @@ std::array<double, 8> view_numbers(const std::string& text) {
             "view '" + text + "': expected EX,EY,EZ,TX,TY,TZ and optionally a field of view and a roll");
     const double fov = v.size() > 6 ? v[6] : 45, roll = v.size() > 7 ? v[7] : 0;
     if (!(fov > 0.01 && fov < 179))
-        throw Error(Exit::usage, "view '" + text + "': field of view must be 0.01 to 179 degrees");
+        throw Error(Exit::usage, "view '" + text + "': the field of view must be 0.01 to 179 degrees");
     if (!(std::abs(roll) <= 360))
-        throw Error(Exit::usage, "view '" + text + "': roll must be -360 to 360 degrees");
+        throw Error(Exit::usage, "view '" + text + "': the roll must be -360 to 360 degrees");
     return {v[0], v[1], v[2], v[3], v[4], v[5], fov, roll};
 }
 
@@ -95,7 +95,8 @@ std::optional<double> take_time(std::string& line, double earliest) {
     double seconds = 0;
     std::string rest;
     if (!(in >> seconds) || in >> rest || !(seconds >= earliest && seconds <= max_seconds))
-        throw Error(Exit::usage, "'" + line.substr(at) + "': expected at=SECONDS, not before the line above");
+        throw Error(Exit::usage,
+                    "'" + line.substr(at) + "': expected at=SECONDS, not earlier than in the line above");
     line.erase(at);
     return seconds;
 }
@@ -132,7 +133,7 @@ std::vector<Shot> read_path(const std::string& file, const PackageReader& packag
             const std::optional<double> at = take_time(line, shots.empty() ? 0 : shots.back().at.value_or(0));
             if (!shots.empty() && at.has_value() != shots.back().at.has_value())
                 throw Error(Exit::usage,
-                            "either every view has at=SECONDS or none, expected the same as above");
+                            "either every view has at=SECONDS or none has, expected the same as before");
             const auto [view, distance] = parse_view_and_distance(line, package, size);
             shots.push_back({name, view, image_set, at, distance});
         } catch (const Error& e) {

@@ -22,8 +22,8 @@ struct Shot {
 /// "1280x720". Throws Error(usage).
 FrameSize parse_size(const std::string& text);
 
-/// Indices of photos by name (with or without extension), without duplicates; "all" for every photo. Throws
-/// Error(usage) for an unknown or ambiguous name.
+/// The indices of photos given by name (with or without extension), without duplicates; "all" stands for
+/// every photo. Throws Error(usage) for an unknown or ambiguous name.
 std::vector<std::uint32_t> named_photos(const PackageReader& package, const std::vector<std::string>& names);
 
 /// A shot from the photo's own camera, with its intrinsics at `scale`, or with the whole photo fitted into
@@ -32,17 +32,17 @@ Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std:
                 double scale);
 
 /// "EX,EY,EZ,TX,TY,TZ", eye and target in input coordinates; optionally the vertical field of view in degrees
-/// (default 45), and the roll, a clockwise rotation of the camera in degrees (default 0). Separated by commas
-/// or spaces. Throws Error(usage).
+/// (default 45), and the roll, a clockwise rotation of the camera in degrees (default 0). Numbers are
+/// separated by commas or spaces. Throws Error(usage).
 View parse_view(const std::string& text, const PackageReader& package, FrameSize size);
 
-/// The same, and the distance from the eye to the target.
+/// The view as from parse_view(), and the distance from the eye to the target.
 std::pair<View, double> parse_view_and_distance(const std::string& text, const PackageReader& package,
                                                 FrameSize size);
 
-/// One view per line, as in parse_view, followed by at=SECONDS for its time in a flight, and by
-/// image-set=NAME for an image set; skips empty lines and lines that start with #. Named 0000, 0001, ...
-/// Throws Error(input), also if the times are not in order.
+/// Reads one view per line, as in parse_view(). It may be followed by at=SECONDS for its time in a flight,
+/// and by image-set=NAME for an image set. Empty lines and lines that start with # are skipped. Named 0000,
+/// 0001, ... Throws Error(input), for example if the times are not in order.
 std::vector<Shot> read_path(const std::string& file, const PackageReader& package, FrameSize size);
 
 }  // namespace vantage

@@ -18,7 +18,7 @@ constexpr double widest = 30;         ///< maximum width of a slice, degrees
 
 double radians_per_column(const StereoPanorama& p) { return 2 * std::numbers::pi / p.middle.size.width; }
 
-/// Longitude of a slice's center.
+/// The longitude of a slice's center.
 double longitude(const StereoPanorama& p, int slice) {
     return (p.columns * (slice + 0.5)) * radians_per_column(p) - std::numbers::pi;
 }
@@ -30,7 +30,7 @@ StereoPanorama stereo_panorama(const Panorama& middle, double eye_distance, doub
     if (most < 1)
         throw Error(Exit::usage, "--panorama: a picture " + std::to_string(middle.size.width) +
                                      " pixels wide for two eyes, expected at least 12");
-    // Between slices, an eye moves by the angle of `columns` columns on a circle.
+    // From slice to slice, an eye moves on a circle by the angle that `columns` columns cover.
     const double moves = eye_distance / 2;
     const double columns = largest_jump * nearest / std::max(moves, 1e-300);
     return {middle, eye_distance, int(std::clamp(columns, 1.0, most))};

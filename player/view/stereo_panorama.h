@@ -7,15 +7,16 @@ namespace vantage {
 
 /// Omnidirectional stereo panoramas (Peleg, Ben-Ezra and Pritch 2001): each column is seen from the ends of a
 /// horizontal line of length `eye_distance`, centered at the panorama's eye and perpendicular to the column's
-/// direction. Rendered in slices of `columns` columns, each seen from the eye positions of its middle column.
+/// direction. The panorama is rendered in slices of `columns` columns, each seen from the eye positions of
+/// its middle column.
 struct StereoPanorama {
     Panorama middle;
     double eye_distance;
     int columns;
 };
 
-/// Slices are so narrow that, at their borders, surfaces at the distance `nearest` jump by at most half a
-/// pixel; they have at least one column. Throws Error(usage) for a panorama that is less than 12 pixels wide.
+/// Slices have at least one column, and are so narrow that surfaces at the distance `nearest` jump by at most
+/// half a pixel at their borders. Throws Error(usage) if the panorama is less than 12 pixels wide.
 StereoPanorama stereo_panorama(const Panorama& middle, double eye_distance, double nearest);
 
 int slice_count(const StereoPanorama& panorama);
@@ -29,11 +30,11 @@ ColumnRange columns_of(const StereoPanorama& panorama, int slice);
 inline constexpr std::size_t slice_views = 3;
 /// Rotations from the panorama's axes to those of a slice's views.
 std::array<Eigen::Matrix3d, slice_views> slice_axes(const StereoPanorama& panorama, int slice);
-/// Extent from its center that each view alone covers, as tangents.
+/// The extent, from its center, that each view covers alone, as tangents.
 Eigen::Vector2d slice_half(const StereoPanorama& panorama);
-/// For each view, those of the left and the right eye, of equal size: its own part, and `margin` around it,
-/// as a tangent, of at least two pixels. At the center, their resolution is `finer` times that of the
-/// panorama.
+/// The views of the left and the right eye, which have the same size. They cover the view's own part and a
+/// margin of at least two pixels around it (`margin` is a tangent). At the center, their resolution is
+/// `finer` times that of the panorama.
 std::array<std::array<View, 2>, slice_views> eyes_of_slice(const StereoPanorama& panorama, int slice,
                                                            double finer, double margin);
 

@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// The horizontal direction from the model's center to the first view; arbitrary without photos.
+/// The horizontal direction from the model's center to the first view; arbitrary if there are no photos.
 Eigen::Vector3d side_of_first_view(const PackageReader& package, const Eigen::Vector3d& up) {
     const std::uint32_t photo = first_photo(package);
     if (photo >= package.photos().size()) return up.unitOrthogonal();
@@ -25,7 +25,7 @@ struct Cylinder {
     double radius, half_height;
 };
 
-/// Around the bounds of a scene, whose center is the origin.
+/// The cylinder around the bounds of a scene, whose center is the origin.
 Cylinder cylinder_around(const package::SceneRecord& scene, const Eigen::Vector3d& up) {
     const Eigen::Vector3d half = (Eigen::Map<const Eigen::Vector3d>(scene.bounds_max) -
                                   Eigen::Map<const Eigen::Vector3d>(scene.bounds_min)) /
@@ -40,13 +40,13 @@ Cylinder cylinder_around(const package::SceneRecord& scene, const Eigen::Vector3
     return out;
 }
 
-/// The distance at which a camera, looking down at its center by `elevation`, sees the entire cylinder.
-/// `width`, `height`: half of the frame, at distance 1.
+/// The distance at which a camera that looks down at the cylinder's center, at the angle `elevation`, sees
+/// the entire cylinder. `width` and `height` are half of the frame's size at distance 1.
 double distance_to_see(const Cylinder& c, double elevation, double width, double height) {
     constexpr int steps = 64;
     double distance = 0;
     for (int i = 0; i < 2 * steps; ++i) {
-        // A point of a rim: toward the camera, to the right, and up.
+        // A point of a rim; its components point toward the camera, to the right, and up.
         const double angle = 2 * pi * i / steps, toward = c.radius * std::cos(angle),
                      right = c.radius * std::sin(angle), above = i < steps ? c.half_height : -c.half_height;
         const double nearer = toward * std::cos(elevation) + above * std::sin(elevation),

@@ -36,7 +36,7 @@ View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, con
                   double fov, int width, int height) {
     const Eigen::Vector3d ahead = target - eye;
     if (!std::isfinite(ahead.norm()) || !(ahead.norm() > 0))
-        throw Error(Exit::usage, "a view's eye and target must differ, by a finite distance");
+        throw Error(Exit::usage, "a view's eye and target must differ, and their distance must be finite");
     const Eigen::Vector3d z = ahead.normalized();
     Eigen::Vector3d x = z.cross(up);
     if (x.norm() < 1e-6 * up.norm() || !(up.norm() > 0)) x = z.unitOrthogonal();
@@ -99,7 +99,7 @@ Eigen::Matrix4d clip_from_origin(const View& view, const Eigen::Vector2d& range)
     cam.topRightCorner<3, 1>() = view.cam_from_origin.t;
     Eigen::Matrix4d clip = clip_from_cam(view.intrinsics, range.x(), range.y());
     if (view.orthographic_depth > 0) {
-        // Replaces factors of 1 / z by factors of 1 / orthographic_depth.
+        // Replaces factors of 1 / z with factors of 1 / orthographic_depth.
         const double between = range.y() - range.x();
         clip.col(3).head<2>() = clip.col(2).head<2>();
         clip.topLeftCorner<2, 2>() /= view.orthographic_depth;

@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// Surface on which a program blends photos.
+/// The surface on which a program blends photos.
 enum class BlendOn {
     model,       ///< redrawn
     frame,       ///< the mesh triangles visible in the frame
@@ -15,12 +15,12 @@ enum class BlendOn {
     points       ///< the frame's points
 };
 
-/// The parameters by which the blending programs of one package differ.
+/// The parameters in which the blending programs of one package differ.
 struct BlendVariant {
     int photos;  ///< maximum per pass
     bool per_fragment;
     Blend blend;
-    bool transients;     ///< the second round of passes
+    bool transients;     ///< the second round of passes, which masks transients
     bool traces_texels;  ///< sets a bit for each texel read
     bool trilinear;
     int anisotropy;

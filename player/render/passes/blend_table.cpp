@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array table{
     BlendRow{Blend::lumigraph, "lumigraph", marked("Lumigraph"),
-             marked("by the angle between the rays to viewer and photo, fading at borders"),
+             marked("by the angle between the rays to the viewer and to the photo, fading at borders"),
              "BLEND_LUMIGRAPH", true, false},
     BlendRow{Blend::average, "average", marked("Average"), marked("by distance, angle and all weights"), "",
              true, false},

@@ -12,8 +12,8 @@ struct BlendRow {
     const char* label;   ///< in the blending panel
     const char* help;    ///< the criterion for a photo's weight, for --help
     const char* define;  ///< preprocessor symbol of its weight, "" for the shader's default
-    bool by_angle;   ///< its weight decreases with the angle between the rays: distant photos can be skipped
-    bool takes_one;  ///< the photo with the largest weight gives the color, instead of a weighted mean
+    bool by_angle;   ///< its weight falls with the angle between the rays, so distant photos can be skipped
+    bool takes_one;  ///< the color is that of the photo with the largest weight, not a weighted mean
 };
 
 /// In the order of the radio buttons and of the keys 1, 2, 3.

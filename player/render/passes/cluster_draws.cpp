@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// Depth of the background: a power of two keeps the precision of floats.
+/// Depth of the background: a power of two preserves the precision of floats.
 constexpr float background_depth = 0x1p-60f;
 static_assert(background_depth < depth_behind_mesh);
 
@@ -32,7 +32,7 @@ void ClusterDraws::use_coarse(CoarseMesh mesh) {
     if (add_coarse_mesh(model_, *scene_, mesh)) coarse_ = std::move(mesh);
 }
 
-/// In one draw, since it is small.
+/// Draws the coarse mesh in one command, since it is small.
 void ClusterDraws::draw_coarse(Clusters clusters, std::size_t eyes) {
     const FrameRing::Space records = ring_.take(sizeof(DrawRecord));
     const DrawRecord record{std::uint32_t(scene_->triangles), 1};

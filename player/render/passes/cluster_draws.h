@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// A depth between the background and the mesh. Depth decreases with distance; points are also in front of
-/// it.
+/// A depth between the background and the mesh. Depth decreases with distance; points, too, are in front of
+/// this depth.
 inline constexpr float depth_behind_mesh = 0x1p-55f;
 
 /// Draws clusters of the model with the current program. Belongs to the OpenGL thread; the scene must outlive
@@ -29,15 +29,16 @@ class ClusterDraws {
     /// All draws of a pass are between begin() and end().
     void begin() { ring_.begin(); }
     void end() { ring_.end(); }
-    /// Draws clusters once per eye, background behind the mesh. `photos`: for each cluster of the scene, one
-    /// bit per photo of the pass; clusters without any are skipped. Empty: all are drawn. Returns the number
-    /// of draws.
+    /// Draws clusters once per eye, with the background behind the mesh. `photos`: for each cluster of the
+    /// scene, one bit per photo of the pass. Clusters without photos are skipped; if `photos` is empty, all
+    /// are drawn. Returns the number of draws.
     std::size_t draw(Clusters clusters, std::span<const std::uint32_t> photos, std::size_t eyes = 1);
-    /// The same for the mesh, or for transparent clusters, in one call.
+    /// Like draw(), but for clusters of the mesh alone or for transparent clusters; needs only one call of
+    /// OpenGL.
     std::size_t draw_mesh(Clusters clusters, std::span<const std::uint32_t> photos, std::size_t eyes = 1) {
         return draw_run(clusters, photos, 0, eyes);
     }
-    /// Draws the entire coarse mesh, and the background among the clusters.
+    /// Draws the entire coarse mesh, and those of the clusters that belong to the background.
     void draw_coarse(Clusters clusters, std::size_t eyes);
 
   private:

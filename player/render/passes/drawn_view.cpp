@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// Range of the model, and of visible points.
+/// The depth range of the model and of visible points.
 Eigen::Vector2d depth_range_of(const FrameResources& r, const View& view, const RenderSettings& settings,
                                const ClustersInView& in_view) {
     const double reach = model_reach(r.package.scene(), view.cam_from_origin);
@@ -27,7 +27,7 @@ Eigen::Vector2d depth_range_of(const FrameResources& r, const View& view, const 
     return {std::min(model.x(), cloud.x()), std::max(model.y(), cloud.y())};
 }
 
-/// The distance within which a tenth of the mesh's clusters in view lie, scene units.
+/// The distance within which a tenth of the mesh's clusters in view lie, in scene units.
 double nearness(const PlanScene& scene, const View& view, std::span<const std::uint32_t> clusters) {
     const Eigen::Vector3d eye = view.cam_from_origin.center();
     std::vector<double> distances;

@@ -18,12 +18,12 @@ struct DrawnView {
     int side;                     ///< samples per side of a pixel
     Eigen::Vector2d depth_range;  ///< nearest and farthest, scene units
     Eigen::Matrix4f clip_from_origin;
-    std::vector<double> weights;  ///< dynamic, per photo; empty: all are 1, or not used by the blend mode
+    std::vector<double> weights;  ///< dynamic, per photo; empty if all are 1 or the blend mode ignores them
     bool coarse;                  ///< the coarse mesh replaces the mesh
 };
 
 /// An image set's frame from `view`, with `side` * `side` samples per pixel. Valid as long as its view and
-/// image set.
+/// image set exist.
 DrawnView drawn_view(const FrameResources& resources, const View& view, const ImageSetFrame& image_set,
                      int side, bool coarse);
 

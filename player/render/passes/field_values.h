@@ -19,8 +19,8 @@ class FieldValues {
     /// The field that the settings show; null if none.
     const ScalarField* shown(const RenderSettings& settings) const;
     bool shows(const RenderSettings& settings) const { return shown(settings) != nullptr; }
-    /// Computes the settings' field and passes its values to the model, unless it was the last one. Returns
-    /// whether that allocated graphics memory.
+    /// Computes the settings' field and passes its values to the model, unless the model already has them.
+    /// Returns whether that allocated graphics memory.
     bool load(const RenderSettings& settings, ClusterDraws& clusters);
     /// Sets the uniforms for the settings' field in the current program.
     void set(const FieldSettings& settings);
@@ -28,9 +28,9 @@ class FieldValues {
   private:
     const PackageReader* package_;
     std::vector<ScalarField> fields_;
-    std::vector<std::vector<float>> measured_;  ///< per field; empty if stored or not yet shown
+    std::vector<std::vector<float>> measured_;  ///< per field; empty if stored in the file or not yet shown
     int loaded_ = -1;                           ///< the field whose values the model has
-    gl::Texture color_map_;                     ///< once a field was shown
+    gl::Texture color_map_;                     ///< created when a field is first shown
     ColorMap mapped_ = ColorMap::automatic;
 };
 

@@ -22,12 +22,12 @@ struct SurfaceTargets {
 struct FrameTargets {
     int width = 0, height = 0;  ///< frame size in pixels; up to `allocated`
     FrameSize allocated;        ///< size of the largest frame
-    int fine = 1;               ///< samples per side of a pixel; each has a texel of surface and sums
+    int fine = 1;               ///< samples per side of a pixel; each has a texel in surfaces and sums
     SurfaceTargets layers;      ///< surfaces of both eyes, if each has its own
     std::vector<SurfaceTargets> surfaces;  ///< one per eye, from `layers`; or one that the eyes use in turn
     std::size_t surface_number = 0;        ///< index of the last painted eye's surface
     gl::Texture sums[2], before;           ///< all but the first are allocated on demand
-    std::vector<std::array<gl::Framebuffer, 2>> sums_targets;  ///< per surface, which provides the depth
+    std::vector<std::array<gl::Framebuffer, 2>> sums_targets;  ///< one per surface, which provides the depth
     gl::Framebuffer before_target;
     std::vector<PictureSamples> samples;  ///< per eye
     /// a and b of the last painted eye's depth, a + b / z. Not for orthographic views.
@@ -35,7 +35,7 @@ struct FrameTargets {
 
     FrameSize size() const { return {width, height}; }
     FrameSize fine_size() const { return {width * fine, height * fine}; }
-    /// Allocates optional targets: the second sums, `before`.
+    /// Allocate optional targets: the second sums, and `before`.
     void add_second_sums();
     void add_before();
     /// The surface of the last painted eye. The targets must exist.
@@ -67,8 +67,8 @@ class DrawnRegion {
 std::vector<std::uint32_t> read_triangles(const FrameTargets& targets);
 
 /// Targets for frames of at most this size, for one or two eyes, with one surface per eye or a shared one,
-/// `fine` * `fine` samples per pixel at once. Throws Error(usage) for a size that the graphics card cannot
-/// draw.
+/// `fine` * `fine` samples per pixel at once. Throws Error(usage) if the graphics card cannot draw a frame of
+/// this size.
 FrameTargets make_frame_targets(FrameSize allocated, std::size_t eyes = 1, std::size_t surfaces = 1,
                                 int fine = 1);
 

@@ -11,8 +11,8 @@ namespace vantage {
 gl::Program full_frame_program(const char* label, const char* fragment_shader,
                                const std::vector<std::string>& defines = {});
 
-/// Makes such a program current for all pixels of the framebuffer `target` of this size; disables depth and
-/// blending.
+/// Makes such a program current for all pixels of the framebuffer `target`, which has this size; disables
+/// depth testing and blending.
 void begin_full_frame(const gl::Program& program, GLuint target, FrameSize size);
 
 }  // namespace vantage

@@ -8,10 +8,10 @@
 
 namespace vantage {
 
-/// Fills pixels without photos with surrounding colors, using a pyramid of means that is averaged downward
-/// and filled in upward (after the pull-push of Gortler et al. 1996). Holes contribute their own color with a
-/// low weight, so that it is visible only far from all others. For holes in the background, the mesh's colors
-/// have a low weight, since they belong to nearer surfaces.
+/// Fills pixels that no photo covers with surrounding colors, using a pyramid of means that is averaged
+/// downward and filled in upward (after the pull-push algorithm of Gortler et al. 1996). Holes contribute
+/// their own color with a low weight, so that this color is visible only far from all others. For holes in
+/// the background, the mesh's colors have a low weight, since they belong to nearer surfaces.
 class HoleFilling {
   public:
     HoleFilling();
@@ -19,16 +19,16 @@ class HoleFilling {
     /// Allocates textures for frames of at most this size.
     void fit(int width, int height);
     static std::uint64_t bytes(int width, int height);
-    /// The weight of a hole's own color: equal to that of the surrounding pixels at an eighth of the frame's
-    /// size.
+    /// The weight of a hole's own color. At a distance of an eighth of the frame's size, surrounding pixels
+    /// have the same weight.
     static float hole_weight(int width, int height);
 
     /// Computes the pyramids from the samples accumulated for a frame of this size, `samples` per pixel.
     /// `surface`: as in SurfaceTargets::shaded.
     void fill(const gl::Texture& accumulated, GLuint surface, const FrameTargets& targets, double samples);
-    /// Square roots of light at half the frame's size, without holes; from the texture's first texel.
+    /// Square roots of light at half the frame's size, without holes, starting at the texture's first texel.
     const gl::Texture& filled() const { return levels_.front().whole; }
-    /// The same for holes in the background.
+    /// Like filled(), for holes in the background.
     const gl::Texture& filled_behind() const { return levels_.front().behind; }
 
   private:

@@ -64,7 +64,8 @@ class PhotosOfPass {
     std::size_t count_;
 };
 
-/// Marks the photos of the pass with each label, and the nearest ones, by bits.
+/// Sets uniforms with one bit per photo of the pass: for each label, the photos that have it, and the nearest
+/// photos.
 void set_background_bits(std::span<const std::uint32_t> photos, const PlanScene& scene,
                          const std::vector<float>& shares) {
     static_assert(max_photos_per_pass == shader::pass_photos && max_photos_per_pass < 32);
@@ -224,8 +225,8 @@ void PhotoPasses::bind_frame(const FrameTargets& targets, const PointSurface& po
     if (points.places) glBindTextureUnit(shader::places_unit, points.places);
 }
 
-/// Draws one triangle over the frame, at the depth between mesh and background. `depth_test`: GL_LESS for the
-/// pixels of the mesh, GL_GREATER for all others; the test rejects the rest before the shader runs.
+/// Draws one triangle over the frame, at the depth between mesh and background. `depth_test`: GL_LESS selects
+/// the pixels of the mesh, GL_GREATER all others; the test rejects the rest before the shader runs.
 void PhotoPasses::draw_frame(GLenum depth_test) const {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(depth_test);

@@ -31,7 +31,8 @@ class PhotoPasses {
     PhotoPasses(const PackageReader& package, const PlanScene& scene, const PhotoStore& store,
                 ClusterDraws& clusters, const SceneParts& parts, const RenderTrials& trials);
 
-    /// Replaces the cameras and colors used for drawing photos, for measurements. Plans use the package's.
+    /// Replaces the cameras and colors used for drawing photos, for measurements. Plans still use the
+    /// package's records.
     void use_records(std::span<const package::PhotoRecord> photos);
     bool per_fragment(const RenderSettings& settings) const;
     /// Whether photos are blended once per pixel of the frame.
@@ -40,7 +41,7 @@ class PhotoPasses {
     /// number of draws.
     std::size_t draw(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                      const FrameTargets& targets, const PointSurface& points, bool transients, int into);
-    /// Adds photos of the background to the sums `into`, see plan_background. Returns the number of draws: 0
+    /// Adds photos of the background to the sums `into` (see plan_background). Returns the number of draws: 0
     /// if the driver does not support reading the model per pixel.
     std::size_t draw_background(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                                 const FrameTargets& targets, const PointSurface& points, int into);
@@ -58,8 +59,8 @@ class PhotoPasses {
     void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn, BlendOn on);
     void draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                         const PointSurface& points, bool transients);
-    /// Writes the photos and their pages into the ring, and binds them. `weights`: per photo of the scene;
-    /// empty: all 1.
+    /// Writes the photos and their pages into the ring, and binds them. `weights`: one per photo of the
+    /// scene; if empty, all are 1.
     template <class Weight>
     void bind_photos(std::span<const std::uint32_t> photos, std::span<const Weight> weights);
     const gl::Program& blend_program(const RenderSettings& settings, bool transients, BlendOn on,

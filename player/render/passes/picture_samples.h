@@ -7,8 +7,8 @@
 namespace vantage {
 
 /// The samples of a picture, summed: light times coverage, and coverage. A second image set has its own sum.
-/// Where holes are filled behind transparent surfaces: the surfaces over the holes (`veil`), and the samples
-/// without those surfaces (`clean`), from which the holes are filled.
+/// Where holes are filled behind transparent surfaces, `veil` holds the surfaces over the holes, and `clean`
+/// the samples without those surfaces, from which the holes are filled.
 struct PictureSamples {
     FrameSize allocated;  ///< of the textures
     gl::Texture sum, other, veil, clean;
@@ -17,7 +17,7 @@ struct PictureSamples {
 
     /// Allocates `other`, filled with zeros, if necessary.
     void add_other();
-    /// Allocates `veil` and `clean` if necessary. `veiled_target` writes them and the sum.
+    /// Allocates `veil` and `clean` if necessary. `veiled_target` writes both of them and `sum`.
     void add_veil();
     static std::uint64_t bytes(int width, int height) {
         return 16 * std::uint64_t(width) * std::uint64_t(height);

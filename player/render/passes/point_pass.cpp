@@ -21,7 +21,7 @@ struct Command {  ///< a draw of glMultiDrawArraysIndirect
 };
 struct Record {
     float cube[4];
-    std::uint32_t node;  ///< index among the drawn ones
+    std::uint32_t node;  ///< index among the drawn nodes
 };
 
 enum Binding : GLuint { points_binding, records_binding };

@@ -20,8 +20,8 @@ class PointPass {
     PointPass(const PackageReader& package, PointCloud cloud, std::uint64_t bytes);
 
     void release() { target_ = {}, picture_ = {}, places_ = {}, numbers_ = {}; }
-    /// Creates the target for frames of at most the targets' allocated size, with a copy of the model's
-    /// depth; `placed`: also with places() and numbers().
+    /// Creates the target for frames of at most the targets' allocated size, with a copy of the model's depth
+    /// and, if `placed`, with places() and numbers().
     void fit(const FrameTargets& targets, bool placed);
     static std::uint64_t bytes(int width, int height, bool placed) {
         return std::uint64_t(width) * std::uint64_t(height) * (placed ? 20 : 8);
@@ -46,7 +46,7 @@ class PointPass {
     /// Draws into picture(), over the depth of the model. Returns the number of points.
     std::size_t draw(const View& view, const Eigen::Matrix4f& clip_from_origin,
                      const PointSettings& settings);
-    /// Linear light, with 1 in alpha at points.
+    /// Linear light; alpha is 1 at points.
     GLuint picture() const { return picture_.id(); }
     /// For each pixel, the distance of its point along the view's axis (0 without a point), and the spacing
     /// of points there.
@@ -59,13 +59,13 @@ class PointPass {
   private:
     PointCloud cloud_;
     std::vector<float> spacings_;  ///< per node
-    bool only_;                    ///< there is no model to occlude it
+    bool only_;                    ///< no model can occlude the cloud
     PointStore store_;
     PointPlan plan_;
     std::size_t missing_ = 0;
     FrameRing ring_;
     std::vector<DrawnNode> drawn_;
-    gl::Program program_, placed_program_;  ///< the second is made on demand
+    gl::Program program_, placed_program_;  ///< placed_program_ is made on demand
     gl::VertexArray vertices_;
     gl::Texture picture_, places_, numbers_;
     gl::Framebuffer target_;

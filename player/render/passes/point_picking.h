@@ -17,8 +17,8 @@ struct PickedPoint {
     std::array<std::uint8_t, 3> color;  ///< sRGB
 };
 
-/// The point with this `number` (PointPass::numbers()), with `nodes` drawn; nullopt for 0 and invalid
-/// numbers.
+/// The point that has this `number` (see PointPass::numbers()) if `nodes` are drawn; nullopt for 0 and
+/// invalid numbers.
 std::optional<PickedPoint> point_numbered(const PackageReader& package, const PointCloud& cloud,
                                           std::span<const DrawnNode> nodes, std::uint32_t number);
 
@@ -26,7 +26,8 @@ std::optional<PickedPoint> point_numbered(const PackageReader& package, const Po
 /// arrives a few calls later. Belongs to the OpenGL thread.
 class PointPicking {
   public:
-    /// Receives an answer that has arrived, and requests the point at `pixel` (from the frame's upper left).
+    /// Receives the pending answer if it has arrived, and requests the point at `pixel`, counted from the
+    /// frame's upper left.
     void look(const PackageReader& package, const PointPass& points, const Eigen::Vector2i& pixel, int width,
               int height);
     /// The last answer.

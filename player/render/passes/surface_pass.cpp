@@ -35,7 +35,7 @@ void end_sections(std::span<const SectionPlane> sections) {
     for (std::size_t i = 0; i < sections.size(); ++i) glDisable(GL_CLIP_DISTANCE0 + GLenum(i));
 }
 
-/// Programs are compiled for a number of planes.
+/// Programs are compiled for a fixed number of section planes.
 std::string section_define(const RenderSettings& settings) {
     return "SECTION " + std::to_string(settings.sections.size());
 }
@@ -46,8 +46,8 @@ void set_light(std::span<const DrawnView* const> eyes) {
     const Eigen::Vector3d in_camera(std::cos(e) * std::cos(a), -std::cos(e) * std::sin(a), -std::sin(e));
     const bool raking = s.light == Light::raking;
     const auto facing = raking ? float(std::sin(e)) : 1.0f;
-    // A surface facing the viewer reflects a light at this angle to its normal at an equal angle from the
-    // viewer.
+    // If a surface faces the viewer, the light's mirror direction and the viewer's direction form the same
+    // angle as the light and the normal.
     const float glint = std::pow(std::max(raking ? facing : 1.0f, 0.0f), 24.0f);
     const float scale =
         1 / (shader::light_ambient + shader::light_diffuse * facing + shader::light_specular * glint);
@@ -124,7 +124,7 @@ void SurfacePass::draw_eyes(DrawnEyes eyes, const gl::Framebuffer& target, Frame
     end_sections(settings.sections);
 }
 
-/// The clusters in view of any eye, in order. Valid until the next call.
+/// The clusters that are in view of at least one eye, in ascending order. Valid until the next call.
 std::span<const std::uint32_t> SurfacePass::clusters_of(DrawnEyes eyes) {
     const std::vector<std::uint32_t>& first = eyes.front()->plan.in_view().opaque;
     if (eyes.size() == 1) return first;

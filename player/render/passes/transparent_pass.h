@@ -32,7 +32,7 @@ class TransparentPass {
     /// depth. Does nothing if the mode is off.
     void fit(const FrameTargets& targets, Transparency mode);
     std::uint64_t bytes(int width, int height, Transparency mode) const;
-    /// The mode that fit() was called with.
+    /// The mode with which fit() was last called.
     Transparency mode() const { return mode_; }
     /// Capacity of the lists, in fragments.
     std::uint32_t capacity() const { return capacity_; }
@@ -47,8 +47,8 @@ class TransparentPass {
     /// Starts reading back the number of fragments, after resolve. Does nothing while an earlier count is in
     /// flight.
     void capture();
-    /// Takes the count that has arrived; `wait` waits for the one in flight. Returns whether there is a new
-    /// one.
+    /// Takes a count that has arrived; with `wait`, waits for a count in flight. Returns whether there is a
+    /// new count.
     bool update(bool wait);
     const FragmentCount& count() const { return count_; }
 

@@ -14,7 +14,7 @@
 namespace vantage {
 
 /// Reads back the triangles that are visible in a frame (see Seen), without waiting for the graphics card
-/// unless requested. Plans cover the visible surface, not hidden parts.
+/// unless requested. With these triangles, plans cover only the visible surface, not hidden parts.
 class TriangleReadback {
   public:
     /// Graphics memory for frames of this size.
@@ -26,12 +26,12 @@ class TriangleReadback {
     void release();
     /// Starts reading the triangles of `view` in `targets`. Does nothing while an earlier frame is in flight.
     void capture(const FrameTargets& targets, const View& view);
-    /// Takes the triangles that have arrived; `wait` waits for those in flight. Returns whether they have
-    /// changed. Numbers above `triangles`, the scene's count, are those of a coarse mesh and are mapped to
-    /// the triangles that they replace.
+    /// Takes the triangles that have arrived; with `wait`, waits for those in flight. Returns whether the
+    /// triangles have changed. Numbers above `triangles`, the scene's count, belong to triangles of a coarse
+    /// mesh; they are mapped to the triangles that these replace.
     bool update(bool wait, std::size_t triangles, std::span<const std::uint32_t> stands_for);
 
-    /// Valid as long as it is held.
+    /// The result is valid as long as the caller holds it.
     SeenTriangles seen() const { return {triangles_, view_, version_}; }
 
   private:
@@ -45,7 +45,7 @@ class TriangleReadback {
     Numbers unused();
 
     Numbers triangles_;
-    std::vector<Numbers> others_;  ///< held by plans, or unused
+    std::vector<Numbers> others_;  ///< either held by plans or unused
     std::uint64_t version_ = 0;
 };
 

@@ -11,7 +11,7 @@ namespace vantage {
 class Coarsening {
   public:
     explicit Coarsening(const PlanScene& scene);
-    /// The finished mesh, once; `wait` blocks until it exists.
+    /// The finished mesh; each mesh is returned only once. With `wait`, blocks until the mesh is finished.
     std::optional<CoarseMesh> take(bool wait);
 
   private:

@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// Bytes for the tiles that a frame of this size shows, plus some shown earlier.
+/// Memory, in bytes, for the tiles that a frame of this size shows and for some shown earlier.
 std::uint64_t tiles_for(FrameSize frame) {
     constexpr double MiB = 1 << 20;
     return std::uint64_t(
@@ -35,7 +35,7 @@ FrameNeeds needs_of(const FrameResources& r, FrameSize frame, std::span<const Im
     n.capacity = enclosing(frame, settings.capacity);
     n.eyes = eyes;
     n.fine = fine;
-    // A first picture, which may be coarse, does not wait for the memory of later ones.
+    // The first picture, which may be coarse, does not wait until memory for later frames is allocated.
     n.allocated = settings.loading == Loading::beginning ? frame : n.capacity;
     n.surfaces = eye_surfaces(r, settings, eyes) == EyeSurfaces::in_turn ? 1 : eyes;
     n.coordinates = std::ranges::any_of(
@@ -54,7 +54,7 @@ bool draws_samples_at_once(const FrameResources& r, const RenderSettings& settin
     const bool transparent = r.transparent && settings.transparency != Transparency::off;
     const bool in_pixels = shows_points(settings, r.parts) || transparent || settings.light.wireframe ||
                            r.fields.shows(settings) || !r.photos.by_triangle(settings);
-    // The rest is for tiles.
+    // Targets may use a quarter of the budget; the rest is for tiles.
     const bool fits = budget.graphics == 0 || FrameTargets::bytes(frame, 1, 1, side) <= budget.graphics / 4;
     return side > 1 && !in_pixels && r.scene.image_sets.size() == 1 && fits &&
            std::max(frame.width, frame.height) <= longest / side &&

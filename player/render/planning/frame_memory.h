@@ -17,19 +17,20 @@ struct FrameNeeds {
     Transparency transparency = Transparency::off;
 };
 
-/// The memory needs of a frame of this size, drawn from `image sets` for each of the eyes, with `fine` *
+/// The memory needs of a frame of this size, drawn from `image_sets` for each of the eyes, with `fine` *
 /// `fine` samples per pixel at once.
 FrameNeeds needs_of(const FrameResources& resources, FrameSize frame,
                     std::span<const ImageSetFrame> image_sets, std::size_t eyes, int fine);
-/// Whether all samples of each pixel can be drawn in one frame for one eye, with a texel of the targets per
-/// sample. False if anything drawn has a width in pixels, or if targets of that size would be too large.
+/// Whether all samples of each pixel can be drawn in one frame for one eye, with one texel of the targets per
+/// sample. False if anything in the frame has a width in pixels, or if targets of that size would be too
+/// large.
 bool draws_samples_at_once(const FrameResources& resources, const RenderSettings& settings, FrameSize frame,
                            int side, const MemoryBudget& budget);
 /// Whether the existing targets are sufficient.
 bool has(const FrameResources& resources, const FrameNeeds& needs);
-/// Allocates new targets, and fits the tiles into the rest of `budget`, or into slightly more than a frame of
-/// this size shows. The former targets must have been freed. Returns the limit on graphics memory in bytes,
-/// which exceeds the budget's if the frame needs more.
+/// Allocates new targets. Limits the tiles to the rest of `budget`, or, without a budget, to slightly more
+/// than a frame of this size shows. The former targets must have been freed. Returns the limit on graphics
+/// memory in bytes, which exceeds the budget's if the frame needs more.
 std::uint64_t make_targets(FrameResources& resources, const FrameNeeds& needs, const MemoryBudget& budget);
 
 }  // namespace vantage

@@ -12,8 +12,8 @@
 namespace vantage {
 namespace {
 
-/// The view shifted so that its pixel centers are the positions of one sample, or with a pixel for each
-/// sample.
+/// The view shifted so that its pixel centers are the positions of one sample, or the view enlarged to one
+/// pixel per sample.
 View sampled(View view, PixelSample s) {
     if (s.all) return scaled(view, s.side);
     view.intrinsics.cx -= (s.index % s.side + 0.5) / s.side - 0.5;
@@ -61,7 +61,7 @@ FrameReport FramePlanner::plan(const FrameRequest& request) {
     if (r.fields.load(settings, r.clusters)) r.targets = {};  // the budget must be divided again
     fit();
     const DrawnRegion region(r.targets);
-    // A frame that waits for data shows it at full weight.
+    // A frame that waits for data shows the data at full weight.
     const bool fades = settings.loading == Loading::streamed || settings.loading == Loading::beginning;
     r.store.begin_frame(frame_.now, fades);
     FrameReport report;
@@ -70,7 +70,8 @@ FrameReport FramePlanner::plan(const FrameRequest& request) {
     const auto planning = std::chrono::steady_clock::now();
     ordered_.clear();
     for (PlannedEye& eye : frame_.eyes) order_plans(eye);
-    // If frames at rest are slow, one more frame takes longer than its plan.
+    // Reduced frames do not plan ahead: frames at rest are slow then, and drawing one takes longer than
+    // planning it.
     maker_.update(ordered_, settings.loading != Loading::streamed, settings.reduced ? nullptr : request.next);
     report.plan_ms = milliseconds_since(planning);
     if (complete) make_room();
@@ -141,7 +142,7 @@ void FramePlanner::order_plans(PlannedEye& eye) {
         const ImageSetFrame& image_set = eye.image_sets[b];
         const bool complete = is_complete(image_set.settings.loading);
         PlanSettings how = plan_settings(image_set.settings, resources_->trials.anisotropy);
-        // Photos on points show more than the visible triangles.
+        // Photos on points show more of the scene than the visible triangles.
         const bool on_points = photos_on_points(image_set.settings, resources_->parts);
         if (complete && !on_points && frame_.sample.index == 0) find_seen(eye, image_set);
         OrderedPlan ordered{image_set.plan};

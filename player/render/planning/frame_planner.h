@@ -24,7 +24,7 @@ class FramePlanner {
     /// photos and tiles are chosen once for both eyes: otherwise the eyes would have different colors, and
     /// selection dominates planning time. Throws Error(usage) for a view that cannot be drawn.
     FrameReport plan(const FrameRequest& request);
-    /// Streams points for an eye. Adds to the report.
+    /// Streams points for an eye, and adds their statistics to `report`.
     void stream_points(const PlannedEye& eye, FrameReport& report);
     /// Adds the damaged, absent and pending tiles of a painted frame to the report. Makes the coarse mesh
     /// when idle.
@@ -37,13 +37,13 @@ class FramePlanner {
     SeenTriangles seen() const { return frame_.eyes.front().readback.seen(); }
     /// Whether the plan of a shown image set has this photo.
     bool uses(std::uint32_t photo) const { return frame_.eyes.front().plans.uses(photo); }
-    /// Makes the coarse mesh for reduced frames on another thread, and uses it when finished; `wait`: before
-    /// returning.
+    /// Makes the coarse mesh for reduced frames on another thread, and uses it when it is finished. With
+    /// `wait`, returns only then.
     void coarsen(bool wait);
-    /// Current limit on graphics memory, in bytes: the budget's, or more if a frame needs more.
+    /// The current limit on graphics memory, in bytes: the budget's limit, or more if a frame needs more.
     std::uint64_t graphics_budget() const { return graphics_budget_; }
     const MemoryBudget& budget() const { return budget_; }
-    /// Applies from the next frame.
+    /// Takes effect in the next frame.
     void set_budget(const MemoryBudget& budget);
 
   private:

@@ -7,7 +7,7 @@ namespace vantage {
 
 namespace {
 
-/// Calls `visit` with each photo, of the mesh and of the background.
+/// Calls `visit` with each photo of the mesh and of the background.
 template <class Visit>
 void for_photos(const PlannedFrame& frame, const Visit& visit) {
     for (const PlannedEye& eye : frame.eyes)
@@ -47,7 +47,7 @@ void FrameTiles::need_bases(const PlannedFrame& frame) {
                 resources_->store.need_base(p.photo, with_coordinates);
             for (const PlannedPhoto& p : image_set.plan->kept())
                 resources_->store.need_base(p.photo, with_coordinates);
-            // The first picture only waits for photos of the mesh.
+            // The first picture waits only for photos of the mesh.
             if (image_set.settings.loading == Loading::beginning) continue;
             for (const PlannedPhoto& p : image_set.plan->plan().behind)
                 resources_->store.need_base(p.photo, false);
@@ -63,7 +63,7 @@ void FrameTiles::stream(const PlannedFrame& frame, std::span<const PlannedPhoto>
     for_photos(frame, [&](const ImageSetFrame& image_set, const PlannedPhoto& p) {
         if (resources_->trials.whole_photos) report.uploaded += resources_->store.load_whole(p.photo);
         report.tiles += p.needs.tiles();
-        // Until the visible triangles are known, many tiles would be read unnecessarily.
+        // Before the visible triangles are known, many tiles would be read unnecessarily.
         const bool known = image_set.plan->uses_seen() || loading == Loading::repeatable;
         report.tiles_missing += known ? resources_->store.need(p.photo, p.needs) : p.needs.tiles();
         if (!known) report.tiles_to_come += p.needs.tiles();
@@ -84,7 +84,7 @@ void FrameTiles::stream(const PlannedFrame& frame, std::span<const PlannedPhoto>
     }
     if (report.tiles_missing == 0)
         for (const PlannedPhoto& p : ahead) resources_->store.prefetch(p.photo, p.needs);
-    // Points have used their part of the frame's budget.
+    // Points have already used their part of the frame's upload budget.
     const std::size_t left = settings.upload_bytes - std::min(settings.upload_bytes, report.uploaded);
     report.uploaded +=
         loading == Loading::uploading ? resources_->store.await(left) : resources_->store.stream(left);

@@ -20,21 +20,22 @@ class FrameTiles {
     /// Requests this photo's thumbnail with the next frame, for panels.
     void want_thumbnail(std::uint32_t photo) { wanted_thumbnails_.push_back(photo); }
 
-    /// Requests the tiles of a frame and, once these are resident, the tiles of `ahead` for later frames;
-    /// uploads arrived data. Adds to the report.
+    /// Requests the tiles of a frame and, once these are resident, the tiles of `ahead` for later frames.
+    /// Uploads data that has arrived. Adds statistics to `report`.
     void stream(const PlannedFrame& frame, std::span<const PlannedPhoto> ahead, FrameReport& report);
     /// Enlarges the arrays to hold all tiles of a picture, so that each is read only once for all samples of
     /// the pixels. Does nothing if they would exceed `bytes`.
     void make_room(const PlannedFrame& frame, std::uint64_t bytes);
-    /// Loads everything that a pass needs, and waits for it. Adds to the report.
+    /// Loads everything that a pass needs, and waits for it. Adds statistics to `report`.
     void load(Pass pass, const DrawnView& drawn, double now, FrameReport& report);
 
-    /// The number of photos drawn in one pass, at most `longest`. Those of a picture that waits for its tiles
-    /// must fit into graphics memory together.
+    /// The number of photos drawn in one pass, at most `longest`. If a picture waits for its tiles, the
+    /// photos of a pass must fit into graphics memory together.
     std::size_t pass_length(Pass rest, const RenderSettings& settings, int longest) const;
     /// The photos of the background that can be drawn, at least coarsely. Valid until the next call.
     Pass ready_behind(const RenderSettings& settings, const Plan& plan);
-    /// One flag per photo of the scene: can be drawn, at least coarsely. Valid until the next call.
+    /// One flag per photo of the scene: whether it can be drawn, at least coarsely. Valid until the next
+    /// call.
     const std::vector<bool>& ready_photos(const RenderSettings& settings, const Plan& plan);
 
   private:

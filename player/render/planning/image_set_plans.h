@@ -9,12 +9,12 @@
 
 namespace vantage {
 
-/// An image set of a frame and the data that it is drawn from.
+/// An image set of a frame and the data from which it is drawn.
 struct ImageSetFrame {
     RenderSettings settings{};
     std::vector<std::uint32_t> photos{};
     ViewPlan* plan = nullptr;
-    bool second = false;  ///< second of two image sets
+    bool second = false;  ///< this is the second of two image sets
 };
 
 /// The plans of the one or two shown image sets; each image set keeps its plan as long as it is shown.
@@ -25,7 +25,7 @@ class ImageSetPlans {
 
     /// Chooses the image sets of the frame at `now` seconds.
     void choose(const RenderSettings& settings, double now);
-    /// Instead of choose(): shows the image sets chosen by another eye's plans.
+    /// Call this instead of choose() to show the image sets that another eye's plans chose.
     void follow(const ImageSetPlans& other) { show(other.shown_); }
     /// The chosen image sets, each drawn from its own photos among `photos`; replaces the content of
     /// `frames`. Valid until the next choice.

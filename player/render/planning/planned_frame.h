@@ -25,7 +25,7 @@ struct PlannedFrame {
     PixelSample sample{};
     double now = 0;  ///< seconds
 
-    /// Of the first eye, and the first shown image set.
+    /// The plan for the first eye and the first shown image set.
     const ViewPlan& first_plan() const { return eyes.front().plans.first(); }
     const Plan& plan() const { return first_plan().plan(); }
 };

@@ -26,7 +26,8 @@ void choose_image_set(RenderSettings& settings, std::uint32_t image_set, const P
     if (image_set == 0 || !scene.has_background()) return;
     const bool shown = settings.background != ShowBackground::off;
     settings.background = ShowBackground::off;
-    // Treated as if there were a background: changing image sets must not require other data of the photos.
+    // Coordinates are chosen as if there were a background, so that a change of image sets needs no other
+    // data from the photos.
     if (shown && settings.coordinates == Coordinates::automatic) settings.coordinates = Coordinates::fragment;
 }
 

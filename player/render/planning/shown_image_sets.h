@@ -13,7 +13,7 @@ struct ShownImageSets {
     std::uint32_t first = 0;
     std::optional<std::uint32_t> second{};
     ImageSetView how = ImageSetView::mix;
-    double share = 0;  ///< weight of the second in a mix; fraction of the width at which it begins
+    double share = 0;  ///< weight of the second set in a mix, or the fraction of the width at which it begins
 };
 
 /// Resolves settings for a scene with this many image sets: numbers out of range become the first image set
@@ -29,12 +29,12 @@ void choose_image_set(RenderSettings& settings, std::uint32_t image_set, const P
 std::vector<double> weights_in_image_set(const View& view, const WeightSettings& settings,
                                          std::uint32_t image_set, const PlanScene& scene);
 
-/// Keeps the previous image set in the picture until the photos of the new one are loaded, and while they
-/// fade in.
+/// Keeps the previous image set in the picture until the photos of the new one have been loaded and have
+/// faded in.
 class ImageSetChange {
   public:
-    /// The image sets to draw at `now` seconds if `wanted` are selected. `ready`: whether the first image set
-    /// drawn last has photos to show.
+    /// The image sets to draw at `now` seconds if `wanted` are selected. `ready`: whether the first of the
+    /// image sets that were last drawn has photos to show.
     ShownImageSets update(ShownImageSets wanted, double now, bool ready);
     /// Whether no change is in progress.
     bool settled() const { return !leaving_; }

@@ -33,7 +33,7 @@ void FrameClock::end(std::optional<Pace> pace) {
 }
 
 std::optional<FrameClock::Frame> FrameClock::take() {
-    // Starts with the oldest one, since queries finish in order.
+    // Starts with the oldest query, since queries finish in order.
     for (std::size_t i = 0; i < ring_.size(); ++i) {
         Timed& t = ring_[(next_ + i) % ring_.size()];
         if (!t.pending) continue;

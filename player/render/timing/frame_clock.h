@@ -9,9 +9,9 @@
 
 namespace vantage {
 
-/// Measures frame times without waiting for the graphics card: the longer of CPU time and GPU time (by timer
-/// queries), available some frames later. With a software renderer, which draws on glFinish(), the time until
-/// it has finished. Belongs to the OpenGL thread.
+/// Measures frame times without waiting for the graphics card: the longer of CPU time and GPU time (from
+/// timer queries), available some frames later. With a software renderer, which draws during glFinish(),
+/// measures the time until that call returns. Belongs to the OpenGL thread.
 class FrameClock {
   public:
     /// A frame that has been drawn.
@@ -21,9 +21,9 @@ class FrameClock {
     };
 
     explicit FrameClock(bool software);
-    /// Begins a frame; an unfinished one, after an error, is not measured.
+    /// Begins a frame. A frame that an error left unfinished is not measured.
     void begin();
-    /// Ends the frame, which was drawn at `pace`; nullopt: discards the measurement.
+    /// Ends the frame, which was drawn at `pace`; nullopt discards the measurement.
     void end(std::optional<Pace> pace);
     /// The newest measured frame that has finished since the last call.
     std::optional<Frame> take();

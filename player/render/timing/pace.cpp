@@ -11,7 +11,8 @@ Pace next_pace(Pace pace, double ms, double goal_ms, double all_photos) {
     constexpr double reduced_at = 0.6;  // fewer photos before a frame becomes coarser than this
     constexpr double all_at = 0.7;      // all photos again as soon as frames can be this fine
     if (!(ms > 0) || !(goal_ms > 0) || !std::isfinite(ms)) return pace;
-    // A frame's time decreases less than its pixels; later frames correct the rest.
+    // Frame time decreases less than proportionally to the number of pixels; later frames make up the
+    // difference.
     const double pixels = std::min(aim * goal_ms / ms, 1.2);
     pace.scale = std::clamp(pace.scale * std::sqrt(pixels), least_scale, 1.0);
     if (pace.scale < reduced_at) pace.reduced = true;
@@ -35,7 +36,7 @@ void learn(Pacing& p, bool reduced, double whole) {
 
 Pacing next_pacing(Pacing p, Pace drawn, double ms, double goal_ms) {
     constexpr double suddenly = 1.5, as_before = 1.2, caution = 0.85;
-    // If the slowdown persisted, frames at the new pace would take .7 of the goal or more.
+    // If the slowdown persisted, frames at the new pace would take at least .7 of the goal.
     constexpr double passed = 0.63;
     constexpr int watched = 8;
     if (!(ms > 0) || !(goal_ms > 0) || !std::isfinite(ms)) return p;
@@ -49,7 +50,8 @@ Pacing next_pacing(Pacing p, Pace drawn, double ms, double goal_ms) {
             return p;
         }
     } else if (ms > goal_ms && p.full_frame_ms > 0 && whole > suddenly * p.full_frame_ms) {
-        // Only with the same photos do later frames show whether the slowdown has ended.
+        // The photos stay the same, because otherwise later frames would not show whether the slowdown has
+        // ended.
         p.before = p.pace, p.watched = watched;
         p.pace = {next_pace(drawn, ms, caution * goal_ms).scale, p.pace.reduced};
         return p;

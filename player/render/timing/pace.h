@@ -10,18 +10,19 @@ struct Pace {
     bool reduced = false;  ///< see RenderSettings::reduced
     bool operator==(const Pace&) const = default;
 };
-/// Minimum scale of a frame. Coarser frames would hardly be faster: the time for the triangles remains.
+/// Minimum scale of a frame. Coarser frames would hardly be faster, because the time for the triangles
+/// remains.
 inline constexpr double least_scale = 0.15;
 
-/// Maximum ratio of the duration of a full frame to that of a reduced one.
+/// Maximum ratio of the duration of a full frame to that of a reduced frame.
 inline constexpr double max_for_all_photos = 3;
 
-/// The pace of a first picture, which consists of base levels.
+/// The pace of the first picture, which consists of base levels.
 inline constexpr Pace coarse_pace{0.25, true};
 
 /// The pace of the next frame, after one at `pace` that took `ms`, with a goal of `goal_ms`. Slows down
 /// immediately, and speeds up by at most a fifth of the pixels per frame. Without a time or a positive goal,
-/// returns the same pace. `all_photos`: ratio of the duration of a full frame to that of a reduced one.
+/// returns `pace`. `all_photos`: ratio of the duration of a full frame to that of a reduced frame.
 Pace next_pace(Pace pace, double ms, double goal_ms, double all_photos = max_for_all_photos);
 
 /// The pace of the next frame, and the state from previous frames.
@@ -32,13 +33,13 @@ struct Pacing {
     int watched = 0;  ///< remaining frames in which the slowdown may prove temporary; 0: none recently
     double all_photos = max_for_all_photos;  ///< ratio as for next_pace(), estimated from frames
     double last = 0;  ///< duration of a full-size frame, estimated from the last one, in ms; 0: none
-    bool last_reduced = false;  ///< that frame was reduced
+    bool last_reduced = false;  ///< the last frame was reduced
 };
 
-/// The same for a series of frames, one of which was `drawn` at this pace and took `ms`; it may be some
-/// frames old. Keeps the pace while frames take .72 to .92 of the goal, so that the resolution does not
-/// change in every frame; evaluates a new pace only from frames drawn at it; and returns to the former pace
-/// immediately after a temporary slowdown.
+/// Like next_pace(), but for a series of frames, one of which was drawn at the pace `drawn` and took `ms`;
+/// that frame may be some frames old. Keeps the pace while frames take .72 to .92 of the goal, so that the
+/// resolution does not change in every frame. Evaluates a new pace only from frames drawn at that pace, and
+/// returns to the former pace immediately after a temporary slowdown.
 Pacing next_pacing(Pacing pacing, Pace drawn, double ms, double goal_ms);
 
 /// The pace at the start of a motion, if a frame at rest takes `ms`. Conservative, since the part of the time

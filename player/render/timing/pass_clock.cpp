@@ -24,7 +24,7 @@ void PassClock::mark(std::size_t pass) {
     marks_.push_back({std::move(query), pass});
 }
 
-/// Starts with the oldest one, since queries finish in order.
+/// Starts with the oldest query, since queries finish in order.
 void PassClock::take(bool wait) {
     while (!marks_.empty()) {
         Mark& oldest = marks_.front();

@@ -15,7 +15,7 @@ inline constexpr std::array<const char*, 7> timed_pass_names{"surface",     "pho
 /// Milliseconds by pass.
 using PassTimes = std::array<double, timed_pass_names.size()>;
 
-/// Sums the GPU time of each pass by timestamps, without waiting. Belongs to the OpenGL thread.
+/// Adds up the GPU time of each pass from timestamps, without waiting. Belongs to the OpenGL thread.
 class PassClock {
   public:
     /// Starts timing.
@@ -37,7 +37,7 @@ class PassClock {
     void add(std::size_t next, double ms);
 
     bool on_ = false;
-    std::deque<Mark> marks_;  ///< possibly not reached yet
+    std::deque<Mark> marks_;  ///< the graphics card may not have reached them yet
     std::vector<gl::Query> unused_;
     std::size_t pass_ = timed_pass_names.size();  ///< pass of the last mark reached
     double since_ = 0;                            ///< ms
