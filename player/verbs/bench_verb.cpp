@@ -27,7 +27,7 @@ int bench(BenchOptions o) {
 
 void add_flights(const Command& c, BenchOptions& o) {
     const std::string group = "Bench";
-    c.list("--paths", o.paths, "paths to fly: the names below, or files of views")
+    c.list("--paths", o.paths, "paths to fly: any of these names, or files of views")
         .type("FILE")
         .suggests({"still", "orbit", "approach", "jump", "flight"})
         .commas()

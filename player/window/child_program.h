@@ -12,10 +12,11 @@ namespace vantage {
 /// The path of this program, for ChildProgram.
 inline constexpr const char* own_program = "/proc/self/exe";
 
-/// A child process for long operations. It continues if the window closes.
+/// A child process for long operations. The process continues if the window closes.
 class ChildProgram {
   public:
-    /// `program`: a path, or a name to search for in PATH. Throws Error(input) if it cannot be started.
+    /// `program`: a path, or a name to search for in PATH. Throws Error(input) if the program cannot be
+    /// started.
     ChildProgram(const std::string& program, std::vector<std::string> arguments);
     ~ChildProgram() = default;
     ChildProgram(const ChildProgram&) = delete;
@@ -26,7 +27,7 @@ class ChildProgram {
         std::string prints;  ///< the first line of its output, or empty
         std::string says;    ///< the first line of its errors, or empty
     };
-    /// The result, once the program has ended; does not wait.
+    /// The result, or empty as long as the program runs; does not wait.
     std::optional<Ended> ended();
 
   private:

@@ -29,8 +29,8 @@ static_assert(key::escape == GLFW_KEY_ESCAPE && key::enter == GLFW_KEY_ENTER &&
     glfwGetError(&why);
     const std::string text = why ? why : "unknown reason";
     glfwTerminate();
-    throw Error(Exit::graphics,
-                "no window with OpenGL 4.5: " + text + " ('vantage-player render' needs no display)");
+    throw Error(Exit::graphics, "cannot open a window with OpenGL 4.5: " + text +
+                                    " ('vantage-player render' needs no display)");
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ struct GlfwWindow::Callbacks {
     static WindowInput& input(GLFWwindow* w) {
         return static_cast<GlfwWindow*>(glfwGetWindowUserPointer(w))->input_;
     }
-    /// Letters are identified by the keyboard layout, other keys by their position.
+    /// Letters are identified according to the keyboard layout, and other keys by their position.
     static int key_of(int place, int scancode) {
         const char* name = glfwGetKeyName(place, scancode);
         const bool letter = name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0;

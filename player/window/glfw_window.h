@@ -21,10 +21,10 @@ class GlfwWindow {
     GLFWwindow* get() const { return window_; }
     /// Switches between full screen and a window at its previous position.
     void fill_screen(bool whole);
-    /// The text scale for the display, 1 for 14 pixels.
+    /// The text scale for the display; 1 means text of 14 pixels.
     float fitting_text_scale() const;
     void set_text_scale(float scale);
-    /// Handles events. `seconds`: maximum waiting time for an event; 0: does not wait.
+    /// Handles events. `seconds`: the maximum waiting time for an event; with 0, does not wait.
     WindowEvents events(double seconds = 0);
 
   private:
@@ -37,7 +37,7 @@ class GlfwWindow {
     struct Place {
         int x, y, width, height;
     };
-    std::optional<Place> windowed_;  ///< previous position while in full screen
+    std::optional<Place> windowed_;  ///< the window's previous position, while in full screen
     WindowInput input_;
     std::optional<TouchScreen> touch_screen_;
 };

@@ -14,17 +14,18 @@ struct Kiosk {
     std::optional<AttractLoop> tour;  ///< flown in a loop while idle
     double home_after = 60;           ///< seconds
     double touched_at = 0;            ///< seconds
-    bool idle = true;                 ///< has returned to the initial state since then
-    bool tours = false;               ///< the flight in progress is the tour, or the way to it
+    bool idle = true;                 ///< has returned to the initial state since `touched_at`
+    bool tours = false;               ///< the flight in progress is the tour, or leads to its start
 };
 
-/// A kiosk that returns to the session's current settings. Disables functions that are not for the public.
+/// Makes a kiosk that returns to the session's current settings. Disables functions that are not for the
+/// public.
 Kiosk make_kiosk(Session& session, std::optional<AttractLoop> tour, double home_after);
 
 /// Ends a tour on input; when idle, returns to the initial state and starts the tour.
 void attend(Kiosk& kiosk, Session& session, bool touched, double now);
 
-/// Time of the next call of attend() without input, seconds.
+/// When attend() must be called next if there is no input, in seconds.
 double attends_at(const Kiosk& kiosk);
 
 }  // namespace vantage

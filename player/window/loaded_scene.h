@@ -13,14 +13,14 @@
 
 namespace vantage {
 
-/// A scene in a window or a headset: a package and others added to it, with its story, its measurements and
-/// output files. Belongs to the OpenGL thread.
+/// A scene in a window or a headset: a package and the packages added to it, with the scene's story,
+/// measurements and output files. Belongs to the OpenGL thread.
 struct LoadedScene {
     /// Fits the session to the scene. The package must outlive it.
     LoadedScene(const PackageReader& package, const std::vector<SceneObject>& all, const ShowOptions& options,
                 Session& session);
 
-    /// Applies the language of the window, and uploads the open note's picture after loading.
+    /// Applies the language of the window, and uploads the open note's picture once it is loaded.
     void attend(const Session& session);
 
     const PackageReader& package() const { return renderer.package(); }

@@ -35,7 +35,7 @@ void point_before_wheel(GLFWwindow* window) {
     ImGui::GetIO().AddMousePosEvent(at.x, at.y);
 }
 
-// Keys are in ImGui's queue, where keys released again get a separate frame.
+// Keys are in ImGui's queue. A key that is also released gets a separate frame there.
 void new_frame(const PointerState& mouse, const UserInput& input) {
     ImGuiIO& io = ImGui::GetIO();
     const PointerState p = input.pointer.value_or(mouse);

@@ -9,11 +9,11 @@ namespace vantage {
 PointerState mouse_of(GLFWwindow* window);
 
 /// Begins ImGui's frame with the user's input. ImGui polls keys, so keys released since the last frame are
-/// reported as down for this frame; before ImGui 1.87 also Ctrl, which the caller must release after the
-/// frame if it was up before. The pointer is that of the input, or else the mouse.
+/// reported as down for this frame. Before ImGui 1.87, this includes Ctrl, which the caller must release
+/// after the frame if it was up before. The pointer is that of the input, or else the mouse.
 void new_frame(const PointerState& mouse, const UserInput& input);
 
-/// Call before wheel events: since ImGui 1.87, reports the mouse position to which the wheel applies.
+/// Call this before wheel events: since ImGui 1.87, it reports the mouse position to which the wheel applies.
 void point_before_wheel(GLFWwindow* window);
 
 }  // namespace vantage

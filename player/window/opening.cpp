@@ -48,7 +48,7 @@ void draw_progress(GLFWwindow* window, const std::string& name, const Progress& 
     glfwSwapBuffers(window);
 }
 
-/// Draws the progress until the result is available; the user may cancel.
+/// Draws the progress until the result is available. The user may cancel.
 template <class Result, class Ask>
 Result await(GlfwWindow& window, std::future<Result> result, std::stop_source stop, const std::string& name,
              const Ask& progress) {

@@ -6,10 +6,10 @@
 
 namespace vantage {
 
-/// Writes orthophotos requested by a session, one at a time, while the window remains usable.
+/// Writes the orthophotos that a session requests, one at a time, while the window remains usable.
 class OrthophotoWriter {
   public:
-    /// Starts requests, and reports finished ones.
+    /// Starts requested orthophotos, and reports finished ones.
     void attend(Session& session, const PackageReader& package, double now);
     bool writes() const { return program_.has_value(); }
 

@@ -21,8 +21,8 @@ void save_path(Session& s, const PackageReader& package, double now) {
 
 }  // namespace
 
-/// One position per 1 / positions_per_second, interpolated between frames. At rest there were no frames,
-/// since the camera did not move.
+/// Records `positions_per_second` positions per second, interpolated between frames. At rest, there were no
+/// frames, since the camera did not move.
 void PathRecorder::attend(Session& s, bool rests, const PackageReader& package, double now) {
     RecordedPath& path = s.path;
     const Navigation& camera = s.viewpoint.camera;

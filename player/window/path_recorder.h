@@ -5,10 +5,10 @@
 
 namespace vantage {
 
-/// Records the camera's path while requested by the session, and then writes it into the current folder.
+/// Records the camera's path as long as the session requests it, and then writes it into the current folder.
 class PathRecorder {
   public:
-    /// `rests`: nothing has moved since the last call.
+    /// `rests`: whether nothing has moved since the last call.
     void attend(Session& session, bool rests, const PackageReader& package, double now);
 
   private:

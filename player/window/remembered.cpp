@@ -57,7 +57,7 @@ void for_fields(R& r, const Field& field) {
     field("image_set_swipe", s.image_sets.swipe);
 }
 
-/// The same for each saved choice.
+/// Calls `choice(name, value)` for each saved choice.
 template <class R, class Choice>
 void for_choices(R& r, const Choice& choice) {
     choice("blend", r.settings.blend);
@@ -67,7 +67,7 @@ void for_choices(R& r, const Choice& choice) {
     choice("transparency", r.settings.transparency);
 }
 
-/// Reads a field if the file has it with the right type.
+/// Reads a field if the file contains it with the right type.
 template <class T>
 void read(const nlohmann::json& j, const char* name, T& value) {
     const auto it = j.find(name);
@@ -100,7 +100,7 @@ Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
     if (!j.is_object()) return r;
     for_fields(r, [&](const char* name, auto& value) { read(j, name, value); });
     for_choices(r, [&](const char* name, auto& value) { read_enum(j, name, value); });
-    // The file may have been edited: clamps to valid ranges.
+    // The file may have been edited, so values are clamped to valid ranges.
     r.window.width = std::clamp(r.window.width, 320, 16384);
     r.window.height = std::clamp(r.window.height, 240, 16384);
     if (r.text_scale != 0) r.text_scale = std::clamp(r.text_scale, 0.7, 4.0);

@@ -22,7 +22,7 @@ struct Remembered {
     std::string image_set, other_image_set;  ///< names, since numbers differ between packages
     std::vector<std::string> recent;         ///< packages and scene files, most recent first
 };
-/// The settings in the folder's player.json; missing or invalid ones are taken from `otherwise`.
+/// The settings in the folder's player.json; missing or invalid settings are taken from `otherwise`.
 Remembered read_settings(const std::filesystem::path& folder, Remembered otherwise);
 /// Records that a package or scene file was opened.
 void remember_opened(Remembered& remembered, const std::string& file);

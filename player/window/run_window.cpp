@@ -36,8 +36,8 @@
 namespace vantage {
 namespace {
 
-/// Saves settings for the next session. Image set names are kept if the package has none; the exposure is
-/// omitted, since it refers to a photo of this package.
+/// Saves settings for the next session. Earlier image set names are kept if the package has none. The
+/// exposure is omitted, since it refers to a photo of this package.
 void remember(const Session& session, const PackageReader& package, Remembered& r) {
     r.settings = session.settings;
     r.settings.exposure.reset();
@@ -48,7 +48,7 @@ void remember(const Session& session, const PackageReader& package, Remembered& 
     r.other_image_set = shown.other ? image_sets[*shown.other].name : "";
 }
 
-/// Options for another package, without those that name parts of the first one.
+/// Options for another package, without those that name parts of the first package.
 ShowOptions options_for(ShowOptions o, const std::string& file) {
     o.package.file = file;
     o.package.photos.clear();
@@ -76,7 +76,7 @@ struct Requested {
     double at;              ///< seconds
 };
 
-/// Opens a package, or the first one of a scene file. Throws Error.
+/// Opens a package, or the first package of a scene file. Throws Error.
 Requested open_requested(GlfwWindow& window, const std::string& file, const MemoryOptions& memory,
                          double now) {
     std::vector<SceneObject> objects =
@@ -128,13 +128,14 @@ void beat(int heartbeat_fd) {
 /// ImGui needs some frames to react to events.
 constexpr int frames_after_event = 3;
 
-/// Whether the next frame would equal the last. `lively`: remaining frames after the last event.
+/// Whether the next frame would equal the last one. `lively`: the frames that remain to be drawn after the
+/// last event.
 bool is_idle(const WindowState& state, const ShownScene& scene, int lively) {
     return scene.rests() && !keys_in_use(state.input) && lively == 0;
 }
 
-/// Whether to draw a frame: always, unless it `may_rest`. At rest, waits for an event or the scene's next
-/// frame; counted frames then follow at a lower rate.
+/// Whether to draw a frame: always, unless the window `may_rest`. If it may, waits at rest for an event or
+/// the scene's next frame; otherwise frames at rest, which are counted, follow at a lower rate.
 bool take_events(GlfwWindow& window, WindowState& state, const ShownScene& scene, bool may_rest,
                  int& lively) {
     constexpr double longest_rest = 1, between_counted = 0.03;  // seconds
@@ -146,7 +147,7 @@ bool take_events(GlfwWindow& window, WindowState& state, const ShownScene& scene
         if (!state.kiosk)
             state.commands.push_back(is_scene_file(file) ? UserCommand(OpenFile{file}) : PlaceDropped{file});
     state.touched = events.any;
-    // Newer ImGui takes one key per frame.
+    // Newer versions of ImGui take one key per frame.
     lively = events.any ? frames_after_event * int(1 + state.input.keys.size()) : std::max(0, lively - 1);
     return !rests || events.any || glfwGetTime() >= scene.wakes_at();
 }
@@ -259,7 +260,7 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     try {
         write_settings(folder, remembered);
     } catch (const Error& e) {  // the window works without settings
-        std::fprintf(stderr, "settings are not kept: %s\n", e.what());
+        std::fprintf(stderr, "settings cannot be saved: %s\n", e.what());
     }
     return damaged ? int(Exit::damaged) : int(Exit::ok);
 }

@@ -7,7 +7,7 @@
 namespace vantage {
 
 /// Shows a scene in a window until it is closed. Returns the exit code: damaged if a damaged tile was found.
-/// Throws Error(graphics) without a display or OpenGL 4.5, and for a first package that cannot be shown.
+/// Throws Error(graphics) without a display or OpenGL 4.5, and if the first package cannot be shown.
 int run_window(const ShowOptions& options, const std::vector<SceneObject>& objects);
 
 }  // namespace vantage

@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// Saves the window's back buffer, in pixels, as PNG. Throws Error(storage).
+/// Saves the window's back buffer as a PNG file. The size is in pixels. Throws Error(storage).
 void save_frame(const std::string& file, int width, int height);
 
 }  // namespace vantage

@@ -33,12 +33,12 @@ namespace vantage {
 
 namespace {
 
-/// Converts a pixel to another frame of the same view.
+/// Converts a pixel's position to another frame of the same view.
 Eigen::Vector2d pixel_in(const Intrinsics& to, const Intrinsics& from, const Eigen::Vector2d& pixel) {
     return {pixel.x() * to.width / from.width, pixel.y() * to.height / from.height};
 }
 
-/// The likely folder of other packages.
+/// The folder where other packages are likely to be.
 std::filesystem::path package_folder(const PackageReader& package) {
     return package.remote() ? std::filesystem::path(".") : package.path().parent_path();
 }
@@ -58,7 +58,7 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
     kiosk_ = make_kiosk(session, kiosk_tour(package, o.window.tour), home_after);
 }
 
-/// The path of the command line, or else the story's content.
+/// The path given on the command line, or else the story's content.
 std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
                                                   const std::string& path) const {
     if (path.empty()) try {
@@ -99,7 +99,7 @@ void ShownScene::draw_picture(const View& view, const RenderSettings& shown, dou
     picture_.draw(view, shown, now);
 }
 
-/// Determines the point under the pointer.
+/// Requests the point of the cloud under the pointer.
 void ShownScene::pick(const View& view) {
     const ImVec2 at = ImGui::GetIO().MousePos;
     const Eigen::Vector2d pixel(double(at.x), double(at.y));
@@ -131,7 +131,7 @@ View ShownScene::update(int width, int height, double now) {
     return view;
 }
 
-/// Content that requires perspective ends the orthographic projection.
+/// Switches from orthographic to perspective projection if the content requires that.
 void ShownScene::choose_projection(double now) {
     Session& s = session_;
     const bool points = scene_.renderer.resources().points && s.settings.points.show;
@@ -231,7 +231,7 @@ void ShownScene::stop_recording(double now) {
     path_recorder_.attend(session_, picture_.is_final(), scene_.package(), now);
 }
 
-/// Adds packages requested by the session.
+/// Adds the packages that the session requests.
 void ShownScene::add_objects(double now) {
     Session& s = session_;
     while (const auto added = take<AddObject>(s.window.commands)) try {

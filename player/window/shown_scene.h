@@ -28,16 +28,16 @@ class ShownScene {
 
     /// Draws the view if it has changed or is not final, and the interface over it.
     void frame(int width, int height, double now);
-    /// The part of frame() that does not need OpenGL: updates the session with its input and the time, and
-    /// builds the interface. Returns the view.
+    /// The part of frame() that does not need OpenGL: updates the session according to its input and the
+    /// time, and builds the interface. Returns the view.
     View update(int width, int height, double now);
     /// Draws the view without showing it.
     void draw_unseen(const View& view, double now);
     /// Writes the path that is being recorded, if any.
     void stop_recording(double now);
-    /// Whether the picture is final: without input, nothing changes before wakes_at().
+    /// Whether the picture is final, so that nothing changes before wakes_at() without input.
     bool rests() const { return picture_.is_final() && !session_.viewpoint.flight; }
-    /// Time of the next frame at rest, in seconds.
+    /// The time of the next frame at rest, in seconds.
     double wakes_at() const;
     const PlanScene& scene() const { return scene_.plan(); }
 

@@ -14,7 +14,7 @@
 namespace vantage {
 namespace {
 
-/// The image sets of the command line; without any, the saved ones that the package has.
+/// The image sets given on the command line, or else those of the saved image sets that the package has.
 ImageSetSettings chosen_image_sets(const PackageReader& package, const ShowOptions& o,
                                    const Remembered& remembered) {
     if (o.blending.image_sets.given()) return image_set_settings(package, o.blending.image_sets);

@@ -16,15 +16,16 @@ void expect_content(const PackageReader& package);
 Remembered start_settings(const PackageReader& package, const ShowOptions& options,
                           const std::filesystem::path& folder);
 
-/// The language from the command line, or else the saved one, or the system's.
+/// The language from the command line, or else the saved language, or else the system's.
 std::string chosen_language(const ShowOptions& options, const Remembered& remembered);
 
-/// A session at the first photo of --photo, or the middle one; without photos, in front of the model.
+/// A session that starts at the first photo of --photo, or at the middle photo. Without photos, it starts in
+/// front of the model.
 Session start_session(const PackageReader& package, const ShowOptions& options, const Remembered& remembered,
                       WindowState& window);
 
 /// Initializes a session for the loaded scene: the photos in use and their errors, the story's background,
-/// and its first view unless one is given on the command line.
+/// and the story's first view unless the command line gives a view.
 void begin_in_scene(Session& session, const PackageReader& package, const ActiveStory& active,
                     const ShowOptions& options);
 

@@ -13,14 +13,15 @@
 namespace vantage {
 namespace {
 
-/// A frame that takes longer than a thirtieth of a second may upload the amount of the frames that it
-/// replaces: it takes hardly longer, and the picture is complete earlier.
+/// A frame that takes longer than a thirtieth of a second may upload as much as the frames that it replaces:
+/// this hardly prolongs the frame, and the picture is complete earlier.
 std::size_t upload_of_frame(std::size_t bytes, double ms) {
     return std::size_t(double(bytes) * std::clamp(ms * 30 / 1000, 1.0, 64.0));
 }
 
-/// The area of an eye's picture of this size that is free of panels, in a window with the area `free`: side
-/// panels cover one eye's picture, and so do those at the bottom if the pictures are above each other.
+/// The area of an eye's picture of this size that is free of panels, in a window whose free area is `free`.
+/// Side panels cover only one eye's picture if the pictures are side by side, and panels at the bottom do if
+/// the pictures are above each other.
 Area free_for_eye(StereoMode mode, const Area& free, FrameSize size) {
     Area out = free;
     if (mode == StereoMode::side_by_side) out.left = 0, out.width = size.width;
@@ -28,8 +29,7 @@ Area free_for_eye(StereoMode mode, const Area& free, FrameSize size) {
     return out;
 }
 
-/// The first picture consists of base levels: with a software renderer, it need not be drawn at a higher
-/// resolution.
+/// The first picture consists of base levels, so a software renderer need not draw it at a higher resolution.
 Pace pace_of_first_picture(double goal) {
     return goal > 0 && gl::current_device().software ? coarse_pace : Pace{};
 }
@@ -61,7 +61,7 @@ void WindowPicture::end_frame(double now) {
     keep_pace();
 }
 
-/// A damaged package may be restored while it is open, and a server may become available again.
+/// A damaged package may be repaired while it is open, and a server may become available again.
 bool WindowPicture::looks_again() const {
     return session_.drawn.report.tiles_damaged + session_.drawn.report.tiles_absent > 0;
 }
@@ -74,9 +74,9 @@ bool WindowPicture::unchanged(const View& view, const RenderSettings& shown) con
            last_photos_ == session_.photos;
 }
 
-/// While the view moves or tiles are missing, draws one sample per pixel, half a level sharper, at a pace
-/// that meets the frame rate goal while it moves. Then accumulates the samples of each pixel, one per frame,
-/// and stops when the picture is final.
+/// While the view moves or tiles are missing, draws one sample per pixel, half a level sharper. In motion,
+/// the pace is such that the frame rate meets its goal. Then accumulates the samples of each pixel, one per
+/// frame, and stops when the picture is final.
 void WindowPicture::draw_sample(const View& view, const RenderSettings& shown, bool still, double now) {
     Session& s = session_;
     if (looks_again() && now > drawn_at_ + look_again_seconds) samples_ = 0;
@@ -92,7 +92,8 @@ void WindowPicture::draw_sample(const View& view, const RenderSettings& shown, b
     }
     s.drawn.pace = moves || !drawn_ ? pacing_.pace : Pace{};
     drawn_at_ = now;
-    // Stays at rest while tiles arrive: if not all fit, those for motion and for rest would evict each other.
+    // The picture stays at rest while tiles arrive: if not all tiles fit, those for motion and those for rest
+    // would otherwise evict each other.
     resting_ = still && !moves && (resting_ || complete);
     RenderSettings settings = shown;
     settings.reduced = s.drawn.pace.reduced;
@@ -112,7 +113,7 @@ void WindowPicture::draw_sample(const View& view, const RenderSettings& shown, b
     const PixelSample sample = resting_ ? PixelSample{samples_, rest_side} : PixelSample{};
     const bool valid_so_far = s.drawn.report.tiles_damaged == 0;
     drawn_view_ = scaled(view, s.drawn.pace.scale);
-    // At rest, nothing is prefetched: that would restart or delay the samples.
+    // At rest, nothing is prefetched, since that would restart or delay the samples.
     const View* const ahead_of = moves ? &next : nullptr;
     if (stereo())
         draw_eyes(shown, settings, sample, now, ahead_of);
@@ -127,7 +128,8 @@ void WindowPicture::draw_sample(const View& view, const RenderSettings& shown, b
     drawn_ = true;
 }
 
-/// Orthographic views are equal for both eyes, and a photo for comparison exists for one eye only.
+/// Stereo is off for orthographic views, which are the same for both eyes, and for comparisons, whose photo
+/// exists only for one eye.
 bool WindowPicture::stereo() const {
     return session_.stereo.mode != StereoMode::off && !session_.viewpoint.orthographic &&
            session_.settings.compare == Compare::nothing;
@@ -184,7 +186,7 @@ void WindowPicture::keep_pace() {
         pacing_ = next_pacing(pacing_, frame->pace, frame->ms, goal_ms_);
         return;
     }
-    // Frames at rest are slower than those in motion: if they meet the goal, so do these.
+    // Frames at rest are slower than frames in motion, so if the former meet the goal, the latter do too.
     const Pace first = first_pace(frame->ms, goal_ms_);
     if (pacing_.pace == Pace{} || first == Pace{} || first.scale > pacing_.pace.scale) pacing_ = {first};
 }
@@ -194,9 +196,9 @@ void WindowPicture::tell_memory(double now) {
     const std::uint64_t used = scene_.objects.graphics_budget();
     if (memory_limit_ == 0 || used <= memory_limit_) return;
     say(session_.message,
-        formatted(
-            tr("Frames of this size need %.0f MiB of graphics memory, more than --graphics-memory allows"),
-            double((used >> 20) + 1)),
+        formatted(tr("Frames of this size need %.0f MiB of graphics memory, which is more than "
+                     "--graphics-memory allows"),
+                  double((used >> 20) + 1)),
         now);
     memory_limit_ = 0;
 }

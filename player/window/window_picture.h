@@ -12,8 +12,8 @@
 
 namespace vantage {
 
-/// The picture of a scene in the window, under the interface: drawn at a pace that maintains the frame rate
-/// in motion, and refined at rest until final. The scene and the session must outlive it.
+/// The picture of a scene in the window, under the interface. In motion, it is drawn at a pace that maintains
+/// the frame rate; at rest, it is refined until it is final. The scene and the session must outlive it.
 class WindowPicture {
   public:
     WindowPicture(LoadedScene& scene, const ShowOptions& options, Session& session);
@@ -22,7 +22,7 @@ class WindowPicture {
     void draw(const View& view, const RenderSettings& shown, double now);
     /// Shows the last drawn picture.
     void show(const RenderSettings& shown, double now);
-    /// Called before and after the GPU work of a frame. The measured time sets the pace of later frames.
+    /// Call these before and after the GPU work of a frame. The measured time sets the pace of later frames.
     void begin_frame() { clock_.begin(); }
     void end_frame(double now);
 
@@ -37,12 +37,12 @@ class WindowPicture {
     /// Whether stereo divides the window into two pictures, over which overlays for the whole picture would
     /// be misplaced.
     bool in_parts() const;
-    /// Time at which missing or damaged tiles are requested again, seconds.
+    /// The time at which missing or damaged tiles are requested again, in seconds.
     double looks_again_at() const { return looks_again() ? drawn_at_ + look_again_seconds : HUGE_VAL; }
 
   private:
     static constexpr int rest_side = 2;            ///< samples per side of a pixel at rest
-    static constexpr double rest_seconds = 10;     ///< time after a change at which the picture is final
+    static constexpr double rest_seconds = 10;     ///< maximum time from a change until the picture is final
     static constexpr double still_seconds = 0.25;  ///< pause after a motion before a coarse frame is refined
     static constexpr double slow_ms = 100;         ///< frames that take longer may wait for tiles
     static constexpr double look_again_seconds = Residency::retry_seconds + 1;
@@ -61,11 +61,11 @@ class WindowPicture {
 
     LoadedScene& scene_;
     Session& session_;
-    std::uint64_t memory_limit_;  ///< requested, bytes; 0: none, or the user was already notified
+    std::uint64_t memory_limit_;  ///< requested limit in bytes; 0: none, or the user was already notified
     FrameClock clock_;
     Enlargement enlargement_;
     StereoPicture pair_;
-    double goal_ms_;       ///< target for frames in motion; 0: none, frames always have full size
+    double goal_ms_;       ///< target for frames in motion; if 0, frames always have full size
     Pacing pacing_;        ///< pace of frames in motion
     double frame_ms_ = 0;  ///< duration of the last measured frame
     std::optional<View> last_, drawn_view_;

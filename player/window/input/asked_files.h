@@ -11,8 +11,8 @@
 
 namespace vantage {
 
-/// Writes files requested by a session into the current folder, one after the other, in the background: the
-/// table of measurements, the scene file, the drawing of the section.
+/// Writes files that a session requests (the table of measurements, the scene file, the drawing of the
+/// section) into the current folder, one after the other, in the background.
 class AskedFiles {
   public:
     AskedFiles() = default;
@@ -32,7 +32,7 @@ class AskedFiles {
     void add_cut(std::vector<SectionLine> lines, const PackageReader& package);
 
     std::deque<Job> jobs_;
-    std::future<std::string> said_;  ///< message of the job in progress
+    std::future<std::string> said_;  ///< the message of the job in progress
 };
 
 }  // namespace vantage

@@ -25,10 +25,10 @@
 namespace vantage {
 namespace {
 
-/// Limits of the eye's distance from its target, as fractions of the scene's size.
+/// Limits on the eye's distance from its target, as fractions of the scene's size.
 constexpr double nearest = 1e-3, farthest = 30;
 
-/// A point under the pointer: on the mesh, or else at the target's distance.
+/// The point under the pointer: on the mesh, or else at the target's distance.
 struct UnderPointer {
     Eigen::Vector3d point;
     bool on_mesh;
@@ -87,7 +87,7 @@ void pinch(Session& s, const View& view, const PlanScene& scene) {
                  farthest * scene.size);
 }
 
-/// Movement of the drag in this frame, or of its inertia. Other movements end the inertia.
+/// The movement of the drag, or of its inertia, in this frame. Other movements end the inertia.
 Drags dragged_by(Session& s, bool free, bool held, bool moves_otherwise, double now) {
     if (moves_otherwise || s.viewpoint.flight || (!s.steering.inertia && !held)) s.steering.glide = {};
     if (held && !s.steering.glide.held) s.steering.grip.reset();
@@ -114,7 +114,8 @@ void move_by_pointer(Session& s, const PlanScene& scene, double now) {
     if (!s.window.input.pinch && !held && !dragged) s.steering.grip.reset();
 }
 
-/// Maps the pointer to a hemisphere over the frame: low at its edge, at the viewer in its center.
+/// Maps the pointer to a hemisphere over the frame: the lamp is low if the pointer is at the frame's edge,
+/// and at the viewer if the pointer is in the center.
 void move_lamp(Session& s) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool still = io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
@@ -129,7 +130,7 @@ void move_lamp(Session& s) {
     s.settings.light.elevation = std::max(5.0, degrees * std::acos(std::min(std::hypot(x, y), 1.0)));
 }
 
-/// Handles keys that are down, or were released since the last frame.
+/// Handles keys that are down, or that were released since the last frame.
 void move_by_keys(Session& s) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyCtrl || io.KeyAlt || io.KeySuper) return;
@@ -158,7 +159,7 @@ void next(Enum& value) {
     value = Enum((int(value) + 1) % int(Enum::count));
 }
 
-/// Flies to the next photo with pixels on the right, or on the left (`by` -1).
+/// Flies to the next photo on the right that has pixels, or on the left if `by` is -1.
 void fly_on(Session& s, const PlanScene& scene, int by, double now) {
     const std::vector<std::uint32_t> order = photos_around(scene.photos, s.viewpoint.camera.up);
     const int count = int(order.size()),

@@ -20,7 +20,7 @@ bool in_path(const std::string& program) {
     return false;
 }
 
-/// "zenity", "kdialog" or empty; prefers the one that belongs to the desktop.
+/// "zenity", "kdialog" or empty; prefers the program that belongs to the desktop.
 std::string chooser() {
     const char* desktop = std::getenv("XDG_CURRENT_DESKTOP");
     if (!desktop || !*desktop) return "";

@@ -9,11 +9,11 @@
 
 namespace vantage {
 
-/// The desktop's own dialog to choose a package, with zenity or kdialog.
+/// The desktop's own dialog for choosing a package, shown by zenity or kdialog.
 class SystemChooser {
   public:
-    /// Handles requests to choose a file, if there is such a dialog, in place of the window's own; and opens
-    /// the chosen file. `folder`: initial folder.
+    /// Handles requests to choose a file, if there is such a dialog, which then replaces the window's own
+    /// one, and opens the chosen file. `folder`: the initial folder.
     void attend(UserCommands& commands, Message& message, const std::filesystem::path& folder, double now);
     bool asks() const { return program_.has_value(); }
 

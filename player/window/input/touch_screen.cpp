@@ -31,7 +31,7 @@ struct Free {
 template <class T>
 using Reply = std::unique_ptr<T, Free<T>>;
 
-/// A connection that receives touch events of the window; empty if the server does not support them.
+/// A connection that receives the window's touch events; empty if the server does not support them.
 Connection listen_to_touches(xcb_window_t window) {
     Connection c(xcb_connect(nullptr, nullptr));
     if (xcb_connection_has_error(c.get())) return {};
@@ -52,7 +52,7 @@ Connection listen_to_touches(xcb_window_t window) {
     return refused ? Connection() : std::move(c);
 }
 
-/// Converts an event of the connection; empty if it is another kind.
+/// Converts an event of the connection; empty if the event is of another kind.
 std::optional<TouchEvent> touch_of(const xcb_generic_event_t& event) {
     constexpr int sent_bit = 0x80;
     if ((event.response_type & ~sent_bit) != XCB_GE_GENERIC) return {};

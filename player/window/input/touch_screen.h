@@ -8,11 +8,11 @@ struct GLFWwindow;
 
 namespace vantage {
 
-/// The touch screen under a window; GLFW only reports its first finger, as a mouse. Needs X11 with XInput
-/// 2.2; elsewhere there are no touch events, and that finger remains a mouse.
+/// The touch screen under a window. GLFW only reports the first finger, as a mouse. Touch events need X11
+/// with XInput 2.2; elsewhere there are none, and the first finger remains a mouse.
 class TouchScreen {
   public:
-    /// Listens on a separate thread, which wakes the window's thread when it waits for events.
+    /// Listens on a separate thread, which wakes the window's thread when that thread waits for events.
     explicit TouchScreen(GLFWwindow* window);
     ~TouchScreen();
     TouchScreen(const TouchScreen&) = delete;
@@ -22,7 +22,7 @@ class TouchScreen {
 
   private:
     struct Listener;
-    std::unique_ptr<Listener> listener_;  ///< empty: no touch screen
+    std::unique_ptr<Listener> listener_;  ///< empty if there is no touch screen
 };
 
 }  // namespace vantage

@@ -55,7 +55,7 @@ WindowEvents WindowInput::take(double now) {
     return std::exchange(events_, {});
 }
 
-/// The position of a press is reported first, and then the drag from there.
+/// The position of the press is reported first, then the drag from that position.
 void WindowInput::report_mouse() {
     UserInput& input = events_.input;
     bool pressed = false;

@@ -16,16 +16,16 @@ class WindowInput {
     void note() { events_.any = true; }
     /// A key was pressed, repeated, or released.
     void key(const KeyPress& press, bool down);
-    /// `now`: seconds, as below; `button`: as in Pointer::down.
+    /// `now`: seconds, here and below; `button`: as in Pointer::down.
     void button(std::size_t button, bool down, double now);
     void move_mouse(double x, double y);
-    /// The position of the mouse before it has moved.
+    /// Sets the position of the mouse before its first movement.
     void set_mouse(double x, double y) { mouse_.x = x, mouse_.y = y; }
     void drop(std::vector<std::string> files);
     /// `text_scale`: the window's text scale.
     void touch(const TouchEvent& event, double text_scale, double now);
 
-    /// Starts handling events: those that follow may have occurred since the last frame.
+    /// Starts handling events: the events that follow may have occurred at any time since the last frame.
     void look(double now) { mouse_.late = now - looked_at_; }
     /// The input for the next frame.
     WindowEvents take(double now);
@@ -35,7 +35,7 @@ class WindowInput {
 
     WindowEvents events_;
     std::vector<int> held_;  ///< positions of keys
-    double looked_at_ = 0;   ///< time of the last event handling, seconds
+    double looked_at_ = 0;   ///< when events were last handled, seconds
     Pointer mouse_;
     struct MouseFrame {
         PointerState state;
