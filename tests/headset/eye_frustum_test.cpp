@@ -21,7 +21,7 @@ TEST(EyeFrustum, DirectionsAtItsBordersAreAtTheBordersOfThePicture) {
     ASSERT_TRUE(eye);
     const Stance stance = standing({}, {4, 5, 6}, {1, 2, 3}, Vector3d::UnitZ(), 25);
     const View view = view_of_eye(stance, *eye, {640, 720});
-    // In the room: the eye looks along -z, y is up. Directions correspond to the angles.
+    // In the room, the eye looks along -z, and y is up. Directions correspond to the angles.
     const auto pixel = [&](double right, double up) {
         const Vector3d ahead(std::tan(right), std::tan(up), -1);
         const Vector3d at = in_scene(stance, pose.at + pose.turn * (ahead * 2.5));

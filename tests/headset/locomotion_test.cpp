@@ -12,15 +12,15 @@ using Eigen::Vector3d;
 
 constexpr double frame = 1.0 / 90;
 
-/// A pose that points from a position in the room, `up` radians above the horizontal, `left` radians to the
-/// left of straight ahead.
+/// A pose that points from a position in the room, `up` radians above the horizontal and `left` radians to
+/// the left of straight ahead.
 RoomPose aiming(const Vector3d& at, double up, double left = 0) {
     return {Eigen::Quaterniond(Eigen::AngleAxisd(left, Vector3d::UnitY()) *
                                Eigen::AngleAxisd(up, Vector3d::UnitX())),
             at};
 }
 
-/// A room away from the scene's origin, with ten scene units per meter, z up.
+/// A room away from the scene's origin, with ten scene units per meter and z up.
 class LocomotionTest : public testing::Test {
   protected:
     LocomotionTest() {
@@ -101,7 +101,7 @@ TEST_F(LocomotionTest, StandsBeforeAWallAndNotInIt) {
     step();
     ASSERT_TRUE(w.arc && w.arc->landing);
     EXPECT_NEAR(w.arc->landing->z(), 0, 1e-9);
-    EXPECT_NEAR(w.arc->landing->y(), wall - 5, 1e-9) << "half a meter before it";
+    EXPECT_NEAR(w.arc->landing->y(), wall - 5, 1e-9) << "the user lands half a meter in front of the wall";
 }
 
 TEST_F(LocomotionTest, ASteepRoofIsNoPlaceToStand) {
@@ -142,7 +142,7 @@ TEST_F(LocomotionTest, StickOfTheOtherHandFliesWhereItPointsAtTheSameSpeedAtEver
     const Vector3d from = eye();
     step(90);
     const Vector3d flown = eye() - from, along = w.stance.R * hands[left_hand].aim->ahead();
-    EXPECT_LT((flown - along * 20).norm(), 1e-6) << "two meters per second";
+    EXPECT_LT((flown - along * 20).norm(), 1e-6) << "flying covers two meters per second";
     EXPECT_NEAR(w.vignette, 1, 1e-9);
     stick(left_hand, 0, 0);
     step(30);
@@ -262,7 +262,7 @@ TEST_F(LocomotionTest, TurnWhileAHandHoldsTheSceneStays) {
 }
 
 TEST_F(LocomotionTest, CeilingIsNoPlaceToStand) {
-    // Visible from either side, like a mesh.
+    // The ceiling and the floor are visible from either side, like a mesh.
     surface = [](const Vector3d& from, const Vector3d& to) -> std::optional<SurfacePoint> {
         for (const double z : {20.0, 0.0}) {
             if ((from.z() - z) * (to.z() - z) > 0 || from.z() == to.z()) continue;
@@ -275,7 +275,7 @@ TEST_F(LocomotionTest, CeilingIsNoPlaceToStand) {
     stick(right_hand, 0, 1);
     step();
     ASSERT_TRUE(w.arc && w.arc->landing);
-    EXPECT_NEAR(w.arc->landing->z(), 0, 1e-9) << "the floor below it";
+    EXPECT_NEAR(w.arc->landing->z(), 0, 1e-9) << "the user lands on the floor below the ceiling";
 }
 
 TEST_F(LocomotionTest, LettingGoOfWhatHandsBeganHasNoEffect) {

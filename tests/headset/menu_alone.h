@@ -49,7 +49,7 @@ class MenuAlone {
         frames(2, {at});
     }
     void press(const std::string& name) { press(place(name)); }
-    /// Positions that a ray can hit, for the controls on the panel.
+    /// The positions of the controls on the panel, where a ray can hit them.
     std::vector<std::pair<std::string, Eigen::Vector2d>> places() {
         std::vector<std::pair<std::string, Eigen::Vector2d>> out;
         for (const Controls::Place& p : interface_.controls().places()) {

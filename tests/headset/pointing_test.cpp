@@ -52,7 +52,7 @@ TEST_F(PointingAtTheMenu, GivesThePixelAndTheLengthOfTheRay) {
                 1e-9);
     at_pixel(right_hand, 300, 400);
     step();
-    EXPECT_EQ(pointer.hand, right_hand) << "the right one first";
+    EXPECT_EQ(pointer.hand, right_hand) << "the right hand comes first";
 }
 
 TEST_F(PointingAtTheMenu, SliderIsHeldBesideTheMenuUntilItIsLetGo) {
@@ -111,7 +111,7 @@ TEST_F(PointingAtTheMenu, NearestNoteIsMetUnlessTheMenuHidesIt) {
     EXPECT_NEAR(pointed[right_hand].length, 2, 1e-9);
     session.window.panels.measure = true;
     step();
-    EXPECT_FALSE(pointed[right_hand].note) << "points of the surface are wanted";
+    EXPECT_FALSE(pointed[right_hand].note) << "while measuring, hands point at surfaces, not at notes";
     session.window.panels.measure = false;
     at_pixel(right_hand, 400, 300);
     story.notes[0].anchor = from + hands[right_hand].aim->ahead() * 3;

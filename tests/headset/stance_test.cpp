@@ -17,7 +17,7 @@ RoomPose looking(const Vector3d& at, double left, double up = 0) {
             at};
 }
 
-/// A rotated, moved and scaled stance in a scene whose up direction is not an axis.
+/// A rotated, moved and scaled stance in a scene whose up direction is not along an axis.
 Stance some_stance() {
     return standing(looking({0.3, 1.6, -0.2}, 0.7), {12, -3, 4}, {2, 5, 1}, Vector3d(1, 2, 5).normalized(),
                     40);
@@ -33,7 +33,7 @@ TEST(Stance, HeadStandsAtTheEyeAndLooksAtTheTargetWhereverItIsInTheRoom) {
         const Vector3d level = (ahead - up * up.dot(ahead)).normalized();
         const Vector3d wanted = (target - eye - up * up.dot(target - eye)).normalized();
         EXPECT_GT(level.dot(wanted), 1 - 1e-12) << left;
-        EXPECT_LT((s.up() - up).norm(), 1e-12) << "level, although the head looks up";
+        EXPECT_LT((s.up() - up).norm(), 1e-12) << "the view is level although the head looks up";
         EXPECT_NEAR((in_scene(s, {1, 0, 0}) - in_scene(s, {0, 0, 0})).norm(), 40, 1e-9);
         EXPECT_NEAR(s.R.determinant(), 1, 1e-12);
     }

@@ -10,7 +10,8 @@
 // Photos, clusters and views for tests.
 namespace vantage {
 
-/// A photo of `width` x `height` pixels with focal length 1500, which shows the model at a distance of 10.
+/// A photo of `width` x `height` pixels with a focal length of 1500, which shows the model at a distance of
+/// 10.
 inline package::PhotoRecord photo_at(const Eigen::Vector3d& center, const Eigen::Matrix3d& R,
                                      int width = 1700, int height = 1300) {
     package::PhotoRecord p{};

@@ -59,7 +59,7 @@ TEST_F(WindowCommands, TheDialogListsFoldersFirstAndIsUsedByKeysAlone) {
     w.key(GLFW_KEY_O);
     w.type("nbv");
     w.key(GLFW_KEY_ENTER);
-    EXPECT_EQ(opened(w), "nbv") << "letters are only typed";
+    EXPECT_EQ(opened(w), "nbv") << "letters are typed and do nothing else";
     EXPECT_FALSE(w.session.viewpoint.flight);
     w.key(GLFW_KEY_O);
     w.press("one.vantage");
@@ -89,7 +89,7 @@ TEST_F(WindowCommands, AViewIsCopiedAsACommandLineAndPasted) {
 }
 
 TEST_F(WindowCommands, FilesThatCannotBeWrittenAreSaid) {
-    if (!std::filesystem::exists("/proc/self")) GTEST_SKIP() << "needs a read-only folder";
+    if (!std::filesystem::exists("/proc/self")) GTEST_SKIP() << "this test needs a read-only folder";
     std::filesystem::current_path("/proc");
     HeadlessWindow w(package_of(WindowScene::tiny));
     w.key(GLFW_KEY_R), w.wait(0.5), w.key(GLFW_KEY_R);
@@ -112,7 +112,7 @@ TEST_F(WindowCommands, AskWhatToDoWithADroppedPackage) {
     EXPECT_TRUE(w.session.window.panels.objects);
     w.key(GLFW_KEY_TAB);
     w.resize(900, 3000);
-    EXPECT_TRUE(w.there("Remove one 2")) << "a taken name gets a number";
+    EXPECT_TRUE(w.there("Remove one 2")) << "a name that is in use gets a number";
     dropped("Open in place of the scene");
     const auto opened = take<OpenFile>(w.session.window.commands);
     ASSERT_TRUE(opened);

@@ -36,7 +36,7 @@ class WindowControls : public WindowTest {
         w.press(name);
         EXPECT_EQ(value, before) << name << ", again";
     }
-    /// Chooses each entry of a list, the first one last.
+    /// Chooses each entry of a list, the first entry last.
     template <class Enum>
     static void chooses(HeadlessWindow& w, const char* list, const Enum& value,
                         const std::vector<const char*>& entries) {
@@ -227,7 +227,7 @@ TEST_F(WindowControls, OfTheBarAndTheRadar) {
         w.choose("Bar Light", entry);
         EXPECT_EQ(w.session.settings.light.light, light) << entry;
     }
-    // Each camera is on the map, clickable within some pixels.
+    // Each camera is on the map and can be clicked within some pixels.
     w.key(GLFW_KEY_F6);
     std::set<std::uint32_t> flown;
     const Controls::Place map = *w.find("Radar map");
@@ -291,7 +291,7 @@ TEST_F(WindowControls, OfImageSets) {
     w.choose("Image set", "infrared: 4 photos");
     EXPECT_EQ(w.scene().image_sets[b.shown].name, "infrared");
     EXPECT_TRUE(w.there("Photo 4"));
-    EXPECT_FALSE(w.there("Photo 5")) << "belongs to another image set";
+    EXPECT_FALSE(w.there("Photo 5")) << "this photo belongs to another image set";
     w.choose("Second image set", "visible");
     ASSERT_TRUE(b.other);
     EXPECT_EQ(w.scene().image_sets[*b.other].name, "visible");
@@ -339,7 +339,7 @@ TEST_F(WindowControls, OfObjects) {
     w.press("Scale of right", 0.2);
     objects = saved();
     ASSERT_EQ(objects.size(), 2u);
-    EXPECT_FALSE(objects[0].shown) << "only the right one is shown";
+    EXPECT_FALSE(objects[0].shown) << "only the object on the right is shown";
     EXPECT_TRUE(objects[1].shown);
     EXPECT_EQ(objects[0].opacity, 1);
     EXPECT_LT(objects[1].opacity, 0.7);

@@ -28,7 +28,7 @@ class WindowEventsTest : public WindowTest {
     static Eigen::Vector2d pixel_of(const HeadlessWindow& w, const Eigen::Vector3d& point) {
         return project(w.view().intrinsics, w.view().cam_from_origin, point)->pixel;
     }
-    /// The point of the model at that pixel.
+    /// The point of the model at `pixel`.
     static Eigen::Vector3d point_at(HeadlessWindow& w, const Eigen::Vector2d& pixel) {
         const auto hit = first_hit(w.scene(), ray_through(w.view(), pixel));
         EXPECT_TRUE(hit) << pixel.transpose();
@@ -49,7 +49,7 @@ TEST_F(WindowEventsTest, TapsQuickerThanAFrameAllActInOrder) {
     w.frames(4);
     EXPECT_TRUE(w.session.window.panels.status && w.session.window.panels.frusta &&
                 !w.session.window.panels.radar);
-    EXPECT_TRUE(w.there("Section Picture")) << "F3 shows its section with the sidebar";
+    EXPECT_TRUE(w.there("Section Picture")) << "F3 shows the sidebar with the picture's section";
     w.key(GLFW_KEY_C, control);
     EXPECT_FALSE(w.there("Swipe")) << "Ctrl+C compares";
     for (int i = 0; i < 3; ++i) w.tap(GLFW_KEY_C);
@@ -178,7 +178,7 @@ TEST_F(WindowEventsTest, ADragTurnsHalfATurnPerWidthOfTheWindow) {
     w.drag(0, 0, 60);
     EXPECT_NEAR(elevation(w) - before, 60 * 180 / 900.0, 0.01);
     EXPECT_NEAR(distance(w), far, 1e-6 * far);
-    // Sideways: about the up axis.
+    // A sideways drag orbits about the up axis.
     const Eigen::Vector3d from = w.session.viewpoint.camera.eye;
     w.point_at({450, 200});
     w.drag(0, 90, 0);
@@ -246,7 +246,7 @@ TEST_F(WindowEventsTest, WhatIsLetGoInMotionMovesOn) {
         w.wait(3);
         return elevation(w) - before;
     };
-    EXPECT_GT(thrown(), 49) << "degrees, of which 48 were dragged";
+    EXPECT_GT(thrown(), 49) << "degrees in total; 48 of these were dragged";
     w.session.steering.inertia = false;
     EXPECT_NEAR(thrown(), 48, 0.5);
 }
@@ -258,7 +258,7 @@ TEST_F(WindowEventsTest, FingersOrbitPinchAndTap) {
     for (int i = 1; i <= 6; ++i) w.touch(What::move, 1, 450, 200 + 10 * i), w.frames();
     w.wait(0.3), w.touch(What::end, 1, 450, 260), w.frames(3);
     EXPECT_NEAR(elevation(w) - before, 12, 0.01);
-    // The point between two fingers stays in place, and the scene grows as they spread.
+    // The point between two fingers stays in place, and the scene grows as the fingers spread.
     const Eigen::Vector2d middle(430, 300);
     const Eigen::Vector3d point = point_at(w, middle);
     const double far = depth_in(w.view(), point);
@@ -361,7 +361,7 @@ TEST_F(WindowEventsTest, TheStripScrollsAndFliesNowhere) {
 TEST_F(WindowEventsTest, MessagesGoAfterSomeSeconds) {
     HeadlessWindow w(package_of(WindowScene::tiny));
     w.key(GLFW_KEY_BACKSPACE);
-    EXPECT_TRUE(w.there("Message")) << "this is the first view";
+    EXPECT_TRUE(w.there("Message")) << "there is no view before the first";
     w.wait(5);
     EXPECT_TRUE(w.there("Message"));
     w.wait(2);
@@ -392,7 +392,7 @@ TEST_F(WindowEventsTest, AKioskLetsThePublicLookOnly) {
     w.choose("Bar Language", "Deutsch");
     EXPECT_EQ(s.window.language, "de");
     w.wait(7);
-    EXPECT_EQ(s.viewpoint.camera.eye, s.viewpoint.home.eye) << "returns home when idle";
+    EXPECT_EQ(s.viewpoint.camera.eye, s.viewpoint.home.eye) << "an idle kiosk returns to its first view";
     EXPECT_FALSE(s.window.panels.help);
     EXPECT_EQ(s.window.language, "");
 }

@@ -16,7 +16,7 @@ namespace vantage {
 /// is called. Time advances only with frames, thirty per second.
 class HeadlessWindow {
   public:
-    /// Shows a package, or several objects, of which the first is the scene.
+    /// Shows a package, or several objects, the first of which is the scene.
     explicit HeadlessWindow(const std::filesystem::path& package, ShowOptions options = {},
                             std::vector<SceneObject> objects = {});
     ~HeadlessWindow();
@@ -25,23 +25,23 @@ class HeadlessWindow {
 
     void frames(int count = 1);
     void wait(double seconds);
-    /// Draws the view, so that results can be read from its picture: hidden notes, the point under the
-    /// pointer.
+    /// Draws the view, so that results can be read from its picture, such as hidden notes or the point under
+    /// the pointer.
     void draw();
     void resize(int width, int height);
 
     /// Moves the mouse immediately.
     void point_at(const Eigen::Vector2d& pixel);
     void button(std::size_t button, bool down);
-    /// Drags from the mouse position, within one frame, and pauses before releasing the button.
+    /// Drags from the mouse position within one frame, and pauses before releasing the button.
     void drag(std::size_t button, double right, double down);
     /// Presses and releases the left button within a frame.
     void click();
     void double_click();
     void wheel(float turns);
-    /// Presses and releases a key (of GLFW) within the next frame, without running it.
+    /// Presses and releases a key (numbered as in GLFW) within the next frame, without running that frame.
     void tap(int key, KeyPress::With with = KeyPress::With::nothing);
-    /// tap(), followed by the frames that handle it.
+    /// Calls tap() and runs the frames that handle the key.
     void key(int key, KeyPress::With with = KeyPress::With::nothing);
     void hold(int key, double seconds);
     void hold_control(bool down);
@@ -53,7 +53,7 @@ class HeadlessWindow {
     const Controls::Place* find(const std::string& name) const;
     /// A position on a control, at a fraction of its width; fails the test if the control is missing.
     Eigen::Vector2d place(const std::string& name, double share = 0.5) const;
-    /// Clicks a control over several frames, as a person does.
+    /// Clicks a control over several frames, as a person would.
     void press(const std::string& name, double share = 0.5);
     /// Chooses an entry of a list or a menu.
     void choose(const std::string& list, const std::string& entry);

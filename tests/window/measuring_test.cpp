@@ -43,7 +43,7 @@ class WindowMeasures : public WindowTest {
         return read_survey(file, {});
     }
     std::size_t count() const { return survey().measurements.size(); }
-    /// The last measurement, once `wanted` are stored.
+    /// The last measurement, once `wanted` measurements are stored.
     double value(HeadlessWindow& w, std::size_t wanted) const {
         written_until(w, survey_file(),
                       [&](const std::string& text) { return text.ends_with("\n") && count() >= wanted; });
@@ -65,7 +65,7 @@ TEST_F(WindowMeasures, EveryMeasureOfTheOpening) {
     ASSERT_TRUE(w.there("Snap to vertices"));
     std::size_t n = 0;
     click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
-    EXPECT_NEAR(value(w, ++n), 1.6, 0.03) << "on the wall, accurate to a pixel";
+    EXPECT_NEAR(value(w, ++n), 1.6, 0.03) << "the point is on the wall, accurate to a pixel";
     w.press("Snap to vertices");
     click(w, {left, 0, low}, {-2, 1}), click(w, {left, 0, high}, {-2, -1});
     EXPECT_NEAR(value(w, ++n), 2.01, 1e-4) << "at vertices, exact";
@@ -106,7 +106,7 @@ TEST_F(WindowMeasures, NothingBesideTheModelAndNothingAfterEsc) {
     EXPECT_TRUE(w.there("Snap to vertices")) << "Esc cancels the current measurement";
     w.key(GLFW_KEY_ENTER);
     w.key(GLFW_KEY_ESCAPE);
-    EXPECT_FALSE(w.there("Snap to vertices")) << "then it leaves measuring";
+    EXPECT_FALSE(w.there("Snap to vertices")) << "a second Esc leaves measuring";
     click(w, {left, 0, low}), click(w, {left, 0, high});
     w.wait(0.5);
     EXPECT_FALSE(std::filesystem::exists(survey_file()));
@@ -203,7 +203,7 @@ TEST_F(WindowMeasures, AreTheSameAtAllDepthsOrthographically) {
     };
     const double ground = length(68);
     EXPECT_GT(ground, 1);
-    // The middle is 1.8 m in front of the facade; the roof's ridge runs 2.2 m behind it.
+    // The middle is 1.8 m in front of the facade; the roof's ridge runs 2.2 m behind the facade.
     const double ridge = -3.6 * 200 / ground, roof = length(ridge);
     EXPECT_NEAR(roof / ground, 1, 0.002) << "7 m above it";
     w.point_at({middle.x(), middle.y() + ridge}), w.frames();

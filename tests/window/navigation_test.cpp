@@ -1,4 +1,4 @@
-// The window used by keys alone, and the marks of photos in the strip.
+// The window is used with keys alone, and the strip marks photos.
 #include <algorithm>
 
 #include "tests/window/shown_text.h"
@@ -22,14 +22,14 @@ TEST_F(WindowNavigation, ArrowKeysReachTheToolsAndSpaceOrEnterUsesThem) {
     w.key(GLFW_KEY_RIGHT);
     EXPECT_TRUE(marked(w));
     w.key(GLFW_KEY_SPACE);
-    EXPECT_FALSE(w.session.window.panels.photos) << "the tool beside Home";
+    EXPECT_FALSE(w.session.window.panels.photos) << "this is the tool beside Home";
     w.key(GLFW_KEY_ENTER);
     EXPECT_TRUE(w.session.window.panels.photos);
     w.key(GLFW_KEY_RIGHT), w.key(GLFW_KEY_ENTER);
     w.wait(1);
     EXPECT_TRUE(w.there("Swipe"));
     w.key(GLFW_KEY_ENTER);
-    EXPECT_FALSE(w.there("Swipe")) << "the comparison has taken the mark away";
+    EXPECT_FALSE(w.there("Swipe")) << "the comparison has removed the mark";
     w.point_at({450, 300}), w.frames();
     w.click();
     EXPECT_FALSE(marked(w));

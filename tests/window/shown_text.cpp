@@ -15,7 +15,7 @@ std::string utf8(unsigned letter) {
     return {char(0xe0 | letter >> 12), char(0x80 | (letter >> 6 & 0x3f)), char(0x80 | (letter & 0x3f))};
 }
 
-/// Letters by their position in the font's picture.
+/// Letters, keyed by their position in the font's picture.
 std::map<std::pair<float, float>, const ImFontGlyph*> letters() {
     std::map<std::pair<float, float>, const ImFontGlyph*> out;
     for (const ImFontGlyph& g : ImGui::GetIO().Fonts->Fonts[0]->Glyphs)

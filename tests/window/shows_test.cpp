@@ -98,7 +98,8 @@ TEST_F(WindowShows, PhotosAreListedByNameByPointAndByError) {
     EXPECT_LT((*w.session.photo_list.point - hit->position).norm(), 1e-6);
     const auto& showing = w.session.photo_list.showing;
     ASSERT_FALSE(showing.empty());
-    EXPECT_TRUE(std::ranges::is_sorted(showing, {}, &Footprint::size)) << "the finest pixels first";
+    EXPECT_TRUE(std::ranges::is_sorted(showing, {}, &Footprint::size))
+        << "photos with the finest pixels come first";
     w.resize(1200, 3000);
     EXPECT_EQ(listed(w).size(), showing.size());
     w.press("Photos at point");

@@ -1,4 +1,4 @@
-// The window's controls fit at every size, text scale and language.
+// The window's controls fit at every size and text scale, and in every language.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,8 +9,8 @@ using namespace vantage;
 
 namespace {
 
-/// Controls of the bar, the menu and the strip's first photos that extend beyond the window or overlap, and
-/// controls of the sidebar that are wider than its headers. The sidebar scrolls vertically.
+/// Lists faults: controls of the bar, the menu and the strip's first photos that extend beyond the window or
+/// overlap, and controls of the sidebar that are wider than its headers. The sidebar scrolls vertically.
 std::string misplaced(const HeadlessWindow& w, float width, float height) {
     std::string out;
     std::vector<Controls::Place> checked;

@@ -1,4 +1,4 @@
-// A curator writes notes and a tour in the window; visitors see them.
+// A curator writes notes and a tour in the window, and visitors see the notes and the tour.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -37,7 +37,7 @@ class WindowStories : public WindowTest {
         for (const StoryNote& n : story.notes) out += (out.empty() ? "" : " ") + n.title.plain;
         return out;
     }
-    /// Writes five notes at different positions, of which the first has all properties, and a tour.
+    /// Writes a tour and five notes at different positions. The first note has all properties.
     void write_five_notes() const {
         HeadlessWindow w(package);
         w.resize(1400, 900);
@@ -97,7 +97,7 @@ TEST_F(WindowStories, AVisitorFollowsNotesAndTours) {
     write_five_notes();
     const Story story = saved();
     HeadlessWindow w(package);
-    EXPECT_LT((stands_at(w) - story.opening->eye).norm(), 0.01) << "it opens at the opening view";
+    EXPECT_LT((stands_at(w) - story.opening->eye).norm(), 0.01) << "the window opens at the opening view";
     EXPECT_TRUE(w.there("List 5"));
     w.press("Note 2");
     w.wait(2);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Removed when the process ends.
+/// A folder that is removed when the process ends.
 struct Folder {
     const fs::path path = fs::temp_directory_path() / ("vantage-window-scenes-" + std::to_string(::getpid()));
     ~Folder() {
@@ -38,7 +38,7 @@ SynthSpec small_photos(const char* name) {
     return spec;
 }
 
-/// Renames the photos, so that their alphabetical order differs from that around the building.
+/// Renames the photos so that their alphabetical order differs from their order around the building.
 void shuffle_names(const fs::path& scan, int photos) {
     const auto name = [](int number) {
         char text[16];

@@ -14,7 +14,7 @@ namespace vantage {
 
 inline constexpr auto control = KeyPress::With::control;
 
-/// Each test has its own folder, to which the window writes its files.
+/// Each test has its own folder; the window writes its files there.
 class WindowTest : public TemporaryFolder {
   protected:
     void SetUp() override {
@@ -31,7 +31,7 @@ class WindowTest : public TemporaryFolder {
         std::filesystem::copy_file(package_of(scene), dir / name);
         return dir / name;
     }
-    /// Runs the window until `done` accepts the text of the file. Fails the test after several seconds.
+    /// Runs the window until `done` accepts the file's text. Fails the test after several seconds.
     template <class Done>
     std::string written_until(HeadlessWindow& w, const std::filesystem::path& file, const Done& done) const {
         std::string text;

@@ -35,7 +35,7 @@ TEST(Layout, NothingCoversThePictureAndNothingIsOutsideTheWindow) {
                     covered += a.width * a.height;
                     for (const Area& b : parts) EXPECT_TRUE(&a == &b || !overlap(a, b));
                 }
-                EXPECT_NEAR(covered, double(width) * height, 1) << "parts of the window are unassigned";
+                EXPECT_NEAR(covered, double(width) * height, 1) << "the areas do not add up to the window";
                 EXPECT_GT(l.free.width * l.free.height, 0.3 * width * height)
                     << "too little space for the picture";
                 EXPECT_EQ(l.strip.height > 0, photos && height > 24 * em);

@@ -55,5 +55,5 @@ TEST_F(PhotoMarks, TellEveryStateWithoutColors) {
     }
     EXPECT_EQ(drawn.size(), 16u);
     EXPECT_EQ(named.size(), 16u);
-    EXPECT_TRUE(shapes({}).empty()) << "nothing is to be said";
+    EXPECT_TRUE(shapes({}).empty()) << "a photo without marks has no shapes";
 }

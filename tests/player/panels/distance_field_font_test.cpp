@@ -1,4 +1,4 @@
-// Letters have the font's outlines, at any position in the atlas.
+// Letters have the font's outlines at any position in the atlas.
 #include "player/panels/distance_field_font.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ struct Imgui {
                                                                    &ImGui::DestroyContext};
 };
 
-/// The font, read independently.
+/// The font, read independently of the code under test.
 struct Truth {
     Truth() {
         std::ifstream file(font_file, std::ios::binary);
@@ -36,14 +36,14 @@ struct Truth {
     stbtt_fontinfo font;
 };
 
-/// A letter drawn 32 times larger than in the field.
+/// A letter drawn 32 times as large as in the distance field.
 struct Large {
     static constexpr int times = 32;
     Large(const stbtt_fontinfo& font, char letter, float size)
         : pixels(stbtt_GetCodepointBitmap(&font, 0, times * stbtt_ScaleForPixelHeight(&font, size), letter,
                                           &width, &height, &left, &top),
                  [](unsigned char* p) { stbtt_FreeBitmap(p, nullptr); }) {}
-    int width, height, left, top;  ///< from the letter's origin on its line
+    int width, height, left, top;  ///< relative to the letter's origin on the baseline
     std::unique_ptr<unsigned char, void (*)(unsigned char*)> pixels;
 };
 
@@ -90,7 +90,7 @@ TEST(DistanceFieldFont, OutlinesAreRightToATenthOfATexel) {
 }
 
 TEST(DistanceFieldFont, LettersHaveSpaceAroundThem) {
-    // At its border, a letter's part of the field contains no trace of other letters.
+    // The border of each letter's part of the field contains no trace of other letters.
     const Imgui imgui;
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     const DistanceField field = build_distance_field_font(fonts, 25);

@@ -22,7 +22,7 @@ void draw(const Marks& marks, const EyeTarget& picture) {
     pass.draw(picture.eye);
 }
 
-/// The sum of a column of the picture: the number of pixels that marks cover.
+/// The sum of a column of the picture, which is the number of pixels that marks cover.
 double column(const EyeTarget& picture, int x) {
     const FrameSize size = frame_size(picture.eye.view);
     const std::vector<float> values = picture.values();
@@ -31,7 +31,7 @@ double column(const EyeTarget& picture, int x) {
     return sum;
 }
 
-/// The number of pixels that differ from the exact value along their ray by more than half of white.
+/// The number of pixels that differ by more than half of white from the exact value along their ray.
 int wrong_pixels(const EyeTarget& picture, const std::function<bool(const Vector3d&)>& shows) {
     const FrameSize size = frame_size(picture.eye.view);
     const std::vector<float> values = picture.values();
@@ -106,7 +106,7 @@ TEST(MarkPass, APathIsAsTransparentWhereItBendsAsElsewhere) {
     draw(marks, picture);
     const std::vector<float> values = picture.values();
     EXPECT_LT(std::ranges::max(values), 0.51f);
-    // No gaps: a pixel between two covered pixels is covered.
+    // There are no gaps: a pixel between two covered pixels is covered.
     int gaps = 0;
     for (int y = 1; y < 199; ++y)
         for (int x = 1; x < 299; ++x) {
@@ -163,7 +163,7 @@ TEST(MarkPass, APictureIsShownAsItIs) {
                     {.texture = photos.id(), .layer = 1, .part = {0, 0, 0.5f, 0.5f}, .decodes = decodes},
                     white);
         draw(marks, picture);
-        // The first two rows and columns, whose texels are 23 pixels wide.
+        // The first two rows and columns of the texture, whose texels are 23 pixels wide.
         for (int i = 0; i < 4; ++i) {
             const auto seen = picture.at(38 + 23 * (i % 2), 38 + 23 * (i / 2));
             const int pixel = i % 2 + 4 * (i / 2);

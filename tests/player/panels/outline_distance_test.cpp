@@ -1,4 +1,4 @@
-// Distances to outlines are accurate to a tenth of a texel, although they are computed from coverage only.
+// Distances to outlines are accurate to a tenth of a texel although they are computed only from coverage.
 #include "player/panels/outline_distance.h"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ namespace {
 constexpr int size = 40;
 constexpr float most = 6;
 
-/// The largest difference from the exact distance, `within` a distance of the picture's middle, which is the
-/// origin of positions. The coverage is sampled at 16 * 16 positions per texel.
+/// The largest difference from the exact distance at positions up to `within` from the picture's center,
+/// which is their origin. The coverage is sampled at 16 * 16 positions per texel.
 double largest_error(const std::function<double(double, double)>& exact, double within = size) {
     std::vector<std::uint8_t> coverage;
     const auto middle = [](int texel) { return texel + 0.5 - size / 2.0; };
@@ -61,7 +61,7 @@ TEST(OutlineDistance, OfStrokesInAnyDirection) {
                                  along = x * std::cos(a) + y * std::sin(a);
                     return width / 2 - std::hypot(across, std::max(std::abs(along) - 10, 0.0));
                 };
-                // Its round ends have a radius of less than two texels.
+                // The stroke's round ends have a radius of less than two texels.
                 EXPECT_LT(largest_error(stroke), 0.16) << width << " " << degrees << " " << off;
                 EXPECT_LT(largest_error(stroke, 5), 0.05) << width << " " << degrees << " " << off;
             }

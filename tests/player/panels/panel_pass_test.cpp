@@ -20,7 +20,8 @@ namespace {
 
 constexpr const char* text_font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
-/// Content that `draw` adds to ImGui's background, on a panel of 400 * 300 pixels with text 25 pixels high.
+/// Content that `draw` adds to ImGui's background, on a panel of 400 * 300 pixels whose text is 25 pixels
+/// high.
 class Drawn {
   public:
     explicit Drawn(const std::function<void(ImDrawList&)>& draw)
@@ -44,14 +45,14 @@ class Drawn {
     PanelDrawing drawing_;
 };
 
-/// A panel whose pixels are millimeters and whose middle is straight ahead.
+/// A panel whose pixels are millimeters and whose center is straight ahead.
 Panel panel_ahead(double away) {
     return {.origin = {-0.2, -0.15, away}, .unit = 0.001, .width = 400, .height = 300};
 }
 
 void fill_all(ImDrawList& list) { list.AddRectFilled(ImVec2(0, 0), ImVec2(400, 300), IM_COL32_WHITE); }
 
-/// The left and right edge of the letter l, in panel pixels from the start of a text 25 pixels high.
+/// The left and right edges of the letter l, in panel pixels from the start of a text that is 25 pixels high.
 Vector2d edges_of_l() {
     std::ifstream file(text_font, std::ios::binary);
     const std::vector<unsigned char> bytes(std::istreambuf_iterator<char>(file), {});
@@ -64,7 +65,7 @@ Vector2d edges_of_l() {
 }
 
 struct Stroke {
-    double middle, width, rise;  ///< pixels; `rise`: from 10 % to 90 % of the peak coverage
+    double middle, width, rise;  ///< pixels; `rise`: the distance from 10% to 90% of the peak coverage
 };
 
 /// The stroke of an "l" at panel pixel (200, 140), viewed head-on, from pictures shifted by fractions of a
@@ -109,7 +110,7 @@ TEST(PanelPass, TextIsSharpFromAnyDistance) {
 }
 
 TEST(PanelPass, TinyTextIsAsBrightAsItShouldBe) {
-    // From afar, a line of text is a gray bar, with the same light as the text nearby.
+    // From afar, a line of text is a gray bar that emits the same light as the text does nearby.
     Drawn text(
         [](ImDrawList& list) { list.AddText(ImVec2(60, 140), IM_COL32_WHITE, "Hamburgefonstiv 0123"); });
     const auto light = [&](double away) {
@@ -126,7 +127,8 @@ TEST(PanelPass, TinyTextIsAsBrightAsItShouldBe) {
 TEST(PanelPass, ShowsEachPlaceWhereARayMeetsIt) {
     Drawn white(fill_all);
     EyeTarget picture(160, 120, 2);
-    // These include a panel beside the eye that extends from ahead to behind, and one that contains the eye.
+    // The positions include a panel beside the eye that extends from in front of it to behind it, and a panel
+    // that contains the eye.
     for (const double turn : {0.0, 0.5, 1.2, 1.5, -1.3})
         for (const Vector3d& middle :
              {Vector3d(0, 0, 0.3), Vector3d(0.03, 0, 0.1), Vector3d(-0.05, 0.02, 0), Vector3d(0, 0, 0)}) {
@@ -190,8 +192,8 @@ TEST(PanelPass, KeepsToClipRectangles) {
 TEST(PanelPass, ShinesThroughTheModelInFrontOfIt) {
     Drawn white(fill_all);
     EyeTarget picture(100, 80);
-    // On the left the model is nearer than the panel, in the middle it is farther away, on the right there is
-    // no model.
+    // On the left, the model is nearer than the panel; in the middle, it is farther away; on the right, there
+    // is no model.
     constexpr float a = -0.001f, b = 0.05f;
     std::vector<float> depths(128 * 96, 1);
     for (int y = 0; y < 80; ++y)

@@ -1,4 +1,4 @@
-// Pointing at a panel gives the pixel at that position.
+// Pointing at a panel yields the pixel at that position.
 #include "player/panels/panel.h"
 
 #include <gtest/gtest.h>

@@ -26,7 +26,7 @@ TEST(PictureText, FillsItsLineWithLettersAndNothingElse) {
         darkest = std::max(darkest, int(covered));
     });
     EXPECT_EQ(darkest, 255);
-    EXPECT_GT(pixels.size(), std::size_t(26 * width / 10)) << "letters are a good part of the line";
+    EXPECT_GT(pixels.size(), std::size_t(26 * width / 10)) << "letters cover more than a tenth of the line";
     EXPECT_LT(pixels.size(), std::size_t(26 * width / 2));
     std::size_t nothing = 0;
     text.draw(" ", 0, 0, [&](int, int, std::uint8_t) { ++nothing; });

@@ -58,7 +58,8 @@ TEST(CoarseMesh, IsNearTheMeshWithFarFewerTriangles) {
     ASSERT_EQ(coarse.indices.size(), 3 * triangles);
     EXPECT_LE(triangles, sphere.scene.triangles / 8 * 11 / 10);
     EXPECT_GT(triangles, sphere.scene.triangles / 16);
-    EXPECT_LE(triangles, coarse_triangles(sphere.scene)) << "within the graphics memory limit";
+    EXPECT_LE(triangles, coarse_triangles(sphere.scene))
+        << "more triangles than graphics memory is reserved for";
     EXPECT_LT(coarse.error, 0.01);
     double volume = 0;
     for (std::size_t t = 0; t < triangles; ++t) {
@@ -71,7 +72,7 @@ TEST(CoarseMesh, IsNearTheMeshWithFarFewerTriangles) {
         volume += double(corner(0).dot(corner(1).cross(corner(2)))) / 6;
     }
     EXPECT_NEAR(std::abs(volume), 4.0 / 3 * std::numbers::pi, 0.02)
-        << "it has holes, or triangles face inward";
+        << "the mesh has holes, or triangles face inward";
 }
 
 TEST(CoarseMesh, LeavesOutWhatIsNotOpaque) {

@@ -76,7 +76,7 @@ TEST(PointPlan, TakesTheNearestAndCoarsestWithinTheBudget) {
         EXPECT_LE(plan.points, std::max<std::uint64_t>(budget, test.cloud.nodes[0].count));
         ASSERT_FALSE(plan.nodes.empty());
         EXPECT_EQ(plan.nodes.front(), 0u);
-        // A prefix of the whole plan: a larger budget only adds nodes.
+        // The plan is a prefix of the whole plan: a larger budget only adds nodes.
         EXPECT_TRUE(std::equal(plan.nodes.begin(), plan.nodes.end(), whole.nodes.begin()));
     }
     const View far = view_towards({0, -4000, 2}, {0, 0, 0}, {0, 0, 1}, 60, 1280, 720);
@@ -98,7 +98,7 @@ TEST(PointPlan, DrawsOnlyWhatIsResidentBelowWhatIsDrawn) {
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             EXPECT_TRUE(resident(drawn[i].node));
             EXPECT_TRUE(once.insert(drawn[i].node).second);
-            // Children are where the shader expects them, in the order of their octants.
+            // Children are stored where the shader expects them, in the order of their octants.
             const package::PointNode& n = test.cloud.nodes[drawn[i].node];
             std::uint32_t child = n.children, at = drawn[i].first;
             for (unsigned octant = 0; octant < 8; ++octant) {

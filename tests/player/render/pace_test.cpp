@@ -14,10 +14,10 @@ using namespace vantage;
 namespace {
 
 constexpr double headset_ms = 1000.0 / 90;
-constexpr std::size_t found = 30;  ///< frames until the pace is found
+constexpr std::size_t found = 30;  ///< frames passed until the pace was found
 
-/// Motions on machines that are fast enough for full resolution and on slower ones, with frame times that are
-/// known at the next frame or later.
+/// Motions on machines that are fast enough for full resolution and on slower machines. Frame times are known
+/// at the next frame or later.
 std::vector<PacedMotion> motions(const std::function<double(int)>& load) {
     std::vector<PacedMotion> out;
     for (const double full : {4.0, 7.0, 14.0, 40.0})

@@ -73,7 +73,7 @@ TEST(Measurement, HasTheValuesOfGeometry) {
 }
 
 TEST(Measurement, TakesTheAreaOnThePlaneThatFitsBest) {
-    // A square with its corners 0.1 above and below its plane, alternating.
+    // A square whose corners are alternately 0.1 above and 0.1 below its plane.
     const std::vector<Vector3d> warped{{0, 0, 0.1}, {2, 0, -0.1}, {2, 2, 0.1}, {0, 2, -0.1}};
     const Measured m = measured(Measure::area, warped);
     EXPECT_NEAR(*m.value, 4, 1e-12);

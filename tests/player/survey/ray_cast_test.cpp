@@ -27,7 +27,7 @@ MeshScene heap(int triangles) {
     return m;
 }
 
-/// The distance of the nearest triangle, from solving the equations of all triangles.
+/// The distance of the nearest triangle, found by solving the equations of all triangles.
 double nearest_of_all(const MeshScene& m, const Ray& ray) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t t = 0; t < m.scene.triangles; ++t) {
@@ -130,6 +130,6 @@ TEST(Footprint, IsThatOfTheFinestPhotoThatSeesThePoint) {
     EXPECT_EQ(all.front().photo, seen->photo);
     EXPECT_TRUE(std::ranges::is_sorted(all, {}, &Footprint::size));
     EXPECT_TRUE(footprints(m.scene, 0, {100, 100, 0}).empty());
-    EXPECT_FALSE(smallest_footprint(m.scene, 0, {100, 100, 0})) << "in no photo's frame";
+    EXPECT_FALSE(smallest_footprint(m.scene, 0, {100, 100, 0})) << "the point is in no photo's frame";
     EXPECT_FALSE(smallest_footprint(m.scene, 12345, {0, 0, 0}));
 }

@@ -27,7 +27,8 @@ TEST(ScenePoint, IsInTheCoordinatesOfTheFirstInput) {
     far.add_quad({-50, -50, 0}, {100, 0, 0}, {0, 100, 0});
     far.finish();
     far.add_photo(view_towards({0, 0, -10}, {0, 0, 0}, {0, 1, 0}, 45, 1000, 1000).cam_from_origin, 1000);
-    // The second mesh is rotated by a quarter turn about z, scaled by three, and 5 behind the first.
+    // The second mesh is rotated by a quarter turn about z and scaled by three, and lies 5 behind the first
+    // mesh.
     const Eigen::Matrix3d R = Eigen::AngleAxisd(M_PI / 2, Vector3d::UnitZ()).toRotationMatrix();
     const std::array<PlacedMesh, 2> meshes{PlacedMesh{&near.scene}, PlacedMesh{&far.scene, R, {0, 0, 5}, 3}};
     const View view = view_towards({1, 2, -20}, {0, 0, 0}, {0, 1, 0}, 45, 800, 600);

@@ -68,7 +68,7 @@ TEST(Section, OfABoxIsItsOutline) {
 TEST(Section, ThroughCornersAndEdgesHasNoGap) {
     const MeshScene m = box({1, 1, 1});
     const PlacedMesh mesh{&m.scene};
-    // Along diagonals of the sides, and through three corners.
+    // Planes along diagonals of the sides, and through three corners.
     for (const Vector3d& normal : {Vector3d(1, 1, 0), Vector3d(1, -1, 0), Vector3d(1, 1, 1)})
         for (const double offset : {0.0, 1.0 / normal.norm()}) {
             const auto lines =
@@ -85,7 +85,7 @@ TEST(Section, LinesOfABoxEndAtItsEdges) {
     for (const int axis : {0, 1, 2})
         for (const double side : {-1.0, 1.0})
             planes.push_back({side * Vector3d::Unit(axis), axis == 2 ? 5 : 0.5});
-    // Four walls cut a square out of top and bottom.
+    // Four planes cut a square out of the top and the bottom.
     const auto lines = section_lines({&mesh, 1}, planes);
     EXPECT_NEAR(length_of(lines), 8, 1e-9);
     EXPECT_TRUE(is_closed(lines));

@@ -62,7 +62,7 @@ TEST_F(SurveyFiles, KeepEveryDigit) {
         }
     }
     EXPECT_EQ(std::distance(fs::directory_iterator(dir), fs::directory_iterator()), 1)
-        << "leaves no other file";
+        << "no other file must remain";
 }
 
 TEST_F(SurveyFiles, AreRefusedInOneLineAndLeftAlone) {
@@ -94,7 +94,7 @@ TEST_F(SurveyFiles, AreRefusedInOneLineAndLeftAlone) {
                                                                                     << trouble();
         EXPECT_NE(trouble().find(path.string()), std::string::npos);
         SurveyFile file{path};
-        EXPECT_THROW(write_survey(file, door()), Error) << "would replace an unreadable file";
+        EXPECT_THROW(write_survey(file, door()), Error) << "writing would replace an unreadable file";
         EXPECT_EQ(slurp(path), text);
     }
 }

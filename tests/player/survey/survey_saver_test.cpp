@@ -27,7 +27,7 @@ class SurveySavers : public TemporaryFolder {
     }
 };
 
-/// Polls for up to ten seconds.
+/// Polls `done` for up to ten seconds.
 std::string trouble_of(SurveySaver& saver) {
     for (int i = 0; i < 1000; ++i) {
         if (std::string trouble = saver.take_trouble(); !trouble.empty()) return trouble;

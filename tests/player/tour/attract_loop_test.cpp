@@ -37,7 +37,7 @@ TEST(AttractLoop, TurnsOnceAroundWhatTheFirstViewShows) {
     ASSERT_TRUE(loop);
     EXPECT_EQ(loop->seconds, 90);
     EXPECT_EQ(loop->begin().eye, home().eye);
-    EXPECT_EQ(loop->positions.back().eye, home().eye) << "so that it repeats without a jump";
+    EXPECT_EQ(loop->positions.back().eye, home().eye) << "the loop must repeat without a jump";
     double turned = 0;
     for (std::size_t i = 1; i < loop->positions.size(); ++i) {
         const Vector3d a = loop->positions[i - 1].eye, b = loop->positions[i].eye;
@@ -52,7 +52,7 @@ TEST(AttractLoop, FollowsATourOrStopsOfItsOwn) {
     story.attract = StoryAttract{.tour = "short"};
     const auto tour = attract_loop(story, home(), axes, "s.json");
     ASSERT_TRUE(tour);
-    EXPECT_NEAR(tour->seconds, 1 + 4 + 3, 1e-9) << "it begins at the first stop";
+    EXPECT_NEAR(tour->seconds, 1 + 4 + 3, 1e-9) << "the flight begins at the first stop";
     EXPECT_LT((tour->begin().eye - Vector3d(0, -4, 1)).norm(), 1e-9);
     EXPECT_LT((tour->along->at(8).eye - Vector3d(3, 0, 1)).norm(), 1e-9);
     story.attract = StoryAttract{.stops = {{"door", {}, 2, 5}}};

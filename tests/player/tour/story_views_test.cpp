@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Far from the input's origin, as is common for surveys.
+/// The scene is far from the input's origin, as is common for surveys.
 const InputAxes far_axes{Vector3d(4512340, 5345210, 120), Vector3d::UnitZ()};
 
 }  // namespace
@@ -24,7 +24,7 @@ TEST(StoryViews, AreInTheInputsCoordinatesAndTurnClockwise) {
     EXPECT_EQ(level.eye, Vector3d(0, -10, 2));
     EXPECT_EQ(level.target, Vector3d(0, 0, 2));
     EXPECT_EQ(level.fov, 35);
-    // Looking along +y with z up: +x is on the right, -z down.
+    // The camera looks along +y with z up, so +x points right and -z down.
     EXPECT_LT((level.R.row(0).transpose() - Vector3d(1, 0, 0)).norm(), 1e-12);
     EXPECT_LT((level.R.row(1).transpose() - Vector3d(0, 0, -1)).norm(), 1e-12);
     EXPECT_LT((level.R.row(2).transpose() - Vector3d(0, 1, 0)).norm(), 1e-12);

@@ -18,7 +18,7 @@ Navigation looking(const Vector3d& eye, const Vector3d& target, double fov = 40)
     return {eye, target, up, view_towards(eye, target, up, fov, 1, 1).cam_from_origin.R, fov};
 }
 
-/// Four views around the origin, of which the second is held.
+/// Four views around the origin; the camera rests at the second.
 std::vector<KeyView> round_trip() {
     return {{looking({10, 0, 2}, {0, 0, 0}), 0},
             {looking({0, 10, 2}, {0, 0, 0}, 30), 2},
@@ -58,7 +58,7 @@ TEST(CameraSpline, SpeedsAreContinuousAndItRestsAtBothEnds) {
         EXPECT_NEAR(before, after, 0.02) << key;
         EXPECT_NEAR(turning(spline, key - 1e-4), turning(spline, key + 1e-4), 0.01) << key;
     }
-    EXPECT_GT(speed(spline, 5), 1) << "it does not stop at a view that is not held";
+    EXPECT_GT(speed(spline, 5), 1) << "the camera stops at a view where it should not rest";
     EXPECT_LT(speed(spline, 1e-4), 0.02);
     EXPECT_LT(speed(spline, 6 - 1e-4), 0.02);
     for (const double held : {2.1, 2.5, 2.9})
@@ -71,7 +71,7 @@ TEST(CameraSpline, FliesAroundTheObjectAndStaysLevel) {
     const CameraSpline spline(keys);
     for (double t = 0; t <= 4; t += 0.125) {
         const Navigation n = spline.at(t);
-        EXPECT_GT(n.eye.norm(), 9.9) << "the straight line comes within 4 of the origin";
+        EXPECT_GT(n.eye.norm(), 9.9) << "the straight line comes within 4 units of the origin";
         EXPECT_LT(n.eye.norm(), 10.1);
         EXPECT_NEAR(n.R.row(0).dot(Vector3d::UnitZ()), 0, 1e-9) << "the horizon is level";
         EXPECT_NEAR(n.R.determinant(), 1, 1e-9);

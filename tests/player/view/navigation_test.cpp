@@ -32,7 +32,8 @@ TEST(Navigation, APhotoFitsIntoAFreeAreaOfAnyShape) {
         const Eigen::Vector2d low = at(0, 0), high = at(400, 300);
         EXPECT_NEAR(low.x() - free.left, free.left + free.width - high.x(), 1e-9) << "not centered";
         EXPECT_NEAR(low.y() - free.top, free.top + free.height - high.y(), 1e-9) << "not centered";
-        EXPECT_NEAR(std::min(low.x() - free.left, low.y() - free.top), 0, 1e-9) << "cropped or too small";
+        EXPECT_NEAR(std::min(low.x() - free.left, low.y() - free.top), 0, 1e-9)
+            << "the model is cropped or too small";
     }
 }
 
@@ -87,9 +88,9 @@ TEST(Navigation, ApproachingAPointKeepsItUnderThePointer) {
         approach_point(n, point, 0.9, 0.1, 100);
         EXPECT_LT((shown_at(n, point) - before).norm(), 1e-6);
     }
-    EXPECT_NEAR((n.eye - point).norm(), 0.1, 1e-9) << "came closer than the limit";
+    EXPECT_NEAR((n.eye - point).norm(), 0.1, 1e-9) << "the eye came closer than the limit";
     for (int i = 0; i < 200; ++i) approach_point(n, point, 1 / 0.9, 0.1, 100);
-    EXPECT_NEAR((n.eye - point).norm(), 100, 1e-6) << "went further than the limit";
+    EXPECT_NEAR((n.eye - point).norm(), 100, 1e-6) << "the eye went farther than the limit";
 }
 
 TEST(Navigation, OrbitingAboutAPointKeepsItsDistance) {

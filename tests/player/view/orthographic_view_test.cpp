@@ -50,7 +50,7 @@ TEST(OrthographicView, ProjectsAtRightAngles) {
         EXPECT_NEAR((at.x() + 1) / 2 * 640, expected.x(), 1e-6);
         EXPECT_NEAR((at.y() + 1) / 2 * 480, expected.y(), 1e-6);
         EXPECT_NEAR(at.z() - other.z(), -ahead.dot(a - b) / 20, 1e-9) << "greater depth values are nearer";
-        // In single precision, as when drawing.
+        // Computes in single precision, as for drawing.
         const Eigen::Vector4f drawn = clip.cast<float>() * a.cast<float>().homogeneous();
         EXPECT_NEAR((double(drawn.x()) + 1) / 2 * 640, expected.x(), 0.01);
     }
@@ -102,7 +102,7 @@ TEST(OrthographicView, FindsEveryClusterInIt) {
             EXPECT_TRUE(z >= range.x() && z <= range.y());
         }
         EXPECT_TRUE(in_view.empty() || range.y() - range.x() < 20)
-            << "the depth range covers the clusters only";
+            << "the depth range covers only the clusters";
     }
     EXPECT_GT(inside, 500u);
     EXPECT_LT(found, 100u * 500);

@@ -25,7 +25,7 @@ TEST(Panorama, IsLevelWithTheViewsDirectionInItsMiddle) {
     EXPECT_NEAR(p.R.determinant(), 1, 1e-12);
     const Vector3d looked_at = p.R * (Vector3d(4, -2, 1) - p.eye);
     EXPECT_NEAR(pixel_of(p, looked_at).x(), 1000, 1e-9);
-    EXPECT_GT(pixel_of(p, looked_at).y(), 500) << "it is below the eye";
+    EXPECT_GT(pixel_of(p, looked_at).y(), 500) << "the point is below the eye";
 }
 
 TEST(Panorama, LongitudesRunToTheRightAndLatitudesDown) {
@@ -36,7 +36,7 @@ TEST(Panorama, LongitudesRunToTheRightAndLatitudesDown) {
     EXPECT_LT((at({-1, 0, 0}) - Eigen::Vector2d(500, 500)).norm(), 1e-9);
     EXPECT_NEAR(at({0, -1, 1e-9}).y(), 0, 1e-4);
     EXPECT_NEAR(at({0, 1, 1e-9}).y(), 1000, 1e-4);
-    // 30 degrees to the right, 10 above.
+    // 30 degrees to the right, and 10 above the horizon.
     const double l = std::numbers::pi / 6, b = std::numbers::pi / 18;
     const Vector3d d(std::cos(b) * std::sin(l), -std::sin(b), std::cos(b) * std::cos(l));
     EXPECT_LT((at(d) - Eigen::Vector2d(1000 + 2000 / 12.0, 500 - 1000 / 18.0)).norm(), 1e-9);
@@ -57,7 +57,7 @@ TEST(Panorama, EveryDirectionIsInTheFaceThatFacesIt) {
             shown += seen && in_frame(views[face].intrinsics, seen->pixel);
         }
         EXPECT_GE(shown, 1);
-        EXPECT_LE(shown, 3) << "more than one only near an edge or a corner";
+        EXPECT_LE(shown, 3) << "more than one face may show a direction only near an edge or a corner";
     }
 }
 

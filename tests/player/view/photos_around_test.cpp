@@ -20,7 +20,7 @@ TEST(PhotosAround, GoToTheRightOnceAround) {
     }
     std::vector<std::uint32_t> order = photos_around(photos, {0, 0, 2});
     std::ranges::rotate(order, std::ranges::find(order, 1u));
-    // Counterclockwise from above is to the right for a viewer facing inward.
+    // Counterclockwise as seen from above is to the right for a viewer who faces inward.
     EXPECT_EQ(order, (std::vector<std::uint32_t>{1, 5, 3, 7, 0, 6, 2, 4}));
 }
 

@@ -44,7 +44,7 @@ void expect_under_fingers_orthographically(const FingerPair& before, const Finge
     const auto seen = [&] {
         return orthographic(view_of(n, view_width, view_height), (n.target - n.eye).norm(), size);
     };
-    // Points need not be on the wall: the distance to the camera's target does not matter.
+    // Points need not be on the wall, because the distance to the camera's target does not matter.
     const auto shown = [&](const Eigen::Vector2d& pixel, double y) {
         const double scale = seen().orthographic_depth / seen().intrinsics.fx;
         return Eigen::Vector3d(1 + scale * (pixel.x() - view_width / 2.0), y,
@@ -80,7 +80,7 @@ TEST(Pinch, WhatIsUnderTheFingersFollowsThem) {
     expect_under_fingers({{{350, 300}, {450, 300}}}, {{{300, 300}, {500, 300}}}, 1e-6);  // apart
     expect_under_fingers({{{350, 300}, {450, 300}}}, {{{400, 250}, {400, 350}}},
                          1e-6);  // a quarter turn clockwise
-    // Off the middle of the picture, rotation tilts the wall, so points follow only approximately.
+    // Away from the picture's center, rotation tilts the wall, so points follow only approximately.
     expect_under_fingers({{{520, 330}, {620, 350}}}, {{{500, 300}, {600, 360}}}, 4);
 }
 

@@ -22,8 +22,8 @@ Panorama middle() {
     return panorama_at(view, Vector3d::UnitZ(), {2000, 1000});
 }
 
-/// The direction in which an eye that moves on a circle sees a point, along the panorama's axes: longitude
-/// and angle below the horizon. The eye's line of sight through the point is tangent to the circle.
+/// The direction in which an eye that moves on a circle sees a point: longitude and angle below the horizon,
+/// along the panorama's axes. The eye's line of sight through the point is tangent to the circle.
 Vector2d seen_by(bool right_eye, const Vector3d& point) {
     const double across = std::hypot(point.x(), point.z()), radius = apart / 2;
     const double along = std::sqrt(across * across - radius * radius);
@@ -39,7 +39,8 @@ TEST(StereoPanorama, ShowsPointsWhereEyesThatTurnSeeThem) {
     EXPECT_GT(p.columns, 1);
     Random random;
     for (int i = 0; i < 4000; ++i) {
-        // Not above the eyes: on their axis, no line of sight is tangent to the circle.
+        // Points above or below the eyes are skipped: on the circle's axis, no line of sight is tangent to
+        // the circle.
         Vector3d point = random.vector(1).normalized() * (nearest + 20 * i / 4000.0);
         if (std::hypot(point.x(), point.z()) < 0.5 * nearest) continue;
         for (const bool right : {false, true}) {
@@ -63,7 +64,7 @@ TEST(StereoPanorama, ShowsPointsWhereEyesThatTurnSeeThem) {
                                                                           (seen->pixel.y() - k.cy) / k.fy, 1);
                 const Vector2d off =
                     pixel_of(around, direction) - Vector2d(column, (at.y() / pi + 0.5) * 1000);
-                // In pixels at the horizon; other rows are stretched.
+                // The error in pixels at the horizon; other rows are stretched.
                 const double wide = std::remainder(off.x(), 2000) * std::cos(at.y());
                 EXPECT_LT(std::hypot(wide, off.y()), 0.5 * nearest / point.norm()) << point.transpose();
             }

@@ -11,7 +11,7 @@ namespace {
 
 View middle_view() { return view_towards({3, -8, 2}, {0.5, 1, -1}, Vector3d::UnitZ(), 50, 800, 600); }
 
-/// The point, relative to the origin, at `x` to the right of the view axis, `y` below it and `z` ahead.
+/// The point, relative to the origin, that is `x` to the right of the view axis, `y` below it and `z` ahead.
 Vector3d before(const View& view, double x, double y, double z) {
     return view.cam_from_origin.R.transpose() * (Vector3d(x, y, z) - view.cam_from_origin.t);
 }
@@ -40,8 +40,8 @@ TEST(Stereo, PicturesAgreeAtTheConvergenceAndNearerThingsCross) {
     for (const double z : {2.0, 4.0, 20.0}) {
         const Vector3d point = before(middle, 0.3, -0.4, z);
         const Eigen::Vector2d l = pixel(eyes[0], point), r = pixel(eyes[1], point);
-        EXPECT_NEAR(l.y(), r.y(), 1e-9) << "both eyes see it at the same height";
-        // By similar triangles through the screen, 4 away.
+        EXPECT_NEAR(l.y(), r.y(), 1e-9) << "both eyes see the point at the same height";
+        // Follows from similar triangles through the screen, which is 4 units away.
         EXPECT_NEAR(l.x() - r.x(), middle.intrinsics.fx * 0.5 * (1 / z - 1 / 4.0), 1e-9);
     }
 }

@@ -28,13 +28,13 @@ TEST(Turntable, GoesOnceAroundInEqualStepsAndCloses) {
         EXPECT_NEAR(n.eye.z(), 2, 1e-9);
         EXPECT_NEAR(n.eye.head<2>().norm(), 5, 1e-9);
         EXPECT_LT((n.R.row(2).transpose() - (n.target - n.eye).normalized()).norm(), 1e-9)
-            << "looks at the middle";
+            << "every view looks at the center";
         EXPECT_NEAR(n.R.row(0).dot(n.up), 0, 1e-9);
         const double step = std::remainder(azimuth(next) - azimuth(n), 2 * std::numbers::pi);
         EXPECT_NEAR(std::abs(step), std::numbers::pi / 18, 1e-9) << i;
         sum += step;
     }
-    EXPECT_NEAR(std::abs(sum), 2 * std::numbers::pi, 1e-9) << "always in the same direction";
+    EXPECT_NEAR(std::abs(sum), 2 * std::numbers::pi, 1e-9) << "the camera always moves in the same direction";
 }
 
 TEST(Turntable, SwingsToBothSidesOfAnArc) {

@@ -19,7 +19,7 @@ Remembered with_recent(std::size_t length) {
     return r;
 }
 
-/// Starts another player, which exits with 0 if all its writes succeed.
+/// Starts another process, which exits with 0 if all its writes succeed.
 pid_t start_player(const std::filesystem::path& folder, std::size_t length) {
     const pid_t child = ::fork();
     if (child != 0) return child;

@@ -15,7 +15,7 @@ Drags right(double pixels) {
     return d;
 }
 
-/// Dragged to the right for half a second and released.
+/// A view that is dragged to the right for half a second and released.
 struct Thrown {
     Glide glide;
     double now = 100, frame;
@@ -25,7 +25,7 @@ struct Thrown {
         for (const double end = now + 0.5; now < end - 1e-9;)
             move_on(glide, right(pixels_per_second * frame), true, now += frame);
     }
-    /// The distance that it moves in the next `seconds`.
+    /// The distance that the view moves in the next `seconds`.
     double after(double seconds) {
         double moved = 0;
         for (const double end = now + seconds; now < end - 1e-9;)

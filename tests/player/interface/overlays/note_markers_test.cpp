@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// From (0, -10, 0) along +y, 400 x 300 pixels with a focal length of 500: x is on the right, z above.
+/// A view from (0, -10, 0) along +y, of 400 x 300 pixels with a focal length of 500: x points right, z up.
 View view() {
     View v{{400, 300, 500, 500, 200, 150}, {}};
     v.cam_from_origin.R << 1, 0, 0, 0, 0, -1, 0, 1, 0;
@@ -36,7 +36,7 @@ TEST(NoteMarkers, AreWhereTheAnchorsProject) {
     const auto nothing = [](const Vector2d&) { return std::optional<Vector3d>(); };
     const std::vector<NoteMarker> markers = note_markers(story, note_axes, view(), nothing);
     ASSERT_EQ(markers.size(), 2u);
-    EXPECT_EQ(markers[0].note, 1u) << "the farthest is drawn first";
+    EXPECT_EQ(markers[0].note, 1u) << "the farthest note is drawn first";
     EXPECT_LT((markers[0].at - Vector2d(200, 150)).norm(), 1e-9);
     EXPECT_LT((markers[1].at - Vector2d(200 + 500 * 0.2, 150 - 500 * 0.1)).norm(), 1e-9);
     EXPECT_NEAR(markers[1].depth, 10, 1e-9);
@@ -67,13 +67,15 @@ TEST(SurfaceAtPixel, IsOnTheTriangleThatIsSeenThere) {
     scene.positions = corners;
     scene.indices = indices;
     scene.triangles = 1;
-    // At half the frame's size: all pixels on the left show the triangle, those on the right nothing.
+    // At half the frame's size: all pixels on the left show the triangle, and those on the right show
+    // nothing.
     std::vector<std::uint32_t> numbers(200 * 150, 0);
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = i % 200 < 110 ? 1 : 0;
     const View from = view();
     const auto numbers_seen = std::make_shared<std::vector<std::uint32_t>>(numbers);
     const SeenTriangles seen{numbers_seen, from, 1};
-    // The triangle's plane rises from z = -1 at y = 0 with slope 1, so the view axis meets it at y = 1.
+    // The triangle's plane rises from z = -1 at y = 0 with slope 1, so the view axis meets the plane at y =
+    // 1.
     const auto middle = surface_at_pixel(scene, seen, {200, 150});
     ASSERT_TRUE(middle);
     EXPECT_LT((*middle - Vector3d(0, 1, 0)).norm(), 1e-6);

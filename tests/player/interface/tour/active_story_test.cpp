@@ -95,6 +95,7 @@ TEST_F(ActiveStories, WhatCannotBeReadIsSaid) {
     EXPECT_FALSE(story.any());
     write(R"({"format": "vantage-story-1", "mood": 1, "notes": [{"id": "a"}]})");
     EXPECT_TRUE(active().any());
-    EXPECT_NE(active().trouble.find("mood"), std::string::npos) << "it would be lost if the story were saved";
+    EXPECT_NE(active().trouble.find("mood"), std::string::npos)
+        << "an unknown key would be lost if the story were saved";
     EXPECT_TRUE(active_story("https://a.org/a.vantage", {}, "").file.empty());
 }

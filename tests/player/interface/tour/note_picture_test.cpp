@@ -44,7 +44,7 @@ TEST_F(NotePictures, AreReadFromPngAndJpeg) {
     EXPECT_NEAR(decoded.rgba[0], 200, 3);
     EXPECT_NEAR(decoded.rgba[2], 50, 3);
     for (std::size_t cut = 0; cut < bytes.size(); cut += 7)
-        if (cut < 100) expect_refused(bytes.substr(0, cut), "a JPEG without a whole header");
+        if (cut < 100) expect_refused(bytes.substr(0, cut), "a JPEG whose header is incomplete");
 }
 
 TEST_F(NotePictures, APasserBysFileDoesNoHarm) {

@@ -13,7 +13,7 @@ using namespace vantage;
 
 namespace {
 
-/// A view that others predict without error, until a test disturbs it.
+/// A photo that others predict without error until a test disturbs it.
 struct Constructed {
     Picture photo, shown;
     std::vector<Picture> alone;

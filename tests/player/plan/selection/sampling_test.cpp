@@ -13,7 +13,7 @@ using namespace vantage;
 
 namespace {
 
-/// Level of detail at a point, by finite differences on the plane through it; 99 if undefined.
+/// The level of detail at a point, from finite differences on the plane through that point; 99 if undefined.
 double sampled_lod(const package::PhotoRecord& photo, const View& view, const Eigen::Vector3d& point,
                    const Eigen::Vector3d& normal) {
     const auto pixel_of = [&](const Eigen::Vector3d& p) {
@@ -59,7 +59,7 @@ TEST(SampledLevels, ContainTheLevelOfEveryFragment) {
                                   camera = cam_from_origin(photo).center();
             const double to_view = normal.dot((eye - point).normalized()),
                          to_photo = normal.dot((camera - point).normalized());
-            // Levels diverge edge-on.
+            // Levels diverge if the surface is seen edge-on.
             if (to_view < 0.2 || to_photo < 0.6 || normal.dot(axis) < std::cos(half_angle)) continue;
             if (!project(view.intrinsics, view.cam_from_origin, point)) continue;
             const double lod = sampled_lod(photo, view, point, normal);

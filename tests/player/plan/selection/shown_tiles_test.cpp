@@ -41,7 +41,7 @@ TEST(ShownTiles, ContainTilesWithEnoughVisiblePixels) {
     const View own = view_of_photo(photo, 1);
     TileNeeds n = needs(plane_samples(own, 4, 0, 268), 16);
     EXPECT_EQ(n.color[0], (std::vector<std::uint32_t>{0, 7, 14, 21, 28, 35})) << "seven columns, six rows";
-    EXPECT_TRUE(n.color[1].empty() || n.color[1].front() == 0) << "tile 1 is left to the next coarser level";
+    EXPECT_TRUE(n.color[1].empty() || n.color[1].front() == 0) << "the next coarser level covers tile 1";
     n = needs(plane_samples(own, 4, 0, 280), 16);
     EXPECT_EQ(n.color[0].size(), 11u)
         << "32 of 248 columns are more than a tenth of a tile, except in the partial last row";

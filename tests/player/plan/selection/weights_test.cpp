@@ -52,5 +52,6 @@ TEST(Weights, FieldOfViewMovesATelephotoCameraCloser) {
     WeightSettings s;
     s.fov_normalization = true;
     const auto w = dynamic_weights(view, std::vector{wide, tele}, s);
-    EXPECT_NEAR(w[1], 1, 1e-9) << "d' = d tan(f/2) / tan(f'/2) puts it on the view";
+    EXPECT_NEAR(w[1], 1, 1e-9)
+        << "at the distance d' = d tan(f/2) / tan(f'/2), the photo is at the viewpoint";
 }

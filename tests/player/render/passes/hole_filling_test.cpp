@@ -19,7 +19,7 @@ struct Color {
     bool background = false;
 };
 
-/// The red channel of the filled picture, at half size, from samples drawn as red times weight, and weight.
+/// The red channel of the filled picture, at half size. Samples are drawn as red times weight, and weight.
 /// `behind`: the colors for holes in the background.
 std::vector<float> filled(int width, int height, const std::function<Color(int x, int y)>& drawn,
                           float samples = 1, bool behind = false) {

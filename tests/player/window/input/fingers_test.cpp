@@ -10,7 +10,7 @@ using What = TouchEvent::What;
 /// Finger input, processed frame by frame.
 struct Watched {
     Fingers fingers;
-    UserInput input;  ///< of the next frame
+    UserInput input;  ///< input for the next frame
 
     void touch(What what, std::uint32_t finger, double x, double y, double at = 0) {
         fingers.take({what, finger, x, y}, 1, at, 0, input);
