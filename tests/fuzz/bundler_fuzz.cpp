@@ -1,4 +1,4 @@
-// Bundler cameras: list.txt and the .out file, separated by a line of "----".
+// Reads Bundler cameras from list.txt and the .out file, separated by a line of "----".
 #include "base/text/error.h"
 #include "pipeline/formats/cameras/cameras.h"
 #include "tests/fuzz/support/fuzz_target.h"

@@ -1,5 +1,5 @@
-// Cameras of one format: one file, or the two files of a folder, separated by a line of "----". If the format
-// has two forms, a leading zero byte selects the first.
+// Reads cameras of one format from one file, or from the two files of a folder, separated by a line of
+// "----". If the format has two forms, a leading zero byte selects the first.
 #include <algorithm>
 #include <set>
 

@@ -1,6 +1,6 @@
-// Coded tiles and photos: a byte that selects the decoder, width and height, then the data. Checks that a
-// divided JPEG can be reassembled. Pictures are small, because large ones would spend the time in code that
-// does not depend on their content.
+// Decodes tiles and photos. An input is a byte that selects the decoder, the width and height, and the data.
+// Checks that a divided JPEG can be reassembled. Pictures are small, because large ones would spend the time
+// in code that does not depend on their content.
 #include <turbojpeg.h>
 
 #include <cstdint>
@@ -22,7 +22,7 @@ constexpr int max_pixels = 4096;
 
 bool small(int width, int height) { return std::int64_t(width) * height <= max_pixels; }
 
-/// The header is followed by cells of equal length.
+/// Decodes data whose header is followed by cells of equal length.
 void decode_equal_cells(std::span<const std::byte> data, std::span<std::byte> out) {
     const auto header = parse_jpeg_header(data);
     if (!header) return;

@@ -1,5 +1,5 @@
-// Settings of a command and specifications of synthetic scenes, both TOML. Checks that accepted numbers are
-// within their bounds.
+// Reads settings of a command and specifications of synthetic scenes, both in TOML. Checks that accepted
+// numbers are within their bounds.
 #include <cstdlib>
 
 #include "base/text/error.h"

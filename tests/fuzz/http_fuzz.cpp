@@ -1,5 +1,5 @@
-// Responses to range requests, and descriptions of cached files: two bytes that select the range, then header
-// lines. Checks the guarantees of accepted responses.
+// Reads responses to range requests, and descriptions of cached files. An input is two bytes that select the
+// range, then header lines. Checks the guarantees of accepted responses.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,6 @@
-// OBJ, STL, OFF, glTF, GLB and FBX meshes and the materials of an OBJ. The first byte selects the format (o:
-// OBJ, s: STL, f: OFF, g: glTF, b: GLB, x: FBX, m: MTL), the rest is the file. Checks that indices are in
-// range and normals finite, and that attributes have one value per vertex.
+// Reads OBJ, STL, OFF, glTF, GLB and FBX meshes, and the materials of an OBJ. The first byte selects the
+// format (o: OBJ, s: STL, f: OFF, g: glTF, b: GLB, x: FBX, m: MTL), and the rest is the file. Checks that
+// indices are in range and normals finite, and that attributes have one value per vertex.
 #include <cstdlib>
 
 #include "base/text/error.h"

@@ -54,7 +54,7 @@ void touch(std::span<const std::byte> bytes) {
     if (!bytes.empty()) sink = unsigned(bytes.front()) + unsigned(bytes.back());
 }
 
-/// Plans views and reads all data needed to draw them, like the player.
+/// Plans views and reads all data needed to draw them, as the player does.
 void play(const PackageReader& package) {
     const PlanScene scene = make_plan_scene(package);
     const PackagePages pages = number_pages(scene.photos);

@@ -1,4 +1,4 @@
-// Camera path files. Checks that every view in them can be drawn.
+// Reads camera path files. Checks that every view in a file can be drawn.
 #include <cstdlib>
 
 #include "base/text/error.h"

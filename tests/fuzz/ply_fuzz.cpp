@@ -1,5 +1,5 @@
-// PLY meshes, text and binary. Checks that every index is valid and that attributes have one value per
-// vertex.
+// Reads PLY meshes, as text and binary. Checks that every index is valid and that attributes have one value
+// per vertex.
 #include <cstdlib>
 
 #include "base/text/error.h"

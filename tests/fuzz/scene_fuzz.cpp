@@ -26,7 +26,7 @@ bool same(const SceneObject& a, const SceneObject& b) {
     return a.name == b.name && a.placement == b.placement && a.shown == b.shown && a.opacity == b.opacity;
 }
 
-/// The objects in the file; empty if it is rejected.
+/// The objects in the file; empty if the file is rejected.
 std::optional<std::vector<SceneObject>> accepted(const std::filesystem::path& file, SceneUse use) {
     try {
         return read_scene_file(file, use);

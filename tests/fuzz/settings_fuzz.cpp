@@ -1,4 +1,4 @@
-// The player's saved settings. Checks that any content is accepted and that values are within their bounds.
+// The player's saved settings. Checks that any content is accepted, and that values are within their bounds.
 #include <cmath>
 #include <cstdlib>
 

@@ -1,4 +1,4 @@
-// Measurement files. Checks that errors are of type Error, and that values are finite.
+// Measurement files. Checks that all errors are of type Error, and that values are finite.
 #include <cmath>
 #include <cstdlib>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// Implementations of the OpenXR functions, which runtime.cpp maps to their names in the specification.
+// Implementations of the OpenXR functions. runtime.cpp maps them to their names in the specification.
 #include <openxr/openxr.h>
 
 struct XrGraphicsRequirementsOpenGLKHR;

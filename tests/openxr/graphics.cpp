@@ -57,7 +57,7 @@ void check_version() {
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
     require(major > 4 || (major == 4 && minor >= 5), XR_ERROR_GRAPHICS_DEVICE_INVALID,
-            "the context has an older OpenGL than required");
+            "the context's version of OpenGL is older than required");
 }
 
 GraphicsContext context_in(const Instance& instance, const XrSessionCreateInfo& info) {

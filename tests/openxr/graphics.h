@@ -20,7 +20,7 @@ void be_careless();
 
 bool is_depth(int64_t format);
 
-/// Immutable textures, cleared to magenta so that undrawn areas are visible.
+/// Makes immutable textures, cleared to magenta so that undrawn areas are visible.
 std::vector<uint32_t> make_textures(const XrSwapchainCreateInfo& info, std::size_t count);
 void delete_textures(const std::vector<uint32_t>& textures);
 

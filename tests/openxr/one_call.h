@@ -3,7 +3,7 @@
 
 namespace test_runtime {
 
-/// A mutex that the executing call holds, except while it waits.
+/// A mutex that the call being executed holds, except while it waits.
 std::mutex& one_call();
 
 }  // namespace test_runtime

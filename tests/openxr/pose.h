@@ -10,7 +10,7 @@ XrVector3f rotated(const XrQuaternionf& q, const XrVector3f& v);
 /// The pose of an object at `inner` in a space whose pose is `outer`.
 XrPosef composed(const XrPosef& outer, const XrPosef& inner);
 XrPosef inverse(const XrPosef& pose);
-/// The same position and heading, but upright.
+/// A pose with the same position and heading, but upright.
 XrPosef levelled(const XrPosef& pose);
 
 /// Whether the pose is finite and its rotation has length 1, to within the one percent that the specification

@@ -17,14 +17,14 @@
 namespace test_runtime {
 namespace {
 
-/// A text as a template argument.
+/// A string that can be a template argument.
 template <std::size_t n>
 struct Name {
     char text[n];
     constexpr Name(const char (&t)[n]) { std::copy_n(t, n, text); }
 };
 
-/// Entry point for the program: runs `function` exclusively and returns failures as results.
+/// An entry point for the program: runs `function` exclusively and returns failures as results.
 template <Name name, auto function>
 struct Call;
 template <Name name, class... Arguments, XrResult (*function)(Arguments...)>
@@ -50,7 +50,7 @@ struct Function {
     const char* extension = nullptr;
 };
 
-/// `Type`: the declaration in the specification, which the compiler compares with ours.
+/// `Type`: the declaration in the specification, which the compiler compares with the type of `function`.
 template <class Type, Name name, auto function>
 Function entry(bool needs_instance = true, const char* extension = nullptr) {
     const Type call = &Call<name, function>::call;

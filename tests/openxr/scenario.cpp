@@ -72,7 +72,7 @@ std::vector<T> values_of(const json& names, const Named<T> (&table)[n]) {
     return out;
 }
 
-/// Rejects unknown fields: if misspelled ones were ignored, a test could pass without testing anything.
+/// Rejects unknown fields: if misspelled fields were ignored, a test could pass without testing anything.
 void check_fields(const json& object, const std::set<std::string>& known) {
     for (const auto& [name, value] : object.items())
         if (!known.contains(name)) throw std::runtime_error("unknown field \"" + name + "\"");
@@ -200,7 +200,7 @@ Event event_of(const json& j) {
     check_fields(j, {"frame", "state", "then", "recenter", "lose", "unavailable", "late", "should_render",
                      "untracked", "rate", "events_lost", "profile_changed", "fail"});
     if (j.size() - j.count("frame") - j.count("then") - j.count("unavailable") != 1)
-        throw std::runtime_error("an entry is not exactly one event: " + j.dump());
+        throw std::runtime_error("an entry does not contain exactly one event: " + j.dump());
     return {j.value("frame", 0), happening(j)};
 }
 

@@ -33,9 +33,9 @@
 //   "careless": false                 true: calls that may draw leave an OpenGL error, as some runtimes do
 // }
 //
-// POSE is {"position": [x, y, z], "orientation": [x, y, z, w]}; both are optional. Frames are counted by
-// xrWaitFrame from 1, over the whole process; entries for a frame take effect when xrWaitFrame is called for
-// it, or for frame 0, when the runtime is loaded. An EVENT is one of
+// POSE is {"position": [x, y, z], "orientation": [x, y, z, w]}; both fields are optional. Frames are counted
+// by calls of xrWaitFrame from 1, over the whole process. Entries for a frame take effect when xrWaitFrame is
+// called for that frame; entries for frame 0, when the runtime is loaded. An EVENT is one of
 //   "state": "synchronized", "visible", "focused"      through the states in between
 //   "state": "stopping", "then": "ready"               IDLE and READY again after xrEndSession, or EXITING
 //   "recenter": POSE                                   the new origin of the local space, given in the old one
@@ -81,7 +81,7 @@ struct HeadEntry {
     XrPosef pose;
 };
 
-/// x holds a boolean or a number.
+/// A boolean or a number is stored in x.
 using Input = XrVector2f;
 
 struct HandEntry {
@@ -148,7 +148,7 @@ struct Scenario {
     bool real_time, careless;
 };
 
-/// Reads the file named by the environment. Ends the process with a message if it is invalid.
+/// Reads the file named by the environment. Ends the process with a message if the file is invalid.
 Scenario read_scenario();
 
 std::string format_name(int64_t format);

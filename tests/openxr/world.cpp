@@ -56,7 +56,7 @@ World beginning() {
     return out;
 }
 
-/// Number of periods by which this frame is late, according to the scenario and the clock.
+/// The number of periods by which this frame is late, according to the scenario and the clock.
 int periods_skipped(World& world) {
     int skipped = 0;
     for (const Event& event : world.scenario.events) {

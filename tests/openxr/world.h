@@ -1,5 +1,5 @@
 #pragma once
-// The simulated state of headset and controllers, updated frame by frame from the scenario.
+// The simulated state of the headset and the controllers, updated frame by frame from the scenario.
 #include <array>
 #include <deque>
 #include <map>
@@ -27,7 +27,7 @@ struct Moment {
     bool untracked;
 };
 
-/// Origin of the local space, in the stage.
+/// The origin of the local space, in the stage.
 struct Origin {
     XrTime since;
     XrPosef pose;
@@ -56,11 +56,12 @@ int go_to_next_frame();
 /// Applies the scenario's entries for the current frame.
 void play_frame();
 
-/// The state at a time, from the frames so far.
+/// The state at a time, as known from the frames so far.
 const Moment& moment_at(XrTime time);
 XrPosef local_origin_at(XrTime time);
 
-/// Current time on the clock of display times, nanoseconds; the computer's clock in real time.
+/// The current time on the clock of display times, in nanoseconds. In real time, that is the computer's
+/// clock.
 XrTime current_time();
 
 /// The result that the scenario forces for this call, if any. Counts the use.

@@ -1,5 +1,5 @@
 #pragma once
-// Defines a fuzz target, called by libFuzzer: FUZZ_TARGET(name)(const std::uint8_t* data, std::size_t size)
+// Defines a fuzz target, which libFuzzer calls: FUZZ_TARGET(name)(const std::uint8_t* data, std::size_t size)
 // {...} In the main build, where FUZZ_CORPUS is the folder of all corpora, a test replays the target's
 // corpus.
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace vantage::fuzz {
 
-/// Calls `target` with each file of its corpus.
+/// Calls `target` with each file of the target's corpus.
 template <class Target>
 void replay(const std::string& name, const Target& target) {
     std::size_t files = 0;

@@ -18,7 +18,7 @@
 
 namespace vantage::fuzz {
 
-/// A tetrahedron around the scene, partly visible in the photo.
+/// A tetrahedron around the scene that is partly visible in the photo.
 inline BackgroundContent valid_background() {
     BackgroundContent s;
     s.positions = {{0, 0, 9}, {9, 0, -9}, {-9, 9, -9}, {-9, -9, -9}};
@@ -34,7 +34,7 @@ inline BackgroundContent valid_background() {
     return s;
 }
 
-/// A root with two children in one block.
+/// A root node with two children in one block.
 inline std::vector<package::PointNode> valid_nodes() {
     package::PointNode root{};
     root.low[0] = root.low[1] = root.low[2] = -1, root.size = 2, root.spacing = 0.1f;
@@ -152,7 +152,8 @@ class ValidPackage {
     }
 };
 
-/// Recomputes the checksums of heads, directory and header if the bytes that they cover are within the file.
+/// Recomputes the checksums of heads, the directory and the header if the bytes that these cover are within
+/// the file.
 inline void fix_checksums(std::vector<std::uint8_t>& b) {
     package::Header h;
     std::memcpy(&h, b.data(), sizeof h);

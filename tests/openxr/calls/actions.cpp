@@ -13,7 +13,7 @@ void check_name(const std::string& name) {
     });
     if (!fits)
         breach(XR_ERROR_PATH_FORMAT_INVALID,
-               "the name \"" + name + "\" has characters that names cannot have");
+               "the name \"" + name + "\" contains characters that are not allowed in names");
 }
 
 /// Checks that the names of an action or an action set differ from the names of the others.
@@ -50,11 +50,11 @@ SuggestedBinding checked_binding(XrInstance handle, const std::string& profile,
     const Action& action = action_of(binding.action);
     const ActionSet& set = action_set_of(action.set);
     require(set.instance == handle, XR_ERROR_HANDLE_INVALID, "the action belongs to another instance");
-    require(!set.attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the action's set has been attached");
+    require(!set.attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the action's set is already attached");
     const std::string& path = path_text(instance_of(handle), binding.binding);
     if (!has_component(profile, path)) breach(XR_ERROR_PATH_UNSUPPORTED, profile + " has no " + path);
     if (!suits_action(profile, path, action.type))
-        breach(XR_ERROR_PATH_UNSUPPORTED, path + " does not suit the type of the action " + action.name);
+        breach(XR_ERROR_PATH_UNSUPPORTED, path + " does not match the type of the action " + action.name);
     return {binding.action, path};
 }
 
@@ -88,7 +88,7 @@ XrResult create_action(XrActionSet handle, const XrActionCreateInfo* info, XrAct
     const ActionSet& set = action_set_of(handle);
     check_struct(info, XR_TYPE_ACTION_CREATE_INFO);
     require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the action is null");
-    require(!set.attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the action set has been attached");
+    require(!set.attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the action set is already attached");
     Action action{handle,
                   checked_text(info->actionName, XR_MAX_ACTION_NAME_SIZE, XR_ERROR_NAME_INVALID, "the name"),
                   checked_text(info->localizedActionName, XR_MAX_LOCALIZED_ACTION_NAME_SIZE,
@@ -139,7 +139,7 @@ XrResult attach_action_sets(XrSession handle, const XrSessionActionSetsAttachInf
     require(info->countActionSets > 0 && info->actionSets, XR_ERROR_VALIDATION_FAILURE,
             "there are no action sets");
     require(session.attached.empty(), XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
-            "action sets have been attached to the session before");
+            "action sets are already attached to the session");
     const std::vector<XrActionSet> sets(info->actionSets, info->actionSets + info->countActionSets);
     for (const XrActionSet set : sets)
         require(action_set_of(set).instance == session.instance, XR_ERROR_HANDLE_INVALID,

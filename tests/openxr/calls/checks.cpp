@@ -37,7 +37,7 @@ void check_struct(const void* value, XrStructureType type, Types known_next) {
     for (const XrBaseInStructure* next = base->next; next; next = next->next)
         if (std::find(known_next.begin(), known_next.end(), next->type) == known_next.end())
             breach(XR_ERROR_VALIDATION_FAILURE,
-                   type_name(next->type) + " does not belong in the next chain of " + type_name(type));
+                   type_name(next->type) + " is not allowed in the next chain of " + type_name(type));
 }
 
 void check_structs(const void* values, std::size_t size, std::size_t count, XrStructureType type,
@@ -67,7 +67,7 @@ bool asks_for_values(uint32_t capacity, uint32_t* count, const void* out, std::s
     if (capacity < available)
         breach(XR_ERROR_SIZE_INSUFFICIENT,
                "the capacity is " + std::to_string(capacity) + " instead of " + std::to_string(available));
-    require(out, XR_ERROR_VALIDATION_FAILURE, "there is a capacity, but the output for the values is null");
+    require(out, XR_ERROR_VALIDATION_FAILURE, "the capacity is not 0, but the output for the values is null");
     return true;
 }
 

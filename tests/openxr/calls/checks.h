@@ -14,7 +14,7 @@ struct Ended {
     XrResult result;
 };
 
-/// Name of the function that the program has called on this thread.
+/// The name of the function that the program has called on this thread.
 void set_current_call(const char* name);
 const char* current_call();
 
@@ -28,19 +28,20 @@ inline void require(bool holds, XrResult error, std::string_view what) {
 
 using Types = std::initializer_list<XrStructureType>;
 
-/// Checks that a structure passed by the program exists, has this type, and is followed only by known ones.
+/// Checks that a structure passed by the program exists, has this type, and is followed only by known
+/// structures.
 void check_struct(const void* value, XrStructureType type, Types known_next = {});
-/// The same for an array of structures; `size`: bytes of one structure.
+/// Like check_struct(), for an array of structures. `size`: the size of one structure in bytes.
 void check_structs(const void* values, std::size_t size, std::size_t count, XrStructureType type,
                    Types known_next = {});
 
 /// The structure of this type in the `next` chain; null if there is none.
 const void* next_of_type(const void* next, XrStructureType type);
 
-/// A text in an array of fixed size; checks that it is terminated and not empty.
+/// The text in an array of fixed size; checks that the text is terminated and not empty.
 std::string checked_text(const char* text, std::size_t size, XrResult error, const char* what);
 
-/// Sets the count, and returns whether values are requested; the capacity must then suffice.
+/// Sets the count, and returns whether the program requests values. If so, the capacity must suffice.
 bool asks_for_values(uint32_t capacity, uint32_t* count, const void* out, std::size_t available);
 
 template <class T>
@@ -60,7 +61,7 @@ XrResult fill_structs(uint32_t capacity, uint32_t* count, T* out, std::size_t n,
     return XR_SUCCESS;
 }
 
-/// The name of a structure, or its number.
+/// The name of a structure's type, or its number.
 std::string type_name(XrStructureType type);
 
 }  // namespace test_runtime

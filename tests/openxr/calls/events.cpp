@@ -10,7 +10,7 @@
 namespace test_runtime {
 namespace {
 
-/// States of a running session, in order.
+/// The states of a running session, in order.
 constexpr std::array way = {XR_SESSION_STATE_STOPPING, XR_SESSION_STATE_SYNCHRONIZED,
                             XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED};
 
@@ -91,7 +91,7 @@ void set_state(XrSession handle, XrSessionState state) {
 
 void walk_to(XrSession handle, XrSessionState state) {
     const Session& session = *handles().sessions.find(handle);
-    // STOPPING is final, and READY can change to it directly.
+    // STOPPING is final, and READY can change directly to STOPPING.
     if (session.state == XR_SESSION_STATE_STOPPING) return;
     if (session.state == XR_SESSION_STATE_READY && state == XR_SESSION_STATE_STOPPING)
         return set_state(handle, state);

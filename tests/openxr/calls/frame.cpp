@@ -5,8 +5,8 @@
 //     "rect": [x, y, width, height], "array_index": 0, "image": 2, "format": "GL_SRGB8_ALPHA8",
 //     "depth": null or {"rect": ..., "array_index": ..., "image": ..., "format": ..., "min": 0, "max": 1,
 //                       "near": 0.1, "far": "infinite" or a number}}, ...]}, ...]}
-// "skipped": number of periods without a frame before this one. A quad layer has the fields of a view, but
-// "size" instead of "fov" and "depth".
+// "skipped" is the number of periods without a frame before this frame. A quad layer has the fields of a
+// view, but "size" instead of "fov" and "depth".
 #include <chrono>
 #include <condition_variable>
 #include <thread>
@@ -29,7 +29,8 @@ std::condition_variable_any& frame_begun() {
     return condition;
 }
 
-/// Another thread may be about to begin the previous frame. A single-threaded program would wait forever.
+/// Another thread may be about to begin the previous frame. The wait is limited, because a single-threaded
+/// program would otherwise hang.
 void wait_until_begun(XrSession handle) {
     const bool begun = frame_begun().wait_for(one_call(), 1s, [&] {
         const Session* const session = handles().sessions.find(handle);
@@ -96,7 +97,7 @@ void record(const Frame& frame, const SubmittedLayers& layers) {
 void check_frame_end(const XrFrameEndInfo& info, const Frame& frame) {
     require(info.displayTime > 0, XR_ERROR_TIME_INVALID, "the display time is not positive");
     require(info.displayTime == frame.time, XR_ERROR_TIME_INVALID,
-            "the display time is not what xrWaitFrame predicted");
+            "the display time is not the time that xrWaitFrame predicted");
     const auto& modes = world().scenario.blend_modes;
     require(std::find(modes.begin(), modes.end(), info.environmentBlendMode) != modes.end(),
             XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED, "the blend mode is not supported");

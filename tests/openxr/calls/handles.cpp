@@ -3,8 +3,8 @@
 namespace test_runtime {
 namespace {
 
-/// Ends the call if the object is lost. The first such call is permitted, since it reports the loss; later
-/// ones are violations.
+/// Ends the call if the object is lost. The first such call is permitted, since its result reports the loss;
+/// later calls are violations.
 void check_loss(Loss& loss, XrResult error, const char* what) {
     if (loss == Loss::none) return;
     if (loss == Loss::told) breach(error, what);
@@ -21,16 +21,14 @@ Handles& handles() {
 
 Instance& instance_of(XrInstance handle) {
     Instance& instance = live(handles().instances, handle);
-    check_loss(instance.loss, XR_ERROR_INSTANCE_LOST,
-               "the instance is lost, as already reported to the program");
+    check_loss(instance.loss, XR_ERROR_INSTANCE_LOST, "the instance is lost, and the program has been told");
     return instance;
 }
 
 Session& session_of(XrSession handle) {
     Session& session = live(handles().sessions, handle);
     instance_of(session.instance);
-    check_loss(session.loss, XR_ERROR_SESSION_LOST,
-               "the session is lost, as already reported to the program");
+    check_loss(session.loss, XR_ERROR_SESSION_LOST, "the session is lost, and the program has been told");
     return session;
 }
 

@@ -40,7 +40,7 @@ class Table {
     std::map<Handle, Object> objects_;
 };
 
-/// Whether an object is lost, and whether the result of a call has told the program.
+/// Whether an object is lost, and whether the result of a call has reported the loss to the program.
 enum class Loss { none, untold, told };
 
 struct SuggestedBinding {
@@ -53,7 +53,7 @@ struct Instance {
     bool knows_requirements = false;  ///< the program has queried the graphics requirements
     std::deque<XrEventDataBuffer> events;
     std::vector<std::string> paths;
-    uint64_t first_path;  ///< differs between instances, to detect paths of another one
+    uint64_t first_path;  ///< differs between instances, to detect paths of another instance
     std::map<std::string, std::vector<SuggestedBinding>> suggested;  ///< by interaction profile
     Loss loss = Loss::none;
 };
@@ -71,7 +71,7 @@ struct Frame {
     XrTime time;
     XrDuration period;
     bool should_render;
-    int skipped;  ///< number of skipped periods before it
+    int skipped;  ///< number of skipped periods before the frame
 };
 
 struct Session {
@@ -79,8 +79,9 @@ struct Session {
     GraphicsContext graphics;
     XrSessionState state = XR_SESSION_STATE_UNKNOWN;
     bool running = false, ready_again = false;
-    int frames = 0;                      ///< since xrBeginSession
-    std::optional<Frame> waited, begun;  ///< waited for but not begun; begun but not ended
+    int frames = 0;  ///< since xrBeginSession
+    std::optional<Frame> waited,
+        begun;  ///< waited for but not yet begun; begun but not yet ended
     std::vector<XrActionSet> attached;
     std::set<std::pair<XrActionSet, XrPath>>
         active;  ///< action sets with their subaction paths, from the latest xrSyncActions
@@ -107,7 +108,7 @@ struct Swapchain {
     XrSwapchainCreateInfo info;
     std::vector<uint32_t> textures;
     uint32_t next = 0;
-    std::deque<uint32_t> acquired;  ///< the first may have been waited for
+    std::deque<uint32_t> acquired;  ///< the program may have waited for the first of these
     bool waited = false;
     std::optional<uint32_t> released;  ///< latest released image
 };
@@ -145,10 +146,10 @@ struct Handles {
     int unavailable = 0;  ///< number of xrCreateInstance calls that will fail
 };
 
-/// Global, because a scenario continues when a lost instance is replaced.
+/// The handles are global, because a scenario continues when a lost instance is replaced.
 Handles& handles();
 
-/// The object of a handle. Ends the call if the object does not exist or is lost.
+/// The object behind a handle. Ends the call if the object does not exist or is lost.
 Instance& instance_of(XrInstance handle);
 Session& session_of(XrSession handle);
 Session& running_session(XrSession handle);
@@ -157,7 +158,7 @@ Swapchain& swapchain_of(XrSwapchain handle);
 ActionSet& action_set_of(XrActionSet handle);
 Action& action_of(XrAction handle);
 
-/// The object of a handle, even if it is lost, because it may still be destroyed.
+/// The object behind a handle. A lost object is returned too, because it may still be destroyed.
 template <class Handle, class Object>
 Object& live(Table<Handle, Object>& table, Handle handle) {
     Object* const found = table.find(handle);

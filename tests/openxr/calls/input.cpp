@@ -64,7 +64,7 @@ std::optional<Input> stated_input(const Hand& hand, const std::string& component
     return found == hand.inputs.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// The stated input, or one coordinate of a stated stick, or the default component of an input.
+/// The input stated in the scenario, one coordinate of a stated stick, or the default component of an input.
 Input input_of(const Hand& hand, const std::string& component) {
     if (const auto stated = stated_input(hand, component)) return *stated;
     const std::string parent = component.substr(0, component.rfind('/'));
@@ -78,7 +78,7 @@ Input input_of(const Hand& hand, const std::string& component) {
 
 float length(const Input& input) { return std::hypot(input.x, input.y); }
 
-/// The state of an action for one hand or both, from its strongest input.
+/// The state of an action for one hand or both, taken from the action's strongest input.
 ActionState current_state(const Session& session, XrAction handle, const Action& action, XrPath subaction) {
     ActionState out;
     const uint32_t priority = action_set_of(action.set).priority;
@@ -271,7 +271,7 @@ XrResult get_source_name(XrSession handle, const XrInputSourceLocalizedNameGetIn
     require(!session.attached.empty(), XR_ERROR_ACTIONSET_NOT_ATTACHED, "no action sets are attached");
     constexpr XrInputSourceLocalizedNameFlags known = 7;
     require(info->whichComponents != 0 && (info->whichComponents & ~known) == 0, XR_ERROR_VALIDATION_FAILURE,
-            "no components of the name are requested, or unknown ones");
+            "no components of the name are requested, or unknown components are");
     const std::string source = path_text(instance_of(session.instance), info->sourcePath);
     const std::pair<XrInputSourceLocalizedNameFlags, std::string> parts[] = {
         {XR_INPUT_SOURCE_LOCALIZED_NAME_USER_PATH_BIT, hand_of(source) == 0 ? "Left Hand" : "Right Hand"},

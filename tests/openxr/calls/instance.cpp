@@ -23,7 +23,7 @@ void check_application(const XrApplicationInfo& info) {
     checked_text(info.applicationName, XR_MAX_APPLICATION_NAME_SIZE, XR_ERROR_NAME_INVALID,
                  "the application's name");
     require(std::memchr(info.engineName, '\0', XR_MAX_ENGINE_NAME_SIZE), XR_ERROR_VALIDATION_FAILURE,
-            "the engine's name does not end");
+            "the engine's name is not terminated");
     require(XR_VERSION_MAJOR(info.apiVersion) == 1 && XR_VERSION_MINOR(info.apiVersion) == 0,
             XR_ERROR_API_VERSION_UNSUPPORTED, "only OpenXR 1.0 is supported");
 }
@@ -129,7 +129,7 @@ XrResult string_to_path(XrInstance handle, const char* text, XrPath* out) {
     Instance& instance = instance_of(handle);
     require(text && out, XR_ERROR_VALIDATION_FAILURE, "the text or the output for the path is null");
     if (!is_well_formed(text))
-        breach(XR_ERROR_PATH_FORMAT_INVALID, "\"" + std::string(text) + "\" is not a well formed path");
+        breach(XR_ERROR_PATH_FORMAT_INVALID, "\"" + std::string(text) + "\" is not a well-formed path");
     *out = path_of(instance, text);
     return XR_SUCCESS;
 }

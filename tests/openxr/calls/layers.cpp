@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The layer being checked: its session, and its name for messages.
+/// A layer that is being checked: its session, and its name for messages.
 struct Part {
     XrSession session;
     std::string name;
@@ -70,7 +70,7 @@ json checked_image(const Part& part, const XrSwapchainSubImage& image, bool dept
     part.require(image.imageArrayIndex < swapchain->info.arraySize, XR_ERROR_VALIDATION_FAILURE,
                  "the array index exceeds the swapchain");
     part.require(is_depth(swapchain->info.format) == depth, XR_ERROR_VALIDATION_FAILURE,
-                 "the swapchain has color where depth belongs, or depth where color belongs");
+                 "the swapchain has a color format where depth is expected, or vice versa");
     part.require(swapchain->released.has_value(), XR_ERROR_LAYER_INVALID,
                  "no image of the swapchain has been released");
     return {{"rect", numbers_of(image.imageRect)},
@@ -144,7 +144,7 @@ json checked_quad(const Part& part, const XrCompositionLayerQuad& layer) {
                  "the eye visibility is unknown");
     part.require(is_valid(layer.pose), XR_ERROR_POSE_INVALID, "the pose is not valid");
     part.require(layer.size.width > 0 && layer.size.height > 0, XR_ERROR_VALIDATION_FAILURE,
-                 "it has no size");
+                 "its size is not positive");
     json out = checked_image(part, layer.subImage, false);
     out["type"] = "quad";
     out["space"] = checked_space(part, layer.space);

@@ -16,7 +16,7 @@ struct SubmittedLayers {
     std::vector<SubmittedView> views;                 ///< views of the first projection layer
 };
 
-/// Checks the layers of a frame. Ends the call if one of them is invalid.
+/// Checks the layers of a frame. Ends the call if any layer is invalid.
 SubmittedLayers checked_layers(XrSession session, const XrFrameEndInfo& info);
 
 }  // namespace test_runtime

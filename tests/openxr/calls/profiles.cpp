@@ -138,7 +138,7 @@ bool is_on(Side side, std::size_t hand) {
     return side == Side::both || (side == Side::left ? hand == 0 : hand == 1);
 }
 
-/// The components named by the path: one, or all below it.
+/// The components that the path names: a single component, or all components below the path.
 std::vector<Component> named_by(const std::string& profile_name, const std::string& path) {
     const Profile* const profile = find(profile_name);
     const std::size_t hand = hand_of(path);

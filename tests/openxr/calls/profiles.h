@@ -11,12 +11,12 @@ bool is_known_profile(const std::string& profile);
 std::string extension_of_profile(const std::string& profile);
 
 /// Whether the controller has a path such as /user/hand/left/input/trigger/value, or
-/// /user/hand/left/input/trigger for any of its components, and whether an action of this type can be bound
-/// to it.
+/// /user/hand/left/input/trigger for any of its components; and whether an action of this type can be bound
+/// to the path.
 bool has_component(const std::string& profile, const std::string& path);
 bool suits_action(const std::string& profile, const std::string& path, XrActionType type);
 
-/// The hand to which the path belongs, 0: left, 1: right; other values have no controller.
+/// The hand to which the path belongs: 0 is left, 1 is right. Other values have no controller.
 std::size_t hand_of(const std::string& path);
 /// "/input/trigger/value"
 std::string component_of(const std::string& path);

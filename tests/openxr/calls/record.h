@@ -15,7 +15,7 @@ void record_violation(const std::string& call, const std::string& what);
 void record_event(int frame, const std::string& what);
 void record_frame(const std::string& json);
 
-/// Saves a picture, bottom row first as in OpenGL. The name has no extension.
+/// Saves a picture whose bottom row comes first, as in OpenGL. The name has no extension.
 void save_picture(const std::string& name, uint32_t width, uint32_t height, const std::vector<uint8_t>& rgba);
 void save_depth(const std::string& name, uint32_t width, uint32_t height, const std::vector<float>& depth);
 

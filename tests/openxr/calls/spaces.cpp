@@ -13,7 +13,7 @@ constexpr XrSpaceLocationFlags located =
     XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
     XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
 
-/// A coordinate of an invalid pose, so that any use of the pose is noticed.
+/// A coordinate of an invalid pose, chosen so that any use of the pose is noticed.
 constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 constexpr XrPosef no_pose = {{no_number, no_number, no_number, no_number}, {no_number, no_number, no_number}};
 
@@ -32,7 +32,7 @@ void check_pose(const XrPosef& pose) {
     require(is_valid(pose), XR_ERROR_POSE_INVALID, "the pose is not valid");
 }
 
-/// Pose in the stage; nullopt while untracked.
+/// The pose in the stage; nullopt while the headset is not tracked.
 std::optional<XrPosef> reference_pose(XrReferenceSpaceType type, XrTime time) {
     const Moment& moment = moment_at(time);
     if (moment.untracked) return {};
@@ -40,7 +40,7 @@ std::optional<XrPosef> reference_pose(XrReferenceSpaceType type, XrTime time) {
     return type == XR_REFERENCE_SPACE_TYPE_LOCAL ? local_origin_at(time) : identity_pose;
 }
 
-/// Pose in the stage; nullopt while untracked.
+/// The pose in the stage; nullopt while the headset is not tracked.
 std::optional<XrPosef> stage_pose(const Space& space, XrTime time) {
     const auto* const reference = std::get_if<ReferenceSpace>(&space.of);
     const std::optional<XrPosef> origin =

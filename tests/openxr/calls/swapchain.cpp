@@ -34,7 +34,7 @@ void check_use(const XrSwapchainCreateInfo& info) {
                                             ? XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT
                                             : XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     require((info.usageFlags & other) == 0, XR_ERROR_VALIDATION_FAILURE,
-            "the usage does not suit the format");
+            "the usage does not match the format");
 }
 
 bool is_static(const Swapchain& swapchain) {

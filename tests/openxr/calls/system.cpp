@@ -25,7 +25,7 @@ XrResult get_system(XrInstance handle, const XrSystemGetInfo* info, XrSystemId* 
     check_struct(info, XR_TYPE_SYSTEM_GET_INFO);
     require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the system is null");
     require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY, XR_ERROR_FORM_FACTOR_UNSUPPORTED,
-            "the only form factor is a head mounted display");
+            "only the form factor of a head-mounted display is supported");
     *out = the_system;
     return XR_SUCCESS;
 }
