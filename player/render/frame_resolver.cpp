@@ -20,8 +20,8 @@ static_assert(GLuint(Compare::nothing) == shader::compare_nothing &&
 
 constexpr float dimmed_light = 0.2f;  ///< brightness of the dimmed background
 
-/// 1 up to one spread of the cameras away from the nearest camera, 0 from two spreads on. In between, the
-/// viewer may be outside the background in one direction but still inside it in others.
+/// Is 1 if the nearest camera is at most one spread of the cameras away, and 0 if it is at least two spreads
+/// away. In between, the viewer may be outside the background in one direction but still inside it in others.
 double nearness_to_photos(const PlanScene& scene, const Eigen::Vector3d& eye) {
     return scene.spread > 0 ? std::clamp(2 - distance_from_cameras(scene, eye) / scene.spread, 0.0, 1.0) : 0;
 }
@@ -93,8 +93,8 @@ void FrameResolver::draw_resolved(int sums, const PaintedImageSet& image_set, bo
     const RenderSettings& settings = image_set.drawn.settings;
     const FrameTargets& targets = resources_->targets;
     const double progress = before ? 1 : image_set.drawn.plan.progress();
-    // Light and the scalar field are applied to the picture being replaced later, when the new one is
-    // resolved.
+    // The picture that is being replaced gets its light and its scalar field later, together with the new
+    // picture.
     glUseProgram((before ? plain_program_ : program_for(settings)).id());
     if (!before) set_light(settings);
     const bool counts = settings.show == Show::coverage;

@@ -46,7 +46,7 @@ struct FrameResources {
 };
 
 /// Whether a frame shows transparent surfaces and its first plan has some in view. Only color pictures show
-/// them: mixed with counts or false colors, they would give wrong values.
+/// transparent surfaces, which would falsify counts and false colors.
 bool shows_transparent(const FrameResources& resources, const RenderSettings& settings, const ViewPlan& plan);
 
 /// How a frame's bare surfaces are drawn; for two eyes, this depends on the trials. Never returns

@@ -37,7 +37,7 @@ std::vector<std::array<std::uint8_t, 4>> colors_of(const PackageReader& package,
         const auto stored = package.records<Color>(Type::colors);
         if (stored.size() != out.size())
             throw Error(Exit::damaged,
-                        package.path().string() + ": VCOL: length does not fit the scene's counts");
+                        package.path().string() + ": VCOL: the length does not match the scene's counts");
         out.assign(stored.begin(), stored.end());
     }
     out.insert(out.end(), scene.surrounding_colors.begin(), scene.surrounding_colors.end());

@@ -29,7 +29,7 @@ void show_values(Model& model, const PlanScene& scene, std::span<const float> va
 /// triangles.
 bool add_coarse_mesh(Model& model, const PlanScene& scene, const CoarseMesh& mesh);
 
-/// Throws Error(damaged) for a checksum mismatch or a triangle with a vertex out of range.
+/// Throws Error(damaged) if a checksum does not match or a triangle has a vertex out of range.
 Model load_model(const PackageReader& package, const PlanScene& scene);
 
 /// One draw of glMultiDrawElementsIndirect.

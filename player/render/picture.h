@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// A rendered picture: RGBA, 8 bits, sRGB, top row first, alpha 0 without a contribution.
+/// A rendered picture: RGBA, 8 bits, sRGB, top row first; alpha is 0 where nothing was drawn.
 struct Picture {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;

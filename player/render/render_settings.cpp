@@ -23,8 +23,8 @@ PlanSettings plan_settings(const RenderSettings& s, int anisotropy) {
     // Plans allow footprints up to 4 times as long as they are wide at full sharpness; more taps read finer
     // levels.
     p.samples = std::exp2(-s.lod_bias) * std::max(1.0, anisotropy / 4.0);
-    // 0.1 halves the bytes that are read; frames agree with frames from all tiles that may be sampled to at
-    // least 47 dB. With 0.01, pictures agree to at least 60 dB.
+    // 0.1 halves the bytes that are read, and frames still agree to at least 47 dB with frames drawn from all
+    // tiles that may be sampled. With 0.01, pictures agree to at least 60 dB.
     p.worth = s.loading == Loading::complete ? 0.01 : 0.1;
     if (!waits_for_tiles(s.loading)) p.margin = 0.1;
     const bool falls = s.weights.angle && !s.weights.angle_per_photo && s.show != Show::coverage;

@@ -19,7 +19,7 @@ namespace vantage {
 /// Weighted average [M], unstructured lumigraph (after Buehler et al. 2001) or best photo [P]; rows of
 /// blend_table(). The window's settings file stores the numbers.
 enum class Blend { average, lumigraph, best, count };
-/// Texture coordinates per vertex or per fragment; automatic: depends on the package's effects.
+/// Texture coordinates per vertex or per fragment; `automatic` depends on the package's effects.
 enum class Coordinates { automatic, vertex, fragment, count };
 /// False colors: photo index, or number of photos. Values as in shaders/contract.glsl.
 enum class Show { colors, sources, coverage, count };
@@ -38,7 +38,7 @@ inline constexpr int window_photos = 4;
 struct FieldSettings {
     int index = -1;  ///< -1: none
     ColorMap map = ColorMap::automatic;
-    std::optional<ValueRange> range;  ///< whole_range() by default; values beyond an end get its color
+    std::optional<ValueRange> range;  ///< whole_range() by default; clamps values outside it
     bool logarithmic = false;         ///< non-positive values count as missing
     int isolines = 0;                 ///< intervals between lines; 0: no lines
     double share = 1;                 ///< weight of the field's color in a mix with photos
@@ -79,7 +79,7 @@ enum class PointSize {
 
 /// Source of point colors.
 enum class PointColor {
-    automatic,  ///< photos in a point-only scene, own colors next to a mesh
+    automatic,  ///< from photos in a point-only scene, the points' own colors next to a mesh
     photos,     ///< from photos where one shows the point, otherwise the point's own color
     own
 };
@@ -121,8 +121,8 @@ struct PlainBackground {
     bool operator==(const PlainBackground&) const = default;
 };
 
-/// For a scene without a photographed background: neutral, with the brightness that the photos show around
-/// the model.
+/// The background for a scene that has no photographed one: neutral, with the brightness that the photos show
+/// around the model.
 PlainBackground plain_background_of(const package::SceneRecord& scene);
 
 /// The tiles and points that a frame waits for.
@@ -132,7 +132,7 @@ enum class Loading {
     /// All that the frame needs. Photos fade as in a window, and are chosen for the triangles visible in the
     /// previous frame: identical frames at identical times give identical pictures.
     repeatable,
-    streamed,   ///< waits for none: shows resident tiles, after uploading at most upload_bytes; photos fade
+    streamed,  ///< waits for nothing: shows resident tiles, after uploading at most upload_bytes; photos fade
     uploading,  ///< like `streamed`, but waits for tiles until upload_bytes are uploaded
     beginning   ///< like `streamed`, but waits for the minimum of each photo; for the first frame
 };
@@ -154,7 +154,7 @@ struct RenderSettings {
     bool fill_background = true;  ///< if holes are filled; otherwise the background stays transparent
     int photos_per_pass = max_photos_per_pass;
     double lod_bias = 0;      ///< levels; negative values are sharper
-    bool thumbnails = false;  ///< nothing finer than base levels, see base_level()
+    bool thumbnails = false;  ///< uses nothing finer than base levels (see base_level())
     Show show = Show::colors;
     ShowBackground background = ShowBackground::on;
     Transparency transparency = Transparency::exact;

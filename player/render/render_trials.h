@@ -6,8 +6,8 @@ namespace vantage {
 enum class EyeSurfaces {
     automatic,   ///< at_once if the graphics card supports it; overlapped on a software rasterizer; otherwise
                  ///< in_turn
-    in_turn,     ///< into shared targets, each when its eye is painted
-    overlapped,  ///< into separate targets; the second while the first eye's photos are blended
+    in_turn,     ///< into shared targets, each surface when its eye is painted
+    overlapped,  ///< into separate targets, the second surface while the first eye's photos are blended
     at_once      ///< in one pass; overlapped if the graphics card does not support that
 };
 

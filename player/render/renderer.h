@@ -11,8 +11,8 @@
 
 namespace vantage {
 
-/// Renders a package: plans frames, paints and shows them. Belongs to the OpenGL thread; the package must
-/// outlive it.
+/// Renders a package: plans, paints and shows frames. Belongs to the OpenGL thread; the package must outlive
+/// it.
 class Renderer {
   public:
     Renderer(const PackageReader& package, const MemoryBudget& budget);
@@ -20,8 +20,8 @@ class Renderer {
     /// The frames that together give each pixel `side` * `side` samples for one eye: one frame for all
     /// samples, or one frame per sample.
     std::vector<PixelSample> samples(const View& view, const RenderSettings& settings, int side) const;
-    /// Draws one or all samples of each pixel of `view` (see FrameRequest). Throws Error(usage) for a view
-    /// that cannot be drawn.
+    /// Draws one or all samples of each pixel of `view` (see FrameRequest). Throws Error(usage) if the view
+    /// cannot be drawn.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
     /// Like draw() but in steps, and for one or two eyes. prepare() plans for all eyes and streams their
@@ -36,8 +36,8 @@ class Renderer {
     /// Shows the samples of an eye in a framebuffer of the view's size.
     void show(const View& view, const RenderSettings& settings, const ShowTarget& target);
 
-    /// Requests the point at a pixel of the last frame, if it was drawn with settings.points.pick or with
-    /// photos on points; the answer arrives a few calls later. See PointPicking.
+    /// Requests the point at a pixel of the last frame, if that frame was drawn with settings.points.pick or
+    /// with photos on points. The answer arrives a few calls later. See PointPicking.
     void pick(const Eigen::Vector2i& pixel);
     const std::optional<PickedPoint>& picked() const { return picking_.found(); }
 

@@ -15,11 +15,12 @@ RenderSettings usable(RenderSettings settings, const SceneParts& parts);
 /// Whether points are colored by photos.
 bool photos_on_points(const RenderSettings& settings, const SceneParts& parts);
 bool shows_points(const RenderSettings& settings, const SceneParts& parts);
-/// Whether photos are needed: points alone and light do not need them, unless a background is shown.
+/// Whether photos are needed. Points shown alone do not need photos, and neither does light, unless a
+/// background is shown.
 bool shows_photos(const RenderSettings& settings, const SceneParts& parts);
 bool shows_background(const RenderSettings& settings, const SceneParts& parts);
-/// Whether holes are filled with surrounding colors. Holes are filled only in color pictures: mixed with
-/// counts or false colors, fill colors would give wrong values.
+/// Whether holes are filled with surrounding colors. They are filled only in color pictures, since filling
+/// would falsify counts and false colors.
 bool fills_holes(const RenderSettings& settings, const SceneParts& parts);
 
 }  // namespace vantage

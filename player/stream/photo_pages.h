@@ -19,7 +19,7 @@ struct PackagePages {
     std::vector<PhotoPages> photos;
     std::uint32_t color = 0, weight_maps = 0;  ///< pages in total
 };
-/// Throws Error(damaged) for a photo with more levels than the shaders support.
+/// Throws Error(damaged) if a photo has more levels than the shaders support.
 PackagePages number_pages(std::span<const package::PhotoRecord> photos);
 
 StreamRequest color_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,

@@ -14,7 +14,7 @@ namespace {
 
 constexpr unsigned threads = 2;
 
-/// The bytes of the largest piece that passes through the ring.
+/// The size, in bytes, of the largest piece that passes through the ring.
 std::size_t largest_piece(const PackageReader& package) {
     std::size_t largest = 2 * tile_bytes;
     for (const package::PhotoRecord& p : package.photos())

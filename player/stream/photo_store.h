@@ -16,7 +16,7 @@
 
 namespace vantage {
 
-/// The resident parts of the photos, and those in flight. In each frame, call begin_frame(), request the
+/// The parts of the photos that are resident or in flight. In each frame, call begin_frame(), request the
 /// needed parts, call stream() or load(), and then write_pages() for the shaders. Belongs to the OpenGL
 /// thread.
 class PhotoStore {
@@ -45,7 +45,7 @@ class PhotoStore {
     /// Requests the minimum for drawing a photo: color of its base level, coarsest weight maps, and texture
     /// coordinates if `coordinates`.
     void need_base(std::uint32_t photo, bool coordinates);
-    /// Requests tiles. Returns the number of these that are not resident, not counting damaged ones.
+    /// Requests tiles. Returns the number of these parts that are not resident, not counting damaged parts.
     std::size_t need(std::uint32_t photo, const TileNeeds& needs);
     /// Like need(), but with the lowest priority and only while there is space.
     void prefetch(std::uint32_t photo, const TileNeeds& needs);

@@ -11,8 +11,8 @@
 
 namespace vantage {
 
-/// Blocks of a cloud's points in graphics memory; evicts the least recently used ones, but never those used
-/// by the current frame. Belongs to the OpenGL thread.
+/// Keeps blocks of a cloud's points in graphics memory. Evicts the least recently used blocks, but never
+/// those that the current frame uses. Belongs to the OpenGL thread.
 class PointStore {
   public:
     /// The maximum graphics memory for points, and that for the upload buffer.
@@ -33,7 +33,7 @@ class PointStore {
     }
     /// Uploads fetched data, at most `budget` bytes or one block. Returns the number of bytes uploaded.
     std::size_t stream(std::size_t budget);
-    /// Waits for all requested blocks that fit. Throws Error(input) if a server does not deliver them.
+    /// Waits for all requested blocks that fit. Throws Error(input) if a server does not deliver the blocks.
     void load();
 
     /// The index of the node's first point in buffer().

@@ -30,7 +30,7 @@ class RemoteBytes {
     /// Result of a request.
     struct Arrival {
         StreamRequest request;
-        Held held;            ///< null if its bytes could not be fetched
+        Held held;            ///< null if the bytes could not be fetched
         std::string failure;  ///< why the bytes could not be fetched
     };
     /// Removes and returns the most urgent request whose bytes have arrived, unless `accepts` rejects it.
@@ -44,7 +44,7 @@ class RemoteBytes {
         std::stop_source stop;
     };
     void work(std::stop_token stop);
-    /// The most urgent requests that are neither in flight nor arrived. The mutex must be locked.
+    /// The most urgent requests that are not in flight and have not arrived. The mutex must be locked.
     std::vector<StreamRequest> next_requests() const;
     /// Fetches with the mutex unlocked.
     void fetch(Group& group, std::unique_lock<std::mutex>& lock);

@@ -11,7 +11,7 @@
 
 namespace vantage {
 
-/// Capacity of graphics memory for each kind of resource.
+/// The capacity of graphics memory for each kind of resource.
 struct ResidencyLayout {
     std::uint32_t color = 0, weight_maps = 0, thumbnails = 0;  ///< layers of the array textures
     std::uint32_t coordinates = 0;                             ///< photos with texture coordinates per vertex
@@ -22,7 +22,7 @@ struct ResidencyLayout {
     bool operator==(const ResidencyLayout&) const = default;
 };
 
-/// Limit on the layers of an array texture.
+/// The maximum number of layers of an array texture.
 std::uint32_t max_layers();
 
 /// Divides `bytes` of graphics memory: thumbnails and coordinates (if `with_coordinates`) get at most an
@@ -31,11 +31,11 @@ std::uint32_t max_layers();
 ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& pages, std::uint64_t bytes,
                               bool with_coordinates);
 
-/// Tiles, thumbnails and texture coordinates in graphics memory; evicts the least recently used ones, but
-/// never those used by the current frame. Belongs to the OpenGL thread.
+/// Keeps tiles, thumbnails and texture coordinates in graphics memory. Evicts the least recently used of
+/// these, but never those that the current frame uses. Belongs to the OpenGL thread.
 class Residency {
   public:
-    /// Delay before damaged or undelivered resources are fetched again.
+    /// The delay before damaged or undelivered resources are fetched again.
     static constexpr double retry_seconds = 5;
     struct Failure {
         double at;     ///< time of the last failure, seconds

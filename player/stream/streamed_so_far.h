@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// Total work of a TileStream's threads since opening.
+/// The total work of a TileStream's threads since the package was opened.
 struct StreamedSoFar {
     std::uint64_t bytes = 0;  ///< read from the package
     double seconds = 0;       ///< time spent on reading and decoding, summed over all threads

@@ -29,7 +29,7 @@ class UploadRing {
     /// Must be called when the piece has been uploaded (before the next fence()) or is no longer needed.
     void release(const Piece& piece);
     /// Sets a fence for the pieces released since the last fence, and reclaims pieces whose fence has been
-    /// passed.
+    /// signaled.
     void fence();
 
     GLuint buffer() const { return buffer_.id(); }

@@ -53,7 +53,8 @@ struct Derived {
     std::string note{};
 };
 
-/// Arbitrary for a zero vector: the derivative of a length of 0 is 1 in every direction.
+/// The normalized vector; arbitrary for a zero vector, because the derivative of a length of 0 is 1 in every
+/// direction.
 Vector3d direction(const Vector3d& v) {
     const double length = v.stableNorm();
     return length > 0 ? Vector3d(v / length) : Vector3d::UnitX();
@@ -134,8 +135,8 @@ bool crosses_itself(std::span<const Eigen::Vector2d> p) {
     return false;
 }
 
-/// The plane is assumed fixed: a small rotation of it changes the area of a planar polygon only to second
-/// order.
+/// The plane is assumed to be fixed: a small rotation of the plane changes the area of a planar polygon only
+/// to second order.
 Derived area(std::span<const Vector3d> p, double& off_plane) {
     const FittedPlane plane = plane_of(p);
     off_plane = plane.farthest;
@@ -195,7 +196,7 @@ std::string note_of(const Measurement& m, const Scale& scale, const Vector3d& up
             std::vector<Vector3d> round = p;
             round.push_back(p.front());
             return formatted(
-                tr("on the plane that fits its corners best; they are up to %s away from it; perimeter %s"),
+                tr("on the plane that best fits the corners, which are up to %s away from it; perimeter %s"),
                 length_text(off_plane, scale).c_str(), length_text(*chain(round).value, scale).c_str());
         }
         default:

@@ -45,7 +45,7 @@ struct Measurement {
 struct Measured {
     std::optional<double>
         value{};  ///< nullopt if invalid, with the reason in `note`; always nullopt for Measure::point
-    std::optional<double> uncertainty{};  ///< standard; nullopt if that of a point is unknown
+    std::optional<double> uncertainty{};  ///< standard uncertainty; nullopt if a point's is unknown
     const char* unit = "";                ///< such as "cm", "cm2", "deg"
     std::string note{};                   ///< additional remark, or empty
 };

@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// Intersection of a ray with the mesh.
+/// The intersection of a ray with the mesh.
 struct MeshHit {
     std::uint32_t triangle;  ///< from 0
     double distance;         ///< as a multiple of the ray's direction vector
@@ -22,8 +22,8 @@ struct RayRange {
 };
 
 /// The first intersection of a ray with the mesh, from either side; includes transparent surfaces, but not
-/// the background. Computed in double precision, independently of rendering (Moeller and Trumbore 1997),
-/// using the tree of clusters. Returns nullopt for a miss, and for a ray that is not finite or has no
+/// the background. It is computed in double precision, independently of rendering (Moeller and Trumbore
+/// 1997), using the tree of clusters. Returns nullopt if the ray misses the mesh, is not finite or has no
 /// direction.
 std::optional<MeshHit> first_hit(const PlanScene& scene, const Ray& ray, RayRange range = {});
 

@@ -22,7 +22,7 @@ struct PlacedMesh {
 
 /// Constraints on points that the user sets.
 struct Snapping {
-    std::span<const SectionPlane> sections{};  ///< the scene's section planes, which exclude points
+    std::span<const SectionPlane> sections{};  ///< excludes points that these planes of the scene cut away
     double vertex_pixels =
         0;  ///< snaps to the nearest visible vertex within this distance in the picture; 0 disables snapping
 };
@@ -42,8 +42,8 @@ std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const
 struct SurfacePoint {
     Eigen::Vector3d at, normal;
 };
-/// The first surface point on a ray, at most `farthest` times the ray's direction vector from its start.
-/// Returns nullopt for a degenerate triangle.
+/// The first surface point on a ray, at a distance of at most `farthest` times the length of the ray's
+/// direction vector. Returns nullopt if the triangle is degenerate.
 std::optional<SurfacePoint> surface_on(std::span<const PlacedMesh> meshes, const Ray& ray, double farthest,
                                        std::span<const SectionPlane> sections = {});
 

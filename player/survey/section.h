@@ -25,7 +25,7 @@ std::string section_dxf(std::span<const SectionLine> lines, const Eigen::Vector3
 /// The part of a ray behind all planes; empty (nearest > farthest) if there is none.
 RayRange behind(std::span<const SectionPlane> planes, const Ray& ray);
 
-/// Minimum and maximum of normal . p over the mesh's vertices, without the background.
+/// The minimum and maximum of normal . p over the mesh's vertices p, without the background.
 std::array<double, 2> extent_along(const PlanScene& scene, const Eigen::Vector3d& normal);
 
 /// Caches the result of extent_along() for each direction in one scene, since that function visits all

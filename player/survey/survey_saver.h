@@ -23,7 +23,7 @@ class SurveySaver {
     void save(const Survey& survey);
     /// The error of the last write; empty if that write succeeded, or if its error has already been taken.
     std::string take_trouble();
-    /// Whether a survey is pending, or an error has not been taken.
+    /// Whether a survey is pending, or whether an error has not been taken.
     bool busy() const;
     const std::filesystem::path& path() const { return path_; }
 

@@ -12,7 +12,7 @@ const char* name_of(Unit unit);
 /// The inverse of name_of().
 std::optional<Unit> unit_named(std::string_view name);
 
-/// Length of an input unit, and the displayed unit.
+/// The length of an input unit, and the displayed unit.
 struct Scale {
     double length = 1;           ///< length of an input unit, in `unit`; above 0
     Unit unit = Unit::unknown;   ///< unknown: `length` is 1

@@ -56,7 +56,7 @@ void add_bench(const Command& program) {
     const Command c = program.verb("bench", "Fly scripted paths and measure every frame");
     add_package_argument(c, o->package).required();
     add_exclude_option(c, o->package);
-    add_photo_option(c, o->package, "photo from which flights begin");
+    add_photo_option(c, o->package, "photo whose camera is the start of flights");
     add_object_options(c, o->objects);
     add_size_option(c, o->output);
     add_output_options(c, o->output);

@@ -9,7 +9,7 @@
 namespace vantage {
 namespace {
 
-/// Throws Error(usage) if the evaluation would overwrite anything but an earlier one.
+/// Throws Error(usage) if the evaluation would overwrite anything but an earlier evaluation.
 void expect_evaluation_folder(const PackageReader& package, const EvaluateOptions& o) {
     const Inputs inputs = inputs_of(package);
     expect_result_folder(o.folder, "index.html", Product::page, {"photos.csv", "regions.csv", "regions.ply"},
@@ -48,7 +48,7 @@ void add_evaluate(const Command& program) {
         .group(group);
     c.integer("--worst", o->worst, 0, 1 << 20, "number of worst photos to show first").group(group);
     c.file("--against", o->against,
-           "folder of an earlier evaluation: shows the changes per photo, and their worst and best regions")
+           "folder of an earlier evaluation; shows the changes per photo, and their worst and best regions")
         .type("FOLDER")
         .group(group);
     c.notes(

@@ -16,7 +16,7 @@ void add_render(const Command& program) {
     const auto o = std::make_shared<ShowOptions>();
     const Command c = program.verb("render", "Write pictures: from photos' cameras, views or a path");
     add_package_argument(c, o->package).required();
-    add_photo_option(c, o->package, "photos from whose cameras to render, or 'all'");
+    add_photo_option(c, o->package, "photos whose cameras to render from, or 'all'");
     add_view_option(c, o->pictures);
     add_path_option(c, o->pictures, "a picture of each");
     add_output_options(c, o->output);
@@ -29,7 +29,7 @@ void add_render(const Command& program) {
               "--blend", "--max-photos", "--holes", "--background", "--field", "--light", "--stereo",
               "--panorama", "--exclude", "--add"});
     c.notes(
-        "Writes PNG, with transparent holes and background unless --holes shade.\n"
+        "Writes PNG files, with transparent holes and background unless --holes shade is given.\n"
         "Examples:\n"
         "  vantage-player render chapel.vantage --photo 0003 -o 0003.png\n"
         "  vantage-player render chapel.vantage --view 4,-9,2,0,0,1,40 --size 1920x1080 -o view.png\n"

@@ -46,7 +46,7 @@ struct Run {
     bool showed = false, hung = false;
 };
 
-/// Waits until the player ends. Terminates it if it is unresponsive.
+/// Waits until the player ends, and terminates it if it is unresponsive.
 Run watch(pid_t child, int heartbeat_fd) {
     Run out;
     for (pollfd p{heartbeat_fd, POLLIN, 0};;) {

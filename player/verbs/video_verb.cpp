@@ -19,7 +19,7 @@ void add_video(const Command& program) {
     add_video_options(c, o->video);
     add_path_option(c, o->pictures,
                     "a video that flies along them, each at its at=SECONDS, or 3 seconds apart");
-    add_photo_option(c, o->package, "photo from which the turntable starts");
+    add_photo_option(c, o->package, "photo whose camera is the start of the turntable");
     add_view_option(c, o->pictures);
     add_output_options(c, o->output);
     add_samples_option(c, o->pictures);

@@ -11,7 +11,7 @@
 
 namespace vantage {
 
-/// A flight: one position per frame.
+/// A flight with one position per frame.
 struct CameraPath {
     std::string name;
     std::vector<Navigation> frames;
@@ -19,7 +19,7 @@ struct CameraPath {
 
 /// From `start`: "still"; "orbit", 60 degrees to either side and back; "approach", to a third of the distance
 /// and back; "jump", facing away from the model and then turned by 180 degrees at the middle frame; "flight",
-/// smooth and random, reproducible with `seed`. Throws Error(usage) for any other name.
+/// smooth and random, reproducible with `seed`. Throws Error(usage) if the name is none of these.
 CameraPath scripted_path(const std::string& name, const Navigation& start, int frames, unsigned seed = 1);
 
 /// The views in a file (see read_path), interpolated evenly to `frames` positions. Throws Error(input).

@@ -24,7 +24,7 @@ class CameraSpline {
 
     /// The time of the last key.
     double seconds() const { return knots_.back().seconds; }
-    /// Clamped to the first and last key.
+    /// Times are clamped to those of the first and last key.
     Navigation at(double seconds) const;
 
   private:

@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// A camera that the user moves: it orbits a target or flies. Coordinates relative to the origin.
+/// A camera that the user moves: it orbits a target or flies. Coordinates are relative to the origin.
 struct Navigation {
     Eigen::Vector3d eye, target, up;
     Eigen::Matrix3d R;  ///< cam_from_origin
@@ -14,23 +14,23 @@ struct Navigation {
     double aspect = 0;  ///< width over height of the frame, such as a photo, that `fov` is for; 0: any
 };
 
-/// At the photo's camera, in its viewing direction. The target is as far away as the surface that the photo
-/// sees.
+/// A position at the photo's camera, in its viewing direction. The target is as far away as the surface that
+/// the photo sees.
 Navigation stand_at(const package::PhotoRecord& photo, const Eigen::Vector3d& up);
 
-/// At a view, with the target `distance` away on its axis.
+/// A position at a view, with the target on its axis at `distance`.
 Navigation stand_at(const View& view, const Eigen::Vector3d& up, double distance);
 
-/// In front of the whole model, slightly elevated, with the target at the model's center; for scenes without
-/// photos.
+/// A position in front of the whole model, slightly elevated, with the target at the model's center; for
+/// scenes without photos.
 Navigation stand_before(const package::SceneRecord& scene, const Eigen::Vector3d& up);
 
-/// In front of the whole model, in the viewing direction of a picture with these axes (perpendicular unit
-/// vectors). `up`: the scene's up direction.
+/// A position in front of the whole model, in the viewing direction of a picture with these axes
+/// (perpendicular unit vectors). `up`: the scene's up direction.
 Navigation stand_beside(const package::SceneRecord& scene, const Eigen::Vector3d& right,
                         const Eigen::Vector3d& picture_up, const Eigen::Vector3d& up);
 
-/// At the photo's camera, or in front of the model if the package has no photos.
+/// A position at the photo's camera, or in front of the model if the package has no photos.
 Navigation home_of(const PackageReader& package, std::uint32_t photo);
 
 /// The view that `prepare` chose for the scene. For an image set other than that of the chosen photo, the
@@ -48,8 +48,8 @@ void look(Navigation& n, double right, double down);
 void fly(Navigation& n, const Eigen::Vector3d& step);
 /// Scales the eye's distance from the target by `factor`, clamped to [0.01, 100].
 void approach(Navigation& n, double factor);
-/// Scales the distances of eye and target from a point, which keeps its position in the picture. The eye's
-/// distance is clamped to [nearest, farthest].
+/// Scales the distances of the eye and the target from a point, which keeps its position in the picture. The
+/// eye's distance is clamped to [nearest, farthest].
 void approach_point(Navigation& n, const Eigen::Vector3d& point, double factor, double nearest,
                     double farthest);
 /// The camera that sees a point from the same direction as before, at this distance and in the center. The

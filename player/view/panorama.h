@@ -15,8 +15,8 @@ struct Panorama {
     FrameSize size;
 };
 
-/// At the eye of a view, level, with the view's target in the center. `up`: the scene's up direction. Throws
-/// Error(usage) if the size is not twice as wide as it is high.
+/// A level panorama at the eye of a view, with the view's target in the center. `up`: the scene's up
+/// direction. Throws Error(usage) if the size is not twice as wide as it is high.
 Panorama panorama_at(const View& view, const Eigen::Vector3d& up, FrameSize size);
 
 /// The position in the picture of a direction that is given along the axes of R; in pixels from the upper
@@ -27,7 +27,7 @@ Eigen::Vector2d pixel_of(const Panorama& panorama, const Eigen::Vector3d& direct
 /// degrees plus `margin`, a fraction of these, which is at least two pixels wide. At the center of a face,
 /// the resolution is `finer` times that of the panorama.
 std::array<View, 6> cube_views(const Panorama& panorama, double finer, double margin);
-/// Rotations from the panorama's axes to those of each face.
+/// The rotations from the panorama's axes to those of each face.
 std::array<Eigen::Matrix3d, 6> cube_axes();
 
 /// The XMP packet that identifies a panorama to viewers (Google's Photo Sphere metadata, GPano).

@@ -16,7 +16,8 @@ struct Pinch {
 
 using FingerPair = std::array<Eigen::Vector2d, 2>;
 
-/// The movement between two pairs of positions. Fingers closer than a few pixels neither spread nor turn.
+/// The movement between two pairs of positions. If the fingers are within a few pixels of each other, the
+/// movement contains neither scaling nor rotation.
 Pinch pinch_between(const FingerPair& before, const FingerPair& now);
 /// The composition of two movements.
 Pinch then(const Pinch& first, const Pinch& second);

@@ -34,13 +34,13 @@ inline bool divides_frame(StereoMode mode) {
 }
 
 /// The eye separation in scene units. `looked_at`: the depth at which the eyes converge, unless `eyes` sets
-/// one. Throws Error(usage) unless the separation is positive and finite.
+/// that depth. Throws Error(usage) unless the separation is positive and finite.
 double eye_distance(const Eyes& eyes, double looked_at);
 
 /// The views of the left and the right eye, on either side of `middle`. They are parallel, with sheared
 /// frusta that coincide at the convergence (Woods, Docherty and Koch 1993), since converging axes would cause
-/// vertical parallax. `looked_at`: the depth at which they converge, unless `eyes` sets one. Throws
-/// Error(usage) if a number is not finite or not positive, or if the view is orthographic.
+/// vertical parallax. `looked_at`: the depth at which the eyes converge, unless `eyes` sets that depth.
+/// Throws Error(usage) if a number is not finite or not positive, or if the view is orthographic.
 std::vector<View> eye_views(const View& middle, const Eyes& eyes, double looked_at);
 /// Both eyes' views (see eye_views()), or `middle` alone if the mode is off.
 std::vector<View> views_of(const StereoSettings& stereo, const View& middle, double looked_at);

@@ -26,9 +26,9 @@ struct ColumnRange {
 };
 ColumnRange columns_of(const StereoPanorama& panorama, int slice);
 
-/// Views of a slice, upward, forward and downward, in steps of 60 degrees.
+/// A slice has views that look upward, forward and downward, in steps of 60 degrees.
 inline constexpr std::size_t slice_views = 3;
-/// Rotations from the panorama's axes to those of a slice's views.
+/// The rotations from the panorama's axes to those of a slice's views.
 std::array<Eigen::Matrix3d, slice_views> slice_axes(const StereoPanorama& panorama, int slice);
 /// The extent, from its center, that each view covers alone, as tangents.
 Eigen::Vector2d slice_half(const StereoPanorama& panorama);

@@ -24,7 +24,7 @@ struct Area {
     double left = 0, top = 0, width = 0, height = 0;
 };
 
-/// A camera to render from; positions are relative to the package's origin.
+/// A camera from which to render. Positions are relative to the package's origin.
 struct View {
     Intrinsics intrinsics;
     Pose cam_from_origin;

@@ -27,7 +27,7 @@ class ChildProgram {
         std::string prints;  ///< the first line of its output, or empty
         std::string says;    ///< the first line of its errors, or empty
     };
-    /// The result, or empty as long as the program runs; does not wait.
+    /// The result, or empty while the program is running; does not wait.
     std::optional<Ended> ended();
 
   private:

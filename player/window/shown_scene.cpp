@@ -144,8 +144,8 @@ void ShownScene::choose_projection(double now) {
         now);
 }
 
-/// The session's settings. Orthographic views and cuts disable the background; for a cut, it would fill the
-/// removed part.
+/// The session's settings. Orthographic views and cuts disable the background, which would fill the part
+/// removed by a cut.
 RenderSettings ShownScene::shown_settings() const {
     RenderSettings settings = session_.settings;
     if (session_.viewpoint.orthographic || !settings.sections.empty())
@@ -194,7 +194,7 @@ void ShownScene::show_cut(const View& view) {
     cut_lines_.show(hidden ? std::vector<PlacedMesh>{} : scene_.objects.meshes(), planes, view);
 }
 
-/// Notes, their cards and tours, over the picture of `view`.
+/// Shows notes, their cards and tours over the picture of `view`.
 void ShownScene::tell(const View& view, double now) {
     Session& s = session_;
     const SeenTriangles seen = scene_.renderer.planner().seen();

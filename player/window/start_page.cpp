@@ -19,7 +19,7 @@
 namespace vantage {
 namespace {
 
-/// The packages by name, with their folders; a click opens one.
+/// Lists packages by name, with their folders; a click opens one of them.
 void recent_packages(Controls& c, UserCommands& commands, std::span<const std::string> recent) {
     if (recent.empty()) return;
     ImGui::TextDisabled("%s", tr("Recent"));
@@ -57,7 +57,7 @@ void page(Controls& c, UserCommands& commands, std::span<const std::string> rece
     ImGui::End();
 }
 
-/// O opens, Ctrl+Q quits; not while a dialog has the focus.
+/// O opens a file and Ctrl+Q quits, but not while a dialog has the focus.
 void take_keys(WindowState& state) {
     for (const KeyPress& p : state.input.keys)
         if (p.key == GLFW_KEY_Q && p.with == KeyPress::With::control) state.commands.push_back(Quit{});

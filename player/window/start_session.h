@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// Throws Error(damaged) if there is neither a photo nor a point, or if META is damaged, although it is not
+/// Throws Error(damaged) if there is neither a photo nor a point, or if META is damaged, although META is not
 /// needed for display.
 void expect_content(const PackageReader& package);
 

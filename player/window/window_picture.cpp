@@ -20,8 +20,8 @@ std::size_t upload_of_frame(std::size_t bytes, double ms) {
 }
 
 /// The area of an eye's picture of this size that is free of panels, in a window whose free area is `free`.
-/// Side panels cover only one eye's picture if the pictures are side by side, and panels at the bottom do if
-/// the pictures are above each other.
+/// If the pictures are side by side, a side panel covers only one of them; if they are above each other, a
+/// panel at the bottom does.
 Area free_for_eye(StereoMode mode, const Area& free, FrameSize size) {
     Area out = free;
     if (mode == StereoMode::side_by_side) out.left = 0, out.width = size.width;
@@ -75,8 +75,8 @@ bool WindowPicture::unchanged(const View& view, const RenderSettings& shown) con
 }
 
 /// While the view moves or tiles are missing, draws one sample per pixel, half a level sharper. In motion,
-/// the pace is such that the frame rate meets its goal. Then accumulates the samples of each pixel, one per
-/// frame, and stops when the picture is final.
+/// adjusts the pace so that the frame rate meets its goal. Afterward, accumulates the samples of each pixel,
+/// one per frame, and stops when the picture is final.
 void WindowPicture::draw_sample(const View& view, const RenderSettings& shown, bool still, double now) {
     Session& s = session_;
     if (looks_again() && now > drawn_at_ + look_again_seconds) samples_ = 0;

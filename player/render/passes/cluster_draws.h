@@ -19,8 +19,8 @@ class ClusterDraws {
     ClusterDraws(const PackageReader& package, const PlanScene& scene);
 
     const Model& model() const { return model_; }
-    /// Sets the model's scalar values, one per vertex of the mesh. Returns whether that allocated graphics
-    /// memory.
+    /// Sets the model's scalar values, one per vertex of the mesh. Returns whether graphics memory was
+    /// allocated.
     bool show_values(std::span<const float> values);
     /// Reduced frames may be drawn with this mesh from then on.
     void use_coarse(CoarseMesh mesh);
@@ -33,12 +33,11 @@ class ClusterDraws {
     /// scene, one bit per photo of the pass. Clusters without photos are skipped; if `photos` is empty, all
     /// are drawn. Returns the number of draws.
     std::size_t draw(Clusters clusters, std::span<const std::uint32_t> photos, std::size_t eyes = 1);
-    /// Like draw(), but for clusters of the mesh alone or for transparent clusters; needs only one call of
-    /// OpenGL.
+    /// Like draw(), but with one call of OpenGL, either for clusters of the mesh or for transparent clusters.
     std::size_t draw_mesh(Clusters clusters, std::span<const std::uint32_t> photos, std::size_t eyes = 1) {
         return draw_run(clusters, photos, 0, eyes);
     }
-    /// Draws the entire coarse mesh, and those of the clusters that belong to the background.
+    /// Draws the entire coarse mesh, and of `clusters` those that belong to the background.
     void draw_coarse(Clusters clusters, std::size_t eyes);
 
   private:

@@ -30,7 +30,7 @@ DrawnView drawn_view(const FrameResources& resources, const View& view, const Im
 /// Whether the coarse mesh is fine enough for a planned view.
 bool suits_coarse(const FrameResources& resources, const View& view, const ImageSetFrame& image_set);
 
-/// a and b of the frame's depths, a + b / z. Not for orthographic views.
+/// The coefficients a and b of the frame's depth values, a + b / z. Not for orthographic views.
 Eigen::Vector2d depth_terms(const View& view, const Eigen::Vector2d& depth_range);
 
 }  // namespace vantage

@@ -20,7 +20,7 @@ class FieldValues {
     const ScalarField* shown(const RenderSettings& settings) const;
     bool shows(const RenderSettings& settings) const { return shown(settings) != nullptr; }
     /// Computes the settings' field and passes its values to the model, unless the model already has them.
-    /// Returns whether that allocated graphics memory.
+    /// Returns whether graphics memory was allocated.
     bool load(const RenderSettings& settings, ClusterDraws& clusters);
     /// Sets the uniforms for the settings' field in the current program.
     void set(const FieldSettings& settings);

@@ -30,7 +30,8 @@ struct FrameTargets {
     std::vector<std::array<gl::Framebuffer, 2>> sums_targets;  ///< one per surface, which provides the depth
     gl::Framebuffer before_target;
     std::vector<PictureSamples> samples;  ///< per eye
-    /// a and b of the last painted eye's depth, a + b / z. Not for orthographic views.
+    /// The coefficients a and b of the last painted eye's depth values, a + b / z. Not for orthographic
+    /// views.
     Eigen::Vector2d depth_terms = Eigen::Vector2d::Zero();
 
     FrameSize size() const { return {width, height}; }
@@ -62,8 +63,8 @@ class DrawnRegion {
     DrawnRegion& operator=(const DrawnRegion&) = delete;
 };
 
-/// The triangle at each pixel's last sample in the last frame, row by row from the top, numbered from 1; 0:
-/// none. Waits for the graphics card.
+/// The triangle at each pixel's last sample in the last frame, row by row from the top, numbered from 1; 0
+/// means none. Waits for the graphics card.
 std::vector<std::uint32_t> read_triangles(const FrameTargets& targets);
 
 /// Targets for frames of at most this size, for one or two eyes, with one surface per eye or a shared one,

@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// Fills pixels that no photo covers with surrounding colors, using a pyramid of means that is averaged
+/// Gives surrounding colors to pixels that no photo covers, using a pyramid of means that is averaged
 /// downward and filled in upward (after the pull-push algorithm of Gortler et al. 1996). Holes contribute
 /// their own color with a low weight, so that this color is visible only far from all others. For holes in
 /// the background, the mesh's colors have a low weight, since they belong to nearer surfaces.

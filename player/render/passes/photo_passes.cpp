@@ -14,7 +14,8 @@
 namespace vantage {
 namespace {
 
-/// The viewing direction of [P]: outside the model's box, toward its center; inside, the camera's own.
+/// The viewing direction for best photo [P]: toward the center of the model's box if the camera is outside
+/// the box, otherwise the camera's own direction.
 Eigen::Vector3d overall_direction(const View& view, const package::SceneRecord& scene) {
     const Eigen::Vector3d eye = view.cam_from_origin.center();
     const Eigen::Vector3d half = (Eigen::Map<const Eigen::Vector3d>(scene.bounds_max) -

@@ -6,9 +6,9 @@
 
 namespace vantage {
 
-/// The samples of a picture, summed: light times coverage, and coverage. A second image set has its own sum.
-/// Where holes are filled behind transparent surfaces, `veil` holds the surfaces over the holes, and `clean`
-/// the samples without those surfaces, from which the holes are filled.
+/// Sums of a picture's samples: light times coverage, and coverage. A second image set has its own sum. Where
+/// holes are filled behind transparent surfaces, `veil` holds the surfaces over the holes, and `clean` the
+/// samples without those surfaces, from which the holes are filled.
 struct PictureSamples {
     FrameSize allocated;  ///< of the textures
     gl::Texture sum, other, veil, clean;

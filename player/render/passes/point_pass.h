@@ -29,7 +29,7 @@ class PointPass {
     bool placed() const { return bool(places_); }
 
     /// Chooses nodes for the view, requests them and uploads those that have arrived; waits for all of them
-    /// if the settings wait for tiles. Returns the bytes uploaded.
+    /// if the settings wait for tiles. Returns the number of bytes uploaded.
     std::size_t stream(const View& view, const RenderSettings& settings, int side, double now);
     /// The number of planned nodes that are not yet loaded.
     std::size_t missing() const { return missing_; }
@@ -51,7 +51,7 @@ class PointPass {
     /// For each pixel, the distance of its point along the view's axis (0 without a point), and the spacing
     /// of points there.
     GLuint places() const { return places_.id(); }
-    /// For each pixel, the number of its point, for point_numbered(); 0: none.
+    /// For each pixel, the number of its point, for point_numbered(); 0 means none.
     GLuint numbers() const { return numbers_.id(); }
     /// The nodes drawn by the last draw().
     const std::vector<DrawnNode>& drawn() const { return drawn_; }

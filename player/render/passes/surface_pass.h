@@ -17,7 +17,7 @@ std::vector<std::string> background_defines(const PlanScene& scene);
 /// The symbols for features that are compiled on demand: light, a scalar field.
 std::vector<std::string> asked_defines(const RenderSettings& settings, const FieldValues& fields);
 
-/// Target in which transparent surfaces are collected.
+/// The target in which transparent surfaces are collected.
 struct TransparentTarget {
     bool lists;  ///< otherwise sums only
     int width;   ///< pixels
@@ -31,10 +31,10 @@ class SurfacePass {
     SurfacePass(const PackageReader& package, const PlanScene& scene, ClusterDraws& clusters,
                 FieldValues& fields);
 
-    /// Depth, plain shading and triangle numbers of the current eye; numbers of the coarse mesh follow the
-    /// scene's.
+    /// Draws depth, plain shading and triangle numbers for the current eye. The numbers of the coarse mesh
+    /// follow those of the scene.
     void draw(const DrawnView& drawn, const FrameTargets& targets);
-    /// The same for both eyes in one pass, into targets.layers.
+    /// Like draw(), for both eyes in one pass, into targets.layers.
     void draw_both(const DrawnView& left, const DrawnView& right, const FrameTargets& targets);
     /// Draws the transparent surfaces into the lists or sums of a TransparentPass. Returns the number of
     /// draws.

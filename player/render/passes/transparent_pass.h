@@ -16,8 +16,8 @@ struct FragmentCount {
 };
 
 /// The buffers in which transparent surfaces are collected: weighted sums (McGuire and Bavoil 2013) and, in
-/// exact mode, a list of fragments per pixel (Yang et al. 2010), which resolve sorts. Belongs to the OpenGL
-/// thread.
+/// exact mode, a list of fragments per pixel (Yang et al. 2010), which the resolve pass sorts. Belongs to the
+/// OpenGL thread.
 class TransparentPass {
   public:
     /// Average capacity of lists, in fragments per pixel; further fragments are added to the sums.
@@ -42,10 +42,10 @@ class TransparentPass {
 
     /// Calls `draw` with empty targets and lists bound, and a depth test against the frame's depth.
     void collect(FrameSize frame, const std::function<void()>& draw);
-    /// Binds the collected data as the input of resolve.
+    /// Binds the collected data as the input of the resolve pass.
     void bind() const;
-    /// Starts reading back the number of fragments, after resolve. Does nothing while an earlier count is in
-    /// flight.
+    /// Starts reading back the number of fragments, after the resolve pass. Does nothing while an earlier
+    /// count is in flight.
     void capture();
     /// Takes a count that has arrived; with `wait`, waits for a count in flight. Returns whether there is a
     /// new count.

@@ -14,7 +14,7 @@ std::uint64_t tiles_for(FrameSize frame) {
         std::clamp(256 * MiB * frame.width * frame.height / (1280.0 * 720), 256 * MiB, 1024 * MiB));
 }
 
-/// Memory for frames of this capacity, except tiles, in addition to the memory already held.
+/// Memory for frames of this capacity, excluding tiles, in addition to the memory already held.
 std::uint64_t bytes_of(const FrameResources& r, const FrameNeeds& n) {
     const auto [width, height] = n.capacity;
     return FrameTargets::bytes(n.capacity, n.eyes, n.surfaces, n.fine) +

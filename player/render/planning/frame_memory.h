@@ -8,7 +8,7 @@ namespace vantage {
 
 /// The targets and data that a frame needs in addition to tiles.
 struct FrameNeeds {
-    FrameSize allocated, capacity;  ///< size of targets: for this frame, and for later ones
+    FrameSize allocated, capacity;  ///< size of the targets for this frame, and for later frames
     std::size_t eyes = 1, surfaces = 1;
     int fine = 1;                ///< samples per side of a pixel that are drawn at once
     bool coordinates = false;    ///< per vertex
@@ -30,7 +30,7 @@ bool draws_samples_at_once(const FrameResources& resources, const RenderSettings
 bool has(const FrameResources& resources, const FrameNeeds& needs);
 /// Allocates new targets. Limits the tiles to the rest of `budget`, or, without a budget, to slightly more
 /// than a frame of this size shows. The former targets must have been freed. Returns the limit on graphics
-/// memory in bytes, which exceeds the budget's if the frame needs more.
+/// memory in bytes, which exceeds the budget's limit if the frame needs more.
 std::uint64_t make_targets(FrameResources& resources, const FrameNeeds& needs, const MemoryBudget& budget);
 
 }  // namespace vantage

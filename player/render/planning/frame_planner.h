@@ -13,21 +13,21 @@
 
 namespace vantage {
 
-/// Plans frames and streams their data: chooses photos for the triangles visible to each eye, and tiles.
+/// Plans frames and streams their data: chooses photos and tiles for the triangles visible to each eye.
 /// Belongs to the OpenGL thread; the resources must outlive it.
 class FramePlanner {
   public:
     FramePlanner(FrameResources& resources, const MemoryBudget& budget);
 
     /// Plans a frame, allocates its targets, and streams its tiles and the first eye's points. With
-    /// Loading::streamed, the plan may be that of an earlier frame, see PlanMaker. Unless is_complete(),
+    /// Loading::streamed, the plan may be that of an earlier frame (see PlanMaker). Unless is_complete(),
     /// photos and tiles are chosen once for both eyes: otherwise the eyes would have different colors, and
-    /// selection dominates planning time. Throws Error(usage) for a view that cannot be drawn.
+    /// selection dominates planning time. Throws Error(usage) if the view cannot be drawn.
     FrameReport plan(const FrameRequest& request);
     /// Streams points for an eye, and adds their statistics to `report`.
     void stream_points(const PlannedEye& eye, FrameReport& report);
-    /// Adds the damaged, absent and pending tiles of a painted frame to the report. Makes the coarse mesh
-    /// when idle.
+    /// Adds the numbers of damaged, absent and pending tiles of a painted frame to the report. Makes the
+    /// coarse mesh when idle.
     void finish(FrameReport& report);
 
     PlannedFrame& frame() { return frame_; }

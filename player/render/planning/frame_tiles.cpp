@@ -17,7 +17,7 @@ void for_photos(const PlannedFrame& frame, const Visit& visit) {
         }
 }
 
-/// Layers needed by a photo, including its base.
+/// The number of layers that a photo needs, including those of its base level.
 struct Layers {
     std::size_t color = 0, weight_maps = 0;
 };

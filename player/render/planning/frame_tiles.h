@@ -23,8 +23,8 @@ class FrameTiles {
     /// Requests the tiles of a frame and, once these are resident, the tiles of `ahead` for later frames.
     /// Uploads data that has arrived. Adds statistics to `report`.
     void stream(const PlannedFrame& frame, std::span<const PlannedPhoto> ahead, FrameReport& report);
-    /// Enlarges the arrays to hold all tiles of a picture, so that each is read only once for all samples of
-    /// the pixels. Does nothing if they would exceed `bytes`.
+    /// Enlarges the arrays to hold all tiles of a picture, so that each tile is read only once for all
+    /// samples of the pixels. Does nothing if the arrays would exceed `bytes`.
     void make_room(const PlannedFrame& frame, std::uint64_t bytes);
     /// Loads everything that a pass needs, and waits for it. Adds statistics to `report`.
     void load(Pass pass, const DrawnView& drawn, double now, FrameReport& report);

@@ -12,7 +12,7 @@ namespace vantage {
 struct PlannedEye {
     explicit PlannedEye(const PlanScene& scene) : plans(scene) {}
     View view{};
-    View sampled{};              ///< its pixel centers are the samples' positions
+    View sampled{};              ///< a view whose pixel centers are the samples' positions
     bool surface_drawn = false;  ///< `sampled` has been drawn to plan the frame
     ImageSetPlans plans;
     std::vector<ImageSetFrame> image_sets{};

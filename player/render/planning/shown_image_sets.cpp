@@ -46,7 +46,7 @@ std::vector<double> weights_in_image_set(const View& view, const WeightSettings&
 
 ShownImageSets ImageSetChange::update(ShownImageSets wanted, double now, bool ready) {
     if (shown_ && *shown_ != wanted.first && !wanted.second) {
-        // Returning to the previous image set needs no waiting, since its photos are loaded.
+        // Returning to the previous image set requires no waiting, since its photos are loaded.
         leaving_ = leaving_ == wanted.first ? std::nullopt : shown_;
         begun_ = now;
         ready_at_.reset();

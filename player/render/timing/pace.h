@@ -20,7 +20,7 @@ inline constexpr double max_for_all_photos = 3;
 /// The pace of the first picture, which consists of base levels.
 inline constexpr Pace coarse_pace{0.25, true};
 
-/// The pace of the next frame, after one at `pace` that took `ms`, with a goal of `goal_ms`. Slows down
+/// The pace of the next frame after a frame at `pace` that took `ms`, if the goal is `goal_ms`. Slows down
 /// immediately, and speeds up by at most a fifth of the pixels per frame. Without a time or a positive goal,
 /// returns `pace`. `all_photos`: ratio of the duration of a full frame to that of a reduced frame.
 Pace next_pace(Pace pace, double ms, double goal_ms, double all_photos = max_for_all_photos);
@@ -32,7 +32,7 @@ struct Pacing {
     Pace before{};             ///< pace before a sudden slowdown
     int watched = 0;  ///< remaining frames in which the slowdown may prove temporary; 0: none recently
     double all_photos = max_for_all_photos;  ///< ratio as for next_pace(), estimated from frames
-    double last = 0;  ///< duration of a full-size frame, estimated from the last one, in ms; 0: none
+    double last = 0;  ///< duration of a full-size frame in ms, estimated from the last frame; 0: none
     bool last_reduced = false;  ///< the last frame was reduced
 };
 
@@ -42,8 +42,8 @@ struct Pacing {
 /// returns to the former pace immediately after a temporary slowdown.
 Pacing next_pacing(Pacing pacing, Pace drawn, double ms, double goal_ms);
 
-/// The pace at the start of a motion, if a frame at rest takes `ms`. Conservative, since the part of the time
-/// that depends on pixels is unknown.
+/// The pace at the start of a motion, if a frame at rest takes `ms`. The estimate is conservative, since the
+/// part of the time that depends on pixels is unknown.
 Pace first_pace(double ms, double goal_ms);
 
 /// A view scaled to a fraction of its width and height.

@@ -22,7 +22,7 @@ class PassClock {
     void start();
     /// Begins a pass and ends the previous one.
     void begin(TimedPass pass) { mark(std::size_t(pass)); }
-    /// Ends the pass; the following time is not counted.
+    /// Ends the pass; the time that follows is not counted.
     void end() { mark(timed_pass_names.size()); }
     /// Times since start(); stops timing. Waits for the graphics card.
     PassTimes finish();

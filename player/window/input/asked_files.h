@@ -20,7 +20,7 @@ class AskedFiles {
     ~AskedFiles();
     AskedFiles(const AskedFiles&) = delete;
 
-    /// Takes requests, and reports finished ones.
+    /// Takes requests, and reports finished files.
     void attend(Session& session, const PackageReader& package, const ObjectSet& objects, double now);
     bool busy() const { return said_.valid(); }
 

@@ -54,7 +54,7 @@ void Fingers::move_to(Finger& finger, const Eigen::Vector2d& at) {
 }
 
 void Fingers::drag_to(const Eigen::Vector2d& at) {
-    // A finger is never entirely still. A drag starts where its movement is detected.
+    // A finger is never entirely still. A drag starts where movement is detected.
     if (!drags_ && std::hypot(at.x() - pointer_.x, at.y() - pointer_.y) > pointer_.click_reach) {
         pointer_.x = at.x();
         pointer_.y = at.y();

@@ -42,7 +42,7 @@ UnderPointer under_pointer(const View& view, const Session& s, const PlanScene& 
     return {ray.from + depth_in(view, s.viewpoint.camera.target) * ray.along, false};
 }
 
-/// Dragging by the window's width turns by half a turn; panned points follow the pointer.
+/// Dragging across the window's width turns the view by half a turn; panned points follow the pointer.
 void drag(Session& s, const View& view, const PlanScene& scene, const Eigen::Vector2d& pointer,
           const Drags& drags) {
     const ImGuiIO& io = ImGui::GetIO();

@@ -12,8 +12,8 @@ namespace vantage {
 /// The desktop's own dialog for choosing a package, shown by zenity or kdialog.
 class SystemChooser {
   public:
-    /// Handles requests to choose a file, if there is such a dialog, which then replaces the window's own
-    /// one, and opens the chosen file. `folder`: the initial folder.
+    /// If there is such a dialog, uses it instead of the window's own dialog for requests to choose a file,
+    /// and opens the chosen file. `folder`: the initial folder.
     void attend(UserCommands& commands, Message& message, const std::filesystem::path& folder, double now);
     bool asks() const { return program_.has_value(); }
 

@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// Copies the view to the clipboard as a command line, or flies to a pasted view, at the session's request.
+/// At the session's request, copies the view to the clipboard as a command line, or flies to a pasted view.
 /// `package` defines the coordinates.
 void use_clipboard(Session& session, const PackageReader& package, double now);
 

@@ -79,9 +79,8 @@ struct Session {
     GraphicsContext graphics;
     XrSessionState state = XR_SESSION_STATE_UNKNOWN;
     bool running = false, ready_again = false;
-    int frames = 0;  ///< since xrBeginSession
-    std::optional<Frame> waited,
-        begun;  ///< waited for but not yet begun; begun but not yet ended
+    int frames = 0;                      ///< since xrBeginSession
+    std::optional<Frame> waited, begun;  ///< waited for but not begun; begun but not ended
     std::vector<XrActionSet> attached;
     std::set<std::pair<XrActionSet, XrPath>>
         active;  ///< action sets with their subaction paths, from the latest xrSyncActions
