@@ -85,7 +85,7 @@ TEST_F(LocomotionTest, TeleportsToWhereAThrownStoneWouldFall) {
     step();
     EXPECT_FALSE(w.arc);
     EXPECT_NEAR(eye().z(), 16, 1e-6);
-    EXPECT_NEAR(eye().y() - middle.y(), 10 * away, 0.3) << "the arc is drawn with straight pieces";
+    EXPECT_NEAR(eye().y() - middle.y(), 10 * away, 0.3) << "the arc is drawn with straight segments";
     EXPECT_NEAR(eye().x(), middle.x() + 2, 0.01);
 }
 

@@ -45,7 +45,7 @@ inline package::ClusterRecord cluster_at(const Eigen::Vector3d& c, double r) {
     return cluster;
 }
 
-/// A camera a few units from the origin that looks roughly at it.
+/// A camera that is a few units from the origin and looks roughly toward it.
 inline View random_view(Random& random) {
     const Eigen::Vector3d eye = random.vector(1).normalized() * random(2, 12);
     return view_towards(eye, random.vector(1), Eigen::Vector3d(0, 0, 1), random(20, 90), 640, 480);

@@ -1,4 +1,4 @@
-// The window's reactions to mouse, keys and touch, including input faster than a frame.
+// The window's reactions to the mouse, keys and touch, including input that is faster than a frame.
 #include <algorithm>
 #include <array>
 #include <cmath>

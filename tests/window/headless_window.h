@@ -13,7 +13,7 @@
 namespace vantage {
 
 /// The player's window without a window system: input, frames and interface. Nothing is drawn unless draw()
-/// is called. Time advances only with frames, thirty per second.
+/// is called. Time advances only when frames are run, thirty per second.
 class HeadlessWindow {
   public:
     /// Shows a package, or several objects, the first of which is the scene.

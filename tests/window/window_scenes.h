@@ -9,7 +9,7 @@ enum class WindowScene {
     tiny,        ///< a building in five photos
     garden,      ///< with a background, glass, a scalar field and a point cloud
     image_sets,  ///< in visible light and infrared
-    many         ///< sixty photos around the building, with names in a different order
+    many         ///< sixty photos around the building, whose names have a different order
 };
 std::filesystem::path package_of(WindowScene scene);
 /// The images.txt (COLMAP) of the scene's photos.

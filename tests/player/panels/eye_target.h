@@ -39,7 +39,7 @@ class EyeTarget {
         glGetTextureSubImage(color_.id(), 0, x, y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof out, out.data());
         return out;
     }
-    /// The viewing direction through the middle of a pixel.
+    /// The viewing direction through the center of a pixel.
     Eigen::Vector3d direction(int x, int y) const {
         const Intrinsics& k = eye.view.intrinsics;
         return {(x + 0.5 - k.cx) / k.fx, (y + 0.5 - k.cy) / k.fy, 1};

@@ -14,7 +14,7 @@ TEST(PictureText, FillsItsLineWithLettersAndNothingElse) {
     const int width = text.width(words);
     EXPECT_GT(width, 26);
     EXPECT_LT(text.width("Größe 0"), width);
-    EXPECT_LT(text.width("ö"), text.width("oo")) << "a letter of two bytes";
+    EXPECT_LT(text.width("ö"), text.width("oo")) << "a letter that has two bytes";
     std::set<std::pair<int, int>> pixels;
     int darkest = 0;
     text.draw(words, 100, 50, [&](int x, int y, std::uint8_t covered) {

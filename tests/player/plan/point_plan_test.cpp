@@ -49,7 +49,7 @@ TEST(PointPlan, NeverCullsAVisiblePoint) {
     Random random;
     std::size_t planned = 0, culled = 0;
     for (int trial = 0; trial < 300; ++trial) {
-        // Views in every direction, some from among the points.
+        // Views in every direction, some of them from positions among the points.
         const View view =
             view_towards(random.vector(3), random.vector(3), random.vector(1), random(10, 100), 640, 480);
         const PointPlan with = plan_points(test.cloud, view, all, 1);

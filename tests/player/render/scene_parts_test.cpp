@@ -1,4 +1,4 @@
-// The parts of a package that each setting shows.
+// Checks which parts of a package each setting shows.
 #include "player/render/scene_parts.h"
 
 #include <gtest/gtest.h>

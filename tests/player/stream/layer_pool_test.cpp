@@ -38,7 +38,7 @@ TEST(LayerPool, EvictsLeastRecentlyUsedButNothingInUse) {
             used[page] = frame;
             std::set<std::uint32_t> layers;
             for (const std::uint32_t p : order) layers.insert(*pool.layer_of(p));
-            ASSERT_EQ(layers.size(), order.size()) << "two pages in one layer";
+            ASSERT_EQ(layers.size(), order.size()) << "two pages are in one layer";
             ASSERT_EQ(pool.available(frame),
                       7 - std::ranges::count_if(order, [&](auto p) { return used[p] == frame; }));
         }

@@ -29,7 +29,7 @@ struct MeshScene {
         return {positions[3 * t].cast<double>(), positions[3 * t + 1].cast<double>(),
                 positions[3 * t + 2].cast<double>()};
     }
-    /// Call after the last triangle.
+    /// Must be called after the last triangle has been added.
     void finish() {
         scene.positions = positions;
         scene.indices = indices;

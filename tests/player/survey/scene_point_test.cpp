@@ -62,7 +62,7 @@ TEST(ScenePoint, SnapsToVerticesInSight) {
     EXPECT_FALSE(scene_point(meshes, Vector3d::Zero(), view, at + Eigen::Vector2d(15, 15), {{}, 10}));
     const auto behind = scene_point(meshes, Vector3d::Zero(), view, pixel_of(view, hidden), {{}, 2});
     ASSERT_TRUE(behind);
-    EXPECT_NEAR(behind->position.z(), 0, 1e-9) << "on the surface in front of the hidden vertex";
+    EXPECT_NEAR(behind->position.z(), 0, 1e-9) << "the point is on the surface in front of the hidden vertex";
     const auto unsnapped = scene_point(meshes, Vector3d::Zero(), view, at - Eigen::Vector2d(5, 5));
     ASSERT_TRUE(unsnapped);
     EXPECT_GT((unsnapped->position - corner).norm(), 0.05);
