@@ -114,7 +114,7 @@ struct ImageSetSettings {
 /// The background behind the model if holes are filled.
 struct PlainBackground {
     std::array<float, 3> top{0.012f, 0.014f, 0.018f},
-        bottom = top;  ///< linear light; a gradient between the two
+        bottom = top;  ///< linear light, with a gradient between them
     /// The fraction of the shorter side over which the picture fades toward its edges, into the background or
     /// into transparency. It does not fade during a comparison.
     double soft_edges = 0;
@@ -132,7 +132,7 @@ enum class Loading {
     /// All that the frame needs. Photos fade as in a window, and are chosen for the triangles visible in the
     /// previous frame: identical frames at identical times give identical pictures.
     repeatable,
-    streamed,  ///< waits for nothing: shows resident tiles, after uploading at most upload_bytes; photos fade
+    streamed,   ///< does not wait: shows resident tiles, after uploading at most upload_bytes; photos fade
     uploading,  ///< like `streamed`, but waits for tiles until upload_bytes are uploaded
     beginning   ///< like `streamed`, but waits for the minimum of each photo; for the first frame
 };

@@ -14,7 +14,7 @@ Panorama panorama_at(const View& view, const Vector3d& up, FrameSize size) {
     if (size.height < 1 || size.width != 2 * size.height)
         throw Error(Exit::usage, "--panorama: a picture of " + std::to_string(size.width) + "x" +
                                      std::to_string(size.height) +
-                                     ", expected a picture twice as wide as it is high");
+                                     ", expected a picture twice as wide as high");
     const Vector3d down = -up.normalized();
     const Pose& pose = view.cam_from_origin;
     Vector3d right = down.cross(pose.direction());

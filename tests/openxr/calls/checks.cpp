@@ -55,7 +55,7 @@ const void* next_of_type(const void* next, XrStructureType type) {
 
 std::string checked_text(const char* text, std::size_t size, XrResult error, const char* what) {
     const void* const end = std::memchr(text, '\0', size);
-    if (!end) breach(error, std::string(what) + " does not end");
+    if (!end) breach(error, std::string(what) + " is not terminated");
     if (end == text) breach(error, std::string(what) + " is empty");
     return text;
 }
