@@ -13,7 +13,7 @@ XrPosef inverse(const XrPosef& pose);
 /// A pose with the same position and heading, but upright.
 XrPosef levelled(const XrPosef& pose);
 
-/// Whether the pose is finite and its rotation has length 1, to within the one percent that the specification
+/// Whether the pose is finite and its rotation has length 1, within the one percent that the specification
 /// permits.
 bool is_valid(const XrPosef& pose);
 

@@ -156,7 +156,8 @@ std::mutex& one_call() {
 
 }  // namespace test_runtime
 
-// Version negotiation between loader and runtime. The loader's header is not installed with OpenXR's headers.
+// Version negotiation between the loader and the runtime. The loader's header is not installed with OpenXR's
+// headers.
 extern "C" {
 
 struct XrNegotiateLoaderInfo {

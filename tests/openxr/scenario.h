@@ -66,7 +66,7 @@ namespace test_runtime {
 struct Eye {
     uint32_t width, height;
     XrFovf fov;
-    XrPosef pose;  ///< pose in the head
+    XrPosef pose;  ///< pose relative to the head
 };
 
 /// A result that calls return regardless of their arguments.
