@@ -20,14 +20,14 @@ struct ObjectFrame {
 /// behind them in proportion to their opacity; the background stays opaque. Belongs to the OpenGL thread.
 class Composition {
   public:
-    /// Shows the frames, all of the size of `view`, in the framebuffer `target`, for the eye drawn last.
-    /// `settings` provides the background, and whether it is filled.
+    /// Shows the frames, which all have the size of `view`, in the framebuffer `target`, for the eye drawn
+    /// last. `settings` specifies the background and whether its holes are filled.
     void show(std::span<const ObjectFrame> frames, const View& view, const RenderSettings& settings,
               const ShowTarget& target);
 
     /// Depth of the nearest object with an opacity above 0 at each pixel of the last frame shown: 32-bit
-    /// values `near / z`, top row first, 0 without a surface. `near` is in scene units; surfaces nearer than
-    /// `near` have values above 1.
+    /// values `near / z`, top row first, 0 where there is no surface. `near` is in scene units; surfaces
+    /// nearer than `near` have values above 1.
     const gl::Texture& nearest_depth(double near);
 
   private:

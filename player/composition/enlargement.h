@@ -4,18 +4,18 @@
 
 namespace vantage {
 
-/// Enlarges frames that were drawn at a lower resolution, and repeats unchanged frames at little cost.
+/// Enlarges frames that were drawn at a lower resolution, and shows unchanged frames again at little cost.
 /// Belongs to the OpenGL thread.
 class Enlargement {
   public:
     /// Allocates space for frames of at most this size, unless it has already been allocated.
     void fit(FrameSize size);
-    /// Shows the last frame of `objects`, drawn for the view `drawn`, in the framebuffer `target` of this
-    /// size, which stays bound. If `drawn` is smaller, fit() must have been called for its size.
+    /// Shows the last frame of `objects`, which was drawn for the view `drawn`. The framebuffer `target` has
+    /// the size `size` and stays bound. If `drawn` is smaller, fit() must have been called for its size.
     void show(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
               const ShowTarget& target);
-    /// Like show(), if nothing has changed since then: from the second call on, copies the picture if space
-    /// has been allocated for it.
+    /// Does the same as show(), but nothing may have changed since the last call of either function. From the
+    /// second call on, copies the picture if space has been allocated for it.
     void show_again(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
                     const ShowTarget& target);
 

@@ -65,7 +65,8 @@ void ObjectSet::remove(std::size_t object) {
     divide_budget();
 }
 
-/// A given limit is divided evenly; otherwise each object gets the memory that its frame needs.
+/// Divides a limit on graphics memory evenly; without a limit, each object gets the memory that its frame
+/// needs.
 void ObjectSet::divide_budget() {
     const std::uint64_t held = sum([](const Renderer& r) { return r.held(); });
     MemoryBudget share = budget_;
@@ -200,7 +201,7 @@ void ObjectSet::prepare(const FrameRequest& request) {
     divide_budget();
     RenderSettings of_first = settings;
     of_first.fill_background = false;
-    // An even share of the frame's uploads, plus the unused shares of previous objects.
+    // An even share of the frame's upload budget, plus the unused shares of previous objects.
     std::size_t uploaded = 0;
     auto to_draw = std::size_t(draws_first(settings)) +
                    std::size_t(std::ranges::count_if(others_, [](const auto& o) { return o->object.shown; }));

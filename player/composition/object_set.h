@@ -12,26 +12,26 @@
 
 namespace vantage {
 
-/// Depths of the drawn picture: a + b / z, with `terms` a and b, and z in scene units; top row first. 0: no
-/// surface.
+/// Depths of the drawn picture: a + b / z, with `terms` a and b, and z in scene units; top row first; 0 where
+/// there is no surface.
 struct DrawnDepth {
     GLuint texture;
     Eigen::Vector2d terms;
 };
 
-/// The objects of a scene: the first one, drawn by the caller's renderer, whose coordinates are those of the
-/// scene, and others with renderers of their own. Each blends its own photos; at each pixel the nearest
-/// object is shown. Belongs to the OpenGL thread.
+/// The objects of a scene. The first one is drawn by the caller's renderer, and its coordinates are those of
+/// the scene; the others have renderers of their own. Each object blends its own photos; at each pixel the
+/// nearest object is shown. Belongs to the OpenGL thread.
 class ObjectSet {
   public:
     static constexpr std::size_t max_objects = 16;
 
-    /// `first` and its package must outlive the set; `objects.front()` describes it. `budget` covers all
-    /// objects together. Throws Error, see add().
+    /// `first` and its package must outlive the set; `objects.front()` describes `first`. `budget` covers all
+    /// objects together. Throws the errors of add().
     ObjectSet(Renderer& first, const std::vector<SceneObject>& objects, const MemoryBudget& budget);
 
-    /// Adds an object. Duplicate names get a number, and a matrix becomes a placement. Throws Error for a
-    /// package that cannot be shown, Error(usage) for too many objects.
+    /// Adds an object. Appends a number to a duplicate name and converts a matrix to a placement. Throws
+    /// Error if the package cannot be shown, Error(usage) if there are too many objects.
     void add(const SceneObject& object);
     /// Removes an object other than the first one and frees its memory.
     void remove(std::size_t object);
@@ -41,7 +41,7 @@ class ObjectSet {
     const SceneObject& at(std::size_t object) const;
     void place(std::size_t object, const Placement& placement);
     void show_object(std::size_t object, bool shown);
-    /// 0 to 1. Other objects show through if it is below 1.
+    /// 0 to 1. Other objects show through an object whose opacity is below 1.
     void set_opacity(std::size_t object, double opacity);
     /// Shows only this object.
     void show_only(std::size_t object);
@@ -50,7 +50,7 @@ class ObjectSet {
     /// The meshes of the visible objects, except the placeholder meshes of point-only scenes.
     std::vector<PlacedMesh> meshes() const;
     const FrameReport& report(std::size_t object) const;
-    /// Sum over all objects.
+    /// The sum over all objects.
     StreamedSoFar streamed() const;
     std::uint64_t graphics_budget() const;  ///< bytes
     /// Applies to all renderers.
@@ -60,15 +60,16 @@ class ObjectSet {
     /// sample.
     std::vector<PixelSample> samples(std::span<const View> eyes, const RenderSettings& settings,
                                      int side) const;
-    /// Draws all visible objects like Renderer::draw; `settings.upload_bytes` is shared by all, but each may
-    /// upload at least one tile. `photos`: photos of the first object to blend; the other objects blend all
-    /// of theirs. Scalar fields, image sets, background and comparisons are those of the first object.
+    /// Draws all visible objects as Renderer::draw() draws one. The objects share `settings.upload_bytes`,
+    /// but each may upload at least one tile. `photos`: the photos that the first object blends; the other
+    /// objects blend all their photos. Scalar fields, image sets, background and comparisons are those of the
+    /// first object.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
-    /// The same for one or two eyes, see Renderer::prepare. Calls `drawn` after each eye; until the other eye
-    /// is drawn, show() shows this one.
+    /// Does the same for one or two eyes, see Renderer::prepare(). Calls `drawn` after each eye; show() shows
+    /// the eye that was drawn last.
     FrameReport draw_eyes(const FrameRequest& request, const std::function<void(std::size_t eye)>& drawn);
-    /// Shows the last frame like Renderer::show. Comparisons show only the first object.
+    /// Shows the last frame as Renderer::show() does. Comparisons show only the first object.
     void show(const View& view, const RenderSettings& settings, const ShowTarget& target);
     /// Depth of the last frame shown; with several objects, see Composition::nearest_depth().
     DrawnDepth depth(const RenderSettings& settings, double near);
@@ -82,13 +83,13 @@ class ObjectSet {
         std::vector<View> views{};  ///< per eye
         FrameReport report{};
     };
-    /// Sum over all renderers.
+    /// The sum over all renderers.
     template <class Of>
     auto sum(Of of) const;
     bool alone() const;
     SceneObject& object_at(std::size_t object);
     RenderSettings settings_of_others(const RenderSettings& settings) const;
-    /// `settings.weights_from` is a view of the scene; it is transformed to one of the object.
+    /// `settings.weights_from` is a view of the scene; it is transformed to the object's coordinates.
     void prepare_other(Other& other, const FrameRequest& request, RenderSettings& settings) const;
     void prepare(const FrameRequest& request);
     void paint(std::size_t eye, bool paints_first);
@@ -109,7 +110,7 @@ class ObjectSet {
 FrameReport draw_samples(ObjectSet& objects, const View& view, const RenderSettings& settings,
                          std::span<const std::uint32_t> photos, int side, double now = 0);
 
-/// The same for one or two eyes; shows each in the framebuffer given by `target`.
+/// Does the same for one or two eyes, and shows each eye in the framebuffer given by `target`.
 FrameReport draw_eye_samples(ObjectSet& objects, std::span<const View> eyes, const PictureSpec& spec,
                              const std::function<GLuint(std::size_t eye)>& target);
 

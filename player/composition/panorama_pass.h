@@ -16,7 +16,7 @@ struct PanoramaFaces {
     double focal;          ///< pixels
     Eigen::Vector2d half;  ///< extent that only this face covers, as tangents from its center
     double overlap;        ///< width of the cross-fade between faces, as a tangent
-    std::span<const Eigen::Matrix3d> from_panorama;  ///< rotation to the axes of each face, up to 6
+    std::span<const Eigen::Matrix3d> from_panorama;  ///< rotations to the axes of the faces, at most 6
 };
 
 /// Shows faces as a panorama. Belongs to the OpenGL thread.

@@ -13,14 +13,15 @@ namespace vantage {
 namespace {
 
 constexpr double finer = 1.5;  ///< resolution of faces relative to the panorama, for four samples
-/// Fraction of a face by which it overlaps its neighbors if holes are filled: without an overlap, the
-/// fillings would have visible edges.
+/// Fraction of a face by which it overlaps its neighbors if holes are filled: without an overlap, edges would
+/// be visible between filled areas.
 constexpr double fading = 0.2;
-constexpr double slice_fading = 0.2;  ///< the same for slices, as a tangent
+constexpr double slice_fading = 0.2;  ///< overlap of slices, as a tangent
 
 bool fills(const RenderSettings& settings) { return settings.background != ShowBackground::off; }
 
-/// The report of two consecutive views: counts of recent findings are those of the second.
+/// The joint report of two consecutive views: the numbers of damaged and missing tiles are those of the
+/// second.
 FrameReport followed(const FrameReport& first, const FrameReport& second) {
     FrameReport out = joined(first, second);
     out.tiles_damaged = second.tiles_damaged;
@@ -41,7 +42,8 @@ gl::Texture make_faces(FrameSize size, std::size_t count) {
     return gl::make_texture_array("faces", GL_RGBA8, size.width, size.height, GLsizei(count), GL_NEAREST);
 }
 
-/// Overlap of views of this size, as a tangent, if each alone covers `half`; ends between texels.
+/// Overlap of neighboring views, as a tangent, if the area that only one view covers extends `half` to either
+/// side. Omits the outermost texel.
 double overlap(const Intrinsics& view, const Eigen::Vector2d& half) {
     return std::min((view.width / 2.0 - 1) / view.fx - half.x(),
                     (view.height / 2.0 - 1) / view.fy - half.y());

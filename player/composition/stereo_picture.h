@@ -8,14 +8,15 @@
 
 namespace vantage {
 
-/// Combines the pictures of two eyes into one. Belongs to the OpenGL thread.
+/// Combines the pictures for two eyes into one picture. Belongs to the OpenGL thread.
 class StereoPicture {
   public:
-    /// Allocates the eyes' pictures of this size, unless they exist.
+    /// Allocates a picture of this size for each eye, unless these pictures already exist.
     void fit(FrameSize eye);
-    /// The framebuffer for the picture of an eye, 0: left, 1: right, in sRGB with the top row first.
+    /// The framebuffer of the picture for an eye (0: left, 1: right), in sRGB with the top row first.
     GLuint target(std::size_t eye) const { return targets_.at(eye).id(); }
-    /// Shows both in the framebuffer `target`, which stays bound. `flip`: its first row is at the bottom.
+    /// Shows both pictures in the framebuffer `target`, which stays bound. `flip`: the first row of `target`
+    /// is at the bottom.
     void show(StereoMode mode, FrameSize frame, GLuint target, bool flip);
 
   private:

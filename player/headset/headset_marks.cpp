@@ -21,7 +21,7 @@ MarkColor color_of(MeasureLook look) {
     return look == MeasureLook::selected ? blue : look == MeasureLook::unfinished ? white : yellow;
 }
 
-/// Whether a photo is shown as a picture: not if the viewer is at its camera.
+/// Whether a photo is shown as a picture, which it is not while the viewer is at its camera.
 bool is_in_scene(const PlanScene& scene, std::uint32_t photo, const Session& s, const Vector3d& eye,
                  const Stance& stance) {
     const package::PhotoRecord& p = scene.photos[photo];
@@ -29,8 +29,8 @@ bool is_in_scene(const PlanScene& scene, std::uint32_t photo, const Session& s, 
     return is_shown(s.settings.image_sets, p) && p.levels && !stands_there;
 }
 
-/// The distance at which a ray intersects a parallelogram, given by three corners; nullopt without an
-/// intersection.
+/// The distance at which a ray intersects a parallelogram, given by three corners; nullopt if they do not
+/// intersect.
 std::optional<double> meets(const Ray& ray, const Vector3d& corner, const Vector3d& right,
                             const Vector3d& below) {
     const Vector3d a = right - corner, b = below - corner, across = ray.along.cross(b);
@@ -43,7 +43,7 @@ std::optional<double> meets(const Ray& ray, const Vector3d& corner, const Vector
     return distance;
 }
 
-/// The photos that are shown as pictures, the nearest first.
+/// The photos that are shown as pictures, nearest first.
 std::vector<std::uint32_t> photos_in_scene(const PlanScene& scene, const Session& s, const Vector3d& eye,
                                            const Stance& stance) {
     std::vector<std::uint32_t> out;
@@ -99,7 +99,7 @@ void add_photos(Marks& marks, const Stance& stance, Renderer& renderer, const Se
                 std::optional<std::uint32_t> pointed_at) {
     const PlanScene& scene = renderer.scene();
     const Residency& residency = renderer.resources().store.residency();
-    // Half of the thumbnails remain for blended photos.
+    // The other half of the thumbnail slots remains available for blended photos.
     const std::size_t pictures = residency.layout().thumbnails / 2;
     std::size_t wanted = 0;
     for (const std::uint32_t i : photos_in_scene(scene, s, eye, stance)) {

@@ -82,11 +82,13 @@ void size_controls(Controls& c, Session& s, const MenuContent& m) {
         w.usual_scale = 1 / m.unit_meters;
         w.stance = rescaled(w.stance, s.viewpoint.camera.eye, w.usual_scale);
     }
-    c.explain("The unit of the input's coordinates; its files do not state it.");
+    c.explain("The unit of the input's coordinates, which the input files do not state.");
     double size = w.usual_scale / w.stance.scale;
     if (c.slider("Size", &size, 0.01, 100.0, "%.2f", ImGuiSliderFlags_Logarithmic))
         w.stance = rescaled(w.stance, s.viewpoint.camera.eye, w.usual_scale / size);
-    c.explain("1: true size, or at arm's length if the unit is unknown. Two hands change it as well.");
+    c.explain(
+        "1: true size, or at arm's length if the unit is unknown. You can also scale the model with two "
+        "hands.");
     ImGui::BeginDisabled(w.stance.scale == w.usual_scale);
     if (c.button("Own size")) w.stance = rescaled(w.stance, s.viewpoint.camera.eye, w.usual_scale);
     ImGui::EndDisabled();
@@ -107,19 +109,21 @@ void move_page(Controls& c, Session& s, const MenuContent& m, double now) {
     }
     w.snap_degrees = degrees;
     c.checkbox("Fly with the stick", &w.smooth);
-    c.explain("The stick of the other hand flies where it points. Teleporting always works.");
+    c.explain(
+        "The stick of the other hand flies in the direction in which that hand points. Teleporting always "
+        "works.");
     c.checkbox("Dark edges while flying", &m.vignette);
     c.explain("Makes flying more comfortable for many people.");
 }
 
-/// A replacement for comparing with a photo in stereo.
+/// Takes the place of a comparison with a photo, which is not available in stereo.
 void only_this_photo(Controls& c, Session& s, const PlanScene& scene) {
     bool only = s.photos.size() == 1 && s.photos.front() == s.viewpoint.standing_at;
     if (c.checkbox("Only this photo", &only)) {
         use_all(s.photos, scene);
         if (only) std::erase_if(s.photos, [&](std::uint32_t p) { return p != s.viewpoint.standing_at; });
     }
-    c.explain("The model with only the photo at your position, to compare it with all photos.");
+    c.explain("Shows the model with only the photo at your position, for comparison with all photos.");
 }
 
 void photos_page(Controls& c, Session& s, const MenuContent& m, double now) {

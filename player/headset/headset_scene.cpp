@@ -21,7 +21,7 @@ namespace {
 constexpr double arms_length = 1;  ///< distance in meters to the target in a scene of unknown size
 constexpr double nearest = 0.05;   ///< near limit of overlays, meters
 
-/// Meters in a scene unit, from the command line or the scene's measurements; 0: unknown.
+/// Meters per scene unit, from the command line or the scene's measurements; 0: unknown.
 double unit_meters(const PackageReader& package, double given) {
     if (given > 0) return given;
     try {

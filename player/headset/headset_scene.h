@@ -59,15 +59,15 @@ class HeadsetScene {
     Session& session_;
     Eigen::Vector3d origin_;  ///< the package's origin, in input coordinates
     Eigen::Vector3d up_;      ///< of the scene
-    double unit_meters_;      ///< scene units to meters; 0: unknown
+    double unit_meters_;      ///< meters per scene unit; 0: unknown
     double fps_;              ///< target rate, see frame_goal(); below 0: the headset's rate
     std::string controls_;    ///< output file for the positions of the menu's controls
     Locomotion locomotion_;
     bool placed_ = false, dims_edges_ = true;
 
     SceneInterface interface_;
-    std::optional<MenuPlace> menu_;  ///< while it is open
-    std::optional<Panel> panel_;     ///< panel of the menu in this frame
+    std::optional<MenuPlace> menu_;  ///< set while the menu is open
+    std::optional<Panel> panel_;     ///< the menu's panel in this frame
     MenuPage page_ = MenuPage::move;
     struct Stop {
         std::size_t number;

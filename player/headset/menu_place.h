@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// Pose of the menu's center in the room; its front faces along the pose's z.
+/// Pose of the menu's center in the room; the front of the menu faces the pose's z direction.
 struct MenuPlace {
     RoomPose pose;
     struct Held {

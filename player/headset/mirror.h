@@ -13,8 +13,8 @@ struct MirrorButtons {
     bool select = false, menu = false;
 };
 
-/// The OpenGL context for a headset: that of a window that mirrors the headset's picture, or a windowless one
-/// without an X display.
+/// The OpenGL context for a headset. It belongs to a window that mirrors the headset's picture, or has no
+/// window if there is no X display.
 class Mirror {
   public:
     explicit Mirror(const ShowOptions& options);

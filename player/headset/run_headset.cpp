@@ -23,7 +23,8 @@ void tell(const std::string& text) {
     if (output_form() != OutputForm::none) std::fprintf(stderr, "%s\n", text.c_str());
 }
 
-/// One iteration with a session: its events, and a frame if needed. False when it has ended.
+/// One iteration with a session: handles its events, and draws a frame if needed. Returns false once the
+/// session has ended.
 bool go_on(HeadsetSession& session, HeadsetScene& scene, Mirror& mirror, bool& asked_to_end, bool ends,
            int& frames) {
     session.take_events();

@@ -22,7 +22,7 @@ struct PanelPointer {
 /// A text label in the scene.
 struct SceneLabel {
     std::string text;
-    Eigen::Vector3d at;          ///< next to its lower left corner
+    Eigen::Vector3d at;          ///< a point next to the label's lower left corner
     std::array<float, 4> color;  ///< sRGB, straight alpha
     bool notice = false;         ///< centered at the point, wrapped, never hidden
 };
@@ -43,7 +43,8 @@ class SceneInterface {
 
     /// Begins a frame. The ImGui calls until end() build the menu.
     void begin(const PanelPointer& pointer, double seconds);
-    /// Ends the frame, with these labels: upright, facing `head`, and of constant apparent size.
+    /// Ends the frame and draws these labels. They are upright, face `head`, and have a constant apparent
+    /// size.
     void end(std::vector<SceneLabel> labels, const View& head);
 
     Controls& controls() { return controls_; }
@@ -54,7 +55,7 @@ class SceneInterface {
     static constexpr std::size_t max_labels = 64;
     struct Label {
         SceneLabel label;
-        Eigen::Vector2d corner, size;  ///< corner and size of its window, panel pixels
+        Eigen::Vector2d corner, size;  ///< corner and size of the label's window, panel pixels
         PanelDrawing drawing;
         std::optional<Panel> panel;  ///< nullopt: behind the head
     };

@@ -11,8 +11,8 @@ namespace vantage {
 /// State of the user's locomotion in a headset.
 struct Locomotion {
     Stance stance;
-    double usual_scale = 1;  ///< scene units per meter; can be changed by hand up to a factor of max_scaling
-    bool smooth = true;      ///< sticks fly; otherwise teleporting only
+    double usual_scale = 1;    ///< scene units per meter; the hands scale it by at most max_scaling
+    bool smooth = true;        ///< sticks fly; otherwise teleporting only
     double snap_degrees = 30;  ///< per turn
 
     std::optional<Hold> hold{};
@@ -26,8 +26,8 @@ struct Locomotion {
 };
 inline constexpr double max_scaling = 200;
 
-/// Functions available to a hand: neither if it points at a panel; `select` is false while selecting has
-/// another use.
+/// Functions available to a hand; none are available while it points at a panel. `select` is false while
+/// selecting has another use.
 struct FreeHand {
     bool move = true;    ///< stick and squeeze
     bool select = true;  ///< teleporting by selecting, without a stick

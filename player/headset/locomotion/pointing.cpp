@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-constexpr double note_reach = 0.02;  ///< tolerance around a note's center, per distance
+constexpr double note_reach = 0.02;  ///< tolerance around a note's center, as a fraction of its distance
 
 Ray ray_of(const Stance& stance, const RoomPose& aim) {
     return {in_scene(stance, aim.at), stance.R * aim.ahead()};

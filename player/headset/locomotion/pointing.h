@@ -22,7 +22,7 @@ struct Pointed {
     bool any() const { return menu || photo || note || surface; }
 };
 
-/// Possible targets. The menu occludes all others; while measuring, surfaces replace notes and photos.
+/// Possible targets. The menu occludes all other targets; while measuring, surfaces replace notes and photos.
 struct PointingTargets {
     const std::optional<Panel>& menu;
     std::span<const PlacedMesh> meshes;
@@ -33,14 +33,15 @@ struct PointingTargets {
 };
 Pointed pointed_by(const Hand& hand, const Stance& stance, const PointingTargets& targets);
 
-/// The hand that controls the menu: the hand that pressed its button on the menu, until the button is
-/// released, even beside the menu; otherwise the hand that points at it, the right one if both do.
+/// The hand that controls the menu. A hand that pressed its button on the menu controls it until the button
+/// is released, even if it then points beside the menu. Otherwise, the hand that points at the menu controls
+/// it, or the right hand if both point at it.
 struct MenuPointer {
     std::optional<std::size_t> hand{};
     bool holds = false;  ///< the press began in the menu
     PanelPointer pointer{};
 };
-/// `selected`: the hands that pressed in the last frame.
+/// `selected`: whether each hand's button was pressed in the last frame.
 MenuPointer next_menu_pointer(MenuPointer last, const Hands& hands, const std::array<Pointed, 2>& pointed,
                               const std::array<bool, 2>& selected, const Stance& stance,
                               const std::optional<Panel>& menu);

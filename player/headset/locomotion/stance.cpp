@@ -10,13 +10,13 @@ const Eigen::Vector3d room_up = Eigen::Vector3d::UnitY();
 
 Eigen::Matrix3d about_up(double angle) { return Eigen::AngleAxisd(angle, room_up).toRotationMatrix(); }
 
-/// Angle about up, in the room, from forward (-z) to a direction; 0 for a vertical one.
+/// Angle about the room's up axis from forward (-z) to a direction; 0 for a vertical direction.
 double heading(const Eigen::Vector3d& direction) {
     const double x = direction.x(), z = direction.z();
     return std::hypot(x, z) > 1e-6 * direction.norm() ? std::atan2(-x, -z) : 0;
 }
 
-/// Axes of a level room in a scene with this up, with z as close to -`ahead` as possible.
+/// Axes of a level room in a scene with this up direction; z is as close to -`ahead` as possible.
 Eigen::Matrix3d level_axes(const Eigen::Vector3d& ahead, const Eigen::Vector3d& up) {
     Eigen::Vector3d z = -(ahead - up * up.dot(ahead));
     if (!(z.norm() > 1e-6 * ahead.norm())) z = up.unitOrthogonal();
@@ -26,7 +26,7 @@ Eigen::Matrix3d level_axes(const Eigen::Vector3d& ahead, const Eigen::Vector3d& 
     return R;
 }
 
-/// The stance with the same scale and R, translated so that `room` is at `scene`.
+/// Translates a stance so that the point `room` of the room is at the point `scene` of the scene.
 Stance through(Stance s, const Eigen::Vector3d& room, const Eigen::Vector3d& scene) {
     s.at = scene - s.scale * (s.R * room);
     return s;
@@ -79,7 +79,7 @@ Stance held(const Hold& hold, std::span<const Eigen::Vector3d> hands, double sma
     Stance s = before;
     if (span.norm() > least_span && now.norm() > least_span) {
         s.scale = std::clamp(before.scale * span.norm() / now.norm(), smallest, largest);
-        // Vertically aligned hands do not turn it.
+        // Hands that are vertically aligned do not turn the scene.
         const auto level = [](const Eigen::Vector3d& v) { return std::hypot(v.x(), v.z()); };
         if (level(span) > least_span && level(now) > least_span)
             s.R = before.R * about_up(heading(span) - heading(now));

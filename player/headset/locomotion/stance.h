@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// Similarity from the room to the scene that keeps the floor level: p in the room is at `at + scale * R *
-/// p`, relative to the package's origin.
+/// Similarity transform from the room to the scene that keeps the floor level: the point p of the room is at
+/// `at + scale * R * p`, relative to the package's origin.
 struct Stance {
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  ///< rotates the room's up to the scene's
     Eigen::Vector3d at = Eigen::Vector3d::Zero();     ///< center of the room's floor
@@ -40,8 +40,9 @@ struct Hold {
     std::array<Eigen::Vector3d, 2> hands;
     std::size_t count = 0;  ///< 1 or 2
 };
-/// The stance that keeps grabbed points in the hands, at their current positions `hands`. One hand moves the
-/// scene; two also turn it about up and scale it, to between `smallest` and `largest` scene units per meter.
+/// The stance that keeps grabbed points in the hands, whose current positions are `hands`. One hand moves the
+/// scene; two hands also turn it about the up direction and scale it, to between `smallest` and `largest`
+/// scene units per meter.
 Stance held(const Hold& hold, std::span<const Eigen::Vector3d> hands, double smallest, double largest);
 
 }  // namespace vantage

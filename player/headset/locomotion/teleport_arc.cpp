@@ -16,7 +16,7 @@ std::optional<Eigen::Vector3d> foot_of(const SurfacePoint& wall, const Stance& s
                                        const SurfaceBetween& surface) {
     const Eigen::Vector3d up = stance.up();
     const Eigen::Vector3d level = wall.normal - up * up.dot(wall.normal);
-    // The normal of a ceiling is vertical: starts just below it.
+    // The normal of a ceiling is vertical, so the search for the floor starts just below the ceiling.
     const Eigen::Vector3d away = level.norm() > 0.1 ? level.normalized() * before_wall : wall.normal * 0.01;
     const Eigen::Vector3d from = wall.at + away * stance.scale;
     const auto floor = surface(from, from - up * wall_height * stance.scale);

@@ -18,8 +18,9 @@ struct TeleportArc {
     std::optional<Eigen::Vector3d> landing;  ///< nullopt: no place to stand
 };
 
-/// Starts from a hand's aim. Lands on surfaces with a slope of at most 45 degrees; half a meter in front of
-/// walls; and at the height of the room's floor where the model has none within three meters below.
+/// Starts at a hand, in its pointing direction. Lands on surfaces with a slope of at most 45 degrees, and
+/// half a meter in front of walls. Where the model has no floor within three meters below, lands at the
+/// height of the room's floor.
 TeleportArc teleport_arc(const Stance& stance, const RoomPose& aim, const SurfaceBetween& surface);
 
 }  // namespace vantage

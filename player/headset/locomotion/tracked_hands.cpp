@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-/// Bindings of a controller; a null name means that it lacks the part.
+/// Bindings of a controller; a null name means that the controller lacks that part.
 struct Profile {
     const char* name;
     const char* select;

@@ -6,15 +6,15 @@
 
 namespace vantage {
 
-/// Pose and frustum of one eye of a headset, as tangents of the angles to its axis; left and down are
-/// negative unless the frustum is entirely to one side of the axis.
+/// Pose and frustum of one eye of a headset. The frustum is given by the tangents of the angles from the
+/// eye's axis; left and down are negative unless the frustum is entirely to one side of the axis.
 struct EyeFrustum {
     RoomPose pose;
     double left = -1, right = 1, up = 1, down = -1;
 };
 
 /// Angles in radians, as headsets report them. Swapped angles of upside-down or mirrored pictures are sorted.
-/// Returns nullopt unless they are finite, within 89.9 degrees of the axis, and distinct.
+/// Returns nullopt unless all angles are finite, within 89.9 degrees of the axis, and distinct.
 std::optional<EyeFrustum> eye_frustum(const RoomPose& pose, double left, double right, double up,
                                       double down);
 

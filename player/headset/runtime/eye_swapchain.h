@@ -34,10 +34,10 @@ class EyeSwapchain {
     std::vector<gl::Framebuffer> targets_;  ///< per image
 };
 
-/// The color format among those that the runtime offers: sRGB with 8 bits. Throws Error(graphics) if there is
-/// none.
+/// The color format among those that the runtime offers: sRGB with 8 bits. Throws Error(graphics) if the
+/// runtime does not offer it.
 std::int64_t color_format(XrSession session);
-/// The depth format, 0 if there is none.
+/// The depth format among those that the runtime offers; 0 if it offers none.
 std::int64_t depth_format(XrSession session);
 
 }  // namespace vantage

@@ -59,7 +59,7 @@ XrGraphicsBindingEGLMNDX egl_binding() {
 }
 
 /// Queries the versions of OpenGL that the runtime supports, as required before creating a session. Throws
-/// Error(graphics) if they do not include this context's.
+/// Error(graphics) if this context's version is not one of them.
 void expect_version(XrInstance instance, XrSystemId system) {
     PFN_xrGetOpenGLGraphicsRequirementsKHR requirements = nullptr;
     expect(xrGetInstanceProcAddr(instance, "xrGetOpenGLGraphicsRequirementsKHR",
@@ -71,7 +71,7 @@ void expect_version(XrInstance instance, XrSystemId system) {
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
     const XrVersion has = XR_MAKE_VERSION(major, minor, 0);
-    // The maximum is the newest version that the runtime was tested with; newer ones work.
+    // The maximum is the newest version that the runtime was tested with; newer versions work as well.
     if (has < XR_MAKE_VERSION(XR_VERSION_MAJOR(limits.minApiVersionSupported),
                               XR_VERSION_MINOR(limits.minApiVersionSupported), 0))
         throw Error(Exit::graphics, "headset: the OpenXR runtime needs OpenGL " +

@@ -16,7 +16,7 @@ namespace {
 constexpr float usual_eye_height = 1.6f;  // meters
 constexpr XrViewConfigurationType two_eyes = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
 
-/// The runtime's preferred blend mode, among those that show the picture opaquely.
+/// The runtime's preferred blend mode among those that show an opaque picture.
 XrEnvironmentBlendMode blend_mode(XrInstance instance, XrSystemId system) {
     const auto modes = enumerated(
         "xrEnumerateEnvironmentBlendModes", XR_ENVIRONMENT_BLEND_MODE_OPAQUE,
@@ -31,7 +31,7 @@ XrSpace make_space(XrSession session, XrReferenceSpaceType type) {
     auto info = typed<XrReferenceSpaceCreateInfo>(XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
     info.referenceSpaceType = type;
     info.poseInReferenceSpace.orientation.w = 1;
-    // The origin is at the initial eye position: assumes that the floor is below it by the eye height of a
+    // The origin is at the initial eye position. The floor is assumed to be below it by the eye height of a
     // standing person.
     if (type == XR_REFERENCE_SPACE_TYPE_LOCAL) info.poseInReferenceSpace.position.y = -usual_eye_height;
     XrSpace out = XR_NULL_HANDLE;
@@ -39,7 +39,7 @@ XrSpace make_space(XrSession session, XrReferenceSpaceType type) {
     return out;
 }
 
-/// Relative to the floor if the runtime supports it.
+/// The type of the reference space: relative to the floor if the runtime supports that.
 XrReferenceSpaceType room_type(XrSession session) {
     const auto types =
         enumerated("xrEnumerateReferenceSpaces", XR_REFERENCE_SPACE_TYPE_LOCAL,
@@ -101,7 +101,7 @@ void HeadsetSession::make_pictures() {
                                         " displays, expected one per eye");
     const std::int64_t color = color_format(session_);
     const std::int64_t depth = runtime_.extensions().depth ? depth_format(session_) : 0;
-    // Both eyes share their render targets.
+    // Both eyes are drawn with the same render targets, so their pictures have the same size.
     const FrameSize size{
         int(std::max(eyes[0].recommendedImageRectWidth, eyes[1].recommendedImageRectWidth)),
         int(std::max(eyes[0].recommendedImageRectHeight, eyes[1].recommendedImageRectHeight))};

@@ -16,7 +16,7 @@ namespace vantage {
 struct HeadsetFrame {
     double time = 0;                   ///< predicted display time, seconds
     double period = 0;                 ///< refresh period of the display, seconds; 0: unknown
-    bool shown = false;                ///< is to be drawn; `eyes` are known
+    bool shown = false;                ///< the frame is to be drawn, and `eyes` are known
     std::array<EyeFrustum, 2> eyes{};  ///< left, right
     RoomPose head{};                   ///< between the eyes
     bool focused = false;              ///< input goes to this program, not to the runtime's menu
@@ -24,12 +24,12 @@ struct HeadsetFrame {
     bool gazes = false;  ///< input by gaze, see with_gaze()
 };
 
-/// Mapping of depth values: 0 is `near` and 1 is `far` in front of the eye, in meters. Reversed if near >
-/// far.
+/// Mapping of depth values to distances in front of the eye, in meters: 0 is `near` and 1 is `far`. Reversed
+/// if near > far.
 struct DepthLimits {
     double near, far;
 };
-/// The picture drawn for an eye.
+/// The picture drawn for one eye.
 struct DrawnEye {
     FrameSize size;  ///< drawn part, from the picture's lower left corner
     std::optional<DepthLimits> depth{};
@@ -47,7 +47,7 @@ class HeadsetSession {
 
     /// Handles the runtime's events: begins, ends or continues the session.
     void take_events();
-    /// Whether the session needs frames. Otherwise the caller only polls events.
+    /// Whether the session needs frames. If not, the caller only polls events.
     bool runs() const { return running_; }
     /// Whether the session was ended by the user, the runtime or ask_to_end().
     bool ended() const { return ended_; }
@@ -58,8 +58,8 @@ class HeadsetSession {
     HeadsetFrame begin_frame();
     /// Waits until the runtime has released the images for this frame.
     void take_pictures();
-    /// The framebuffer of an eye, after take_pictures(); and that of its depth, 0 if the runtime accepts
-    /// none.
+    /// The framebuffers of an eye's color and depth, after take_pictures(). The depth framebuffer is 0 if the
+    /// runtime accepts no depth.
     GLuint color_target(std::size_t eye) const { return colors_.at(eye).target(); }
     GLuint depth_target(std::size_t eye) const { return depths_.empty() ? 0 : depths_.at(eye).target(); }
     bool takes_depth() const { return !depths_.empty(); }

@@ -1,6 +1,6 @@
 #pragma once
-// OpenXR with its OpenGL bindings for X11 and EGL. For sources only: X11 has macros with common names.
-// KeyPress is removed: the window has a struct of that name.
+// OpenXR with its OpenGL bindings for X11 and EGL. For sources only: X11 defines macros with common names.
+// KeyPress is undefined because the window has a struct of that name.
 #include <epoxy/egl.h>
 #include <epoxy/glx.h>
 #define XR_USE_GRAPHICS_API_OPENGL

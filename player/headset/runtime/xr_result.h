@@ -5,7 +5,8 @@
 
 namespace vantage {
 
-/// The session was lost, or the runtime with everything created from it; either may become available again.
+/// The session was lost, or the runtime and everything created from it were lost. Either may become available
+/// again.
 struct XrLost : std::runtime_error {
     explicit XrLost(bool with_runtime)
         : std::runtime_error(with_runtime ? "the OpenXR runtime was lost" : "the OpenXR session was lost"),
@@ -13,11 +14,11 @@ struct XrLost : std::runtime_error {
     bool runtime;
 };
 
-/// Returns a successful result. Throws XrLost for a loss, and Error(graphics) with the name of the call for
-/// other failures.
+/// Returns a successful result. Throws XrLost if the session or the runtime was lost, and Error(graphics)
+/// with the name of the call for other failures.
 XrResult expect(XrResult result, const char* call);
 
-/// "XR_ERROR_RUNTIME_FAILURE"
+/// The name of a result, such as "XR_ERROR_RUNTIME_FAILURE".
 const char* name_of(XrResult result);
 
 }  // namespace vantage

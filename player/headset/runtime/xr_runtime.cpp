@@ -14,7 +14,8 @@ namespace {
 
 constexpr char hands_extension[] = "XR_EXT_hand_interaction";  // newer than some packages of the header
 
-/// Suppresses the loader's own messages, which would precede the player's; set the variable to debug.
+/// Suppresses the loader's own messages, which would precede the player's. To see them when debugging, set
+/// XR_LOADER_DEBUG.
 void quiet_loader() { ::setenv("XR_LOADER_DEBUG", "none", 0); }
 
 [[noreturn]] void fail(const std::string& why) { throw Error(Exit::graphics, "headset: " + why); }
@@ -26,12 +27,12 @@ void quiet_loader() { ::setenv("XR_LOADER_DEBUG", "none", 0); }
         case XR_ERROR_FILE_ACCESS_ERROR:
         case XR_ERROR_FILE_CONTENTS_INVALID:
             fail(
-                "no OpenXR runtime answers; start Monado, SteamVR or another one, and make it the active "
+                "no OpenXR runtime responds; start Monado, SteamVR or another runtime and make it the active "
                 "one (~/.config/openxr/1/active_runtime.json, or the variable XR_RUNTIME_JSON)");
         case XR_ERROR_API_VERSION_UNSUPPORTED:
             fail("the OpenXR runtime does not support version 1.0");
         default:
-            fail(std::string("the OpenXR runtime refuses: ") + name_of(result));
+            fail(std::string("the OpenXR runtime reports ") + name_of(result));
     }
 }
 
@@ -109,7 +110,7 @@ XrSystemId headset_of(const XrRuntime& runtime) {
     XrSystemId out = XR_NULL_SYSTEM_ID;
     const XrResult result = xrGetSystem(runtime.get(), &info, &out);
     if (result == XR_ERROR_FORM_FACTOR_UNAVAILABLE || result == XR_ERROR_FORM_FACTOR_UNSUPPORTED)
-        fail(runtime.name() + " finds no headset; is it connected and switched on?");
+        fail(runtime.name() + " finds no headset; is one connected and switched on?");
     expect(result, "xrGetSystem");
     return out;
 }

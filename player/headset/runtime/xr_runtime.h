@@ -34,7 +34,7 @@ class XrRuntime {
 /// Whether a runtime responds; after a loss it may be unavailable for a while.
 bool runtime_answers();
 
-/// The headset. Throws Error(graphics) if there is none.
+/// The headset. Throws Error(graphics) if no headset is found.
 XrSystemId headset_of(const XrRuntime& runtime);
 
 }  // namespace vantage

@@ -264,7 +264,7 @@ void MeasurePanel::scale_section(Controls& c) {
         scale = unit_at(unit) == Unit::unknown ? Scale{} : Scale{1, unit_at(unit), unit_at(unit)};
         changed();
     }
-    c.explain("The unit of the input's coordinates; its files do not state it.");
+    c.explain("The unit of the input's coordinates, which the input files do not state.");
     ImGui::BeginDisabled(scale.unit == Unit::unknown);
     if (c.choice("Shown in", &shown, unit_texts, int(std::size(unit_texts))) &&
         unit_at(shown) != Unit::unknown) {

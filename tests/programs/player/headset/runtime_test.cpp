@@ -91,8 +91,8 @@ TEST_F(HeadsetProgram, SaysInOneLineWhatIsMissing) {
         EXPECT_TRUE(one_line(run.message)) << run.message;
         EXPECT_NE(run.message.find(wanted), std::string::npos) << run.message;
     };
-    says(json::object(), "no OpenXR runtime answers", "env XR_RUNTIME_JSON=/nowhere.json");
-    says({{"create_instance", "XR_ERROR_RUNTIME_UNAVAILABLE"}}, "no OpenXR runtime answers");
+    says(json::object(), "no OpenXR runtime responds", "env XR_RUNTIME_JSON=/nowhere.json");
+    says({{"create_instance", "XR_ERROR_RUNTIME_UNAVAILABLE"}}, "no OpenXR runtime responds");
     says({{"create_instance", "XR_ERROR_LIMIT_REACHED"}}, "XR_ERROR_LIMIT_REACHED");
     says({{"get_system", "XR_ERROR_FORM_FACTOR_UNAVAILABLE"}}, "finds no headset");
     says({{"get_system", "XR_ERROR_FORM_FACTOR_UNSUPPORTED"}}, "finds no headset");
