@@ -26,7 +26,7 @@ Shortcuts blend_shortcuts() {
     return out;
 }
 
-/// A line of the help.
+/// One line of the help.
 struct Line {
     const char *what, *does;
     bool for_public = false;  ///< also available in a kiosk
@@ -63,7 +63,7 @@ void help_panel(Controls& c, WindowState& window) {
         {"O", marked("open another package (or drop it here)")},
         {"P", marked("screenshot")},
         {marked("Ctrl+C, Ctrl+V"), marked("copy the view as a command line, fly to a copied one")},
-        {marked("arrow keys, Space or Enter"), marked("mark a control, use it"), true},
+        {marked("arrow keys, Space or Enter"), marked("select a control, activate it"), true},
         {marked("Ctrl+Tab, Alt"), marked("go to another panel, to the menu")},
         {marked("Tab"), marked("all settings, or only the picture")},
         {marked("F1 to F12"), marked("help and panels; F11: full screen")},

@@ -7,7 +7,7 @@
 namespace vantage {
 
 void navigate_by_keyboard() {
-    // Without the second flag, no key would reach the program while a panel has the focus.
+    // Without the second flag, no keys would reach the program while a panel has the focus.
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_NavNoCaptureKeyboard;
 }
 

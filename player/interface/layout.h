@@ -14,7 +14,8 @@ struct Layout {
 /// `em`: text height in pixels. `photos`: whether the scene has photos for the strip.
 Layout layout_of(const Panels& panels, int width, int height, double em, bool photos);
 
-/// The part of the free area that the picture is fitted to: half of its width for side-by-side comparison.
+/// The part of the free area that the picture is fitted to: half of the area's width for side-by-side
+/// comparison.
 Area picture_area(const Layout& layout, Compare compare, int width);
 
 }  // namespace vantage

@@ -11,7 +11,7 @@ constexpr ImU32 mark_color = IM_COL32(255, 255, 255, 255), plate_color = IM_COL3
 
 ImVec2 inset(ImVec2 corner, float right, float down) { return {corner.x + right, corner.y + down}; }
 
-/// Light dashes on dark, along one side.
+/// Light dashes on a dark line, along one side.
 void dashed_line(ImDrawList& list, ImVec2 from, ImVec2 to, float dash) {
     const float length = std::max(to.x - from.x, to.y - from.y);
     list.AddLine(from, to, plate_color, 3);

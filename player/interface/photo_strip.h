@@ -11,7 +11,7 @@
 namespace vantage {
 
 /// Thumbnails of the photos at the bottom of the window, in order of decreasing agreement with the view. A
-/// click flies to the photo; wheel and drag scroll.
+/// click flies to the photo; the wheel and dragging scroll.
 class PhotoStrip {
   public:
     ~PhotoStrip();

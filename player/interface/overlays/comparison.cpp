@@ -13,8 +13,8 @@
 namespace vantage {
 namespace {
 
-/// Text on a dark background in the picture, recorded as "Legend". `share`: fraction of its width to the left
-/// of `x`.
+/// Text on a dark background in the picture, recorded as "Legend". `share`: the fraction of the text's width
+/// that is to the left of `x`.
 void plate(Controls& c, float x, float y, float share, const std::string& text) {
     const float em = ImGui::GetFontSize();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -26,7 +26,7 @@ void plate(Controls& c, float x, float y, float share, const std::string& text) 
     list.AddText(low, IM_COL32_WHITE, text.c_str());
 }
 
-/// A handle around the line, with the height of the free area.
+/// A handle around the line, as high as the free area.
 void drag_swipe(Controls& c, Session& s, const Area& frame) {
     const float em = ImGui::GetFontSize(), x = float(frame.width * s.settings.swipe),
                 top = float(s.window.free.top), high = float(s.window.free.height);

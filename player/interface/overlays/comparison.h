@@ -8,7 +8,8 @@ namespace vantage {
 /// Labels of a comparison's two sides, and the swipe's draggable line. `frame`: the whole window, in pixels.
 void comparison(Controls& controls, Session& session, const PlanScene& scene, const Area& frame);
 
-/// Flies to the photo that agrees best with the view and compares the model with it; or ends the comparison.
+/// Flies to the photo that agrees best with the view and compares the model with it, or ends a comparison in
+/// progress.
 void toggle_comparison(Session& session, const PlanScene& scene, const View& view, double now);
 
 /// Legend of the picture's false colors.

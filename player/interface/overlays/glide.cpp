@@ -31,7 +31,7 @@ void note(Glide& g, const Drags& drags, double now) {
         g.recent.erase(g.recent.begin());
 }
 
-/// Distance of the movement after a release.
+/// The distance that a drag covers after its release.
 Drags let_go(const std::vector<Glide::Movement>& recent) {
     Drags moved{};
     int frames = 0;

@@ -17,9 +17,10 @@ struct Glide {
     double at = 0;                 ///< time of the last frame, seconds
 };
 
-/// Movement in the frame at `now` (seconds) for the input `drags`; while held, it equals `drags`. A drag
-/// glides if it moved in two frames of the last tenth of a second before its release, faster than 50 pixels
-/// per second. It then continues for the distance that it would cover in a quarter of a second at that speed.
+/// Movement in the frame at `now` (seconds) for the input `drags`; while the drag is held, it equals `drags`.
+/// A drag glides if, in the last tenth of a second before its release, it moved in at least two frames and
+/// faster than 50 pixels per second. It then continues for the distance that it would cover in a quarter of a
+/// second at that speed.
 Drags move_on(Glide& glide, const Drags& drags, bool held, double now);
 
 }  // namespace vantage

@@ -22,7 +22,7 @@ ImU32 color_of(MeasureLook look) {
                                              : IM_COL32(255, 205, 70, 255);
 }
 
-/// Segments of a height: vertical from the first point, then horizontal to the second.
+/// The segments of a height measurement: vertical from the first point, then horizontal to the second.
 Segments height_segments(const Vector3d& from, const Vector3d& to, const Vector3d& up) {
     const Vector3d corner = from + up * up.dot(to - from);
     return {{from, corner}, {corner, to}};

@@ -14,11 +14,12 @@ enum class MeasureLook { finished, selected, unfinished };
 
 /// A measurement's points relative to `origin`, which is in the points' coordinates.
 std::vector<Eigen::Vector3d> points_from(const Measurement& measurement, const Eigen::Vector3d& origin);
-/// The lines of a measurement through these points; `up` as for evaluate(), both in the same coordinates.
+/// The lines of a measurement through these points. `up`: as for evaluate(), in the coordinates of the
+/// points.
 std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> lines_of(Measure measure,
                                                                   const std::vector<Eigen::Vector3d>& points,
                                                                   const Eigen::Vector3d& up);
-/// Position of its label; needs at least one point.
+/// Position of a measurement's label; needs at least one point.
 Eigen::Vector3d label_place(Measure measure, const std::vector<Eigen::Vector3d>& points,
                             const Eigen::Vector3d& up);
 

@@ -21,13 +21,13 @@ struct NoteMarker {
 /// The surface point visible at a pixel, relative to the origin, if there is one.
 using SurfaceAt = std::function<std::optional<Eigen::Vector3d>(const Eigen::Vector2d& pixel)>;
 
-/// The anchors in the frame, the farthest first. An anchor is hidden if the surface at its pixel is nearer by
+/// The anchors in the frame, farthest first. An anchor is hidden if the surface at its pixel is nearer by
 /// more than a hundredth of its depth.
 std::vector<NoteMarker> note_markers(const Story& story, const InputAxes& axes, const View& view,
                                      const SurfaceAt& surface);
 
-/// Draws a numbered disc at each anchor, with the note's title next to it; hidden ones are dimmed and have no
-/// title. Returns the clicked note.
+/// Draws a numbered disc at each anchor, with the note's title next to it; hidden anchors are dimmed and have
+/// no title. Returns the clicked note.
 std::optional<std::size_t> draw_note_markers(Controls& controls, const std::vector<NoteMarker>& markers,
                                              const Story& story, const std::string& language,
                                              std::optional<std::size_t> open);

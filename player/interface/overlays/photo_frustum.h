@@ -13,9 +13,9 @@ struct PhotoFrustum {
     std::array<Eigen::Vector3d, 4> corner;
 };
 
-/// With the picture at a distance of `depth` from the center.
+/// The frustum with the picture at a distance of `depth` from the center.
 PhotoFrustum photo_frustum(const PlanScene& scene, std::uint32_t photo, double depth);
-/// With the picture at a depth proportional to the scene's size.
+/// The frustum with the picture at a distance that is proportional to the scene's size.
 PhotoFrustum photo_frustum(const PlanScene& scene, std::uint32_t photo);
 
 }  // namespace vantage

@@ -54,7 +54,7 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
     c.explain("Prefers photos whose rays are close to yours.");
     in_second_column("One ray per photo");
     c.checkbox("One ray per photo", &w.angle_per_photo);
-    c.explain("Compares one ray per photo, instead of one for each point.");
+    c.explain("Compares one ray per photo instead of one ray per point.");
     c.checkbox("Occlusion", &w.depth_weight);
     c.explain("Excludes surfaces that are hidden from a photo.");
     in_second_column("Soft borders");
@@ -63,7 +63,8 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
     ImGui::BeginDisabled(!effect_on(renderer.package().scene(), Effect::transients));
     c.checkbox("Passers-by", &w.transient_mask);
     ImGui::EndDisabled();
-    c.explain("Gives little weight to a photo where prepare found that it disagrees with the others.");
+    c.explain(
+        "Gives little weight to parts of a photo that disagree with the other photos, as found by prepare.");
     in_second_column("Field of view");
     c.checkbox("Field of view", &w.fov_normalization);
     c.explain("Compares distances as if all photos had your field of view.");

@@ -119,7 +119,8 @@ bool Controls::radio(const char* name, int* value, int choice) {
     return changed;
 }
 
-/// The name to display next to the following control, or above it if it fits only there.
+/// The name to display next to the following control. A name that is too long is shown above the control
+/// instead.
 std::string Controls::name_beside(const char* name) const {
     const float room =
         ImGui::GetContentRegionAvail().x - ImGui::CalcItemWidth() - ImGui::GetStyle().ItemInnerSpacing.x;

@@ -47,7 +47,7 @@ class Controls {
                 ImGuiSliderFlags flags = 0);
     /// A text field for a number; accepts a point or a comma.
     bool number(const char* name, double* value, const char* format);
-    /// A drop-down list of untranslated names, such as file names.
+    /// A drop-down list of names that are not translated, such as file names.
     bool combo(const char* name, int* value, const char* const names[], int count);
     /// A drop-down list of translated texts.
     bool choice(const char* name, int* value, const char* const texts[], int count);

@@ -25,7 +25,8 @@ Eigen::Vector3d axis_of(const Cut& cut) {
     }
 }
 
-/// The box is slightly enlarged: with rounding to single precision, a floor at its boundary would be cut.
+/// The box is enlarged slightly, because rounding to single precision could otherwise cut a floor at its
+/// boundary.
 std::vector<SectionPlane> box_of(Cut& cut, const PlanScene& scene) {
     const double margin = 1e-5 * scene.size;
     std::vector<SectionPlane> planes;
@@ -53,7 +54,8 @@ void plane_controls(Controls& c, Session& s, const PlanScene& scene, const Eigen
     static const char* const across[] = {marked("my view"), marked("x"), marked("y"), marked("z")};
     const Cut::Across before = cut.across;
     choice(c, "Across", cut.across, across);
-    c.explain("The plane faces you as you stand now, or lies across an axis of the model's coordinates.");
+    c.explain(
+        "The plane faces your current position, or is perpendicular to an axis of the model's coordinates.");
     begins |= cut.across != before;
     if (begins && cut.across == Cut::Across::facing) cut.facing = -s.viewpoint.camera.R.row(2).transpose();
     const Eigen::Vector3d axis = axis_of(cut);

@@ -121,9 +121,9 @@ void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, cons
     c.slider("Over photos", &s.share, 0.0, 1.0);
     c.explain("The mix of the field's colors and the photos.");
     c.slider("Isolines", &s.isolines, 0, 20);
-    c.explain("Lines of equal value: the number of steps between them.");
+    c.explain("Lines of equal value: the number of intervals into which they divide the color map.");
     if (c.checkbox("Logarithmic", &s.logarithmic)) s.range.reset();
-    c.explain("Colors by the logarithm. Values of zero and less have none.");
+    c.explain("Uses the logarithm of the value. Values of zero or less have no color.");
     range_sliders(c, field, s);
     if (field.without > 0)
         ImGui::TextDisabled("%s", localized(tr("%.1f %% of the vertices have no value"),

@@ -252,7 +252,7 @@ void MeasurePanel::under_pointer(Controls& c) const {
                             localized_numbers(uncertainty_text(*under_->uncertainty)).c_str(),
                             under_->photo.c_str());
     else
-        ImGui::TextDisabled("%s", under_ ? tr("uncertainty unknown: no photo sees it") : " ");
+        ImGui::TextDisabled("%s", under_ ? tr("uncertainty unknown: no photo sees the point") : " ");
     c.explain("Standard uncertainty: the size of a pixel there, in the photo with the finest pixels.");
 }
 
@@ -273,13 +273,13 @@ void MeasurePanel::scale_section(Controls& c) {
     }
     ImGui::EndDisabled();
     if (scale.length != 1)
-        ImGui::TextDisabled(tr("a unit of the model is %s %s"),
+        ImGui::TextDisabled(tr("one unit of the model is %s %s"),
                             localized_numbers(number_text(scale.length)).c_str(),
                             tr_in("unit", name_of(scale.unit)));
     ImGui::TextDisabled(tr("up is %s"), localized_numbers(direction_text(survey_.up)).c_str());
     c.explain(
-        "Heights are measured along it: the axis of the input that is nearest to the photos' mean up "
-        "direction, or that direction if none is near.");
+        "Heights are measured along this direction. It is the axis of the input that is nearest to the "
+        "photos' mean up direction, or that mean direction if no axis is near.");
 }
 
 void MeasurePanel::list(Controls& c) {

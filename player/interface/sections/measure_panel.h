@@ -25,13 +25,13 @@ class MeasurePanel {
     /// `package` must outlive it.
     explicit MeasurePanel(const PackageReader& package);
 
-    /// Handles the session's input, and draws measurements and the panel while session.window.panels.measure.
-    /// `meshes`: the visible meshes.
+    /// Handles the session's input, and draws measurements and the panel while session.window.panels.measure
+    /// is set. `meshes`: the visible meshes.
     void show(Controls& controls, Session& session, std::span<const PlacedMesh> meshes, const View& view,
               double now);
 
-    /// The functions below do the same in steps, for pointers outside the window. Enters and leaves the mode
-    /// as set in the session; returns whether it is active.
+    /// The functions below do the same in steps, for pointers outside the window. Enters or leaves the mode
+    /// as set in the session; returns whether the mode is active.
     bool attend(Session& session, double now);
     /// Whether measurements are being saved, or attend() has a result of saving to report.
     bool saves() const { return file_.busy(); }

@@ -47,7 +47,7 @@ bool opacity_slider(Controls& c, ObjectSet& objects, std::size_t object) {
     return true;
 }
 
-/// Rows of one object. Sets `removed` if it is to be removed.
+/// Rows of one object. Sets `removed` if the object is to be removed.
 bool object_row(Controls& c, ObjectSet& objects, std::size_t object, double size, bool& removed) {
     const SceneObject o = objects.at(object);
     bool shown = o.shown, changed = false;

@@ -52,7 +52,7 @@ void orthophoto_section(Controls& c, Session& s, const PackageReader& package) {
     ImGui::Text(tr("%.0f × %.0f pixels"), pixels.x(), pixels.y());
     static const char* const files[] = {marked("PNG and world file"), marked("GeoTIFF")};
     choice(c, "Written as", o.file, files);
-    c.explain("Both store the position of the picture on the plane.");
+    c.explain("Both formats store the position of the picture on the plane.");
     ImGui::BeginDisabled(o.writing);
     if (c.button("Write the orthophoto")) s.window.commands.push_back(SaveOrthophoto{});
     ImGui::EndDisabled();

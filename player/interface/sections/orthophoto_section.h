@@ -7,7 +7,7 @@ namespace vantage {
 /// Plane and pixel size of an orthophoto, and a button to write it. `package` must have a mesh.
 void orthophoto_section(Controls& controls, Session& session, const PackageReader& package);
 
-/// The plane as a value of the option --plane; Plane::facing faces the viewer at this camera.
+/// The plane as a value for the option --plane; Plane::facing is a plane that faces this camera.
 std::string plane_option(OrthophotoRequest::Plane plane, const Navigation& camera);
 
 }  // namespace vantage

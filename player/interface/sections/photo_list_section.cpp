@@ -46,7 +46,7 @@ void use(std::vector<std::uint32_t>& photos, std::uint32_t photo, bool used) {
     if (used) photos.insert(std::ranges::upper_bound(photos, photo), photo);
 }
 
-/// Details of a photo: at the point, or in general.
+/// Details of a photo, at the clicked point or in general.
 std::string remark(const PhotoList& list, const package::PhotoRecord& photo, std::uint32_t number) {
     const auto at = std::ranges::find(list.showing, number, &Footprint::photo);
     if (!photo.levels) return tr("skipped");
@@ -108,8 +108,8 @@ void photo_list_section(Controls& c, Session& s, const Renderer& renderer, doubl
     }
     c.checkbox("Worst first", &list.worst_first);
     c.explain(
-        "Sorts by the offset of the content from that of other photos, largest first, with the cameras as "
-        "given.");
+        "Sorts by the offset of a photo's content from that of the other photos, largest first. Offsets are "
+        "those with the cameras as given.");
     if (!list.by_point) list.point.reset();
     point_line(list);
     const std::vector<std::uint32_t> photos = listed(s, scene);

@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// All photos by name, with usage and coverage; if a point was clicked, only those that show it, the sharpest
-/// first. Clicking a name flies to its photo.
+/// All photos by name, with usage and coverage; if a point was clicked, only the photos that show it,
+/// sharpest first. Clicking a name flies to its photo.
 void photo_list_section(Controls& controls, Session& session, const Renderer& renderer, double now);
 
 /// Uses all photos of the package that were not skipped.

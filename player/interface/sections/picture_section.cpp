@@ -21,7 +21,7 @@ void exposure_controls(Controls& c, Session& s, const Renderer& renderer) {
     bool own = r.exposure.has_value();
     if (c.checkbox("This photo's", &own)) r.exposure.reset();
     if (own) r.exposure = s.viewpoint.standing_at;
-    c.explain("Shows the model in the exposure of the photo you flew to last.");
+    c.explain("Shows the model with the exposure of the photo you flew to last.");
 }
 
 void light_controls(Controls& c, Session& s) {
@@ -32,7 +32,7 @@ void light_controls(Controls& c, Session& s) {
     c.explain("Light on the bare surface shows its shape.");
     if (l.light == Light::lamp || l.light == Light::raking) {
         c.checkbox("On the photos", &l.on_photos);
-        c.explain("Darkens the photos by the light, instead of showing the bare surface.");
+        c.explain("Applies the light to the photos instead of the bare surface.");
     }
     if (l.light != Light::raking) return;
     if (s.window.keyboard) {
@@ -68,7 +68,7 @@ void stereo_controls(Controls& c, Session& s) {
     double percent = 100 * stereo.eyes.share;
     if (c.slider("Eye separation", &percent, 0.2, 20.0, "%.1f %%", ImGuiSliderFlags_Logarithmic))
         stereo.eyes.share = percent / 100, stereo.eyes.distance = 0;
-    c.explain("In percent of the viewing distance. More is deeper, and harder to view.");
+    c.explain("In percent of the viewing distance. A larger separation looks deeper but is harder to view.");
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ void picture_section(Controls& c, Session& s, const Renderer& renderer) {
     c.checkbox("Orthographic", &s.viewpoint.orthographic);
     c.explain("Without perspective: equal lengths appear equal at any distance.");
     c.slider("Flying speed", &s.steering.flying_speed, 0.1, 10.0, "%.1f", ImGuiSliderFlags_Logarithmic);
-    c.explain("Of the keys W A S D, Q and E; Shift is four times as fast.");
+    c.explain("Speed for the keys W A S D, Q and E. Shift is four times as fast.");
     c.checkbox("Inertia", &s.steering.inertia);
     c.explain("Released while moving, the view glides on for a moment.");
 }

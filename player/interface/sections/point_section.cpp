@@ -14,7 +14,8 @@ namespace vantage {
 
 namespace {
 
-/// The point under the pointer; the same number of lines without one, so that the panel keeps its size.
+/// The point under the pointer. Without a point, uses the same number of lines, so that the panel keeps its
+/// size.
 void under_pointer(const Renderer& renderer) {
     const std::optional<PickedPoint>& p = renderer.picked();
     const bool shown = p && !ImGui::GetIO().WantCaptureMouse;

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// Settings of the point cloud. The package must have one.
+/// Settings of the point cloud. The package must have a point cloud.
 void point_section(Controls& controls, Session& session, const Renderer& renderer);
 
 }  // namespace vantage

@@ -70,7 +70,7 @@ void status_section(Controls& c, const DrawnFrames& frames, const Renderer& rend
                        frames.pace.reduced ? tr(", fewer photos") : ""));
     const FrameReport& r = frames.report;
     ImGui::Text(tr("%zu photos in %zu passes, %zu draws"), r.photos, r.passes, r.draws);
-    line(localized(tr("%zu tiles, %zu to come; %.1f MiB uploaded"), r.tiles, r.tiles_to_come,
+    line(localized(tr("%zu tiles, %zu pending; %.1f MiB uploaded"), r.tiles, r.tiles_to_come,
                    double(r.uploaded) / double(MiB)));
     if (renderer.scene().has_transparency())
         ImGui::Text(tr("%zu transparent fragments, %zu approximated"), r.fragments, r.fragments_approximated);

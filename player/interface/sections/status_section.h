@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// Frame times, tiles, memory, and traffic of a remote package. `graphics_budget`: the limit for all objects
-/// together, bytes.
+/// Frame times, tiles and memory, and the network traffic of a remote package. `graphics_budget`: the limit
+/// for all objects together, bytes.
 void status_section(Controls& controls, const DrawnFrames& frames, const Renderer& renderer,
                     std::uint64_t graphics_budget);
 

@@ -9,7 +9,7 @@ namespace vantage {
 
 /// Statistics of the drawn frames.
 struct DrawnFrames {
-    FrameReport report;                                     ///< report of the last one
+    FrameReport report;                                     ///< report of the last frame
     Pace pace;                                              ///< likewise
     std::vector<float> ms = std::vector<float>(240, 0.0f);  ///< durations of the last 240 frames, newest last
     FrameStatistics statistics;                             ///< of these

@@ -8,9 +8,9 @@ namespace {
 const char* reason(Exit code) {
     switch (code) {
         case Exit::input:
-            return tr("A file is missing, cannot be read, or does not fit.");
+            return tr("A file is missing, cannot be read, or is unsuitable.");
         case Exit::damaged:
-            return tr("The file is damaged, or of another kind.");
+            return tr("The file is damaged, or has the wrong type.");
         case Exit::storage:
             return tr("The disk is full, or access is denied.");
         case Exit::memory:

@@ -15,7 +15,7 @@
 
 namespace vantage {
 
-/// How the model is cut.
+/// Settings for cutting the model.
 struct Cut {
     enum class By { plane, box, count } by = By::plane;
     /// The box that is kept, along the input's axes, in fractions of the model's extent.
@@ -45,7 +45,7 @@ struct PhotoList {
     std::vector<std::optional<double>> errors;  ///< errors of all photos, pixels; see photo_errors()
     bool by_point = false;                      ///< lists only photos that show a clicked point
     std::optional<Eigen::Vector3d> point;
-    std::vector<Footprint> showing;  ///< the photos that show it
+    std::vector<Footprint> showing;  ///< the photos that show the point
 };
 
 /// State of camera control by keys, drags and touch.
@@ -55,7 +55,7 @@ struct Steering {
     Glide glide;
     /// The anchor of a drag or a two-finger gesture.
     struct Grip {
-        Eigen::Vector3d pivot;  ///< the point under the pointer at its start
+        Eigen::Vector3d pivot;  ///< the point under the pointer when the drag began
         bool looks = false;     ///< the drag turns the camera in place
     };
     std::optional<Grip> grip;
@@ -85,8 +85,8 @@ struct Session {
     DrawnFrames drawn;
 };
 
-/// The view from a camera in a frame of this size: in its free part, and orthographic if set in the session.
-/// Objects at the distance of the camera's target then have the same size as in perspective.
+/// The view from a camera, fitted to the free part of a frame of this size. If the session's projection is
+/// orthographic, objects at the distance of the camera's target have the same size as in perspective.
 View shown_view(const Navigation& camera, const Session& session, const PlanScene& scene, int width,
                 int height);
 

@@ -10,7 +10,7 @@ namespace vantage {
 
 /// Closes the window.
 struct Quit {};
-/// Replaces the shown scene by a package or a scene file.
+/// Replaces the shown scene with a package or a scene file.
 struct OpenFile {
     std::string file;
 };
@@ -71,7 +71,7 @@ std::optional<UserCommand> take_one_of(UserCommands& commands) {
     return taken;
 }
 
-/// The same for one kind.
+/// Does the same for one kind.
 template <class Kind>
 std::optional<Kind> take(UserCommands& commands) {
     std::optional<UserCommand> taken = take_one_of<Kind>(commands);

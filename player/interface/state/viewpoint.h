@@ -27,7 +27,7 @@ struct Viewpoint {
         std::vector<Navigation> views;
         Navigation last{};  ///< camera in the last frame
         double moved_at = 0;
-        bool returning = false;  ///< the flight returns to one of them
+        bool returning = false;  ///< the flight returns to one of `views`
     };
     EarlierViews earlier;
 };
@@ -41,7 +41,7 @@ struct RecordedPath {
     std::vector<Navigation> positions;
 };
 
-/// Starts at a camera, which becomes home.
+/// Starts at a camera, which becomes the home view.
 void begin_at(Viewpoint& viewpoint, const Navigation& camera);
 /// Starts a flight to a camera.
 void start_flight(Viewpoint& viewpoint, const Navigation& to, double now, double seconds);
@@ -51,7 +51,7 @@ void fly_to_point(Viewpoint& viewpoint, const Eigen::Vector3d& point, double now
 void replay(Viewpoint& viewpoint, const RecordedPath& path, double now);
 /// Moves the camera to its position on the flight in progress.
 void continue_flight(Viewpoint& viewpoint, double now);
-/// Remembers the view from which the camera has just started to move.
+/// Stores the view from which the camera has just started to move.
 void note_view(Viewpoint& viewpoint, double now);
 
 /// Starts a new recording, or stops recording.

@@ -35,7 +35,7 @@ ActiveStory active_story(const std::filesystem::path& package, const InputAxes& 
 /// Opens a note's card and flies to its view, if it has one.
 void open_note(ActiveStory& active, Viewpoint& viewpoint, std::size_t note, double now);
 
-/// Starts a tour at the current camera. Does nothing if a stop has no view.
+/// Starts a tour at the current camera. Does nothing if one of the stops has no view.
 void play_tour(ActiveStory& active, Session& session, std::size_t tour, double now);
 
 /// During a tour, opens the note's card at each stop, and closes it when the flight continues. A tour ends
@@ -45,7 +45,7 @@ void continue_tour(ActiveStory& active, const Viewpoint& viewpoint, double now);
 /// The opening view, or nullopt if the story has none.
 std::optional<Navigation> opening_of(const ActiveStory& active);
 
-/// Applies a new language, chosen in the window or the story, to both if it differs from the current one.
+/// If a different language was chosen in the window or in the story, applies it to both.
 void follow_language(ActiveStory& active, std::string& in_use, const std::string& chosen);
 
 /// Writes the story to its file. Throws Error(usage) if another program has changed the file since it was

@@ -78,7 +78,7 @@ Picture read_note_picture(const std::filesystem::path& file) {
     Picture out{size.width, size.height, {}, {}};
     out.rgba.resize(4 * std::size_t(size.width) * std::size_t(size.height));
     if (!codec::decode_jpeg(bytes, size.width, size.height, std::as_writable_bytes(std::span(out.rgba))))
-        throw Error(Exit::input, file.string() + ": is damaged, or not a JPEG in colors or gray");
+        throw Error(Exit::input, file.string() + ": is damaged, or not a color or grayscale JPEG");
     return out;
 }
 

@@ -20,7 +20,7 @@ Picture reduced_picture(Picture picture, int most);
 class NotePicture {
   public:
     /// Starts loading the file in the background, unless it was the last one loaded. There is no picture
-    /// until loading is complete, without a file, or if it cannot be read.
+    /// until loading is complete, nor if there is no file or it cannot be read.
     void load(const std::filesystem::path& file);
     /// Uploads a loaded picture; called once per frame.
     void attend();

@@ -14,7 +14,7 @@
 namespace vantage {
 namespace {
 
-/// The displayed language if the story has it, otherwise the story's own.
+/// The displayed language if the story has it, otherwise the story's default language.
 std::string edited_language(const ActiveStory& active) {
     const std::vector<std::string> languages = languages_of(active.story);
     return std::ranges::count(languages, active.language) ? active.language : active.story.language;
@@ -123,11 +123,12 @@ void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View&
         return ImGui::End();
     const bool fixed = active.file.empty() || !active.trouble.empty();
     if (fixed)
-        ImGui::TextWrapped("%s", active.file.empty() ? tr("A package on a server cannot have a story here.")
-                                                     : active.trouble.c_str());
+        ImGui::TextWrapped("%s", active.file.empty()
+                                     ? tr("The story of a package on a server cannot be edited here.")
+                                     : active.trouble.c_str());
     ImGui::BeginDisabled(fixed);
     if (c.button("Add a note here")) add(active, s, view, surface);
-    c.explain("On the surface at the center of the view; stores this view.");
+    c.explain("Places a note on the surface at the center of the view, and stores this view.");
     ImGui::SameLine();
     if (c.button("Set the opening view")) {
         active.story.opening = story_view(s.viewpoint.camera, active.axes);

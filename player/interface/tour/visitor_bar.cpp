@@ -40,7 +40,7 @@ constexpr Tool kiosk_tools[] = {
     tools[4]};
 static_assert(tools[4].icon == Icon::help);
 
-/// Each is followed by a gap.
+/// Width of the shown tools, each of which is followed by a gap.
 float width_of(std::span<const Tool> shown, bool labels, float gap) {
     float width = 0;
     for (const Tool& tool : shown) width += Controls::icon_button_size(tool.name, labels).x + gap;
