@@ -15,8 +15,8 @@ void write_default_views(const std::filesystem::path& file, const PackageReader&
 
 /// Difference of a picture from the stored one.
 struct GoldenDifference {
-    std::string view, problem;    ///< `problem`: reason why they cannot be compared, or empty
-    int worst = 0, x = 0, y = 0;  ///< gray levels, and the pixel
+    std::string view, problem;    ///< `problem`: why the pictures cannot be compared, or empty
+    int worst = 0, x = 0, y = 0;  ///< largest difference in gray levels, and its pixel
     double share = 0;             ///< fraction of pixels that differ by more than the tolerance
     double mean = 0;              ///< gray levels
 };

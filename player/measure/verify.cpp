@@ -44,7 +44,8 @@ struct Verified {
     }
 };
 
-/// For one package the folder itself; for several, its subfolder with the package's name.
+/// The folder of a package's stored pictures: for one package, the folder given; for several, its subfolder
+/// with the package's name.
 fs::path golden_of(const VerifyOptions& o, const std::string& package) {
     return o.packages.size() == 1 ? o.golden : o.golden / fs::path(package).stem();
 }

@@ -15,12 +15,12 @@ namespace vantage {
 Picture as_in_window(Renderer& renderer, const View& view, RenderSettings settings, const Picture& rendered,
                      int side);
 
-/// Squared difference of the window's frame from the photo per pixel, summed over three channels; 0 where the
-/// photo has no valid pixel (`taken`). `gain` is applied to the pixels `colored`.
+/// Squared difference between the window's frame and the photo at each pixel, summed over three channels; 0
+/// where the photo has no valid pixel (`taken`). `gain` is applied to the pixels `colored`.
 Plane squared_errors(const Picture& photo, const Picture& shown, const std::vector<bool>& taken,
                      const std::vector<bool>& colored, const std::array<double, 3>& gain);
 
-/// The difference of the window's whole frame from the photo, including holes.
+/// The difference between the window's whole frame and the photo, including holes.
 struct FrameScore {
     std::size_t pixels = 0;          ///< valid in the photo; if 0, all other values are 0
     double psnr = 0, psnr_gain = 0;  ///< dB, as in PictureScore

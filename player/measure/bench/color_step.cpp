@@ -29,7 +29,7 @@ std::optional<FacePlane> plane_of(const PlanScene& scene, std::uint32_t triangle
     return FacePlane{corner[0], (corner[1] - corner[0]).cross(corner[2] - corner[0])};
 }
 
-/// Intersection of a ray with a plane, in multiples of `ahead`; empty without one.
+/// Intersection of a ray with a plane, in multiples of `ahead`; empty if there is none.
 std::optional<double> distance_along(const Eigen::Vector3d& eye, const Eigen::Vector3d& ahead,
                                      const FacePlane& plane) {
     const double t = plane.normal.dot(plane.point - eye) / plane.normal.dot(ahead);

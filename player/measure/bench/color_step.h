@@ -20,8 +20,8 @@ SeenFrame seen_frame(const Renderer& renderer, const View& view);
 /// Rounded to 8 bits, opaque.
 Picture picture_of(const SeenFrame& frame);
 
-/// Change of surface colors between two frames, in gray levels: root mean square over the channels of the
-/// mean change in cells of the picture.
+/// Change in surface colors between two frames, in gray levels. The change in a cell of the picture is the
+/// root mean square over the channels of the cell's mean change.
 struct ColorStep {
     double mean = 0, p99 = 0, max = 0;  ///< over the cells, weighted by their compared pixels
     double degrees = 0;                 ///< mean angle of the eye's movement around the compared surfaces
@@ -31,9 +31,9 @@ struct ColorStep {
 /// Side of the cells, in pixels: a fortieth of the frame's longer side, at least 1.
 int step_cell(int width, int height);
 
-/// Compares two pictures of one view, pixel by pixel: `now`, and `then`, with the photos and weights of the
-/// frame `next`. Only compares surfaces that are visible in both pictures and in `next`, and only uses cells
-/// of which at least a quarter is compared. All values are 0 if there are no such cells.
+/// Compares two pictures of one view, pixel by pixel: `now`, and `then`, which has the photos and weights of
+/// the frame `next`. Only compares surfaces that are visible in both pictures and in `next`, and only uses
+/// cells of which at least a quarter is compared. All values are 0 if there are no such cells.
 ColorStep color_step(const PlanScene& scene, const SeenFrame& now, const SeenFrame& then,
                      const SeenFrame& next);
 

@@ -30,7 +30,8 @@ void preload(ObjectSet& objects, const CameraPath& path, FrameSize size, RenderS
 /// Draws a frame at `now` seconds, and shows it.
 using DrawAndShow = std::function<void(const View& view, const RenderSettings& settings, double now)>;
 
-/// Duration of a frame at rest, in milliseconds; measured after a coarse one, like a window's first picture.
+/// Duration of a frame at rest, in milliseconds; measured after a coarse frame, as a window does for its
+/// first picture.
 double time_at_rest(const View& view, RenderSettings settings, FrameTimer& timer, const DrawAndShow& draw) {
     double ms = 0;
     for (int i = 0; i < 4; ++i) {
@@ -52,14 +53,14 @@ RenderSettings flight_settings(const PackageReader& package, const FlightOptions
     return settings;
 }
 
-/// The view expected a quarter of a second after frame `i` if the motion continues; empty at a jump.
+/// The view expected a quarter of a second after frame `i` if the motion continues; empty if the path jumps.
 std::optional<View> expected_view(const CameraPath& path, int i, int jump, FrameSize size) {
     if (i == 0 || i == jump) return {};
     const Navigation& before = path.frames[std::size_t(i) - 1];
     return view_of(between(before, path.frames[std::size_t(i)], 8), size.width, size.height);
 }
 
-/// The process's memory without the records of the measurement itself.
+/// The process's memory, excluding the records of the measurement itself.
 ProcessMemory memory_without(std::size_t records) {
     ProcessMemory memory = process_memory();
     memory.resident -= records * sizeof(FrameRecord);

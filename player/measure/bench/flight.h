@@ -19,7 +19,7 @@
 
 namespace vantage {
 
-/// Duration of a frame in a path's clock, which controls fades.
+/// Duration of a frame on a path's clock, which controls fades.
 inline constexpr double frame_seconds = 1.0 / 30;
 
 /// Settings of flights along paths.
@@ -54,7 +54,7 @@ struct Flight {
     PassTimes pass_ms{};  ///< times of the first object, summed over all frames
     StreamedSoFar streamed{};
     std::uint64_t graphics_budget = 0;
-    // For "still", and for the jump in "jump", if there is only one object:
+    // For the path "still" and the jump in the path "jump", if there is only one object:
     int frames_to_exact = -1;  ///< frames until no tile was missing; -1: never
     double ms_to_exact = 0;
     StreamedSoFar streamed_to_exact{};
@@ -70,8 +70,8 @@ struct FlightTarget {
 };
 FlightTarget make_flight_target(FrameSize size);
 
-/// A scripted path, or one from a file of views. Scripted paths start at the first photo of --photo, or else
-/// at the middle photo.
+/// A scripted path, or one from a file of views. Scripted paths start at the first photo of --photo; without
+/// that option, at the middle photo.
 CameraPath path_named(const std::string& name, const PackageReader& package, const FlightOptions& options,
                       int repeat);
 

@@ -103,7 +103,7 @@ void print_summary(const nlohmann::json& s) {
     if (s["mode"] == "resident" && s["uploaded_bytes_a_frame_max"] > 0)
         std::fprintf(
             text_output(),
-            "  not all of it fits into graphics memory: frames upload tiles again (--graphics-memory)");
+            "  not all tiles fit into graphics memory, so frames upload some again (--graphics-memory)");
     const auto& plan = s["plan_ms"];
     std::fprintf(text_output(),
                  "\n    plan %.2f, 99.9 %% %.2f ms; mean of passes:", plan["median"].get<double>(),

@@ -29,7 +29,8 @@ RenderSettings shown_settings(const PackageReader& package, const SmoothnessOpti
     return settings;
 }
 
-/// Median distance of the surfaces in the photos, used for views from a file, whose targets have no distance.
+/// Median distance of the surfaces in the photos, used for views from a file, because the distances of their
+/// targets are unknown.
 double usual_distance(const PackageReader& package) {
     std::vector<double> distances;
     for (const package::PhotoRecord& p : package.photos())
@@ -48,7 +49,7 @@ std::vector<Navigation> path_of(const PackageReader& package, const SmoothnessOp
                  o.step * std::numbers::pi / 180);
     if (path.size() < 2)
         throw Error(Exit::input, (o.path.empty() ? package.path().string() : o.path) +
-                                     ": a path of one view, expected at least two");
+                                     ": a path with one view, expected at least two views");
     return path;
 }
 
@@ -58,7 +59,7 @@ std::vector<std::uint32_t> planned_photos(const Renderer& renderer) {
     return out;
 }
 
-/// Draws the path's first view until nothing fades.
+/// Draws the path's first view until no photo is fading.
 void settle(Renderer& renderer, const View& view, const RenderSettings& settings,
             const std::vector<std::uint32_t>& photos) {
     constexpr int most = 60;
@@ -66,7 +67,7 @@ void settle(Renderer& renderer, const View& view, const RenderSettings& settings
         if (renderer.draw(view, settings, photos, {}, (i - most) * frame_seconds).settled && i > 1) return;
 }
 
-/// Keeps the largest steps, the largest first.
+/// Keeps the largest steps, largest first.
 void keep_worst(std::vector<ShownStep>& shown, int most, std::size_t frame, const ColorStep& step,
                 const SeenFrame& now, const SeenFrame& then) {
     const auto at = std::ranges::find_if(shown, [&](const ShownStep& s) { return s.patches < step.p99; });
@@ -114,12 +115,12 @@ void write_pictures(const std::filesystem::path& folder, const std::vector<Shown
 }
 
 void plot(const std::filesystem::path& file, const std::vector<FrameStep>& steps) {
-    Curve mean{"picture", {}}, patches{"worst hundredth of it", {}};
+    Curve mean{"picture", {}}, patches{"worst 1 % of the picture", {}};
     for (const FrameStep& s : steps) {
         mean.values.push_back(s.color.mean);
         patches.values.push_back(s.color.p99);
     }
-    write_plot(file, "step of the surface's color from frame to frame", "gray levels", {mean, patches});
+    write_plot(file, "change in the surface's color from frame to frame", "gray levels", {mean, patches});
 }
 
 void print(const Smoothness& s, const std::vector<FrameStep>& steps) {
@@ -129,12 +130,13 @@ void print(const Smoothness& s, const std::vector<FrameStep>& steps) {
                      name, f.mean, f.p99, f.max, per_degree);
     };
     row("picture", s.mean, s.mean_per_degree);
-    row("worst hundredth of it", s.patches, s.patches_per_degree);
+    row("worst 1 % of the picture", s.patches, s.patches_per_degree);
     std::fprintf(text_output(), "%.1f degrees around the surface; worst after frame %zu\n", s.degrees,
                  s.worst);
     if (const std::size_t n = frames_with_tiles_missing(steps))
         std::fprintf(text_output(),
-                     "%zu frames lacked tiles: damaged ones, or too little --graphics-memory\n", n);
+                     "%zu frames lacked tiles, because tiles are damaged or --graphics-memory is too small\n",
+                     n);
 }
 
 }  // namespace

@@ -22,12 +22,12 @@ struct SmoothnessOptions {
 struct FrameStep {
     ColorStep color;
     std::size_t photos = 0,
-                changed = 0;  ///< photos drawn in the next frame; photos drawn in only one of the two
+                changed = 0;  ///< photos drawn in the next frame; photos drawn in only one of the two frames
     std::size_t tiles_missing = 0;
 };
 
-/// Mean, 99th percentile and maximum over the frames, both of each picture's mean and of its 99th percentile,
-/// in gray levels; and the sums per degree.
+/// Statistics over the frames of each picture's mean change and of its 99th percentile, in gray levels: mean,
+/// 99th percentile, maximum, and the sums per degree.
 struct Smoothness {
     FrameStatistics mean, patches;
     double degrees = 0, mean_per_degree = 0, patches_per_degree = 0;
@@ -42,13 +42,13 @@ struct ShownStep {
     Picture now, then;
 };
 
-/// Flies a path with all tiles loaded. Stores the `worst` largest changes in `shown`, the largest first.
-/// Belongs to the OpenGL thread.
+/// Flies a path with all tiles loaded. Stores the `worst` largest changes in `shown`, largest first. Belongs
+/// to the OpenGL thread.
 std::vector<FrameStep> fly_in_steps(const PackageReader& package, const SmoothnessOptions& options,
                                     const std::vector<Navigation>& path, FrameSize size,
                                     std::vector<ShownStep>& shown);
 
-/// Measures changes of surface colors from frame to frame; prints a summary and writes steps.csv,
+/// Measures changes in surface colors from frame to frame; prints a summary and writes steps.csv,
 /// summary.json, steps.svg and the largest changes as PNG. Throws Error.
 int run_smoothness(const PackageReader& package, const SmoothnessOptions& options);
 

@@ -30,10 +30,10 @@ void write_total(std::ostream& out, const std::vector<CauseTotal>& totals,
     const Column columns[] = {
         {"cause", "most likely cause of the difference between picture and photo"},
         {"whole frame", "share of the squared error of all whole frames, after gains"},
-        {"dB without it", "rise of the whole frame's PSNR without this error, mean over the photos"},
+        {"dB without it", "increase in the whole frame's PSNR without this error, mean over the photos"},
         {"colored pixels", "share of the squared error where other photos color the picture"},
-        {"dB without it", "rise of the PSNR there, mean over the photos"},
-        {"most in", "the photo with most of this error"},
+        {"dB without it", "increase in the PSNR of these pixels without this error, mean over the photos"},
+        {"most in", "the photo with the largest error from this cause"},
         {"meaning", ""}};
     out << explained_table(columns);
     for (const CauseTotal& t : totals) {
@@ -75,7 +75,7 @@ void write_region(std::ostream& out, const PhotoEvaluation& r, const WorstRegion
         << ": " << formatted("%.1f %%", 100 * w.squares / r.causes.all()) << " of the frame's error";
     if (!is_hole(w.cause))
         out << ", " << formatted("%.1f %%", 100 * w.squares / r.causes.colored())
-            << " of that at colored pixels";
+            << " of the error at colored pixels";
     out << "</figcaption><img class=crop loading=lazy alt='" << name << ' ' << cause_row(w.cause).name
         << "' src='" << escaped(region_file(r, w)) << "'></figure>\n";
 }

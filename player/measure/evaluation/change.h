@@ -9,8 +9,8 @@ namespace vantage {
 /// The change between two pictures of one photo's view, over the pixels that both show.
 struct Change {
     PictureScore before, after;
-    /// The regions in which the squared difference from the photo, after gains, has fallen and risen the
-    /// most; empty if the change is below a root mean square of three gray levels.
+    /// The regions in which the squared difference from the photo, after gains, has decreased and increased
+    /// the most; empty if the change is below a root mean square of three gray levels.
     std::optional<Place> better, worse;
 };
 

@@ -8,13 +8,14 @@
 
 namespace vantage {
 
-/// Fits the photos' colors again with one photo removed, so that it does not affect its rendered view.
+/// Fits the photos' colors again without one photo, so that this photo does not affect the view rendered for
+/// it.
 class ColorsWithout {
   public:
     /// Reads the photos' samples of the surface. Throws Error(damaged).
     explicit ColorsWithout(const PackageReader& package);
 
-    /// Gains, and vignetting if enabled, fitted without `photo` to the others of its image set.
+    /// Gains, and vignetting if enabled, fitted to the photos of its image set except `photo`.
     PhotoColors colors(std::uint32_t photo) const;
     /// The package's records with these colors, to the extent that the effects are enabled for the photo's
     /// image set.

@@ -18,7 +18,7 @@ constexpr double least_judged = 0.5;  ///< fraction of the colored pixels that t
 /// standard deviation of 3 px. Empty blocks have weight 0.
 struct CoarseDifference {
     int columns, rows;
-    std::vector<std::array<float, 4>> blocks;  ///< sums of three channels, and of pixels
+    std::vector<std::array<float, 4>> blocks;  ///< sums in three channels, and number of pixels
 
     /// Squared mean difference over three channels; 0 for weight 0.
     double square(std::size_t i) const {
@@ -44,7 +44,7 @@ void smooth(CoarseDifference& d) {
     }
 }
 
-/// Uses the pixels `where`.
+/// The coarse difference over the pixels at which `where` holds.
 template <class Where>
 CoarseDifference coarse_difference(const Picture& a, const Picture& b, const Where& where) {
     CoarseDifference d{
@@ -88,8 +88,8 @@ class Judge {
     };
     struct Comparison {
         double all = 0,
-               judged = 0;  ///< weights of the colored pixels, and of those that others also show
-        double picture = 0, others = 0;  ///< squared differences there
+               judged = 0;  ///< weights of the colored pixels, and of those that `others` also show
+        double picture = 0, others = 0;  ///< squared differences at the latter
         bool enough() const { return judged > 0 && judged >= least_judged * all; }
     };
     Window window(std::size_t cell) const;
@@ -183,7 +183,7 @@ double Judge::squares(const Picture& picture, const Place& p, PixelShift shift) 
 }
 
 /// Whether a shift of some picture explains the error, and does so better than a change in brightness or
-/// tint: on a smooth gradient the two look alike.
+/// tint, because a shift and such a change look alike on a smooth gradient.
 bool Judge::displaced(const Window& w, std::size_t cell) const {
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
         const PixelShift s = shifts_[k][cell];
@@ -195,7 +195,7 @@ bool Judge::displaced(const Window& w, std::size_t cell) const {
     return false;
 }
 
-/// Low-pass filtered errors of the picture and of others, where both have values.
+/// Low-pass filtered errors of the picture and of `others`, where both have values.
 Judge::Comparison Judge::compare(const Place& p, std::span<const CoarseDifference> others) const {
     Comparison c;
     double weights = 0;
@@ -214,9 +214,9 @@ Judge::Comparison Judge::compare(const Place& p, std::span<const CoarseDifferenc
     return c;
 }
 
-/// Whether other photos contradict each other: one of them is much closer to the photo than the picture is,
-/// to which all contribute; or they differ from each other at least as much as the picture differs from the
-/// photo.
+/// Whether other photos contradict each other. They do if one of them is much closer to the photo than the
+/// picture is, to which all of them contribute. They also do if they differ from each other at least as much
+/// as the picture differs from the photo.
 Cause Judge::by_others(const Window& w) const {
     for (const CoarseDifference& one : alone_) {
         const Comparison c = compare(w.place, std::span(&one, 1));
@@ -247,10 +247,14 @@ const std::array<CauseRow, cause_count>& cause_table() {
         {Cause::unseen, "unseen", "no other photo shows the mesh there", "unseen", {60, 90, 255}},
         {Cause::displaced,
          "displaced",
-         "content a few pixels off: mesh or camera",
+         "content is off by a few pixels: mesh or camera",
          "displaced",
          {230, 60, 200}},
-        {Cause::detail, "fine detail", "gone when smoothed: blur, too sharp, noise", "detail", {60, 200, 90}},
+        {Cause::detail,
+         "fine detail",
+         "disappears when smoothed: blur, oversharpening, noise",
+         "detail",
+         {60, 200, 90}},
         {Cause::disagreement,
          "disagreement",
          "the other photos differ from each other",

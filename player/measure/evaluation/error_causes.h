@@ -15,7 +15,7 @@ inline constexpr std::size_t cause_count = std::size_t(Cause::count);
 /// Texts and color of a cause.
 struct CauseRow {
     Cause cause;
-    const char *name, *meaning;         ///< a word or two; one line
+    const char *name, *meaning;         ///< one or two words; one line of text
     const char* file;                   ///< part of file and column names
     std::array<std::uint8_t, 3> color;  ///< on maps
 };
@@ -30,8 +30,8 @@ struct CauseSquares : std::array<double, cause_count> {
     double of(Cause cause) const { return (*this)[std::size_t(cause)]; }
     double all() const;
     double colored() const;                   ///< without holes
-    double share(Cause cause) const;          ///< fraction of all(); 0 without any error
-    double colored_share(Cause cause) const;  ///< fraction of colored(); 0 for holes and without any error
+    double share(Cause cause) const;          ///< fraction of all(); 0 if there is no error
+    double colored_share(Cause cause) const;  ///< fraction of colored(); 0 for holes and if there is no error
 };
 
 /// The squared error of a frame, attributed to the causes.
@@ -48,12 +48,13 @@ struct CauseEvidence {
     const Picture& shown;              ///< see as_in_window; gains applied
     std::span<const Picture> alone;    ///< the view rendered from single photos, with the same gains
     const Plane& errors;               ///< see squared_errors
-    const std::vector<bool>& taken;    ///< the photo has a valid pixel
-    const std::vector<bool>& colored;  ///< a photo contributes to the picture
-    const std::vector<bool>& surface;  ///< the pixel shows the mesh
+    const std::vector<bool>& taken;    ///< whether the photo's pixel is valid
+    const std::vector<bool>& colored;  ///< whether a photo contributes to the picture's pixel
+    const std::vector<bool>& surface;  ///< whether the pixel shows the mesh
 };
 
-/// Assigns the error of each uncolored pixel and that of each cell's colored pixels to one cause.
+/// Assigns the error of each uncolored pixel to one cause, and the error of each cell's colored pixels to one
+/// cause.
 CauseMap find_causes(const CauseEvidence& evidence);
 
 }  // namespace vantage

@@ -70,8 +70,8 @@ void write_regions(const std::filesystem::path& file, const PackageReader& packa
     replace_file(file, out.view());
 }
 
-/// Green to red for 0 to 40 gray levels, blue if mostly no other photo shows the photo's surface, gray if no
-/// photo was compared.
+/// Green to red for 0 to 40 gray levels, blue if no other photo shows most of the region, gray if no photo
+/// was compared there.
 std::array<int, 3> error_color(const RegionError& r) {
     if (r.pixels == 0) return {128, 128, 128};
     if (2 * r.uncolored > r.pixels) return {60, 90, 255};
@@ -151,21 +151,20 @@ void expect_earlier(const EvaluateOptions& o) {
     if (o.against.empty()) return;
     if (!std::filesystem::is_directory(o.against))
         throw Error(Exit::input,
-                    o.against.string() + ": not a folder, expected that of an earlier evaluation");
+                    o.against.string() + ": not a folder, expected the folder of an earlier evaluation");
     std::error_code none;
     if (std::filesystem::equivalent(o.against, o.folder, none))
         throw Error(Exit::usage,
                     o.against.string() + ": would be overwritten, expected another folder for -o");
 }
 
-/// Reports pose refinement, which the held-out photos have influenced.
+/// Warns that the held-out photos have influenced pose refinement.
 void report_pose_refinement(const PackageReader& package) {
     if (effect_on(package.scene(), Effect::pose_refinement) &&
         !package.find(package::Type::pose_refinement_without))
-        std::fprintf(
-            text_output(),
-            "the cameras were moved together, with the photos held out; for figures without them, use "
-            "vantage prepare --hold-out\n");
+        std::fprintf(text_output(),
+                     "the held-out photos took part in the refinement of all cameras; for results that they "
+                     "do not influence, use vantage prepare --hold-out\n");
 }
 
 /// The package's data with one photo held out.

@@ -82,31 +82,31 @@ void figure(std::ostream& out, const PhotoEvaluation& r) {
 const Column photo_columns[] = {
     {"photo", ""},
     {"PSNR, dB",
-     "similarity of picture and photo where other photos color it: 10 log10(255\u00b2 / mean squared "
-     "difference "
-     "of sRGB codes). Higher is better; 6 dB more: half the difference"},
-    {"after gain", "the same after the best gain per channel, independent of exposure"},
-    {"SSIM", "structural similarity there, at most 1 (Wang et al. 2004)"},
-    {"after gain", "the same after that gain"},
+     "similarity of picture and photo where other photos color the picture: 10 log10(255\u00b2 / mean "
+     "squared difference of sRGB codes). Higher is better; 6 dB more is half the difference"},
+    {"after gain", "PSNR after the best gain per channel, which makes it independent of exposure"},
+    {"SSIM", "structural similarity where other photos color the picture, at most 1 (Wang et al. 2004)"},
+    {"after gain", "SSIM after the best gain per channel"},
     {"whole frame, dB", "PSNR after gain over the whole frame as displayed in the window, including holes"},
-    {"SSIM", "the same over the whole frame"},
+    {"SSIM", "SSIM after gain over the whole frame"},
     {"over nearest, dB", "PSNR gain over the nearest photo alone; positive: blending helps"},
     {"colored", "share of the photo's surface that other photos show"},
     {"stops", "typical brightness of the photo relative to the picture: +1 is twice the light, -1 half"},
     {"right, px", "offset of the photo's content from the picture's, in px of the full size"},
-    {"down, px", "the same downward"},
+    {"down, px", "offset downward"},
     {"sharp",
-     "energy of the finest detail in the picture relative to the photo: 1 is equally sharp, less is blurred"},
+     "energy of the finest detail in the picture relative to the photo: 1 is equally sharp, less than 1 is "
+     "blurrier"},
     {"", ""}};
 
 const Column change_columns[] = {
     {"photo", ""},
     {"before, dB", "PSNR after gain in the earlier evaluation"},
-    {"now", "the same in this one, in dB"},
+    {"now", "PSNR after gain in this evaluation"},
     {"change", "now minus before, in dB; positive is better"},
-    {"SSIM", "change of SSIM; positive is better"},
+    {"SSIM", "change in SSIM; positive is better"},
     {"sharp before", "energy of the finest detail relative to the photo: 1 is equally sharp"},
-    {"now", "the same in this evaluation"},
+    {"now", "that energy in this evaluation"},
     {"", ""}};
 
 void crop(std::ostream& out, const std::string& name, const char* kind, const char* where) {
@@ -119,9 +119,8 @@ void crop(std::ostream& out, const std::string& name, const char* kind, const ch
 void changes(std::ostream& out, const std::vector<PhotoEvaluation>& results) {
     const std::vector<std::size_t> order = by_change(results);
     if (order.empty()) return;
-    out << "<h2>Changes since the earlier evaluation</h2>\n<p>After gains, over the pixels colored in both; "
-           "the "
-           "largest loss first. Crops: the photo, before, now.</p>\n"
+    out << "<h2>Changes since the earlier evaluation</h2>\n<p>After gains, over the pixels colored in both "
+           "evaluations; largest loss first. Crops: the photo, before, now.</p>\n"
         << explained_table(change_columns);
     for (const std::size_t i : order) {
         const auto& [before, after, better, worse] = *results[i].change;

@@ -14,10 +14,10 @@ struct CauseTotal {
     double share = 0, colored_share = 0;        ///< fraction of all photos' squared errors, see CauseSquares
     double decibels = 0, colored_decibels = 0;  ///< mean gain in PSNR over the photos without this error, for
                                                 ///< the frame and for the colored pixels
-    std::size_t worst = 0;                      ///< index of the photo with the largest such error
+    std::size_t worst = 0;                      ///< index of the photo with the largest error from this cause
 };
 
-/// One per cause with nonzero error, the largest share first.
+/// One entry per cause with nonzero error, largest share first.
 std::vector<CauseTotal> cause_totals(const std::vector<PhotoEvaluation>& results);
 
 /// Prints the header of the table of photos. `names`: width of the first column.
@@ -28,10 +28,10 @@ void print_means(const std::vector<PhotoEvaluation>& results, int names);
 /// Prints one line per cause with nonzero error.
 void print_causes(const std::vector<PhotoEvaluation>& results);
 
-/// The same values, an object per photo.
+/// The values that print_row() prints, as one object per photo.
 nlohmann::json json_of(const std::vector<PhotoEvaluation>& results);
 
-/// Writes one line per photo, with the same values and more, as CSV. Throws Error(storage).
+/// Writes one line per photo as CSV, with these and more values. Throws Error(storage).
 void write_photos(const std::filesystem::path& file, const std::vector<PhotoEvaluation>& results);
 
 }  // namespace vantage

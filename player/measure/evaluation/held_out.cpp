@@ -61,8 +61,9 @@ void add_regions(const PlanScene& scene, std::span<const std::uint32_t> triangle
     }
 }
 
-/// The view from single photos: the nearest, and with one sample per pixel the two that agree best with the
-/// view. Returns fewer if fewer photos show part of it. `plan`: the plan of the view.
+/// The view rendered from single photos: from the nearest photo, and with one sample per pixel from each of
+/// the two photos that agree best with the view. Returns fewer pictures if fewer photos show part of the
+/// view. `plan`: the plan of the view.
 std::vector<Picture> pictures_alone(Renderer& renderer, RenderSettings settings,
                                     std::span<const std::uint32_t> others, const View& view,
                                     std::vector<std::uint32_t> plan) {
@@ -168,14 +169,15 @@ void remark(std::vector<PhotoEvaluation>& results) {
             continue;
         }
         const double off = std::hypot(r.shift[0], r.shift[1]);
-        if (off > 1) r.remarks.push_back(formatted("offset by %.1f px: its camera, or the mesh", off));
+        if (off > 1)
+            r.remarks.push_back(formatted("offset by %.1f px: its camera or the mesh is inexact", off));
         if (const double stops = r.brightness.stops; std::abs(stops) > 0.15 && r.brightness.throughout())
             r.remarks.push_back(formatted("%.2f stops %s than the others", std::abs(stops),
                                           stops > 0 ? "brighter" : "darker"));
         if (const double odd = r.causes.colored_share(Cause::odd_photo);
             odd > 0.5 && std::sqrt(r.causes.of(Cause::odd_photo) / (3.0 * double(r.score.pixels))) > odd_rms)
             r.remarks.push_back(
-                formatted("the others agree on something else in a part of it (%.0f %% of the error): "
+                formatted("the others agree on other content in a part of this photo (%.0f %% of the error): "
                           "something in front of it, gloss, or other light",
                           100 * odd));
         if (r.colored < 0.95)

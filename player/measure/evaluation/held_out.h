@@ -21,25 +21,25 @@ struct PhotoEvaluation {
     CauseSquares causes{};           ///< the frame's squared error after gains
     std::vector<WorstRegion> worst;  ///< at most four, with different causes
     double colored = 0;              ///< fraction of the photo's surface pixels that have a color
-    double over_nearest = 0;  ///< dB above the nearest photo alone, after gains, over pixels colored in both
+    double over_nearest = 0;         ///< PSNR gain over the nearest photo alone, dB, where both have a color
     std::array<double, 2> shift{0, 0};  ///< photo pixels at full size, see shift_of
     RelativeBrightness brightness;      ///< of the photo
     std::vector<std::string> remarks;   ///< likely problems
-    std::optional<Change> change;       ///< change since an earlier evaluation of the same photo
+    std::optional<Change> change;       ///< change since an earlier evaluation of this photo
 };
 
 /// The error of the pictures on a part of the model.
 struct RegionError {
     std::size_t pixels = 0, uncolored = 0;
     double squares = 0;  ///< sum of squared differences after gains, over three channels
-    double rms() const;  ///< gray levels of 255; 0 without colored pixels
+    double rms() const;  ///< gray levels, 0 to 255; 0 without colored pixels
 };
 
 struct EvaluationPictures {
     Picture photo, rendered, difference;
     Picture shown;               ///< the whole frame, see as_in_window; gains applied
     Picture causes;              ///< see cause_picture
-    std::vector<Picture> alone;  ///< from single photos, after gains: the nearest and the best agreeing ones
+    std::vector<Picture> alone;  ///< from single photos, after gains: the nearest, then those that agree best
     std::vector<Picture> worst;  ///< pictures of PhotoEvaluation::worst, see region_picture
     std::vector<bool> scored;    ///< per pixel: visible in the photo and colored in the rendered picture
 };

@@ -46,7 +46,7 @@ float sum_over(const Plane& blocks, Place p) {
     return sum;
 }
 
-/// All shifts, the smallest first.
+/// All shifts, smallest first.
 std::vector<PixelShift> shifts() {
     std::vector<PixelShift> out;
     for (int y = -max_shift; y <= max_shift; ++y)

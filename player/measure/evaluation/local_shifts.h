@@ -14,8 +14,9 @@ struct PixelShift {
 inline constexpr int max_shift = 6;  ///< px in each direction
 
 /// For each cell with its margin, the shift of up to `max_shift` px that minimizes the squared difference
-/// between picture(x + shift) and photo(x) over the pixels whose `mask` is 1 (otherwise 0); of equal minima,
-/// the smaller shift. The picture is extended by its edge pixels. All planes have the same size.
+/// between picture(x + shift) and photo(x). Only uses pixels whose `mask` is 1; the other pixels have 0. If
+/// minima are equal, takes the smallest shift. The picture is extended by its edge pixels. All planes have
+/// the same size.
 std::vector<PixelShift> local_shifts(const Plane& photo, const Plane& picture, const Plane& mask);
 
 }  // namespace vantage

@@ -47,8 +47,8 @@ double mean_ssim(const Picture& photo, const Picture& picture, const std::vector
 PictureScore score(const Picture& photo, const Picture& picture, const std::vector<bool>& scored);
 
 /// The shift of the picture's content relative to the photo's, in pixels to the right and down: least squares
-/// over the gradients (Lucas and Kanade 1981), after gains; {0, 0} without enough gradients. For shifts of a
-/// few pixels.
+/// over the gradients (Lucas and Kanade 1981), after gains; {0, 0} if there are not enough gradients. Only
+/// valid for shifts of a few pixels.
 std::array<double, 2> shift_of(const Picture& photo, const Picture& picture, const std::vector<bool>& scored);
 
 /// The largest difference over each pixel's channels, after gains, from black through red and yellow to white

@@ -12,7 +12,7 @@ namespace {
 
 /// Maximum distance of the quartiles from the median, as a fraction of it.
 constexpr double spread = 0.5;
-constexpr double darkest = 1e-3;  ///< linear light; ratios below it are noise
+constexpr double darkest = 1e-3;  ///< linear light; below this value, ratios are noise
 
 /// BT.709 luminance of linear light.
 double light(const Picture& p, std::size_t pixel) {

@@ -9,12 +9,12 @@ namespace vantage {
 struct WorstRegion {
     Cause cause;
     Place place;
-    double squares;  ///< squared error from this cause here
+    double squares;  ///< squared error from this cause in the region
 };
 
-/// For each cause, the square (see searched_side) with the largest squared error from it. Keeps squares with
-/// at least 1 % of the frame's squared error (for causes at colored pixels, of the error there), and returns
-/// the `most` largest of them, largest first.
+/// For each cause, the square (see searched_side) with the largest squared error from that cause. Keeps
+/// squares with at least 1 % of the frame's squared error or, for causes at colored pixels, of the squared
+/// error at these pixels. Returns the `most` largest of them, largest first.
 std::vector<WorstRegion> worst_regions(const CauseMap& map, std::size_t most);
 
 /// Crops of a region, left to right: the photo, the picture, their difference (see difference_picture) in the

@@ -155,6 +155,6 @@ TEST_F(SmoothnessOfFlights, ProgramWritesTheSameTwice) {
     EXPECT_EQ(pictures, 2u);
     std::ofstream(dir / "one.path") << "0 -10 1 0 0 1\n";
     EXPECT_EQ(run("--path " + (dir / "one.path").string()), 3 << 8);
-    EXPECT_NE(slurp(dir / "output").find("one.path: a path of one view, expected at least two"),
+    EXPECT_NE(slurp(dir / "output").find("one.path: a path with one view, expected at least two views"),
               std::string::npos);
 }
