@@ -7,8 +7,8 @@ namespace vantage {
 
 void add_fps_option(const Command& c, double& fps, const std::string& group) {
     c.real("--fps", fps, 0, 1000,
-           "frames per second to keep in motion, by a lower resolution and fewer photos; 0: always in full "
-           "(default 30, 15 with a software renderer; in a headset, as many as it shows)")
+           "target frame rate in motion, reached by lowering the resolution and blending fewer photos; 0: "
+           "always full frames (default 30, 15 with a software renderer; in a headset, its refresh rate)")
         .group(group);
 }
 

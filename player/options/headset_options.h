@@ -5,7 +5,7 @@ namespace vantage {
 class Command;
 
 struct HeadsetOptions {
-    double unit_meters = 0;  ///< meters per scene unit; 0: from the measurements, or else unknown
+    double unit_meters = 0;  ///< meters per scene unit; 0: from the measurements, otherwise unknown
 };
 void add_headset_options(const Command& command, HeadsetOptions& options);
 

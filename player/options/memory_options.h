@@ -14,7 +14,7 @@ struct MemoryOptions {
     std::size_t upload_bytes() const { return std::size_t(upload_kib) << 10; }  ///< per frame
 };
 void add_memory_options(const Command& command, MemoryOptions& options);
-/// --upload-budget, for commands that upload within a budget.
+/// Adds --upload-budget, for commands that upload within a budget.
 void add_upload_option(const Command& command, MemoryOptions& options);
 
 MemoryBudget memory_budget(const MemoryOptions& options);

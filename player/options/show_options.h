@@ -36,7 +36,7 @@ struct ShowOptions {
 
 /// The common options of verbs that draw a scene, except the package and the output.
 void add_scene_options(const Command& command, ShowOptions& options);
-/// The action of a command that shows a scene until it is closed, with remembered settings.
+/// Sets the action of a command that shows a scene, with saved settings, until the scene is closed.
 void show_by(const Command& command, const std::shared_ptr<ShowOptions>& options,
              int (*show)(const ShowOptions& options));
 

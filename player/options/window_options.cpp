@@ -28,7 +28,8 @@ void add_window_options(const Command& c, WindowOptions& o) {
 void add_kiosk_options(const Command& c, WindowOptions& o) {
     c.real("--idle-timeout", o.home_after, 1, 86400,
            "seconds until an idle kiosk returns to the first view (default: from the story, or 60)");
-    c.file("--attract", o.tour, "recorded path to play in a loop until touched (default: from the story)");
+    c.file("--attract", o.tour,
+           "recorded path to play in a loop until someone touches the screen (default: from the story)");
 }
 
 }  // namespace vantage

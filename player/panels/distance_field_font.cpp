@@ -13,8 +13,8 @@ namespace vantage {
 namespace {
 
 constexpr float line_texels = 48;
-// Provides room for antialiasing of text lines of at least line_texels / (2 * spread) pixels, which is far
-// too small to read.
+// Provides room for antialiasing of text lines with a height of at least line_texels / (2 * spread) pixels,
+// which is far too small to read.
 constexpr int spread = 8;
 
 void add_font(ImFontAtlas& fonts) {

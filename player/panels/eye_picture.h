@@ -13,8 +13,8 @@ struct ModelDepth {
     FrameSize frame{};  ///< the used part of the texture, from its first texel; pixels
 };
 
-/// A finished picture of an eye, for drawing overlays: sRGB, 8 bits. Overlays behind the model are drawn with
-/// share_behind of their opacity, so that they remain visible.
+/// A finished picture for one eye, on which overlays are drawn: sRGB, 8 bits. Overlays behind the model are
+/// drawn with share_behind of their opacity, so that they remain visible.
 struct EyePicture {
     View view;          ///< perspective; its frame has the size of the target
     double nearest;     ///< near limit of overlays: scene units, above 0
@@ -26,7 +26,8 @@ struct EyePicture {
 /// Clip-from-origin matrix for overlays, with the target's row order and no far limit.
 Eigen::Matrix4d clip_from_origin(const EyePicture& eye);
 
-/// Makes a program, which blends over the picture and includes hidden.glsl, current and sets its uniforms.
+/// Makes a program current and sets its uniforms. The program blends over the picture and includes
+/// hidden.glsl.
 void begin_over_picture(const gl::Program& program, const EyePicture& eye);
 
 /// Restores the blending state that other passes expect.

@@ -17,7 +17,8 @@ void GrowingBuffer::begin(std::size_t bytes) {
 
 void GrowingBuffer::write(std::span<const std::byte> bytes) {
     if (bytes.empty()) return;
-    if (bytes.size() > room_ - used_) throw std::logic_error("a buffer has less room than is written to it");
+    if (bytes.size() > room_ - used_)
+        throw std::logic_error("more bytes are written to a buffer than it can hold");
     glNamedBufferSubData(buffer_.id(), GLintptr(used_), GLsizeiptr(bytes.size()), bytes.data());
     used_ += bytes.size();
 }

@@ -49,12 +49,12 @@ struct Marks {
 
 void clear(Marks& marks);
 
-// All of these skip marks with non-finite positions.
+// All add_...() functions skip marks with non-finite positions.
 
 /// A straight line with round ends that faces the eye.
 void add_line(Marks& marks, const Eigen::Vector3d& from, const Eigen::Vector3d& to, MarkSize width,
               const MarkColor& color);
-/// The same with a color gradient from one end to the other.
+/// A straight line with a color gradient from one end to the other.
 void add_line(Marks& marks, const Eigen::Vector3d& from, const Eigen::Vector3d& to, MarkSize width,
               const MarkColor& color, const MarkColor& end_color);
 /// A polyline, such as an arc; its segments do not overlap at the joints.

@@ -32,7 +32,7 @@ struct Outlines {
     float share(int x, int y) const { return has(x, y) ? float(coverage[index(x, y)]) / 255.0f : 0.0f; }
 };
 
-/// Unit direction in which coverage increases; zero in a texel without one.
+/// Unit direction in which coverage increases; zero in a texel without such a direction.
 Vector2f inward(const Outlines& o, int x, int y) {
     constexpr float corner = 1, side = 1.41421356f;
     Vector2f sum = Vector2f::Zero();
@@ -121,7 +121,7 @@ struct Envelope {
     std::vector<double> from;
 };
 
-/// Computes it from each column's squared distance to the row given by nearest_rows().
+/// Computes the envelope from each column's squared distance to the row given by nearest_rows().
 void find_envelope(const Outlines& o, const std::vector<std::int32_t>& rows, int y, Envelope& e) {
     constexpr double everywhere = -std::numeric_limits<double>::infinity();
     const auto height = [&](int x) { return std::pow(double(rows[o.index(x, y)] - y), 2) + double(x) * x; };

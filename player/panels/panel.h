@@ -27,13 +27,14 @@ struct PanelHit {
     double distance;        ///< in lengths of the ray's direction
 };
 
-/// Intersection of the ray from `from` along `along`, of any nonzero length, with the front of the panel's
-/// plane, including beside the panel, so that sliders can be dragged there. Returns nullopt for a ray that
-/// comes from behind, points away, is parallel to the plane, has no direction, or is not finite.
+/// Intersection of the ray from `from` along `along`, whose length may be any nonzero number, with the front
+/// of the panel's plane. The intersection may be beside the panel, so that sliders can be dragged there.
+/// Returns nullopt for a ray that comes from behind, points away, is parallel to the plane, has no direction,
+/// or is not finite.
 std::optional<PanelHit> pixel_on_plane(const Panel& panel, const Eigen::Vector3d& from,
                                        const Eigen::Vector3d& along);
 
-/// The same, limited to the panel.
+/// The intersection of a ray with the front of the panel itself.
 std::optional<PanelHit> pixel_on(const Panel& panel, const Eigen::Vector3d& from,
                                  const Eigen::Vector3d& along);
 

@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-// Maximum mipmap level: the distance of glyphs in the atlas is a texel of this level.
+// Maximum mipmap level, at which glyphs in the atlas are one texel apart.
 constexpr int letter_levels = 4;
 
 template <class T>
@@ -64,7 +64,7 @@ gl::VertexArray panel_vertices() {
 }  // namespace
 
 std::span<ImDrawList* const> lists_of(const ImDrawData& drawn) {
-    // A pointer or, in newer versions, a vector.
+    // CmdLists is a pointer or, in newer versions, a vector.
     return drawn.CmdListsCount > 0 ? std::span(&drawn.CmdLists[0], std::size_t(drawn.CmdListsCount))
                                    : std::span<ImDrawList* const>();
 }

@@ -20,7 +20,9 @@ std::size_t frame_count(double seconds, double frame_rate) {
     constexpr double most = 1e6;
     const double count = std::round(seconds * frame_rate);
     if (!(count <= most))
-        throw Error(Exit::usage, "a video of more than a million frames, expected fewer --seconds");
+        throw Error(
+            Exit::usage,
+            "the video would have more than a million frames, expected a smaller number for --seconds");
     return std::max<std::size_t>(1, std::size_t(count));
 }
 

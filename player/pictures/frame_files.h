@@ -8,7 +8,7 @@
 namespace vantage {
 
 /// The files of a video's frames in a folder, from NAME-0001.png on, with links resolved. Throws Error(usage)
-/// like output_file().
+/// as output_file() does.
 std::vector<std::filesystem::path> frame_files(const std::filesystem::path& folder, const std::string& name,
                                                std::size_t count, const Inputs& inputs, bool force);
 

@@ -27,7 +27,7 @@ namespace {
 constexpr int tile_pixels = 1024;
 constexpr std::int64_t max_row_bytes = std::int64_t(64) << 20;
 
-/// The view of the whole picture; those of its tiles only differ in size and principal point.
+/// The view of the whole picture; the views of its tiles only differ in size and principal point.
 View view_of(const Orthophoto& o, const package::SceneRecord& scene) {
     const Eigen::Map<const Eigen::Vector3d> origin(scene.origin);
     const Eigen::Vector3d middle = origin - o.plane.origin;
@@ -65,7 +65,7 @@ struct Files {
     std::filesystem::path picture, world;  ///< no world file for a TIFF, which includes its georeference
 };
 
-/// The output files, with links resolved. Throws Error(usage) if one must not be replaced.
+/// The output files, with links resolved. Throws Error(usage) if one of them must not be replaced.
 Files output_files(const PackageReader& package, const OrthophotoOptions& o) {
     std::filesystem::path file = o.output.file;
     if (file.empty()) file = package.path().stem().string() + "-orthophoto.png";

@@ -35,7 +35,7 @@ struct Orthophoto {
     double resolution;           ///< input units per pixel
     int width, height;
 };
-/// Has at least one pixel. Throws Error(usage) if it is too large for a PNG.
+/// The picture has at least one pixel. Throws Error(usage) if it is too large for a PNG.
 Orthophoto orthophoto_of(const PicturePlane& plane, const Eigen::AlignedBox2d& extent, double resolution);
 
 /// Size of the tiles that a picture is rendered in: at most as wide as high, with even sides.
@@ -45,9 +45,9 @@ struct TileSize {
 /// The size at which a row of tiles needs at most 64 MiB.
 TileSize tile_size_for(int width);
 
-/// Renders the picture tile by tile, from the top; `row` receives its rows, RGBA, alpha 0 without a surface.
-/// The result does not depend on the tile size. `progress` receives the number of finished tiles and the
-/// total. Returns the package's missing tiles.
+/// Renders the picture tile by tile, from the top; `row` receives the picture's rows, RGBA, with alpha 0
+/// where there is no surface. The result does not depend on the tile size. `progress` receives the number of
+/// finished tiles and the total. Returns the package's missing tiles.
 TilesNotShown draw_orthophoto(Renderer& renderer, const Orthophoto& picture, const PictureSpec& spec,
                               TileSize tile, const std::function<void(std::span<const std::uint8_t>)>& row,
                               const std::function<void(std::size_t done, std::size_t all)>& progress);

@@ -28,9 +28,8 @@ std::filesystem::path picture_file(const std::string& output, const std::string&
     std::error_code error;
     if (count == 1 && lower_extension(out) == ".png" && !std::filesystem::is_directory(out, error))
         return out;
-    expect_folder_name(out, count == 1
-                                ? "a name that ends with .png, the only format of pictures, or a folder"
-                                : "a folder, for " + std::to_string(count) + " pictures");
+    expect_folder_name(out, count == 1 ? "a name that ends with .png, the only picture format, or a folder"
+                                       : "a folder, for " + std::to_string(count) + " pictures");
     return out / (name + ".png");
 }
 

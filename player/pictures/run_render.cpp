@@ -62,8 +62,8 @@ void write_picture(const std::filesystem::path& file, const Picture& picture, co
     out.finish();
 }
 
-/// The files for all pictures, with links resolved. Throws Error(usage) if one must not be replaced, or if
-/// two pictures have the same name.
+/// The files for all pictures, with links resolved. Throws Error(usage) if one of them must not be replaced,
+/// or if two pictures have the same name.
 std::vector<std::filesystem::path> picture_files(const PackageReader& package, const ShowOptions& o,
                                                  const std::vector<Shot>& shots) {
     Inputs inputs = inputs_of(package);
@@ -72,7 +72,8 @@ std::vector<std::filesystem::path> picture_files(const PackageReader& package, c
     std::set<std::string> names;
     for (const Shot& shot : shots) {
         if (!names.insert(shot.name).second)
-            throw Error(Exit::usage, shot.name + ".png: two pictures have this name; take them in two runs");
+            throw Error(Exit::usage,
+                        shot.name + ".png: two pictures have this name; render them in two runs");
         out.push_back(output_file(picture_file(o.output.file, shot.name, shots.size()), Product::png, inputs,
                                   o.output.force));
     }
@@ -179,11 +180,10 @@ int run_render(const PackageReader& package, const ShowOptions& options,
                                          {"colored", colored},
                                          {"seconds", s}});
         if (r.fragments_approximated > 0)
-            std::fprintf(
-                stderr,
-                "vantage-player: %s: %zu of %zu transparent fragments are approximated: more than fit "
-                "into memory, or than %d at a pixel\n",
-                file.c_str(), r.fragments_approximated, r.fragments, shader::max_sorted_fragments);
+            std::fprintf(stderr,
+                         "vantage-player: %s: %zu of %zu transparent fragments are approximated, because "
+                         "they exceed the memory or the limit of %d per pixel\n",
+                         file.c_str(), r.fragments_approximated, r.fragments, shader::max_sorted_fragments);
         std::fflush(text_output());
     }
     return exit_for(package, lacking);

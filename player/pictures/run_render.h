@@ -8,8 +8,8 @@
 namespace vantage {
 
 /// Renders the pictures given by the options, without a display. `objects`: the objects of the scene; the
-/// first one is the package. Returns the exit code: damaged if a tile's checksum mismatched and a coarser one
-/// was shown. Throws Error.
+/// first one is the package. Returns the exit code: damaged if a tile had a checksum mismatch and a coarser
+/// tile was shown. Throws Error.
 int run_render(const PackageReader& package, const ShowOptions& options,
                const std::vector<SceneObject>& objects);
 

@@ -73,8 +73,8 @@ class Frames {
         settings_.points = point_settings(o.points);
         if (story.background) settings_.plain_background = plain_background_of(*story.background);
         has_legend_ = o.pictures.legend && stereo_.mode == StereoMode::off;
-        // If only some photos are blended, their selection changes between frames: they fade, as in the
-        // window.
+        // If only some photos are blended, the selection changes between frames, so photos fade in and out as
+        // in the window.
         settings_.loading = settings_.photos == 0 ? Loading::complete : Loading::repeatable;
     }
     /// `now`: seconds since the first frame.
@@ -90,7 +90,7 @@ class Frames {
     }
 
   private:
-    /// Draws the first frame until nothing fades.
+    /// Draws the first frame until no photo is fading.
     void settle(std::span<const View> eyes, double now) {
         constexpr int most = 60;
         for (int i = 0; i < most; ++i) {
@@ -143,7 +143,7 @@ void print_result(const ShowOptions& o, std::size_t count, bool frames, double s
                  o.video.frame_rate, seconds);
     const std::string name = fs::path(o.package.file).stem().string();
     if (const std::size_t more = frames ? frames_beyond(o.output.file, name, count) : 0)
-        std::fprintf(stderr, "vantage-player: %s: has %zu more frames, of a longer video\n",
+        std::fprintf(stderr, "vantage-player: %s: contains %zu more frames, from a longer video\n",
                      o.output.file.c_str(), more);
     results().update({{"file", o.output.file},
                       {"width", size.width},

@@ -12,9 +12,9 @@ struct tiff;  // libtiff's TIFF
 
 namespace vantage {
 
-/// A TIFF picture that is written row by row, like PngRows, with its position on the plane in GeoTIFF tags
-/// (OGC 19-008r4, user-defined model, pixels are areas): RGBA, 8 bits, deflated; a BigTIFF if it could exceed
-/// 4 GiB.
+/// A TIFF picture that is written row by row, as with PngRows: RGBA, 8 bits, deflated; a BigTIFF if it could
+/// exceed 4 GiB. Its position on the plane is in GeoTIFF tags (OGC 19-008r4, user-defined model, pixels are
+/// areas).
 class TiffRows {
   public:
     /// `upper_left`: corner of the picture, in the plane's coordinates; `resolution`: units per pixel. Throws

@@ -24,8 +24,8 @@ namespace {
 
 bool is_mp4(const std::filesystem::path& file) { return lower_extension(file) == ".mp4"; }
 
-/// The arguments of ffmpeg. Its threads do not change the bytes; version and date are omitted, so that equal
-/// frames give equal files.
+/// The arguments of ffmpeg. Equal frames give equal files: the number of threads does not change the bytes,
+/// and version and date are omitted.
 std::vector<std::string> arguments(const std::filesystem::path& part, bool mp4, const VideoFormat& f) {
     std::ostringstream rate;
     rate << f.frame_rate;
@@ -116,8 +116,9 @@ void VideoEncoder::start() {
     frames_ = std::move(frames);
     if (error == 0) return;
     process_ = -1;
-    throw Error(Exit::input, file_.file().string() + ": ffmpeg cannot be started (" + std::strerror(error) +
-                                 "), expected it to be installed; a folder gets the frames as PNG");
+    throw Error(Exit::input,
+                file_.file().string() + ": ffmpeg cannot be started (" + std::strerror(error) +
+                    "), expected it to be installed; without it, frames can be written to a folder as PNG");
 }
 
 VideoEncoder::~VideoEncoder() {

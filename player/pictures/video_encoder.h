@@ -11,7 +11,8 @@
 
 namespace vantage {
 
-/// Whether a video is written to a file of this name: *.mp4 or *.webm. Otherwise it is a folder of frames.
+/// Whether a video is written to a file of this name: *.mp4 or *.webm. Otherwise the name is that of a folder
+/// of frames.
 bool is_video_file(const std::filesystem::path& file);
 
 /// The format of a video's frames.
@@ -25,7 +26,7 @@ struct VideoFormat {
 /// its name when complete; partial files are removed.
 class VideoEncoder {
   public:
-    /// Throws Error(usage) for a format that the file type does not support, Error(input) if ffmpeg is not
+    /// Throws Error(usage) if the file type does not support the format, Error(input) if ffmpeg is not
     /// installed.
     VideoEncoder(const std::filesystem::path& file, const VideoFormat& format);
     /// Stops ffmpeg and removes the file, unless finish() was called.
@@ -35,7 +36,7 @@ class VideoEncoder {
 
     /// Throws Error(storage) with ffmpeg's last line if it has failed, Error(interrupted) once `stop` is set.
     void write(const Picture& frame, const std::atomic<bool>& stop);
-    /// Waits until the video is complete, and renames it. Throws like write().
+    /// Waits until the video is complete, and renames it. Throws the errors of write().
     void finish(const std::atomic<bool>& stop);
 
   private:

@@ -214,8 +214,8 @@ Judge::Comparison Judge::compare(const Place& p, std::span<const CoarseDifferenc
     return c;
 }
 
-/// Whether other photos contradict each other. They do if one of them is much closer to the photo than the
-/// picture is, to which all of them contribute. They also do if they differ from each other at least as much
+/// The cause according to the other photos, all of which contribute to the picture. They disagree if one of
+/// them is much closer to the photo than the picture is, or if they differ from each other at least as much
 /// as the picture differs from the photo.
 Cause Judge::by_others(const Window& w) const {
     for (const CoarseDifference& one : alone_) {

@@ -27,22 +27,21 @@ void add_blending_options(const Command& c, BlendingOptions& o) {
              "texture coordinates: auto (the package's effect), vertex, fragment")
         .group(blending_group);
     c.text("--exposure", o.exposure,
-           "show colors with this photo's exposure (default: the mean photo's, or from a photo's own camera "
-           "that photo's)")
+           "show colors with this photo's exposure (default: the mean exposure; from a photo's own camera, "
+           "the exposure of that photo)")
         .type("PHOTO")
         .group(blending_group);
     c.flag("--original-colors", r.refined_colors,
-           "original colors, without gains and vignetting; for comparison", false)
+           "original colors, without gains and vignetting correction; for comparison", false)
         .group(blending_group);
     c.flag("--thumbnails", r.thumbnails, "use only the coarsest levels of photos").group(blending_group);
     add_image_set_option(c, o.image_sets);
 }
 
 void add_blended_option(const Command& c, BlendingOptions& o) {
-    c.integer(
-         "--max-photos", o.photos, 0, 1 << 20,
-         "photos to blend; more if necessary to cover the view; 0: all (default 4 in the window, all for "
-         "pictures)")
+    c.integer("--max-photos", o.photos, 0, 1 << 20,
+              "number of photos to blend, or more if necessary to cover the view; 0: all (default 4 in the "
+              "window, all for pictures)")
         .group(blending_group);
 }
 

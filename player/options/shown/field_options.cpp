@@ -10,13 +10,13 @@ void add_field_options(const Command& c, FieldOptions& o) {
     const std::string group = "Scalar fields";
     const Option name =
         c.text("--field", o.name,
-               "show this scalar field instead of the photos: one of the package ('vantage info' lists "
+               "show this scalar field instead of the photos: a field of the package ('vantage info' lists "
                "them under scalar-fields), photo-count (number of photos that see the surface) or "
-               "photo-density (pixels per input unit of the finest of them)")
+               "photo-density (pixels per input unit in the photo with the finest pixels)")
             .group(group);
     c.pair("--field-range", o.range,
-           "values at the ends of the color map, LOW,HIGH; beyond, the end's color (default: lowest and "
-           "highest value)")
+           "values at the ends of the color map, LOW,HIGH; values beyond an end have its color (default: "
+           "lowest and highest value)")
         .group(group)
         .needs(name);
     c.integer("--isolines", o.shown.isolines, 0, 100,

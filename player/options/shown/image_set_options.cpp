@@ -30,21 +30,22 @@ std::string image_set_and_share(const std::string& text, double& share) {
 void add_image_set_option(const Command& c, ImageSetOptions& o) {
     c.text("--image-set", o.image_set,
            "show the photos of this image set only, such as infrared ('vantage info' lists a package's "
-           "image sets; default: the first one, or that of the photo to look from)")
+           "image sets; default: the first one, or that of the photo to view from)")
         .group(image_sets_group);
 }
 
 void add_second_image_set_options(const Command& c, ImageSetOptions& o) {
-    const Option second = c.text("--second-image-set", o.second,
-                                 "another image set to show with it, and its share, 0 to 1 (default 0.5)")
-                              .type("NAME[=SHARE]")
-                              .group(image_sets_group);
+    const Option second =
+        c.text("--second-image-set", o.second,
+               "another image set to show with the first, and its share, 0 to 1 (default 0.5)")
+            .type("NAME[=SHARE]")
+            .group(image_sets_group);
     c.choice("--image-set-view", o.view,
              {{"mix", ImageSetView::mix},
               {"swipe", ImageSetView::swipe},
               {"side-by-side", ImageSetView::side_by_side}},
-             "mix: by its share; swipe: to the right of that share of the width; side-by-side: the middle "
-             "half of each picture")
+             "mix: the second image set is mixed in by its share; swipe: it is shown to the right of that "
+             "share of the width; side-by-side: the middle half of each picture is shown")
         .group(image_sets_group)
         .needs(second);
 }
@@ -59,7 +60,7 @@ ImageSetSettings image_set_settings(const PackageReader& package, const ImageSet
     (o.view == ImageSetView::swipe ? out.swipe : out.share) = share;
     out.other = image_set_named(package, name);
     if (out.other == out.shown)
-        throw Error(Exit::usage, "image set '" + name + "' is shown already, expected another one");
+        throw Error(Exit::usage, "image set '" + name + "' is already shown, expected another image set");
     return out;
 }
 

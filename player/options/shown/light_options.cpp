@@ -7,16 +7,15 @@ namespace vantage {
 
 void add_light_options(const Command& c, LightOptions& o) {
     const std::string group = "Light";
-    const Option light =
-        c.choice("--light", o.shown.light,
-                 {{"photos", Light::photos},
-                  {"lamp", Light::lamp},
-                  {"raking", Light::raking},
-                  {"normals", Light::normals}},
-                 "photos (default: their own light), or light on the bare geometry: lamp (at the viewer), "
-                 "raking (from a low angle), normals (the surface's directions as colors: right, up, toward "
-                 "the viewer)")
-            .group(group);
+    const Option light = c.choice("--light", o.shown.light,
+                                  {{"photos", Light::photos},
+                                   {"lamp", Light::lamp},
+                                   {"raking", Light::raking},
+                                   {"normals", Light::normals}},
+                                  "photos (default: the light in the photos), or light on the bare geometry: "
+                                  "lamp (at the viewer), raking (from a low angle), normals (surface normals "
+                                  "as colors: right, up, toward the viewer)")
+                             .group(group);
     c.pair("--lamp", o.lamp,
            "direction of the raking light, AZIMUTH,ELEVATION in degrees: azimuth 0 from the right of the "
            "picture, 90 from above; elevation above the picture's plane, 1 to 90 (default 135,15)")

@@ -15,7 +15,7 @@ struct PackageOptions {
     std::vector<std::string> exclude;  ///< photos that are not blended
     std::vector<std::string> photos;   ///< photos to view from, or to hold out
 };
-/// FILE; `more` is appended to its help text.
+/// Adds the argument FILE; `more` is appended to its help text.
 Option add_package_argument(const Command& command, PackageOptions& options, const std::string& more = {});
 void add_exclude_option(const Command& command, PackageOptions& options);
 void add_photo_option(const Command& command, PackageOptions& options, const std::string& help);
@@ -23,7 +23,7 @@ void add_photo_option(const Command& command, PackageOptions& options, const std
 /// All photos except the excluded ones. Throws Error(usage) for an unknown name.
 std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& options);
 
-/// The same for one image set.
+/// The photos of one image set, except the excluded ones.
 std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& options,
                                          std::uint32_t image_set);
 

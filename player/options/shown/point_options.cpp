@@ -12,11 +12,12 @@ void add_point_options(const Command& c, PointOptions& o) {
     c.choice("--points", o.show, {"on", "off", "alone"}, "on: with the model; off; alone: without the model")
         .group(group);
     c.choice("--point-color", o.color, {{"photos", PointColor::photos}, {"own", PointColor::own}},
-             "photos: those of the photos, where one shows the point (default without a mesh); own: their "
-             "own (default with a mesh)")
+             "photos: colors from the photos, where one of them shows the point (default without a mesh); "
+             "own: the points' own colors (default with a mesh)")
         .group(group);
     c.text("--point-size", o.size,
-           "diameter: a factor for the gaps between points (2), pixels (2px), or input units (0.02u)")
+           "diameter of points: as a factor of the gaps between points (2), in pixels (2px), or in input "
+           "units (0.02u)")
         .type("SIZE")
         .group(group);
 }

@@ -207,7 +207,7 @@ TEST_F(ImageSetsAtLength, ProgramsKnowThem) {
               "vantage-player: --second-image-set infrared=2: expected NAME or NAME=SHARE with a share from "
               "0 to 1\n");
     EXPECT_EQ(shoot("--photo infrared_0001 --second-image-set visible --image-set-view side-by-side"),
-              "vantage-player: image set 'visible' is shown already, expected another one\n");
+              "vantage-player: image set 'visible' is already shown, expected another image set\n");
     EXPECT_NE(run(player + "list " + file).says.find("infrared_0001.jpg  infrared  260x200"),
               std::string::npos);
     EXPECT_NE(run(vantage + "info " + file).says.find("visible: 5 photos; infrared: 4 photos"),
