@@ -49,7 +49,7 @@ bool paints(const VisibleSurface& s, std::span<const std::uint32_t> behind, std:
 }  // namespace
 
 void find_nearest_shares(const PlanScene& s, const Eigen::Vector3d& eye, std::vector<float>& shares) {
-    // One photo more than have a nonzero weight; the nearest first.
+    // The nearest photos, nearest first: one more than the number of photos with a nonzero weight.
     struct Near {
         std::size_t photo;
         double nearness;

@@ -13,8 +13,8 @@ namespace vantage {
 /// Relative to the origin of the scene.
 Eigen::Vector3d center(const package::ClusterRecord& cluster);
 
-/// A tree of boxes over runs of consecutive clusters, halved down to at most 8; parents precede their
-/// children.
+/// A tree of boxes over runs of consecutive clusters. Runs are halved until they have at most 8 clusters;
+/// parents precede their children.
 struct ClusterTree {
     struct Node {
         Eigen::Vector3d low, high;
@@ -29,15 +29,15 @@ ClusterTree make_cluster_tree(std::span<const package::ClusterRecord> clusters);
 std::vector<std::uint32_t> clusters_in_view(const ClusterTree& tree,
                                             std::span<const package::ClusterRecord> clusters,
                                             const View& view);
-/// The same; replaces the content of `found`.
+/// Finds the same clusters, and replaces the content of `found` with them.
 void find_clusters_in_view(const ClusterTree& tree, std::span<const package::ClusterRecord> clusters,
                            const View& view, std::vector<std::uint32_t>& found);
 
 /// Whether all triangles of the cluster face away from `eye`, according to its normal cone.
 bool faces_away(const package::ClusterRecord& cluster, const Eigen::Vector3d& eye);
 
-/// Near and far planes that enclose the clusters' bounding spheres; `reach` as for clip_range, not used for
-/// orthographic views.
+/// Near and far planes that enclose the clusters' bounding spheres. `reach`: as for clip_range, but not used
+/// for orthographic views.
 Eigen::Vector2d depth_range(std::span<const package::ClusterRecord> clusters,
                             std::span<const std::uint32_t> in_view, const View& view,
                             double reach = std::numeric_limits<double>::infinity());

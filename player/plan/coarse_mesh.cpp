@@ -55,7 +55,8 @@ Eigen::Vector3f normal_of(const Part& part, std::span<const std::uint32_t, 3> t)
     return (part.positions[t[1]] - a).cross(part.positions[t[2]] - a).stableNormalized();
 }
 
-/// For each coarse triangle, the most nearly parallel of the part's triangles at its corners.
+/// For each coarse triangle, the triangle of the part at one of its corners that is most nearly parallel to
+/// it.
 std::vector<std::uint32_t> replaced(const Part& part, std::span<const std::uint32_t> coarse) {
     std::vector<std::uint32_t> at_vertex(part.vertices.size(), 0), out;
     for (std::size_t i = 0; i < part.indices.size(); ++i) at_vertex[part.indices[i]] = std::uint32_t(i / 3);

@@ -20,7 +20,7 @@ struct CoarseMesh {
 std::size_t coarse_triangles(const PlanScene& scene);
 
 /// Simplifies the opaque mesh in parts, with their common borders unchanged (quadric error metrics: Garland
-/// and Heckbert 1997). Empty if there is nothing to simplify, or the thread is asked to stop.
+/// and Heckbert 1997). Empty if there is nothing to simplify or if the thread is asked to stop.
 CoarseMesh make_coarse_mesh(const PlanScene& scene, const std::stop_token& stop);
 
 }  // namespace vantage

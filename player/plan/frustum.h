@@ -16,12 +16,12 @@ struct HalfSpace {
 using Frustum = std::array<HalfSpace, 5>;
 Frustum frustum(const View& view);
 
-/// Position of a box relative to a frustum; never `outside` if a point of it is inside, never `inside` if one
-/// is outside.
+/// Position of a box relative to a frustum; never `outside` if any point of the box is inside, and never
+/// `inside` if any point is outside.
 enum class Side { outside, across, inside };
 Side side_of(const Frustum& planes, const Eigen::Vector3d& low, const Eigen::Vector3d& high);
 
-/// Whether a sphere intersects all half-spaces; true if any of it is inside.
+/// Whether a sphere intersects all half-spaces; true if any part of the sphere is inside.
 bool reaches(const Frustum& planes, const Eigen::Vector3d& center, double radius);
 
 }  // namespace vantage

@@ -11,7 +11,7 @@ namespace vantage {
 class LensTables {
   public:
     LensTables() = default;
-    /// Throws Error(damaged), see lens_of().
+    /// Throws Error(damaged) if lens_of() does.
     explicit LensTables(const PackageReader& package);
     /// Null if the photo has no lens.
     const LensTable* of(std::uint32_t photo) const;

@@ -9,8 +9,8 @@
 namespace vantage {
 namespace {
 
-/// Whether the view's frame lies within the photo. Both have the same eye. Tolerates two pixels of the view:
-/// plans are made for frames that are one pixel wider on each side.
+/// Whether the view's frame lies within the photo, which must have been taken from the view's eye. Tolerates
+/// two pixels of the view: plans are made for frames that are one pixel wider on each side.
 bool shows_all(const PlanScene& scene, std::uint32_t photo, const View& view) {
     const Intrinsics &from = view.intrinsics, &to = scene.intrinsics[photo];
     const LensTable* lens = scene.lenses.of(photo);

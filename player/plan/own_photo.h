@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// The photo, if any, that was taken from the viewer's position and covers the view's frame. It sees
+/// The photo, if any, that was taken from the viewer's position and covers the view's frame. This photo sees
 /// everything that the viewer sees, and near its own camera it outweighs all others (shaders/blend.frag).
 std::optional<std::uint32_t> own_photo(const PlanScene& scene, const View& view,
                                        std::span<const std::uint32_t> photos);

@@ -24,8 +24,8 @@ bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d
     return !away || faces_away(c, photo);
 }
 
-/// The largest and the smallest weight of a photo in a cluster, where visible and far from borders
-/// (shaders/blend.frag); with and without the factor near its own camera.
+/// The largest and the smallest weight of a photo in a cluster, where the cluster is visible and far from
+/// borders (shaders/blend.frag). Both with and without the factor that applies near the photo's own camera.
 struct WeightRange {
     double most = 1, least = 1, most_plain = 1, least_plain = 1;
 };
@@ -36,7 +36,7 @@ WeightRange weight_range(const VisibleSurface& s, const PlanSettings& settings, 
     const double distance = std::max((center(c) - s.eye).norm(), 1e-30);
     const double theta = ray_angle(center(c), s.eye, camera.center),
                  turn = c.radius * std::abs(1 / distance - 1 / (center(c) - camera.center).norm());
-    // Samples of the picture per unit of the surface.
+    // Samples of the picture per scene unit on the surface.
     const double wanted = settings.samples * s.view.intrinsics.fx / distance;
     const double rate =
         std::min(std::exp2(s.scene.coverage[camera.photo][cluster].log2_density / 256.0) / wanted, 1.0);
@@ -50,7 +50,7 @@ WeightRange weight_range(const VisibleSurface& s, const PlanSettings& settings, 
     return {most * factor(nearest), least * factor(farthest), most, least};
 }
 
-/// For each cluster, whether a photo sees all of its visible triangles, at least in part.
+/// For each cluster, whether a photo sees at least a part of each visible triangle.
 std::vector<bool> sees_all_seen(const VisibleSurface& s, std::uint32_t photo) {
     std::vector<bool> out(s.scene.clusters.size(), !s.triangles.empty());
     for (std::size_t i = 0; i < s.triangles.size(); ++i)
@@ -62,7 +62,7 @@ std::vector<bool> sees_all_seen(const VisibleSurface& s, std::uint32_t photo) {
 struct Candidates {
     std::vector<CameraOfPhoto> cameras;
     std::optional<std::size_t> own;  ///< see own_photo()
-    std::vector<bool> own_sees;      ///< per cluster: it sees all visible triangles
+    std::vector<bool> own_sees;      ///< per cluster: whether `own` sees all visible triangles
 };
 
 Candidates candidates_of(const VisibleSurface& s, const PlanSettings& settings,
@@ -78,10 +78,11 @@ Candidates candidates_of(const VisibleSurface& s, const PlanSettings& settings,
     return out;
 }
 
-/// Assigns each cluster to the chosen photos that see it, except for those whose weight relative to a photo
-/// that sees the whole cluster is below one color level: they would be visible only where the other photo's
-/// weight maps are 0. A photo has an even larger weight if the viewer is at its camera, so these photos
-/// appear along its borders. A reduced plan has only photos with large weights.
+/// Assigns each cluster to the chosen photos that see it. Skips photos whose weight relative to a photo that
+/// sees the whole cluster is below one color level: they would be visible only where the other photo's weight
+/// maps are 0. If the viewer is at the other photo's camera, that photo's weight is even larger. Photos that
+/// are negligible only because of this factor are not skipped; they appear along its borders. A reduced plan
+/// has only photos with large weights.
 void assign_clusters(const VisibleSurface& s, const PlanSettings& settings, const Candidates& candidates,
                      std::vector<PlannedPhoto>& photos) {
     const double least = settings.reduced ? 0.3 : 1.0 / 256, least_own = 1e-5;

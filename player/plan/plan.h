@@ -16,20 +16,20 @@ struct Plan {
     std::vector<std::uint32_t> clusters;  ///< opaque
     std::vector<PlannedPhoto> photos;     ///< photos of the mesh
     std::vector<PlannedPhoto> behind;     ///< photos of the background, see plan_background
-    PhotoChoice choice;  ///< the full selection, including photos that show none of the clusters
-    double uncovered =
-        0;  ///< fraction of the surface in view of the viewer and of allowed photos that no chosen photo sees
+    PhotoChoice choice;    ///< the full selection, including photos that show none of the clusters
+    double uncovered = 0;  ///< fraction of the surface in view of allowed photos that no chosen photo sees
 };
 
 /// Information about a view from previous frames.
 struct PlanContext {
     std::span<const std::uint32_t> previous{};  ///< photos that are slightly preferred, to avoid flicker
-    /// With the visible triangles, the plan covers the visible surface; without them, everything in view.
+    /// With the visible triangles, the plan covers the visible surface; without them, it covers everything in
+    /// view.
     Seen seen{};
     const PhotoChoice* chosen = nullptr;  ///< fixed choice of photos, as made for another view
 };
 
-/// Chooses among the photos `allowed`. A pure function.
+/// Chooses among the photos `allowed`. This is a pure function.
 Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
                std::span<const std::uint32_t> allowed, const PlanContext& context = {});
 

@@ -16,7 +16,8 @@ std::uint32_t first_triangle_behind(std::size_t triangles) {
     return std::uint32_t(64 * package::visible_words(triangles));
 }
 
-/// The mesh's bits followed by the background's, first for triangles seen entirely, then in part.
+/// The mesh's bits followed by the background's, first for triangles seen entirely, then for triangles seen
+/// in part.
 std::vector<std::uint64_t> joined_bits(std::span<const std::uint64_t> mesh,
                                        const std::vector<std::uint64_t>& behind) {
     const std::size_t m = mesh.size() / 2, n = behind.size() / 2;

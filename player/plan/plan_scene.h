@@ -13,7 +13,7 @@
 namespace vantage {
 
 /// The input of plans: the package's photos and clusters, and the parts seen by each photo. Spans are valid
-/// as long as the package. The file may be overwritten while it is in use, so any value behind them may
+/// as long as the package exists. The file may be overwritten while it is in use, so any value in a span may
 /// change.
 struct PlanScene {
     PlanScene() = default;
@@ -41,7 +41,7 @@ struct PlanScene {
     }
     /// Clusters, triangles and vertices of the background follow those of the mesh.
     std::uint32_t first_surrounding = ~0u;  ///< cluster; past the last if there is no background
-    // One per vertex of the background, see BackgroundContent.
+    // One element per vertex of the background, see BackgroundContent.
     std::vector<std::array<std::uint8_t, 4>> surrounding_colors;
     std::vector<std::array<std::int8_t, 4>> surrounding_corrections;
     std::vector<std::uint8_t> labels;  ///< per photo; empty without a background
@@ -58,14 +58,15 @@ struct PlanScene {
         return has_background() ? clusters[first_surrounding].first_triangle : triangles;
     }
 };
-/// Distance from the nearest camera of the first image set, whose photos show the background; infinite
-/// without any.
+/// Distance from the nearest camera of the first image set, whose photos show the background; infinite if
+/// there is no such camera.
 double distance_from_cameras(const PlanScene& scene, const Eigen::Vector3d& eye);
 
 /// Throws Error(damaged).
 PlanScene make_plan_scene(const PackageReader& package);
 
-/// The cluster of each triangle; triangles are numbered from 1. 2^32 - 1 for 0 and for numbers out of range.
+/// The cluster of each triangle. Triangles are numbered from 1; the result is 2^32 - 1 for 0 and for numbers
+/// out of range.
 std::vector<std::uint32_t> clusters_of(const PlanScene& scene, std::span<const std::uint32_t> triangles);
 
 }  // namespace vantage

@@ -4,23 +4,24 @@ namespace vantage {
 
 /// Strategy for choosing photos.
 enum class Choice {
-    cover,    ///< weighted set cover: each surface in view that some photo sees gets one, the best first
-    nearest,  ///< those whose cameras are nearest to the viewer
+    cover,    ///< weighted set cover: each surface in view gets a photo, if some photo sees it
+    nearest,  ///< the photos whose cameras are nearest to the viewer
     count
 };
 
 struct PlanSettings {
     Choice choice = Choice::cover;
-    int photos = 0;          ///< minimum number of photos, if that many see the view; 0: all
-    double sharpness = 0;    ///< radians, of the angle weight; 0: weights do not depend on the angle
+    int photos = 0;        ///< minimum number of photos, if that many show the view; 0: all
+    double sharpness = 0;  ///< sharpness of the angle weight, radians; 0: weights do not depend on the angle
     double angle_limit = 0;  ///< radians between viewing directions; photos beyond it are used only for
                              ///< surfaces that no other photo sees; 0: no limit
     double samples = 1;      ///< per side of a pixel
-    /// Near its own camera, a photo outweighs all others (shaders/blend.frag). For complete plans only: other
-    /// plans also skip photos whose weights are large enough to be visible along that photo's borders.
+    /// Near its own camera, a photo outweighs all others (shaders/blend.frag). For complete plans only,
+    /// because other plans also skip photos whose weights are large enough to be visible along the borders of
+    /// that photo.
     bool own_views = false;
-    /// Clusters up to this distance outside the frame are planned as well, so that a moving view can be drawn
-    /// with the previous plan; fraction of the frame's width.
+    /// Clusters up to this distance outside the frame, as a fraction of the frame's width, are planned as
+    /// well, so that a moving view can be drawn with the previous plan.
     double margin = 0;
     double worth = 0.1;      ///< a tile is needed if at least this fraction of its texels is visible
     bool tiles = true;       ///< list the needed tiles; otherwise only the base levels are shown

@@ -18,7 +18,7 @@ using package::PointNode;
 Eigen::Vector3d low_of(const PointNode& n) { return {n.low[0], n.low[1], n.low[2]}; }
 Eigen::Vector3d high_of(const PointNode& n) { return low_of(n) + Eigen::Vector3d::Constant(double(n.size)); }
 
-/// The distance between the node's neighboring points in the picture, px, at its nearest point.
+/// The distance in the picture, in pixels, between neighboring points of the node where the node is nearest.
 double urgency(const PointNode& n, const Eigen::Vector3d& eye, double focal) {
     const Eigen::Vector3d away = (low_of(n) - eye).cwiseMax(eye - high_of(n)).cwiseMax(0);
     return focal * double(n.spacing) / std::max(away.norm(), double(n.spacing) * 1e-3);

@@ -9,8 +9,8 @@
 
 namespace vantage {
 
-/// The nodes of a cloud that a view needs, each after its parent, the most urgent first: those with the
-/// largest spacing of points in the picture, that is, the nearest and coarsest.
+/// The nodes of a cloud that a view needs, each after its parent, most urgent first. The most urgent nodes
+/// are those with the largest point spacing in the picture, that is, the nearest and coarsest nodes.
 struct PointPlan {
     std::vector<std::uint32_t> nodes;
     std::uint64_t points = 0;  ///< number of points in these nodes
@@ -26,9 +26,9 @@ enum class PointCulling {
     none
 };
 
-/// At most `budget` points, but always the root if it is in view. Skips nodes outside the frustum, but never
-/// one with a point inside; and descendants of nodes whose point spacing is below a sample, with `side`
-/// samples along a pixel. Nodes that are not tested count as in view.
+/// Plans at most `budget` points, but always the root if it is in view. Skips nodes that are outside the
+/// frustum, but never a node with a point inside. Also skips descendants of nodes whose point spacing is
+/// below a sample, with `side` samples along a pixel. Nodes that are not tested count as in view.
 PointPlan plan_points(const PointCloud& cloud, const View& view, std::uint64_t budget, int side,
                       PointCulling culling = PointCulling::hierarchical);
 
@@ -36,7 +36,7 @@ PointPlan plan_points(const PointCloud& cloud, const View& view, std::uint64_t b
 struct DrawnNode {
     std::uint32_t node;
     std::uint32_t children;  ///< bit i: the child in octant i
-    std::uint32_t first;     ///< index of its first drawn child among all drawn nodes; the others follow
+    std::uint32_t first;  ///< index of its first drawn child among all drawn nodes; its other children follow
 };
 
 /// The nodes to draw if only some planned nodes are `resident`: those with all ancestors resident, root
@@ -44,7 +44,8 @@ struct DrawnNode {
 std::vector<DrawnNode> drawn_nodes(const PointCloud& cloud, const PointPlan& plan,
                                    const std::function<bool(std::uint32_t node)>& resident);
 
-/// Distances along the view's axis, 0 to 0 if all nodes are behind the viewer; like depth_range().
+/// The range of distances along the view's axis, see depth_range() for clusters; 0 to 0 if all nodes are
+/// behind the viewer.
 Eigen::Vector2d depth_range(const PointCloud& cloud, const PointPlan& plan, const View& view, double reach);
 
 }  // namespace vantage

@@ -25,7 +25,7 @@ inline bool is_cut_away(std::span<const SectionPlane> planes, const Eigen::Vecto
     return std::ranges::any_of(planes, [&](const SectionPlane& plane) { return plane.before(p) > 0; });
 }
 
-/// The same plane in the coordinates of an object: its point p is at scale * R * p + t in the scene.
+/// The plane in the coordinates of an object whose point p is at scale * R * p + t in the scene.
 inline SectionPlane plane_in(const SectionPlane& plane, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
                              double scale) {
     return {R.transpose() * plane.normal, -plane.before(t) / scale};

@@ -15,8 +15,8 @@ using Corners = std::array<Eigen::Vector3d, 3>;
 /// out of range.
 std::optional<Corners> corners_of(const PlanScene& scene, std::uint32_t triangle);
 
-/// The distance along a ray to a triangle, in lengths of its direction (Moeller and Trumbore 1997); NaN if
-/// they do not intersect. `slack`: tolerance in barycentric coordinates.
+/// The distance along a ray to a triangle, in lengths of the ray's direction (Moeller and Trumbore 1997); NaN
+/// if they do not intersect. `slack`: tolerance in barycentric coordinates.
 double meets(const Ray& ray, const Corners& corners, double slack);
 
 }  // namespace vantage

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double agreement_angle = 0.35;  ///< radians; larger than for blending, to rank distant photos
 
-/// Pixels covered by a cluster's bounding sphere, at most those of the frame, even for NaN.
+/// Number of pixels covered by a cluster's bounding sphere, at most the number of pixels in the frame. NaN
+/// becomes that maximum.
 double area_in_view(const package::ClusterRecord& c, const View& view) {
     const Intrinsics& k = view.intrinsics;
     const double z = (view.cam_from_origin.R * center(c) + view.cam_from_origin.t).z();
@@ -30,7 +31,7 @@ Eigen::Vector2d sampled_pixel(FrameSize frame, std::size_t number) {
     return {std::floor(x * frame.width / n.width) + 0.5, std::floor(y * frame.height / n.height) + 0.5};
 }
 
-/// One of a triangle's points, distributed by the plastic ratio's sequence (Roberts 2018).
+/// One of a triangle's points, which are distributed by the plastic ratio's sequence (Roberts 2018).
 Eigen::Vector3d spread_point(const Corners& corner, std::size_t number) {
     const auto share = [&](double step) { return double(number) * step - std::floor(double(number) * step); };
     double a = share(0.7548776662466927), b = share(0.5698402909980532);
@@ -38,8 +39,8 @@ Eigen::Vector3d spread_point(const Corners& corner, std::size_t number) {
     return corner[0] + a * (corner[1] - corner[0]) + b * (corner[2] - corner[0]);
 }
 
-/// Selects about `most` evenly spaced visible triangles that get points. Returns the number of triangles that
-/// each represents.
+/// Selects about `most` evenly spaced visible triangles that get points. Returns how many triangles each of
+/// them represents.
 double draw_points(const Seen& seen, std::size_t most, std::vector<std::size_t>& out) {
     const std::size_t all = seen.triangles.size();
     if (!seen.view) {
@@ -54,10 +55,10 @@ double draw_points(const Seen& seen, std::size_t most, std::vector<std::size_t>&
     return double(step * step);
 }
 
-/// All visible triangles; for a plan in motion, an evenly spaced sample: enough to rank photos.
+/// All visible triangles; for a plan in motion, an evenly spaced sample, which is enough to rank photos.
 std::vector<std::uint32_t> drawn_triangles(const Seen& seen, const PlanSettings& settings) {
     constexpr std::size_t most = 4096;
-    // Odd, so that it does not divide the number of rows.
+    // An odd step, so that it does not divide the number of rows.
     const std::size_t step = settings.complete ? 1 : seen.triangles.size() / most | 1;
     std::vector<std::uint32_t> out;
     out.reserve(seen.triangles.size() / step + 1);
@@ -138,7 +139,8 @@ VisibleSurface visible_surface(const PlanScene& scene, const View& view, const S
     }
     s.points = points_on(scene, view, seen, settings);
     const auto guessed = [&](std::uint32_t c) {
-        // Nearly all of the frame is inside the bounding sphere of a cluster that reaches the horizon.
+        // The bounding sphere of a background cluster that reaches the horizon covers nearly all of the
+        // frame.
         return area_in_view(scene.clusters[c], view) * (c < scene.first_surrounding ? 1 : 1e-4);
     };
     for (const std::uint32_t c : s.clusters) s.areas.push_back(s.triangles.empty() ? guessed(c) : count[c]);
@@ -146,7 +148,7 @@ VisibleSurface visible_surface(const PlanScene& scene, const View& view, const S
 }
 
 double agreement(const VisibleSurface& s, std::uint32_t photo) {
-    // At most about 512 clusters in view, evenly spaced: enough to rank photos.
+    // At most about 512 clusters in view, evenly spaced, which are enough to rank photos.
     const auto& coverage = s.scene.coverage[photo];
     if (coverage.empty()) return 0;
     const Eigen::Vector3d from = s.scene.poses[photo].center();

@@ -16,9 +16,9 @@ namespace vantage {
 /// The triangles visible in this or a recent view.
 struct Seen {
     static constexpr int step = 2;  ///< pixels
-    /// At every second pixel of every second row, from the top; numbered from 1 (0: none).
+    /// The triangles at every second pixel of every second row, from the top; numbered from 1 (0: none).
     std::span<const std::uint32_t> triangles{};
-    const View* view = nullptr;  ///< null: they are from several views
+    const View* view = nullptr;  ///< null: the triangles are from several views
 
     /// Number of sampled pixels of a frame, across and down.
     static FrameSize samples(FrameSize frame) {
@@ -26,11 +26,11 @@ struct Seen {
     }
 };
 
-/// The clusters that a view may show, in order.
+/// The clusters that a view may show, in ascending order.
 struct ClustersInView {
     std::vector<std::uint32_t> opaque, transparent;
 };
-/// Excludes the background unless `background`.
+/// Excludes the background unless `background` is set.
 void find_clusters(const PlanScene& scene, const View& view, bool background, ClustersInView& found);
 
 /// The visible part of the model, independent of the photos.
@@ -39,7 +39,7 @@ struct VisibleSurface {
     const View& view;
     Eigen::Vector3d eye;
     std::vector<std::uint32_t> clusters;                 ///< in view, opaque
-    std::vector<double> areas{};                         ///< per cluster in view; any unit, 0: hidden
+    std::vector<double> areas{};                         ///< per cluster in view, in any unit; 0: hidden
     std::vector<std::uint32_t> triangles{};              ///< visible ones, with repetitions; none: unknown
     std::vector<std::uint32_t> clusters_of_triangles{};  ///< one per triangle
     /// Points on some of the visible triangles, with their triangles and clusters.
@@ -55,8 +55,8 @@ struct VisibleSurface {
 VisibleSurface visible_surface(const PlanScene& scene, const View& view, const Seen& seen,
                                const PlanSettings& settings);
 
-/// Agreement of a photo with the view, in [0, 1]: the fraction of the visible mesh that it sees, weighted by
-/// the angle; 0 if it sees none of it.
+/// Agreement of a photo with the view, in [0, 1]: the fraction of the visible mesh that the photo sees,
+/// weighted by the angle; 0 if it sees none of the mesh.
 double agreement(const VisibleSurface& surface, std::uint32_t photo);
 
 /// Whether the photo sees a triangle, at least in part.

@@ -24,10 +24,11 @@ void for_words(std::uint32_t first, std::uint32_t count, const Visit& visit) {
     }
 }
 
-/// Triangles still to be covered: `whole` those that some set sees entirely, `part` at least in part.
+/// Triangles still to be covered: `whole` are those that some set sees entirely, `part` are those that some
+/// set sees at least in part.
 struct Open {
     std::vector<std::uint64_t> whole, part;
-    std::vector<std::uint32_t> words;  ///< those that have triangles of the problem, ascending
+    std::vector<std::uint32_t> words;  ///< words that have triangles of the problem, ascending
 };
 
 std::vector<std::uint32_t> words_of(std::span<const CoverProblem::Run> runs) {
@@ -130,7 +131,8 @@ std::vector<std::size_t> greedy_cover(const CoverProblem& problem, Open open) {
 std::vector<std::size_t> cover(const CoverProblem& problem) {
     const Open open = all_open(problem);
     std::vector<std::size_t> chosen = greedy_cover(problem, open);
-    // Sets chosen later may make earlier ones redundant. The last ones are rarely redundant themselves.
+    // Sets chosen later may make earlier ones redundant. The sets chosen last are rarely redundant
+    // themselves.
     for (std::size_t i = chosen.size(); i-- > 0;) {
         std::vector<std::size_t> without = chosen;
         without.erase(without.begin() + std::ptrdiff_t(i));

@@ -21,13 +21,13 @@ struct CoverProblem {
     std::vector<Set> sets;
 };
 
-/// A selection of sets that covers everything covered by any set, entirely if any set does: greedy (Chvatal
-/// 1979), by added area times preference^(1/4), until uncovered_share() is at most 0.0016; then redundant
-/// sets are removed.
+/// Selects sets that together cover everything covered by any set, and cover entirely what any set covers
+/// entirely. Greedily adds the set with the largest added area times preference^(1/4) (Chvatal 1979) until
+/// uncovered_share() is at most 0.0016, then removes redundant sets.
 std::vector<std::size_t> cover(const CoverProblem& problem);
 
-/// Fraction of the area visible in any set that the chosen sets do not see; a triangle that they see in part,
-/// but other sets see entirely, counts one fifth.
+/// Of the area that any set sees, the fraction that the chosen sets do not see. A triangle that they see in
+/// part, but that other sets see entirely, counts as one fifth.
 double uncovered_share(const CoverProblem& problem, std::span<const std::size_t> chosen);
 
 /// The number of bits set in [first, first + count).

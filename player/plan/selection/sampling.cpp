@@ -74,7 +74,7 @@ LevelRange sampled_levels(const package::ClusterRecord& c, const Intrinsics& pho
                           ray = photo_pose.R.transpose() * q.normalized();
     double finest = infinity, coarsest = -infinity;
     for (const Eigen::Vector3d& normal : normals_of(c)) {
-        // Only considers normals for which viewer and photo see the same side.
+        // Only considers normals for which the viewer and the photo see the same side.
         if (c.cone_cutoff >= 1 || normal.dot(sight) * normal.dot(ray) <= 1e-6) continue;
         const auto sample = surface_sample(view, center, normal, samples);
         const double lod = sample ? level_of_detail(*sample, photo, photo_pose) : head_on;
@@ -83,7 +83,7 @@ LevelRange sampled_levels(const package::ClusterRecord& c, const Intrinsics& pho
     }
     if (finest > coarsest) finest = coarsest = head_on;  // any normal, or edge-on
     if (c.cone_cutoff >= 1) finest -= 1, coarsest += 2;
-    // A surface tilted by more than 60 degrees in the photo has little detail on finer levels.
+    // A surface tilted by more than 60 degrees in the photo has little detail at finer levels.
     finest = std::max(finest, head_on - 1);
     return {std::max(0.0, finest - across), std::max(0.0, coarsest + across)};
 }

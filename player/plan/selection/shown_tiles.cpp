@@ -55,7 +55,7 @@ class Shown {
 };
 
 /// Number of fine levels that a photo with this weight can omit. A level holds a few gray levels of detail:
-/// at a weight of 1/32 the loss of one is invisible, and at 1/128 that of two.
+/// at a weight of 1/32 the loss of one level is invisible, and at 1/128 the loss of two levels.
 double spared_levels(double weight) { return std::clamp(-std::log2(8 * weight) / 2, 0.0, 2.0); }
 
 }  // namespace

@@ -16,7 +16,7 @@ inline constexpr std::uint32_t max_levels = 12;
 /// the weight maps.
 struct TileNeeds {
     std::array<std::vector<std::uint32_t>, max_levels> color, weight_maps;
-    std::size_t tiles() const;  ///< number; weight maps and depth of a tile count once
+    std::size_t tiles() const;  ///< number of tiles; weight maps and depth of a tile count once
 };
 
 /// A cluster and the levels on which its fragments sample the photo.
@@ -24,8 +24,8 @@ struct ClusterLevels {
     std::uint32_t cluster;
     LevelRange levels;
 };
-/// The tiles of one photo that these clusters sample: each cluster's recorded extent, on its levels. `lens`:
-/// null if the photo has none.
+/// The tiles of one photo that these clusters sample: those in each cluster's recorded extent, on the
+/// cluster's levels. `lens`: null if the photo has none.
 TileNeeds tile_needs(const package::PhotoRecord& photo, const LensTable* lens,
                      std::span<const package::CoverageRecord> coverage,
                      std::span<const ClusterLevels> clusters);

@@ -21,13 +21,14 @@ struct WeightSettings {
     bool operator==(const WeightSettings&) const = default;
 };
 
-/// 1 for the smallest value, decreasing linearly to `floor` for the largest; all 1 for equal values. Values
-/// must be finite. A range below `indistinct` is considered rounding error and treated as `indistinct`.
+/// The weights are 1 for the smallest value and decrease linearly to `floor` for the largest; they are all 1
+/// for equal values. Values must be finite. A range below `indistinct` is considered rounding error and
+/// treated as `indistinct`.
 std::vector<double> nearest_is_one(const std::vector<double>& values, double floor = 1e-3,
                                    double indistinct = 0);
 
-/// The factors of the photos' dynamic weights, per photo in (0, 1]: distance is 1 for the nearest photo,
-/// angle for the one with the most similar direction.
+/// The factors of the photos' dynamic weights, per photo in (0, 1]: `distance` is 1 for the nearest photo,
+/// and `angle` is 1 for the photo with the most similar direction.
 struct ViewWeights {
     std::vector<double> distance, angle;
 };

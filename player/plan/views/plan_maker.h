@@ -11,19 +11,19 @@ namespace vantage {
 /// A plan requested by a view of the frame.
 struct OrderedPlan {
     ViewPlan* plan;
-    const ViewPlan* shares = nullptr;  ///< the plan whose photos are used; null: chooses its own
+    const ViewPlan* shares = nullptr;  ///< the plan whose photos are used; null: `plan` chooses its own
 };
 
 /// Makes the plans of frames: on a separate thread if the frame can be drawn with the previous plans;
 /// otherwise immediately.
 class PlanMaker {
   public:
-    /// `scene` must outlive it.
+    /// `scene` must outlive the plan maker.
     explicit PlanMaker(const PlanScene& scene) : scene_(&scene) {}
 
     /// Makes the plans requested by the frame's views; views whose photos are shared come first. `at_once`:
-    /// makes them before returning. `next`: the next expected view, whose tiles are planned as well; null:
-    /// none.
+    /// makes the plans before returning. `next`: the next expected view, whose tiles are planned as well;
+    /// null: none.
     void update(std::span<const OrderedPlan> views, bool at_once, const View* next);
     /// Whether the views have their requested plans.
     bool current() const { return current_; }
@@ -37,7 +37,7 @@ class PlanMaker {
 
     const PlanScene* scene_;
     std::optional<PlanThread> thread_;
-    PlanJob job_;  ///< reused for its memory
+    PlanJob job_;  ///< a job whose memory is reused
     std::vector<PlannedPhoto> ahead_;
     bool current_ = false;
     unsigned moves_ = 0;  ///< number of frames with a predicted view

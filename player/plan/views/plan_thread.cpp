@@ -8,7 +8,8 @@
 namespace vantage {
 namespace {
 
-/// The previous plans' photos, with their tiles for the next expected view. Empty if memory is insufficient.
+/// The previous plans' photos, with their tiles for the next expected view. Returns no photos if memory is
+/// insufficient.
 std::vector<PlannedPhoto> photos_ahead(const PlanScene& scene, const PlanJob& job) try {
     std::vector<PlannedPhoto> out;
     for (const PlanJob::One& one : job.plans) {

@@ -16,15 +16,15 @@ struct PlanJob {
     struct One {
         PlanOrder order;
         std::shared_ptr<const PlannedView> before;  ///< null: none
-        std::optional<std::size_t> shares{};        ///< the plan of the job whose photos this one uses
+        std::optional<std::size_t> shares{};        ///< the plan of this job whose photos this plan uses
     };
     std::vector<One> plans;
     /// The next expected view: its tiles are prefetched.
     std::optional<View> next{};
-    bool only_next = false;  ///< the plans themselves exist
+    bool only_next = false;  ///< the plans of the views have been made already
 };
 
-/// The plans of a job, in its order. A pure function.
+/// The plans of a job, in the order in which they are listed. This is a pure function.
 std::vector<std::shared_ptr<const PlannedView>> plans_of(const PlanScene& scene, const PlanJob& job);
 
 /// Makes plans on a separate thread, so that frames do not wait for them. The scene must outlive it.
@@ -33,13 +33,15 @@ class PlanThread {
     using Plans = std::vector<std::shared_ptr<const PlannedView>>;
 
     explicit PlanThread(const PlanScene& scene);
-    /// Whether a job's plans have not been taken yet.
+    /// Whether there is a job whose plans have not been taken yet.
     bool busy() const { return busy_; }
-    /// Starts a job. Must not be busy. Returns a finished or empty job, to reuse its memory.
+    /// Starts a job; must not be called while busy. Returns a finished or empty job, whose memory can be
+    /// reused.
     PlanJob begin(PlanJob job);
-    /// Takes the finished plans once; `wait` blocks until they exist. Rethrows errors of the thread.
+    /// Returns the finished plans, once for each job. `wait`: blocks until they exist. Rethrows errors of the
+    /// thread.
     std::optional<Plans> take(bool wait);
-    /// Photos to prefetch, once per job that requests them.
+    /// Returns the photos to prefetch, once for each job that requests them.
     std::optional<std::vector<PlannedPhoto>> take_ahead();
 
   private:

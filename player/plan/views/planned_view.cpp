@@ -31,7 +31,7 @@ bool keeps_choice(const PlanScene& scene, const PlannedView& before, const Plann
            shows_much_of(*before.chosen_for, now.view, scene) && before.plans_of_choice < max_plans;
 }
 
-/// A separate plan of the drawn photos, unless they are those of the plan.
+/// A separate plan for the drawn photos, unless the plan has the same photos.
 std::vector<PlannedPhoto> plan_drawn(const PlanScene& scene, const PlanOrder& order, const Plan& plan) {
     std::vector<std::uint32_t> planned = numbers_of(plan.photos);
     std::ranges::sort(planned);
@@ -40,12 +40,12 @@ std::vector<PlannedPhoto> plan_drawn(const PlanScene& scene, const PlanOrder& or
     all.photos = 0;
     all.background = false;  // independent of the mesh's photos
     all.tiles = false;       // not requested for photos that are being replaced
-    // Some may not be loaded: no photo may exclude others from a cluster.
+    // Some photos may not be loaded yet, so no photo may exclude others from a cluster.
     if (!all.reduced) all.sharpness = 0;
     return make_plan(scene, with_samples(order.view), all, order.drawn).photos;
 }
 
-/// The state before photos are chosen.
+/// A planned view in its state before photos are chosen.
 PlannedView begun_plan(const PlanScene& scene, PlanOrder order, const PlannedView* before) {
     PlannedView out;
     const bool same_settings = before && before->made_for.settings == order.settings;
@@ -86,7 +86,7 @@ bool is_current(const PlannedView& plan, const PlanOrder& order, const PhotoChoi
 
 bool can_stand_for(const PlanScene& scene, const PlannedView& plan, const PlanOrder& order,
                    std::span<const std::uint32_t> clusters_in_view) {
-    // All photos show the background.
+    // Only clusters of the mesh matter, because all photos show the background.
     const std::span mesh(clusters_in_view.begin(),
                          std::ranges::lower_bound(clusters_in_view, scene.first_surrounding));
     return suits(plan, order) && plan.uses_seen && shows_much_of(plan.made_for.view, order.view, scene) &&

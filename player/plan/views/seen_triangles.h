@@ -13,7 +13,7 @@ struct SeenTriangles {
     std::shared_ptr<const std::vector<std::uint32_t>> numbers{};  ///< as in Seen; may be null
     View view{};
     std::uint64_t version = 0;
-    bool at_pixels = true;  ///< false: they are from several views
+    bool at_pixels = true;  ///< false: the triangles are from several views
 
     std::span<const std::uint32_t> triangles() const {
         return numbers ? std::span<const std::uint32_t>(*numbers) : std::span<const std::uint32_t>();

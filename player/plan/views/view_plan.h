@@ -21,7 +21,7 @@ class ViewPlan {
     void order(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos,
                int side, const SeenTriangles& seen);
     const PlanOrder& ordered() const { return ordered_; }
-    /// The same, with the photos that frames may draw until the plan is made.
+    /// Returns ordered() after adding the photos that frames may draw until the plan is made.
     const PlanOrder& order_to_make();
     /// Whether the newest plan is the requested one, see is_current().
     bool is_current(const PhotoChoice* shared = nullptr) const;
@@ -31,15 +31,16 @@ class ViewPlan {
     const std::shared_ptr<const PlannedView>& made() const { return made_; }
     void take(std::shared_ptr<const PlannedView> plan);
 
-    /// Advances the transition to `now` seconds. After its end, the next one starts if the `ready` photos of
-    /// the plan (one flag per photo) differ from those drawn; without a transition if none were drawn before.
+    /// Advances the transition to `now` seconds. After its end, the next transition starts if the `ready`
+    /// photos of the plan (one flag per photo) differ from the drawn photos. If no photos were drawn before,
+    /// the ready photos are shown without a transition.
     void fade(const PlanSettings& settings, double now, const std::vector<bool>& ready);
 
     const ClustersInView& in_view() const { return in_view_; }
     const Plan& plan() const { return made_ ? made_->plan : no_plan_; }
     /// The photos to draw: planned ones by decreasing agreement, then those no longer planned.
     std::span<const PlannedPhoto* const> drawn() const { return drawn_photos_; }
-    /// The photos that those of drawn() replace; the same ones if no transition is in progress.
+    /// The photos that are replaced by those of drawn(); the same as drawn() if no transition is in progress.
     std::span<const PlannedPhoto* const> before() const { return settled() ? drawn_photos_ : before_photos_; }
     /// Weight of drawn() in the picture, in [0, 1]; 1: no transition is in progress.
     double progress() const { return progress_; }
@@ -57,7 +58,7 @@ class ViewPlan {
     ClustersInView in_view_;
     std::shared_ptr<const PlannedView> made_;
     Plan no_plan_;
-    std::vector<bool> drawn_, before_;              ///< per photo; the same if no transition is in progress
+    std::vector<bool> drawn_, before_;              ///< per photo; equal if no transition is in progress
     std::vector<bool> allowed_, planned_, wanted_;  ///< per photo
     std::vector<const PlannedPhoto*> drawn_photos_, before_photos_;  ///< of `made_`
     double progress_ = 1, last_ = 0;                                 ///< `last_` in seconds
