@@ -19,8 +19,8 @@ struct DrawnDepth {
     Eigen::Vector2d terms;
 };
 
-/// The objects of a scene. The first one is drawn by the caller's renderer, and its coordinates are those of
-/// the scene; the others have renderers of their own. Each object blends its own photos; at each pixel the
+/// The objects of a scene. The first object is drawn by the caller's renderer, and its coordinates are those
+/// of the scene; the others have renderers of their own. Each object blends its own photos; at each pixel the
 /// nearest object is shown. Belongs to the OpenGL thread.
 class ObjectSet {
   public:
@@ -53,11 +53,11 @@ class ObjectSet {
     /// The sum over all objects.
     StreamedSoFar streamed() const;
     std::uint64_t graphics_budget() const;  ///< bytes
-    /// Applies to all renderers.
+    /// Applies the trials to all renderers.
     void use_trials(const RenderTrials& trials);
 
-    /// Like Renderer::samples(), for all objects; with stereo or several objects, always one frame per
-    /// sample.
+    /// The samples of a pixel for all objects, as from Renderer::samples(). With stereo or several objects,
+    /// there is always one frame per sample.
     std::vector<PixelSample> samples(std::span<const View> eyes, const RenderSettings& settings,
                                      int side) const;
     /// Draws all visible objects as Renderer::draw() draws one. The objects share `settings.upload_bytes`,
@@ -105,7 +105,7 @@ class ObjectSet {
     Composition composition_;
 };
 
-/// Draws `side` * `side` samples per pixel; `now` as for Renderer::draw. Returns the report of the last
+/// Draws `side` * `side` samples per pixel. `now`: as for Renderer::draw(). Returns the report of the last
 /// sample.
 FrameReport draw_samples(ObjectSet& objects, const View& view, const RenderSettings& settings,
                          std::span<const std::uint32_t> photos, int side, double now = 0);
@@ -114,8 +114,8 @@ FrameReport draw_samples(ObjectSet& objects, const View& view, const RenderSetti
 FrameReport draw_eye_samples(ObjectSet& objects, std::span<const View> eyes, const PictureSpec& spec,
                              const std::function<GLuint(std::size_t eye)>& target);
 
-/// Renders all objects with `side` * `side` samples per pixel, like take_picture() for one object; `now` as
-/// for Renderer::draw.
+/// Renders all objects with `side` * `side` samples per pixel, like take_picture() for one object. `now`: as
+/// for Renderer::draw().
 Picture take_picture(ObjectSet& objects, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side, double now = 0);
 

@@ -43,7 +43,7 @@ gl::Texture make_faces(FrameSize size, std::size_t count) {
 }
 
 /// Overlap of neighboring views, as a tangent, if the area that only one view covers extends `half` to either
-/// side. Omits the outermost texel.
+/// side. The outermost texels are not used.
 double overlap(const Intrinsics& view, const Eigen::Vector2d& half) {
     return std::min((view.width / 2.0 - 1) / view.fx - half.x(),
                     (view.height / 2.0 - 1) / view.fy - half.y());

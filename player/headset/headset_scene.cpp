@@ -161,7 +161,7 @@ void HeadsetScene::continue_tour(const HeadsetFrame& frame) {
     if (!menu_) menu_ = menu_in_front_of(frame.head);
 }
 
-/// Replaces the window's flights by jumps: involuntary motion causes sickness.
+/// Replaces the window's flights with jumps, because involuntary motion causes sickness.
 void HeadsetScene::stand_where_sent(const HeadsetFrame& frame) {
     if (!session_.viewpoint.flight) return;
     if (session_.viewpoint.flight->along)

@@ -76,7 +76,7 @@ class HeadsetScene {
     };
     std::optional<Stop> stop_;  ///< current stop of the tour
     std::array<Pointed, 2> pointed_;
-    std::array<bool, 2> selected_{};             ///< in the last frame
+    std::array<bool, 2> selected_{};             ///< whether each hand selected in the last frame
     bool menu_pressed_ = false, gazed_ = false;  ///< likewise
     std::vector<MeasurePanel::Drawn> measured_;  ///< in this frame
     MenuPointer menu_pointer_;

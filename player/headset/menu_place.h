@@ -17,13 +17,13 @@ struct MenuPlace {
     std::optional<Held> held{};
 };
 
-/// In front of the head, slightly below the eyes, facing the user.
+/// A place in front of the head, slightly below the eyes, facing the user.
 MenuPlace menu_in_front_of(const RoomPose& head);
 
 /// The menu's panel in the scene.
 Panel menu_panel(const MenuPlace& place, const Stance& stance, int width, int height);
 
-/// Moves with a hand that squeezes while pointing at the menu; `pointing` is that hand.
+/// Moves the menu with a hand that squeezes while pointing at the menu; `pointing` is that hand.
 void carry(MenuPlace& place, const Hands& hands, std::optional<std::size_t> pointing);
 
 }  // namespace vantage

@@ -13,8 +13,8 @@ struct MirrorButtons {
     bool select = false, menu = false;
 };
 
-/// The OpenGL context for a headset. It belongs to a window that mirrors the headset's picture, or has no
-/// window if there is no X display.
+/// The OpenGL context for a headset. The context belongs to a window that mirrors the headset's picture, or
+/// has no window if there is no X display.
 class Mirror {
   public:
     explicit Mirror(const ShowOptions& options);
@@ -22,7 +22,8 @@ class Mirror {
     void show(GLuint framebuffer, FrameSize size);
     /// Handles events and shows the copied picture.
     void attend();
-    /// Buttons held down in the window: the left button or Space selects, the right one or M opens the menu.
+    /// Buttons held down in the window: the left button or Space selects, the right button or M opens the
+    /// menu.
     MirrorButtons buttons() const;
     bool closed() const;
 

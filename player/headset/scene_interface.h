@@ -27,8 +27,8 @@ struct SceneLabel {
     bool notice = false;         ///< centered at the point, wrapped, never hidden
 };
 
-/// Text in the scene: a menu made of ImGui controls, and labels. It has its own ImGui contexts; the menu's is
-/// current between begin() and end(). Belongs to the OpenGL thread.
+/// Text in the scene: a menu made of ImGui controls, and labels. Has its own ImGui contexts; the menu's
+/// context is current between begin() and end(). Belongs to the OpenGL thread.
 class SceneInterface {
   public:
     /// Size of the menu in panel pixels. A pixel should subtend about a milliradian: text then has the size
@@ -43,8 +43,8 @@ class SceneInterface {
 
     /// Begins a frame. The ImGui calls until end() build the menu.
     void begin(const PanelPointer& pointer, double seconds);
-    /// Ends the frame and draws these labels. They are upright, face `head`, and have a constant apparent
-    /// size.
+    /// Ends the frame and draws these labels. The labels are upright, face `head`, and have a constant
+    /// apparent size.
     void end(std::vector<SceneLabel> labels, const View& head);
 
     Controls& controls() { return controls_; }

@@ -14,7 +14,7 @@ struct Shortcuts {
     std::string keys, labels;
 };
 
-/// "1 2 3" and "Lumigraph, Average, Best photo".
+/// The keys and labels of the blending modes: "1 2 3" and "Lumigraph, Average, Best photo".
 Shortcuts blend_shortcuts() {
     Shortcuts out;
     int key = 1;
@@ -50,7 +50,7 @@ void help_panel(Controls& c, WindowState& window) {
         {marked("double click, or two taps"), marked("move closer to the point under the pointer"), true},
         {marked("two fingers"), marked("pan, move closer or away, turn"), true},
         {marked("W A S D, Q E"), marked("fly; faster with Shift")},
-        {marked("H, Backspace"), marked("back to the first view; to the view before"), true},
+        {marked("H, Backspace"), marked("back to the first view; back to the previous view"), true},
         {"N, B", marked("fly to the photo on the right, on the left"), true},
         {"C", marked("compare with the closest photo; drag the line between them"), true},
         {"V", marked("show photos, which photo, how many photos")},
@@ -62,7 +62,7 @@ void help_panel(Controls& c, WindowState& window) {
         {marked("Ctrl+E"), marked("edit notes and tours")},
         {"O", marked("open another package (or drop it here)")},
         {"P", marked("screenshot")},
-        {marked("Ctrl+C, Ctrl+V"), marked("copy the view as a command line, fly to a copied one")},
+        {marked("Ctrl+C, Ctrl+V"), marked("copy the view as a command line, fly to a copied view")},
         {marked("arrow keys, Space or Enter"), marked("select a control, activate it"), true},
         {marked("Ctrl+Tab, Alt"), marked("go to another panel, to the menu")},
         {marked("Tab"), marked("all settings, or only the picture")},

@@ -3,8 +3,8 @@
 
 #include "player/interface/state/window_state.h"
 
-/// Keyboard navigation: arrow keys move between controls, Space and Enter activate, Esc leaves, Ctrl+Tab and
-/// Alt switch panels. Other keys keep their function in the program.
+/// Keyboard navigation: arrow keys move between controls, Space and Enter activate a control, Esc leaves it,
+/// Ctrl+Tab and Alt switch panels. Other keys keep their function in the program.
 namespace vantage {
 
 /// Enables keyboard navigation in ImGui's context.

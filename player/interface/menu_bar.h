@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// The expert's menu bar at the top.
+/// The menu bar at the top of the window, for experts.
 void menu_bar(Controls& controls, Session& session, const Renderer& renderer, double now);
 
 }  // namespace vantage

@@ -9,7 +9,7 @@ namespace vantage {
 
 void message_line(Controls& c, Message& message, const Area& free, double now) {
     if (message.text.empty()) return;
-    // The time starts here because the frame that created the message may have taken long.
+    // The time starts here because the frame that created the message may have taken a long time.
     if (!std::exchange(message.shown, true)) message.until = now + message_seconds;
     if (now > message.until) return message.text.clear();
     const float em = ImGui::GetFontSize();

@@ -54,8 +54,8 @@ void PhotoStrip::tooltip(Renderer& renderer, std::uint32_t photo) {
     ImGui::EndTooltip();
 }
 
-/// Sorts the photos, but not during a flight, nor while hovered or focused: a target must not move while it
-/// is being clicked.
+/// Sorts the photos, but not during a flight, nor while one of them is hovered or focused, because a target
+/// must not move while it is being clicked.
 void PhotoStrip::rank(const Session& s, const PlanScene& scene, const View& view, double now) {
     const bool in_use = ImGui::IsWindowHovered() || (s.window.navigates && ImGui::IsWindowFocused());
     if (ranked_at_ < 0 || (now - ranked_at_ > ranking_seconds && !s.viewpoint.flight && !in_use)) {

@@ -35,7 +35,7 @@ class PhotoStrip {
     GLuint picture(const Residency& residency, std::uint32_t layer);
     void forget();
 
-    GLuint array_ = 0;                          ///< texture of which pictures_ are views
+    GLuint array_ = 0;                          ///< the texture that pictures_ are views of
     std::map<std::uint32_t, GLuint> pictures_;  ///< by layer
     std::vector<double> agreements_;
     double ranked_at_ = -1;

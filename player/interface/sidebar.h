@@ -12,8 +12,8 @@ struct SidebarContent {
     const View& view;  ///< of the picture
 };
 
-/// The expert's collapsible sections. Returns whether the picture changed in a way that the session does not
-/// record.
+/// The collapsible sections, for experts. Returns whether the picture changed in a way that the session does
+/// not record.
 bool sidebar(Controls& controls, Session& session, const SidebarContent& content, const Area& area,
              double now);
 

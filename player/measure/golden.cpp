@@ -13,7 +13,8 @@
 namespace vantage {
 namespace {
 
-/// The cameras of the image set's photos; for a point-only scene without photos, cameras on four sides of it.
+/// The cameras of the image set's photos; for a point-only scene without photos, cameras on four sides of the
+/// scene.
 std::vector<Navigation> stands_of(const PackageReader& package, std::uint32_t image_set,
                                   const Eigen::Vector3d& up) {
     std::vector<Navigation> out;

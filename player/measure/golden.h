@@ -13,7 +13,7 @@ namespace vantage {
 /// several photos are blended; the pairs are evenly spaced in the list of photos.
 void write_default_views(const std::filesystem::path& file, const PackageReader& package);
 
-/// Difference of a picture from the stored one.
+/// The difference between a picture and the stored picture.
 struct GoldenDifference {
     std::string view, problem;    ///< `problem`: why the pictures cannot be compared, or empty
     int worst = 0, x = 0, y = 0;  ///< largest difference in gray levels, and its pixel

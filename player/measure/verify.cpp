@@ -175,7 +175,7 @@ CheckCase junit_case(const Verified& v) {
     return {v.package, kind(v), text, v.seconds};
 }
 
-/// Packages of the same name in different folders would share golden pictures.
+/// Packages with the same name in different folders would share golden pictures.
 void expect_outputs(const VerifyOptions& o) {
     if (!o.junit.empty())
         output_file(o.junit, Product::junit, {{o.packages.begin(), o.packages.end()}, {}}, std::nullopt);

@@ -10,8 +10,8 @@ namespace vantage {
 
 /// A rendered view as displayed in the window: opaque, with plain shading on surfaces without photos, and the
 /// background elsewhere. `rendered`: the same view with transparent holes, with `side` * `side` samples per
-/// pixel. Pixels in which only some samples have a color are completed with the mean color of all their
-/// samples without photos.
+/// pixel. A pixel in which only some samples have a color is completed with the mean color that its samples
+/// have without photos.
 Picture as_in_window(Renderer& renderer, const View& view, RenderSettings settings, const Picture& rendered,
                      int side);
 
@@ -22,12 +22,12 @@ Plane squared_errors(const Picture& photo, const Picture& shown, const std::vect
 
 /// The difference between the window's whole frame and the photo, including holes.
 struct FrameScore {
-    std::size_t pixels = 0;          ///< valid in the photo; if 0, all other values are 0
+    std::size_t pixels = 0;          ///< pixels that are valid in the photo; if 0, all other values are 0
     double psnr = 0, psnr_gain = 0;  ///< dB, as in PictureScore
     double ssim = 0, ssim_gain = 0;
 };
 
-/// `shown`: as_in_window; `taken`: valid pixels of the photo; `colored`: colored pixels of the rendered
+/// `shown`: see as_in_window; `taken`: valid pixels of the photo; `colored`: colored pixels of the rendered
 /// picture. `gain` is that of the colored pixels (PictureScore::gain) and only applies to them, since shading
 /// and background have no exposure. `errors`: squared_errors of the same frame.
 FrameScore score_frame(const Picture& photo, const Picture& shown, const std::vector<bool>& taken,

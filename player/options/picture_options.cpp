@@ -26,7 +26,7 @@ void add_legend_option(const Command& c, PictureOptions& o) {
 }
 
 void add_picture_options(const Command& c, PictureOptions& o) {
-    c.real("--scale", o.scale, 0.001, 8, "size of the picture relative to the photo's");
+    c.real("--scale", o.scale, 0.001, 8, "size of the picture relative to the photo");
     c.flag("--panorama", o.panorama,
            "all directions around the eye in one picture, for panorama viewers (equirectangular; --size "
            "is twice as wide as high, by default 4096x2048); with --stereo over-under, for two eyes");

@@ -24,8 +24,8 @@ void add_font(ImFontAtlas& fonts) {
     add_text_font(fonts, config);
 }
 
-/// Draws a glyph at its place in the atlas from its exact curves: ImGui's polygons deviate by up to a third
-/// of a texel, which is visible in large text.
+/// Draws a glyph at its place in the atlas from its exact curves, because ImGui's polygons deviate by up to a
+/// third of a texel, which is visible in large text.
 void draw_letter(const stbtt_fontinfo& font, const ImFontGlyph& letter, const ImFontAtlas& fonts,
                  std::vector<std::uint8_t>& coverage) {
     const float scale = stbtt_ScaleForPixelHeight(&font, line_texels);

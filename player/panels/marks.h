@@ -18,7 +18,7 @@ struct MarkSize {
     double units = 0, pixels = 0;
 };
 
-/// A mark as input of mark.vert; positions relative to the package's origin.
+/// A mark as input to mark.vert; positions relative to the package's origin.
 struct Mark {
     std::array<std::array<float, 3>, 4> points;
     std::array<float, 4> sizes;
@@ -37,7 +37,7 @@ struct MarkPicture {
 
 /// Overlays in the scene: colored marks, later ones over earlier ones.
 struct Marks {
-    /// Consecutive marks with the same texture, 0 for none.
+    /// Consecutive marks with the same texture; 0 if they have none.
     struct Run {
         GLuint texture;
         bool decodes;

@@ -28,7 +28,7 @@ struct Outlines {
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(width) + std::size_t(x); }
     bool has(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
-    /// Inside fraction of a texel; 0 outside the picture.
+    /// The fraction of a texel that is inside; 0 outside the picture.
     float share(int x, int y) const { return has(x, y) ? float(coverage[index(x, y)]) / 255.0f : 0.0f; }
 };
 

@@ -24,7 +24,7 @@ Eigen::Matrix4d origin_from_panel(const Panel& panel);
 /// The intersection of a ray with a panel.
 struct PanelHit {
     Eigen::Vector2d pixel;  ///< panel pixels from the upper left corner
-    double distance;        ///< in lengths of the ray's direction
+    double distance;        ///< distance in lengths of the ray's direction
 };
 
 /// Intersection of the ray from `from` along `along`, whose length may be any nonzero number, with the front

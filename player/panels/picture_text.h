@@ -19,7 +19,7 @@ class PictureText {
     /// Width of a line of UTF-8 text in pixels, rounded up.
     int width(const std::string& text) const;
     /// Calls `put` for each covered pixel of a line whose upper left corner is at (x, y), with its coverage,
-    /// 1 to 255; also for pixels outside the picture.
+    /// 1 to 255; this includes pixels outside the picture.
     void draw(const std::string& text, int x, int y,
               const std::function<void(int x, int y, std::uint8_t covered)>& put) const;
 

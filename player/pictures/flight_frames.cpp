@@ -48,7 +48,7 @@ std::vector<KeyView> tour_keys(const PackageReader& package, const Story& story,
     return keys_of(story, tour->stops, {}, input_axes(package), file.string());
 }
 
-/// The first frame is at the first key, the last one at the last.
+/// The first frame is at the first key, and the last frame is at the last key.
 std::vector<Navigation> frames_along(const std::vector<KeyView>& keys, const VideoOptions& o) {
     const CameraSpline spline(keys);
     const double start = keys.front().seconds, length = spline.seconds() - start;

@@ -23,7 +23,7 @@ struct OrthophotoOptions {
     BlendingOptions blending;
     LightOptions light;
     std::string plane = "top";  ///< see parse_plane
-    std::string extent;         ///< see parse_extent; empty: the model's
+    std::string extent;         ///< see parse_extent; empty: the model's extent
     double resolution = 0;      ///< input units per pixel
     int samples = 2;            ///< per side of a pixel
 };

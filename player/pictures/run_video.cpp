@@ -43,7 +43,7 @@ struct Output {
     std::vector<fs::path> frames;
 };
 
-/// Throws Error(usage) if a file must not be replaced, or no output is given.
+/// Throws Error(usage) if a file must not be replaced or if no output is given.
 Output output_of(const PackageReader& package, const ShowOptions& o, std::size_t count) {
     const fs::path out = o.output.file;
     if (out.empty()) throw Error(Exit::usage, "video: expected -o with FILE.mp4, FILE.webm or a folder");

@@ -52,7 +52,7 @@ std::vector<std::string> arguments(const std::filesystem::path& part, bool mp4, 
     return out;
 }
 
-/// A pipe whose ends are not inherited by child processes. {read, write}
+/// Makes a pipe whose ends are not inherited by child processes. Returns {read, write}.
 std::pair<Descriptor, Descriptor> make_pipe() {
     int ends[2] = {-1, -1};
     if (::pipe2(ends, O_CLOEXEC) != 0)
@@ -98,7 +98,7 @@ void VideoEncoder::start() {
     ::posix_spawn_file_actions_adddup2(&files, input.get(), STDIN_FILENO);
     ::posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     ::posix_spawn_file_actions_adddup2(&files, messages_.get(), STDERR_FILENO);
-    // A separate process group keeps the terminal's Ctrl+C from ffmpeg.
+    // A separate process group keeps the terminal's Ctrl+C from reaching ffmpeg.
     posix_spawnattr_t attributes;
     ::posix_spawnattr_init(&attributes);
     sigset_t defaults;

@@ -10,7 +10,7 @@
 
 namespace vantage {
 
-/// Relative to the origin of the scene.
+/// The center of a cluster, relative to the origin of the scene.
 Eigen::Vector3d center(const package::ClusterRecord& cluster);
 
 /// A tree of boxes over runs of consecutive clusters. Runs are halved until they have at most 8 clusters;

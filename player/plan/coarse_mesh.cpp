@@ -24,12 +24,13 @@ std::size_t opaque_triangles(const PlanScene& scene) {
 
 /// Some triangles, with their own vertex numbering.
 struct Part {
-    std::vector<std::uint32_t> indices, vertices;  ///< `vertices`: the scene's, indexed by the part's
+    std::vector<std::uint32_t> indices, vertices;  ///< `vertices`: scene vertices by part vertex
     std::vector<Eigen::Vector3f> positions;
 };
 
-/// `number`: maps the scene's vertices to the part's, ~0u for all; restored afterward. The file may change
-/// while it is in use: triangles with vertices out of range are skipped.
+/// `number`: scratch memory that maps the scene's vertices to the part's vertices; ~0u for all vertices
+/// before and after the call. The file may change while it is in use, so triangles with vertices out of range
+/// are skipped.
 Part part_of(const PlanScene& scene, std::size_t first, std::size_t count,
              std::vector<std::uint32_t>& number) {
     Part part;

@@ -15,8 +15,8 @@ struct CoarseMesh {
     double error = 0;  ///< approximate distance from the mesh, scene units
 };
 
-/// Maximum number of triangles of a scene's coarse mesh: an eighth of the opaque ones; 0: the mesh is too
-/// small to benefit.
+/// Maximum number of triangles of a scene's coarse mesh: an eighth of the opaque triangles, or 0 if the mesh
+/// is too small to benefit.
 std::size_t coarse_triangles(const PlanScene& scene);
 
 /// Simplifies the opaque mesh in parts, with their common borders unchanged (quadric error metrics: Garland

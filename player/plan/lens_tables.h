@@ -13,11 +13,11 @@ class LensTables {
     LensTables() = default;
     /// Throws Error(damaged) if lens_of() does.
     explicit LensTables(const PackageReader& package);
-    /// Null if the photo has no lens.
+    /// Null if the photo has no lens table.
     const LensTable* of(std::uint32_t photo) const;
 
   private:
-    std::vector<Camera> cameras_;  ///< per photo; empty if none has a lens
+    std::vector<Camera> cameras_;  ///< per photo; empty if no photo has a lens table
     mutable std::vector<std::optional<LensTable>> tables_;
 };
 

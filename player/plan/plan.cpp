@@ -25,7 +25,8 @@ bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d
 }
 
 /// The largest and the smallest weight of a photo in a cluster, where the cluster is visible and far from
-/// borders (shaders/blend.frag). Both with and without the factor that applies near the photo's own camera.
+/// borders (shaders/blend.frag). Each weight is given with and without the factor that applies near the
+/// photo's own camera.
 struct WeightRange {
     double most = 1, least = 1, most_plain = 1, least_plain = 1;
 };

@@ -16,8 +16,9 @@ struct Plan {
     std::vector<std::uint32_t> clusters;  ///< opaque
     std::vector<PlannedPhoto> photos;     ///< photos of the mesh
     std::vector<PlannedPhoto> behind;     ///< photos of the background, see plan_background
-    PhotoChoice choice;    ///< the full selection, including photos that show none of the clusters
-    double uncovered = 0;  ///< fraction of the surface in view of allowed photos that no chosen photo sees
+    PhotoChoice choice;  ///< the full selection, including photos that show none of the clusters
+    /// Of the surface in view that any allowed photo sees, the fraction that no chosen photo sees.
+    double uncovered = 0;
 };
 
 /// Information about a view from previous frames.

@@ -11,7 +11,7 @@
 namespace vantage {
 namespace {
 
-/// The number of mesh triangles, rounded up to whole words of VISB; those of the background follow.
+/// The number of mesh triangles, rounded up to whole words of VISB; the triangles of the background follow.
 std::uint32_t first_triangle_behind(std::size_t triangles) {
     return std::uint32_t(64 * package::visible_words(triangles));
 }
@@ -56,7 +56,7 @@ void join_geometry(PlanScene& s, const BackgroundContent& content) {
     s.labels = content.labels;
 }
 
-/// Computed for the first image set, whose photos show the background.
+/// The spread of the cameras of the first image set, whose photos show the background.
 double spread_of(const PlanScene& s) {
     std::vector<Pose> poses;
     for (std::size_t i = 0; i < s.poses.size(); ++i)

@@ -13,9 +13,10 @@ struct PlanSettings {
     Choice choice = Choice::cover;
     int photos = 0;        ///< minimum number of photos, if that many show the view; 0: all
     double sharpness = 0;  ///< sharpness of the angle weight, radians; 0: weights do not depend on the angle
-    double angle_limit = 0;  ///< radians between viewing directions; photos beyond it are used only for
-                             ///< surfaces that no other photo sees; 0: no limit
-    double samples = 1;      ///< per side of a pixel
+    /// Radians between viewing directions. Photos beyond this limit are used only for surfaces that no other
+    /// photo sees. 0: no limit.
+    double angle_limit = 0;
+    double samples = 1;  ///< per side of a pixel
     /// Near its own camera, a photo outweighs all others (shaders/blend.frag). For complete plans only,
     /// because other plans also skip photos whose weights are large enough to be visible along the borders of
     /// that photo.

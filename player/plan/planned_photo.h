@@ -14,7 +14,7 @@ namespace vantage {
 struct PlannedPhoto {
     std::uint32_t photo;
     double agreement;                     ///< agreement with the view, see agreement(), in [0, 1]
-    std::vector<std::uint32_t> clusters;  ///< drawn with this photo, ascending
+    std::vector<std::uint32_t> clusters;  ///< clusters drawn with this photo, ascending
     std::vector<float> weights;           ///< one per cluster, relative to the best photo's weight, at most 1
     TileNeeds needs;                      ///< tiles for the visible parts of the clusters
 };

@@ -38,9 +38,9 @@ struct VisibleSurface {
     const PlanScene& scene;
     const View& view;
     Eigen::Vector3d eye;
-    std::vector<std::uint32_t> clusters;                 ///< in view, opaque
-    std::vector<double> areas{};                         ///< per cluster in view, in any unit; 0: hidden
-    std::vector<std::uint32_t> triangles{};              ///< visible ones, with repetitions; none: unknown
+    std::vector<std::uint32_t> clusters;     ///< in view, opaque
+    std::vector<double> areas{};             ///< per cluster in view, in any unit; 0: hidden
+    std::vector<std::uint32_t> triangles{};  ///< visible triangles, with repetitions; empty: unknown
     std::vector<std::uint32_t> clusters_of_triangles{};  ///< one per triangle
     /// Points on some of the visible triangles, with their triangles and clusters.
     struct Points {

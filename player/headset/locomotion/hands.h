@@ -13,7 +13,7 @@ struct Hand {
     std::optional<RoomPose> grip;  ///< position and orientation
     bool select = false;           ///< trigger, or pinch
     bool squeeze = false;
-    bool menu = false, has_menu = false;  ///< has_menu: a menu button exists
+    bool menu = false, has_menu = false;  ///< has_menu: whether there is a menu button
     bool has_stick = false;
     Eigen::Vector2d stick = Eigen::Vector2d::Zero();  ///< right and forward: -1 to 1
 };

@@ -20,7 +20,7 @@ struct Locomotion {
     Stance held_at{};                     ///< stance at the last update of the hold
     std::optional<std::size_t> aiming{};  ///< the hand that shows an arc
     std::optional<TeleportArc> arc{};     ///< of that hand
-    std::array<bool, 2> selected{};       ///< in the last frame
+    std::array<bool, 2> selected{};       ///< whether each hand selected in the last frame
     std::array<bool, 2> ready{};          ///< sticks that have been centered since they became active
     double vignette = 0;                  ///< 0: off, 1: only the center is visible
 };
@@ -37,8 +37,8 @@ using FreeHands = std::array<FreeHand, 2>;
 /// Advances by one frame, after `seconds`. The right (or only) stick turns the user in steps if moved
 /// sideways; while pushed forward it aims an arc, and when released it teleports to the arc's end. The other
 /// stick flies in its hand's pointing direction. Without a stick, select aims. A stick that was already
-/// deflected when it became active must be released first. Squeezing grabs the scene: one hand moves it, two
-/// also turn and scale it.
+/// deflected when it became active must be released first. Squeezing grabs the scene: one hand moves the
+/// scene, and two hands also turn and scale it.
 void continue_locomotion(Locomotion& locomotion, const Hands& hands, const FreeHands& free,
                          const RoomPose& head, double seconds, const SurfaceBetween& surface);
 

@@ -38,7 +38,7 @@ Pointed pointed_by(const Hand& hand, const Stance& stance, const PointingTargets
 /// it, or the right hand if both point at it.
 struct MenuPointer {
     std::optional<std::size_t> hand{};
-    bool holds = false;  ///< the press began in the menu
+    bool holds = false;  ///< whether the press began in the menu
     PanelPointer pointer{};
 };
 /// `selected`: whether each hand's button was pressed in the last frame.

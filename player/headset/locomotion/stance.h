@@ -10,7 +10,7 @@ namespace vantage {
 /// Similarity transform from the room to the scene that keeps the floor level: the point p of the room is at
 /// `at + scale * R * p`, relative to the package's origin.
 struct Stance {
-    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  ///< rotates the room's up to the scene's
+    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  ///< rotates the room's up direction to the scene's
     Eigen::Vector3d at = Eigen::Vector3d::Zero();     ///< center of the room's floor
     double scale = 1;                                 ///< scene units per meter
 
@@ -20,18 +20,19 @@ struct Stance {
 Eigen::Vector3d in_scene(const Stance& stance, const Eigen::Vector3d& room);
 Eigen::Vector3d in_room(const Stance& stance, const Eigen::Vector3d& scene);
 
-/// A stance with the head at `eye` in the scene, facing `target` in the horizontal plane, with `up` (of
-/// length 1) as the scene's up. If the target is straight above or below, the heading is arbitrary.
+/// A stance with the head at `eye` in the scene, facing `target` in the horizontal plane, with the unit
+/// vector `up` as the scene's up direction. If the target is straight above or below, the heading is
+/// arbitrary.
 Stance standing(const RoomPose& head, const Eigen::Vector3d& eye, const Eigen::Vector3d& target,
                 const Eigen::Vector3d& up, double scale);
 
 /// Changes the scale, in scene units per meter, and keeps a point of the scene in place.
 Stance rescaled(Stance stance, const Eigen::Vector3d& about, double scale);
-/// Turns to the left about the head by an angle in radians.
+/// Turns the stance to the left about the head, by an angle in radians.
 Stance turned(const Stance& stance, const RoomPose& head, double angle);
-/// Translates in the scene.
+/// Translates the stance in the scene.
 Stance moved(Stance stance, const Eigen::Vector3d& by);
-/// Translates so that the head is above `point`, which is on the floor.
+/// Translates the stance so that the head is above `point`, which is on the floor.
 Stance stood_on(Stance stance, const RoomPose& head, const Eigen::Vector3d& point);
 
 /// State when the hands grabbed the scene: the room's stance and the hands' positions in the room.

@@ -19,7 +19,7 @@ struct Profile {
     const char* squeeze;
     std::array<const char*, 2> menu;  ///< left, right
     const char* stick;
-    const char* press;  ///< the stick is active only while pressed, for trackpads
+    const char* press;  ///< for trackpads: the stick is active only while pressed
     bool buzzes;
 };
 

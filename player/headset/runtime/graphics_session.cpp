@@ -96,9 +96,9 @@ XrSession make_session(const XrRuntime& runtime, XrSystemId system) {
     else if (runtime.extensions().egl)
         create(egl_binding());
     else
-        throw Error(Exit::graphics,
-                    "headset: this OpenXR runtime needs an X display for OpenGL, and there is "
-                    "none (DISPLAY)");
+        throw Error(
+            Exit::graphics,
+            "headset: this OpenXR runtime needs an X display for OpenGL, but there is none (DISPLAY)");
     return out;
 }
 

@@ -172,7 +172,7 @@ HeadsetFrame HeadsetSession::begin_frame() {
     return frame;
 }
 
-/// False while the headset's pose is unknown.
+/// Returns false while the headset's pose is unknown.
 bool HeadsetSession::locate_eyes(HeadsetFrame& frame) {
     auto info = typed<XrViewLocateInfo>(XR_TYPE_VIEW_LOCATE_INFO);
     info.viewConfigurationType = two_eyes;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Writes the texts of the window as a template of the catalogs. usage: extract.sh FILE.pot
-# After texts have changed: extract.sh new.pot; msgmerge --update player/interface/languages/de.po new.pot; translate what is fuzzy or empty.
+# Writes the texts of the window as a template for the catalogs. usage: extract.sh FILE.pot
+# After texts have changed: extract.sh new.pot; msgmerge --update player/interface/languages/de.po new.pot; translate the entries that are fuzzy or empty.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 keywords=(tr tr_in:1c,2 tr_count:1,2 marked MARKED_IN:1c,2 shown_name explain button checkbox radio choose slider combo:1 choice:1 choice:2 icon_button number

@@ -5,9 +5,9 @@
 
 namespace vantage {
 
-/// The photos' frusta over the scene: greener with decreasing distance, redder with increasing similarity of
-/// direction [M]; brighter and thicker if in use; white if they show the point of the photo list. The frustum
-/// under the pointer shows its name and picture; a click flies to it.
+/// The photos' frusta over the scene. A frustum is greener if its camera is nearer, redder if its direction
+/// is more similar [M], brighter and thicker if its photo is in use, and white if its photo shows the point
+/// of the photo list. Pointing at a frustum shows its photo's name and picture; a click flies to the photo.
 void frusta(Session& session, Renderer& renderer, PhotoStrip& strip, const View& view, double now);
 
 }  // namespace vantage

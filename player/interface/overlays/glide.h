@@ -19,8 +19,8 @@ struct Glide {
 
 /// Movement in the frame at `now` (seconds) for the input `drags`; while the drag is held, it equals `drags`.
 /// A drag glides if, in the last tenth of a second before its release, it moved in at least two frames and
-/// faster than 50 pixels per second. It then continues for the distance that it would cover in a quarter of a
-/// second at that speed.
+/// faster than 50 pixels per second. The drag then continues for the distance that it would cover in a
+/// quarter of a second at that speed.
 Drags move_on(Glide& glide, const Drags& drags, bool held, double now);
 
 }  // namespace vantage

@@ -24,7 +24,7 @@ Eigen::Vector3d label_place(Measure measure, const std::vector<Eigen::Vector3d>&
                             const Eigen::Vector3d& up);
 
 /// Draws a measurement over the picture, without occlusion: its points, its lines and a label. `origin`: the
-/// origin of the view's coordinates, in the coordinates of the points; `up` as for evaluate().
+/// origin of the view's coordinates, in the coordinates of the points. `up`: as for evaluate().
 void draw_measurement(const Measurement& measurement, const std::string& label, const View& view,
                       const Eigen::Vector3d& origin, const Eigen::Vector3d& up, MeasureLook look);
 

@@ -12,9 +12,9 @@ namespace vantage {
 
 /// A note's anchor in the picture.
 struct NoteMarker {
-    std::size_t note;    ///< its index in the story
+    std::size_t note;    ///< index of the note in the story
     Eigen::Vector2d at;  ///< pixels; 0, 0 is the corner of the frame
-    double depth;        ///< along the view's axis
+    double depth;        ///< distance along the view's axis
     bool hidden;         ///< occluded by the surface
 };
 

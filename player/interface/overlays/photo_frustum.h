@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// A photo's camera in the scene: its center and the corners of its picture, from the upper left one
-/// clockwise; relative to the package's origin.
+/// A photo's camera in the scene: its center and the corners of its picture, clockwise from the upper left,
+/// relative to the package's origin.
 struct PhotoFrustum {
     Eigen::Vector3d center;
     std::array<Eigen::Vector3d, 4> corner;

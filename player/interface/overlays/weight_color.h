@@ -3,8 +3,8 @@
 
 namespace vantage {
 
-/// Color of a photo in maps and scenes, by its weights from 0 to 1: greener with decreasing distance, redder
-/// with increasing similarity of direction [M].
+/// Color of a photo in maps and scenes, by its weights from 0 to 1: greener if the camera is nearer, redder
+/// if its direction is more similar [M].
 ImU32 weight_color(double distance, double angle, float alpha);
 
 }  // namespace vantage

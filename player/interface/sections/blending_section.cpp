@@ -23,7 +23,8 @@ void blend_controls(Controls& c, RenderSettings& r) {
     r.blend = Blend(blend);
     c.slider("Sharpness", &r.weights.sharpness, 0.01, 1.0, "%.3f rad", ImGuiSliderFlags_Logarithmic);
     c.explain(
-        "Small: each point mainly from the photo whose ray is closest to yours. Large: more of the others.");
+        "Small: each point comes mainly from the photo whose ray is closest to yours. Large: the other "
+        "photos contribute more.");
     ImGui::BeginDisabled(r.blend != Blend::average);
     c.slider("Prefer near", &r.weights.exponent, 0.0, 32.0, "%.1f");
     ImGui::EndDisabled();

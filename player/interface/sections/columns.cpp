@@ -9,7 +9,7 @@
 namespace vantage {
 namespace {
 
-/// Whether a check box with this name fits into the window if it begins there.
+/// Whether a check box with this name fits into the window if it begins at `begin`.
 bool fits(const char* name, float begin) {
     const float wide = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
                        ImGui::CalcTextSize(tr(name), nullptr, true).x;

@@ -22,7 +22,8 @@ std::string shown_name(const char* name) {
 
 namespace {
 
-/// ImGui formats numbers with a decimal point; this formats them for languages with another separator.
+/// ImGui formats numbers with a decimal point; this function formats them for languages with another
+/// separator.
 bool localized_slider(const std::string& label, double* value, const std::array<double, 2>& range,
                       const char* format, ImGuiSliderFlags flags) {
     const bool as_imgui_does = decimal_separator() == std::string_view(".");

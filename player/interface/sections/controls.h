@@ -13,9 +13,9 @@ namespace vantage {
 /// name.
 std::string shown_name(const char* name);
 
-/// ImGui controls by name. Names are English: translations are displayed, and scripts click controls by the
-/// recorded positions of the names, independent of the language. In a name with "##", the part before it is
-/// displayed untranslated and the part after it is recorded.
+/// Creates ImGui controls by name. Names are English: translations are displayed, and scripts click controls
+/// by the recorded positions of the names, independent of the language. In a name with "##", the part before
+/// it is displayed untranslated and the part after it is recorded.
 class Controls {
   public:
     /// Forgets the previous frame's positions.
@@ -35,7 +35,8 @@ class Controls {
     };
     const std::vector<Place>& places() const { return places_; }
 
-    /// Tooltip for ImGui's last item, even a disabled one; in the user's language. Recorded as "Tooltip".
+    /// Shows a tooltip, in the user's language, for ImGui's last item, even if that item is disabled.
+    /// Recorded as "Tooltip".
     void explain(const char* text);
 
     bool button(const char* name);

@@ -13,7 +13,7 @@
 namespace vantage {
 namespace {
 
-/// Shows another image set. If it is currently the second image set, swaps the two.
+/// Shows another image set. If that set is currently the second one, swaps the two.
 void show_image_set(ImageSetSettings& b, std::uint32_t image_set) {
     if (b.other == image_set) b.other = b.shown;
     b.shown = image_set;

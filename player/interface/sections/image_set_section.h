@@ -11,7 +11,7 @@ void image_set_section(Controls& controls, RenderSettings& settings, const Rende
 /// Whether a photo belongs to a shown image set.
 bool is_shown(const ImageSetSettings& settings, const package::PhotoRecord& photo);
 
-/// Shows the next image set; after the last, the first one.
+/// Shows the next image set, or the first one after the last.
 void show_next_image_set(ImageSetSettings& settings, std::size_t image_sets);
 
 }  // namespace vantage

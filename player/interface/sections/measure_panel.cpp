@@ -278,8 +278,8 @@ void MeasurePanel::scale_section(Controls& c) {
                             tr_in("unit", name_of(scale.unit)));
     ImGui::TextDisabled(tr("up is %s"), localized_numbers(direction_text(survey_.up)).c_str());
     c.explain(
-        "Heights are measured along this direction. It is the axis of the input that is nearest to the "
-        "photos' mean up direction, or that mean direction if no axis is near.");
+        "Heights are measured along this direction: the axis of the input that is nearest to the photos' "
+        "mean up direction, or that mean direction if no axis is near.");
 }
 
 void MeasurePanel::list(Controls& c) {
@@ -332,8 +332,8 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
     if (s.window.keyboard && survey_.measurements[at].measure == Measure::distance) {
         c.number("Known length", &known_length_, "%.6f");
         c.explain(
-            "The true length of this distance, in the model's unit, or in m if that is unknown. Sets the "
-            "scale of all measurements.");
+            "The true length of this distance, in the model's unit, or in meters if that unit is unknown. "
+            "Sets the scale of all measurements.");
         ImGui::SameLine();
         if (c.button("Set scale")) {
             const Measured raw = evaluate(survey_.measurements[at], {}, survey_.up);

@@ -18,8 +18,8 @@ namespace vantage {
 /// Esc, and double clicks, which finish a measurement. Does nothing in other modes.
 void take_measuring_keys(Session& session);
 
-/// Measuring mode: clicks on the model set points, and a panel lists the measurements. They are read from a
-/// file next to the package when the mode begins, and saved after each change.
+/// Measuring mode: clicks on the model set points, and a panel lists the measurements. The measurements are
+/// read from a file next to the package when the mode begins, and saved after each change.
 class MeasurePanel {
   public:
     /// `package` must outlive it.
@@ -33,7 +33,7 @@ class MeasurePanel {
     /// The functions below do the same in steps, for pointers outside the window. Enters or leaves the mode
     /// as set in the session; returns whether the mode is active.
     bool attend(Session& session, double now);
-    /// Whether measurements are being saved, or attend() has a result of saving to report.
+    /// Whether measurements are being saved, or attend() has yet to report the result of saving them.
     bool saves() const { return file_.busy(); }
     /// Sets the surface point under the pointer; nullopt: none.
     void point_at(const std::optional<SurveyPoint>& point) { under_ = point; }
@@ -80,7 +80,7 @@ class MeasurePanel {
     bool to_vertices_ = false;
     std::optional<SurveyPoint> under_;
     std::optional<std::size_t> selected_;
-    std::array<char, 256> name_{};  ///< name of the selected one, as edited
+    std::array<char, 256> name_{};  ///< name of the selected measurement, as edited
     double known_length_ = 0;       ///< known length of the selected distance, to set the scale
 };
 

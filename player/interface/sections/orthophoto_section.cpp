@@ -17,7 +17,7 @@ namespace {
 
 constexpr double longest_side = 30000;  // pixels: about a gigapixel in total
 
-/// 1, 2 or 5 times a power of ten, for a side of 2000 to 5000 pixels.
+/// A pixel size of 1, 2 or 5 times a power of ten, for which a side has 2000 to 5000 pixels.
 double fitting_pixel(double longer_side) { return round_up(std::max(longer_side / 5000, 1e-12)); }
 
 /// The size of the model's extent on the plane, in input units.

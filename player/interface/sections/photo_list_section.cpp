@@ -71,8 +71,9 @@ void row(Controls& c, Session& s, const PlanScene& scene, std::uint32_t photo, d
     ImGui::SameLine();
     ImGui::TextDisabled("%s", remark(s.photo_list, p, photo).c_str());
     c.explain(
-        "The share of the mesh that it sees; its exposure relative to the others; the offset of its content "
-        "from theirs, in pixels. With Photos at point: the size of a pixel there.");
+        "The share of the mesh that the photo sees, its exposure relative to the other photos, and the "
+        "offset of its content from theirs, in pixels. With Photos at point: the size of a pixel at that "
+        "point.");
 }
 
 void point_line(const PhotoList& list) {

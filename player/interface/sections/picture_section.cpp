@@ -111,7 +111,7 @@ void picture_section(Controls& c, Session& s, const Renderer& renderer) {
     c.slider("Flying speed", &s.steering.flying_speed, 0.1, 10.0, "%.1f", ImGuiSliderFlags_Logarithmic);
     c.explain("Speed for the keys W A S D, Q and E. Shift is four times as fast.");
     c.checkbox("Inertia", &s.steering.inertia);
-    c.explain("Released while moving, the view glides on for a moment.");
+    c.explain("If you release a drag while moving, the view glides on for a moment.");
 }
 
 }  // namespace vantage

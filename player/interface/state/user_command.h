@@ -71,7 +71,7 @@ std::optional<UserCommand> take_one_of(UserCommands& commands) {
     return taken;
 }
 
-/// Does the same for one kind.
+/// Removes and returns the first command of one kind, if there is one.
 template <class Kind>
 std::optional<Kind> take(UserCommands& commands) {
     std::optional<UserCommand> taken = take_one_of<Kind>(commands);

@@ -15,7 +15,7 @@ struct Panels {
     bool picture = true, photo_list = false, cut = false, orthophoto = false, blending = true, status = false,
          objects = false;
     bool fields = true;                       ///< if the package has scalar fields; see fields_open()
-    bool points = true, image_sets = true;    ///< only if the package has any
+    bool points = true, image_sets = true;    ///< shown only if the package has any
     bool measure = false;                     ///< measuring mode
     bool story = true, story_editor = false;  ///< notes and tours, if there are any; the editor
 };

@@ -9,9 +9,9 @@
 
 namespace vantage {
 
-/// The panel for writing a story. It adds notes at the surface point in the center of the view, edits the
-/// open note, sorts the notes, makes a tour of them, and saves the story. Texts are edited in the displayed
-/// language.
+/// The panel for writing a story. The panel adds notes at the surface point in the center of the view, edits
+/// the open note, sorts the notes, makes a tour of them, and saves the story. Texts are edited in the
+/// displayed language.
 class StoryEditor {
   public:
     void show(Controls& controls, ActiveStory& active, Session& session, const View& view,

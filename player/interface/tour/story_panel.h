@@ -15,8 +15,8 @@ void note_content(Controls& controls, ActiveStory& active, NotePicture& picture,
 /// "2  The portal"
 std::string note_label(const ActiveStory& active, std::size_t note);
 
-/// The story's title, its notes and tours, and its languages if there are several. A click on a note flies
-/// there; a click on a tour plays it.
+/// The story's title, its notes and tours, and its languages if there are several. A click on a note flies to
+/// it; a click on a tour plays it.
 void story_panel(Controls& controls, ActiveStory& active, Session& session, double now);
 
 /// The open note: title, text and picture, with buttons to the previous and next note.

@@ -34,7 +34,7 @@ constexpr Tool tools[] = {
 
 constexpr std::size_t tools_on_the_left = 4;
 
-/// Tools for the public, including the language, which has not been chosen yet.
+/// Tools for the public, including the choice of a language, which visitors have not made yet.
 constexpr Tool kiosk_tools[] = {
     tools[0], tools[1], tools[2], tools[3], {marked("Language"), Icon::language, marked("Choose a language")},
     tools[4]};
@@ -47,7 +47,7 @@ float width_of(std::span<const Tool> shown, bool labels, float gap) {
     return width;
 }
 
-/// A list above the bar, at a button, with items spaced for touch. Returns whether it is open.
+/// A list above the bar, at a button, with items spaced for touch. Returns whether the list is open.
 bool list_above(Controls& c, const char* name, const Area& bar, float button) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImVec2(button, float(bar.top) - 0.3f * em), ImGuiCond_Always,

@@ -17,7 +17,7 @@ struct SeenFrame {
 };
 /// The renderer's last picture, with one sample per pixel.
 SeenFrame seen_frame(const Renderer& renderer, const View& view);
-/// Rounded to 8 bits, opaque.
+/// The frame's picture, rounded to 8 bits and opaque.
 Picture picture_of(const SeenFrame& frame);
 
 /// Change in surface colors between two frames, in gray levels. The change in a cell of the picture is the

@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// The number of infinite and NaN values in a frame's float targets. They are not visible in pictures, since
-/// the conversion to 8 bits clamps them.
+/// The number of infinite and NaN values in a frame's float targets. Such values are not visible in pictures,
+/// because the conversion to 8 bits clamps them.
 struct NonFinite {
     std::size_t depth = 0, surface = 0, sums = 0, samples = 0;
     std::size_t all() const { return depth + surface + sums + samples; }

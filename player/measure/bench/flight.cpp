@@ -68,7 +68,7 @@ ProcessMemory memory_without(std::size_t records) {
     return memory;
 }
 
-/// Records the number of frames and the time from frame `first` on until the picture was exact.
+/// Records the number of frames and the time from frame `first` until the picture was exact.
 void note_exact(Flight& flight, int first) {
     flight.frames_to_exact = int(flight.frames.size()) - 1 - first;
     for (auto f = std::size_t(first); f < flight.frames.size(); ++f)

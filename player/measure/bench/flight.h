@@ -70,8 +70,8 @@ struct FlightTarget {
 };
 FlightTarget make_flight_target(FrameSize size);
 
-/// A scripted path, or one from a file of views. Scripted paths start at the first photo of --photo; without
-/// that option, at the middle photo.
+/// A scripted path, or a path from a file of views. Scripted paths start at the first photo of --photo;
+/// without that option, at the middle photo.
 CameraPath path_named(const std::string& name, const PackageReader& package, const FlightOptions& options,
                       int repeat);
 

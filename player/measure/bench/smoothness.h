@@ -11,10 +11,10 @@ struct SmoothnessOptions {
     BlendingOptions blending;
     MemoryOptions memory;
     OutputOptions output;
-    std::string path;   ///< file of views; empty: past the photos' cameras
+    std::string path;   ///< file of views; empty: the path leads past the photos' cameras
     double step = 0.5;  ///< degrees per frame
     bool fades = true;  ///< photos fade in and out as in a window
-    int worst = 1;      ///< frames to save as PNG
+    int worst = 1;      ///< number of frames to save as PNG
     std::filesystem::path folder = "smoothness";
 };
 
@@ -31,7 +31,7 @@ struct FrameStep {
 struct Smoothness {
     FrameStatistics mean, patches;
     double degrees = 0, mean_per_degree = 0, patches_per_degree = 0;
-    std::size_t worst = 0;  ///< index of the frame before the largest change of a cell
+    std::size_t worst = 0;  ///< index of the frame before the largest change in a cell
 };
 Smoothness smoothness_of(const std::vector<FrameStep>& steps);
 

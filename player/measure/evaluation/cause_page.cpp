@@ -20,7 +20,7 @@ std::string swatch(Cause cause) {
            ',' + std::to_string(c[2]) + ")'></span>";
 }
 
-/// A cell with a share in percent; empty for causes that have no such share.
+/// A table cell with a share in percent; empty for causes that have no such share.
 std::string cell(double share, bool given = true) {
     return "<td>" + (given ? formatted("%.1f %%", 100 * share) : std::string());
 }
@@ -46,7 +46,8 @@ void write_total(std::ostream& out, const std::vector<CauseTotal>& totals,
     out << "</table>\n";
 }
 
-/// Holes as fractions of the whole frame's error, other causes as fractions of the error at colored pixels.
+/// Writes the shares of the causes for each photo: holes as fractions of the whole frame's error, other
+/// causes as fractions of the error at colored pixels.
 void write_per_photo(std::ostream& out, const std::vector<CauseTotal>& totals,
                      const std::vector<PhotoEvaluation>& results) {
     std::vector<Column> columns{{"photo", ""}, {"frame, dB", "PSNR of the whole frame, after gains"}};

@@ -15,7 +15,7 @@ double squares(const Picture& photo, const Picture& picture, const PictureScore&
     return sum;
 }
 
-/// Decrease of each pixel's squared difference.
+/// The decrease in each pixel's squared difference.
 Integral improvement(const Picture& photo, const Picture& before, const Picture& after, const Change& change,
                      const std::vector<bool>& scored) {
     Integral out(photo.width, photo.height);

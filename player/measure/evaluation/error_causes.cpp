@@ -8,8 +8,8 @@
 namespace vantage {
 namespace {
 
-/// An explanation must account for this fraction of the error. The threshold for fine detail is higher, since
-/// smoothing halves almost any error.
+/// An explanation must account for this fraction of the error. The threshold for fine detail is higher,
+/// because smoothing halves almost any error.
 constexpr double explained = 0.5, explained_as_detail = 0.75;
 constexpr int coarse_block = 4;       ///< px, for coarse differences
 constexpr double least_judged = 0.5;  ///< fraction of the colored pixels that the compared pictures show
@@ -83,8 +83,8 @@ class Judge {
     struct Window {
         Place place;
         double pixels = 0, squares = 0;  ///< of the picture
-        double coarse = 0;               ///< squared error after low-pass filtering, same scale
-        double unlike_mean = 0;          ///< the same after subtracting the mean difference
+        double coarse = 0;               ///< squared error after low-pass filtering, on the same scale
+        double unlike_mean = 0;          ///< squared error after subtracting the mean difference
     };
     struct Comparison {
         double all = 0,
@@ -103,7 +103,7 @@ class Judge {
     const CauseEvidence& e_;
     Cells cells_;
     std::vector<bool> judged_;
-    std::vector<Picture> candidates_;              ///< the picture, and single photos completed by it
+    std::vector<Picture> candidates_;  ///< the picture, and pictures from single photos completed by it
     std::vector<std::vector<PixelShift>> shifts_;  ///< per candidate and cell
     CoarseDifference off_;                         ///< difference of the picture from the photo
     std::vector<CoarseDifference> alone_;          ///< differences of single photos from the photo
@@ -214,9 +214,9 @@ Judge::Comparison Judge::compare(const Place& p, std::span<const CoarseDifferenc
     return c;
 }
 
-/// The cause according to the other photos, all of which contribute to the picture. They disagree if one of
-/// them is much closer to the photo than the picture is, or if they differ from each other at least as much
-/// as the picture differs from the photo.
+/// The cause according to the other photos, all of which contribute to the picture. These photos disagree if
+/// one of them is much closer to the photo than the picture is, or if they differ from each other at least as
+/// much as the picture differs from the photo.
 Cause Judge::by_others(const Window& w) const {
     for (const CoarseDifference& one : alone_) {
         const Comparison c = compare(w.place, std::span(&one, 1));

@@ -106,7 +106,7 @@ const Column change_columns[] = {
     {"change", "now minus before, in dB; positive is better"},
     {"SSIM", "change in SSIM; positive is better"},
     {"sharp before", "energy of the finest detail relative to the photo: 1 is equally sharp"},
-    {"now", "that energy in this evaluation"},
+    {"now", "energy of the finest detail in this evaluation"},
     {"", ""}};
 
 void crop(std::ostream& out, const std::string& name, const char* kind, const char* where) {

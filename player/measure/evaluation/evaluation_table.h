@@ -11,10 +11,10 @@ namespace vantage {
 /// The error of one cause over all frames.
 struct CauseTotal {
     Cause cause = Cause::count;
-    double share = 0, colored_share = 0;        ///< fraction of all photos' squared errors, see CauseSquares
-    double decibels = 0, colored_decibels = 0;  ///< mean gain in PSNR over the photos without this error, for
-                                                ///< the frame and for the colored pixels
-    std::size_t worst = 0;                      ///< index of the photo with the largest error from this cause
+    double share = 0, colored_share = 0;  ///< fraction of all photos' squared errors, see CauseSquares
+    /// Mean gain in PSNR over the photos without this error, for the frame and for the colored pixels.
+    double decibels = 0, colored_decibels = 0;
+    std::size_t worst = 0;  ///< index of the photo with the largest error from this cause
 };
 
 /// One entry per cause with nonzero error, largest share first.
@@ -31,7 +31,7 @@ void print_causes(const std::vector<PhotoEvaluation>& results);
 /// The values that print_row() prints, as one object per photo.
 nlohmann::json json_of(const std::vector<PhotoEvaluation>& results);
 
-/// Writes one line per photo as CSV, with these and more values. Throws Error(storage).
+/// Writes one line per photo as CSV, with these values and more. Throws Error(storage).
 void write_photos(const std::filesystem::path& file, const std::vector<PhotoEvaluation>& results);
 
 }  // namespace vantage

@@ -177,8 +177,8 @@ void remark(std::vector<PhotoEvaluation>& results) {
         if (const double odd = r.causes.colored_share(Cause::odd_photo);
             odd > 0.5 && std::sqrt(r.causes.of(Cause::odd_photo) / (3.0 * double(r.score.pixels))) > odd_rms)
             r.remarks.push_back(
-                formatted("the others agree on other content in a part of this photo (%.0f %% of the error): "
-                          "something in front of it, gloss, or other light",
+                formatted("the others agree on different content in a part of this photo (%.0f %% of the "
+                          "error): something in front of it, gloss, or different light",
                           100 * odd));
         if (r.colored < 0.95)
             r.remarks.push_back(formatted("the others show %.0f %% of its surface", 100 * r.colored));

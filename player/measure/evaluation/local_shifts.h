@@ -6,12 +6,12 @@
 
 namespace vantage {
 
-/// In pixels, to the right and down.
+/// A shift in pixels, to the right and down.
 struct PixelShift {
     int x = 0, y = 0;
 };
 
-inline constexpr int max_shift = 6;  ///< px in each direction
+inline constexpr int max_shift = 6;  ///< maximum shift in each direction, px
 
 /// For each cell with its margin, the shift of up to `max_shift` px that minimizes the squared difference
 /// between picture(x + shift) and photo(x). Only uses pixels whose `mask` is 1; the other pixels have 0. If

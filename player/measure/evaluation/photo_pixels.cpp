@@ -14,7 +14,7 @@ namespace {
 
 void expect_level(const PackageReader& package, package::Type type, std::uint32_t photo, int level) {
     if (!package.photos()[photo].levels || !package.find(type, photo, std::uint32_t(level)))
-        throw std::invalid_argument("no such level of a photo");
+        throw std::invalid_argument("the photo has no such level");
 }
 
 Picture picture_of(RgbaImage image) { return {image.width, image.height, std::move(image.rgba), {}}; }

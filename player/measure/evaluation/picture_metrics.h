@@ -13,11 +13,12 @@ namespace vantage {
 struct PictureScore {
     std::size_t pixels = 0;  ///< compared pixels; if 0, all other values are 0
     double psnr = 0;         ///< dB, 10 log10(255^2 / mean squared difference) over three channels
-    double psnr_gain = 0;    ///< the same after the best gain per channel: independent of exposure
+    double psnr_gain = 0;    ///< PSNR after the best gain per channel, independent of exposure
     double ssim = 0;       ///< SSIM of luminance (Wang et al. 2004); windows normalized to the scored pixels
-    double ssim_gain = 0;  ///< the same after the gain of psnr_gain, rounded to 8 bits
-    double sharpness =
-        0;  ///< energy of luminance above half the Nyquist frequency, relative to the photo's; 0 if that is 0
+    double ssim_gain = 0;  ///< SSIM after the gain of psnr_gain, rounded to 8 bits
+    /// Energy of luminance above half the Nyquist frequency, relative to the photo's; 0 if the photo has
+    /// none.
+    double sharpness = 0;
     double worst = 0;  ///< gray levels, after gains: the worst 0.1 % of the pixels differ by this or more
     std::array<double, 3> gain{1, 1, 1};
 };
@@ -26,8 +27,8 @@ struct PictureScore {
 std::vector<bool> scored_pixels(const Picture& picture, int radius = 3);
 
 /// The gain per channel that minimizes the squared difference between the picture's scored pixels and the
-/// photo's; 1 if no pixel is scored. Here and below, both pictures have the same size, and flags are one per
-/// pixel.
+/// photo's; 1 if no pixel is scored. Here and below, both pictures have the same size, and there is one flag
+/// per pixel.
 std::array<double, 3> fitted_gain(const Picture& photo, const Picture& picture,
                                   const std::vector<bool>& scored);
 
@@ -51,8 +52,8 @@ PictureScore score(const Picture& photo, const Picture& picture, const std::vect
 /// valid for shifts of a few pixels.
 std::array<double, 2> shift_of(const Picture& photo, const Picture& picture, const std::vector<bool>& scored);
 
-/// The largest difference over each pixel's channels, after gains, from black through red and yellow to white
-/// (a quarter of the range or more).
+/// The largest difference over each pixel's channels, after gains, as colors from black through red and
+/// yellow to white (a quarter of the range or more).
 Picture difference_picture(const Picture& photo, const Picture& picture, const PictureScore& score);
 
 }  // namespace vantage

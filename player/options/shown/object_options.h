@@ -15,8 +15,8 @@ struct ObjectOptions {
 };
 void add_object_options(const Command& command, ObjectOptions& options);
 
-/// The scene's objects from the command line: those of a scene file given as the package, or the package;
-/// then the added ones. Throws Error(input).
+/// The scene's objects from the command line: those of a scene file given as the package, or the package
+/// itself, followed by the added objects. Throws Error(input).
 std::vector<SceneObject> named_objects(const PackageOptions& package, const ObjectOptions& options);
 
 }  // namespace vantage

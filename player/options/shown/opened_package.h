@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// Opens a package. If it is remote, fetches everything except the tiles, and reports progress to stderr
-/// unless -q was given. Throws the errors of open_package() and PackageReader::fetch_scene().
+/// Opens a package. If the package is remote, fetches everything except the tiles, and reports progress to
+/// stderr unless -q was given. Throws the errors of open_package() and PackageReader::fetch_scene().
 PackageReader opened_package(const std::filesystem::path& package, const MemoryOptions& options);
 
 }  // namespace vantage

@@ -40,7 +40,7 @@ std::optional<SurfaceSample> surface_sample(const View& view, const Eigen::Vecto
     const Eigen::Vector3d p = R * position + view.cam_from_origin.t, n = R * normal, ray = p / p.z();
     const double facing = n.dot(ray);
     if (!(p.z() > 0) || !(std::abs(facing) > 1e-9)) return {};
-    // The point of the plane at the next sample, minus this one.
+    // The point of the plane at the next sample, minus the point at this sample.
     const auto along = [&](int axis, double f) -> Eigen::Vector3d {
         return R.transpose() *
                ((Eigen::Vector3d::Unit(axis) - ray * (n[axis] / facing)) * (p.z() / (f * samples)));
@@ -67,7 +67,7 @@ LevelRange sampled_levels(const package::ClusterRecord& c, const Intrinsics& pho
     const Pose& view_pose = view.cam_from_origin;
     const Eigen::Vector3d p = view_pose.R * center + view_pose.t, q = photo_pose.R * center + photo_pose.t;
     if (!(p.z() > c.radius) || !(q.z() > c.radius)) return {0, infinity};
-    // Depth varies across the sphere, and with it the scale.
+    // Depth varies across the sphere, and so does the scale.
     const double across = std::log2((1 + c.radius / p.z()) * (1 + c.radius / q.z()));
     const double head_on = std::log2(photo.fx / q.z() * p.z() / (view.intrinsics.fx * samples));
     const Eigen::Vector3d sight = view_pose.R.transpose() * p.normalized(),

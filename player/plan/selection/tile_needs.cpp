@@ -21,10 +21,10 @@ class Marks {
         }
         weight_maps_ = color_;
     }
-    /// Marks the tiles of color under `rect`, and of weight maps under `rect_of_weight_maps`, on all levels
+    /// Marks the color tiles under `rect` and the weight map tiles under `rect_of_weight_maps` on all levels
     /// that trilinear sampling reads.
     void add(const Rect& rect, const Rect& rect_of_weight_maps, const LevelRange& range) {
-        // A level with a smaller weight in the trilinear mix is not loaded.
+        // A level whose weight in the trilinear mix is smaller than this is not loaded.
         constexpr double slight = 0.25;
         const int finest = int(std::clamp(range.finest + slight, 0.0, levels_ - 1.0));
         const int coarsest =

@@ -25,7 +25,7 @@ struct ClusterLevels {
     LevelRange levels;
 };
 /// The tiles of one photo that these clusters sample: those in each cluster's recorded extent, on the
-/// cluster's levels. `lens`: null if the photo has none.
+/// cluster's levels. `lens`: null if the photo has no lens table.
 TileNeeds tile_needs(const package::PhotoRecord& photo, const LensTable* lens,
                      std::span<const package::CoverageRecord> coverage,
                      std::span<const ClusterLevels> clusters);

@@ -10,9 +10,9 @@
 namespace vantage {
 namespace {
 
-/// The camera moved along its viewing direction until, with the view's field of view, it sees the same width
-/// of its surface ([M] 4.1 to 4.3; d is the distance of the surface that the photo sees, so a camera at the
-/// model's center needs no special case).
+/// The center of a photo's camera, moved along its viewing direction until the camera sees the same width of
+/// its surface with the view's field of view ([M] 4.1 to 4.3). d is the distance of the surface that the
+/// photo sees, so a camera at the model's center needs no special case.
 Eigen::Vector3d normalized_center(const package::PhotoRecord& photo, const View& view) {
     const Pose pose = cam_from_origin(photo);
     const double own = photo.fx / photo.width, wanted = view.intrinsics.fx / view.intrinsics.width;
@@ -60,8 +60,8 @@ std::vector<double> dynamic_weights(const View& view, std::span<const package::P
     };
     if (s.distance) apply(parts.distance);
     if (s.angle && s.angle_per_photo) apply(parts.angle);
-    // Even multiplied by the static weights, this is far above the smallest float, so that a single photo
-    // yields a color.
+    // Even when multiplied by the static weights, this value is far above the smallest float, so that a
+    // single photo yields a color.
     for (double& w : weights) w = std::max(w, 1e-9);
     return weights;
 }

@@ -27,7 +27,7 @@ struct PlanJob {
 /// The plans of a job, in the order in which they are listed. This is a pure function.
 std::vector<std::shared_ptr<const PlannedView>> plans_of(const PlanScene& scene, const PlanJob& job);
 
-/// Makes plans on a separate thread, so that frames do not wait for them. The scene must outlive it.
+/// Makes plans on a separate thread, so that frames do not wait for them. The scene must outlive the thread.
 class PlanThread {
   public:
     using Plans = std::vector<std::shared_ptr<const PlannedView>>;

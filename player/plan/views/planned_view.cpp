@@ -21,7 +21,8 @@ bool shows_much_of(const View& before, const View& now, const PlanScene& scene) 
     return turned > std::cos(std::numbers::pi / 9) && moved < 0.1 * scene.size;
 }
 
-/// In motion, photos are selected again only in every third plan: selection takes as long as everything else.
+/// In motion, photos are selected again only in every third plan, because selection takes as long as
+/// everything else.
 bool keeps_choice(const PlanScene& scene, const PlannedView& before, const PlannedView& plan) {
     constexpr int max_plans = 3;
     const PlanOrder &now = plan.made_for, &then = before.made_for;

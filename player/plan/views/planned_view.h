@@ -14,9 +14,9 @@ struct PlanOrder {
     PlanSettings settings{};
     int side = 0;
     std::vector<std::uint32_t> photos{};  ///< candidates
-    SeenTriangles seen{};                 ///< used if the view has changed little since then
-    /// Photos that frames may draw until those of the plan are loaded. They are planned as a separate set,
-    /// because in a joint plan, clusters may lack photos that other photos outweigh.
+    SeenTriangles seen{};                 ///< used if the view has changed little since they were seen
+    /// Photos that frames may draw until those of the plan are loaded. These photos are planned as a separate
+    /// set, because in a joint plan, clusters may lack photos that other photos outweigh.
     std::vector<std::uint32_t> drawn{};
     bool steady = false;  ///< `drawn` has exactly the photos of the previous plan
 };
@@ -26,10 +26,10 @@ struct PlannedView {
     PlanOrder made_for;
     Plan plan;
     std::vector<PlannedPhoto> kept;  ///< the plan for all drawn photos; empty if `plan` has the same photos
-    bool uses_seen = false;          ///< the plan was made for the visible triangles instead of all in view
-    /// The triangles visible from exactly this view; null: not yet known. They are kept while the view is
-    /// unchanged: each sample of a pixel shows slightly different triangles, so plans for each sample's
-    /// triangles would never converge.
+    bool uses_seen = false;  ///< the plan was made for the visible triangles instead of everything in view
+    /// The triangles visible from exactly this view; null: not yet known. The triangles are kept while the
+    /// view is unchanged: each sample of a pixel shows slightly different triangles, so plans for each
+    /// sample's triangles would never converge.
     std::shared_ptr<const std::vector<std::uint32_t>> at_rest{};
     std::optional<View> chosen_for{};  ///< the view that the photos were chosen for
     int plans_of_choice = 0;           ///< number of plans with these photos
@@ -44,8 +44,9 @@ bool suits(const PlannedView& plan, const PlanOrder& order);
 /// Whether the plan is the requested one. `shared`: photos chosen for another view and used for this one.
 bool is_current(const PlannedView& plan, const PlanOrder& order, const PhotoChoice* shared = nullptr);
 
-/// Whether frames can be drawn with the plan until the requested one is made: it has the requested photos and
-/// settings, was made for visible triangles and a similar view, and has all clusters of the mesh in view.
+/// Whether frames can be drawn with the plan until the requested one is made. The plan must have the
+/// requested photos and settings, have been made for visible triangles and a similar view, and have all
+/// clusters of the mesh in view.
 bool can_stand_for(const PlanScene& scene, const PlannedView& plan, const PlanOrder& order,
                    std::span<const std::uint32_t> clusters_in_view);
 

@@ -38,7 +38,7 @@ class ViewPlan {
 
     const ClustersInView& in_view() const { return in_view_; }
     const Plan& plan() const { return made_ ? made_->plan : no_plan_; }
-    /// The photos to draw: planned ones by decreasing agreement, then those no longer planned.
+    /// The photos to draw: planned photos by decreasing agreement, then photos that are no longer planned.
     std::span<const PlannedPhoto* const> drawn() const { return drawn_photos_; }
     /// The photos that are replaced by those of drawn(); the same as drawn() if no transition is in progress.
     std::span<const PlannedPhoto* const> before() const { return settled() ? drawn_photos_ : before_photos_; }
