@@ -14,8 +14,8 @@ class Enlargement {
     /// the size `size` and stays bound. If `drawn` is smaller, fit() must have been called for its size.
     void show(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
               const ShowTarget& target);
-    /// Does the same as show(), but nothing may have changed since the last call of either function. From the
-    /// second call on, copies the picture if space has been allocated for it.
+    /// Shows the last frame again; nothing may have changed since the last call of show() or show_again().
+    /// From the second call on, copies the picture if space has been allocated for it.
     void show_again(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
                     const ShowTarget& target);
 

@@ -66,8 +66,8 @@ class ObjectSet {
     /// first object.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
-    /// Does the same for one or two eyes, see Renderer::prepare(). Calls `drawn` after each eye; show() shows
-    /// the eye that was drawn last.
+    /// Draws all visible objects for one or two eyes, see Renderer::prepare(). Calls `drawn` after each eye;
+    /// show() shows the eye that was drawn last.
     FrameReport draw_eyes(const FrameRequest& request, const std::function<void(std::size_t eye)>& drawn);
     /// Shows the last frame as Renderer::show() does. Comparisons show only the first object.
     void show(const View& view, const RenderSettings& settings, const ShowTarget& target);
@@ -110,7 +110,8 @@ class ObjectSet {
 FrameReport draw_samples(ObjectSet& objects, const View& view, const RenderSettings& settings,
                          std::span<const std::uint32_t> photos, int side, double now = 0);
 
-/// Does the same for one or two eyes, and shows each eye in the framebuffer given by `target`.
+/// Draws `side` * `side` samples per pixel for one or two eyes, and shows each eye in the framebuffer given
+/// by `target`.
 FrameReport draw_eye_samples(ObjectSet& objects, std::span<const View> eyes, const PictureSpec& spec,
                              const std::function<GLuint(std::size_t eye)>& target);
 

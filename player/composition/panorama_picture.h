@@ -7,7 +7,7 @@ namespace vantage {
 
 /// Renders all directions around an eye using the faces of a cube, with the samples per pixel given in
 /// `spec`; each pixel of the panorama then takes four samples. Throws Error(usage) if the graphics card
-/// cannot draw this size.
+/// cannot draw a panorama of this size.
 Picture take_panorama(ObjectSet& objects, const Panorama& panorama, const PictureSpec& spec);
 
 /// Renders a panorama in stereo, with both eyes in one picture: the eyes turn with the viewing direction.
@@ -17,7 +17,7 @@ Picture take_stereo_panorama(ObjectSet& objects, StereoPicture& stereo, StereoMo
                              const std::function<void(std::size_t done, std::size_t count)>& finished);
 
 /// The distance from a point, given relative to the scene's origin, to the nearest surface around it, found
-/// by casting rays in all directions; `otherwise` if no ray meets a surface.
+/// by casting rays in all directions. Returns `otherwise` if no ray meets a surface.
 double nearest_around(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& point, double otherwise);
 
 }  // namespace vantage

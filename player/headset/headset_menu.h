@@ -31,7 +31,8 @@ struct MenuContent {
     bool& vignette;       ///< darkens the edges of the picture while flying
 };
 
-/// Draws the headset's menu on a panel of this size, with large controls: the same settings as in the window.
+/// Draws the headset's menu on a panel of this size, with large controls for the same settings as in the
+/// window.
 void headset_menu(Controls& controls, Session& session, const MenuContent& content, FrameSize size,
                   double now);
 

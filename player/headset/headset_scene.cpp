@@ -18,7 +18,7 @@
 namespace vantage {
 namespace {
 
-constexpr double arms_length = 1;  ///< distance in meters to the target in a scene of unknown size
+constexpr double arms_length = 1;  ///< distance to the target, in meters, in a scene of unknown size
 constexpr double nearest = 0.05;   ///< near limit of overlays, meters
 
 /// Meters per scene unit, from the command line or the scene's measurements; 0: unknown.
@@ -320,7 +320,7 @@ std::optional<DepthLimits> HeadsetScene::depth_of(HeadsetSession& headset, const
     return depth_.copy(depth, size, locomotion_.stance.scale, headset.depth_target(eye));
 }
 
-/// Adapts the pace of later frames to finished ones.
+/// Adapts the pace of later frames to the durations of finished frames.
 void HeadsetScene::keep_pace() {
     const auto frame = clock_.take();
     if (!frame) return;

@@ -3,8 +3,8 @@
 namespace vantage {
 
 /// Keeps the session's OpenGL context usable around calls to the runtime. Some runtimes leave errors in the
-/// context, or leave another context current (SteamVR). Construct it before an OpenXR call that may draw or
-/// create objects; its destructor makes the context current again and clears errors.
+/// context, or leave another context current (SteamVR). Construct a SharedContext before an OpenXR call that
+/// may draw or create objects; its destructor makes the context current again and clears errors.
 class SharedContext {
   public:
     SharedContext();

@@ -22,7 +22,7 @@ void take_measuring_keys(Session& session);
 /// read from a file next to the package when the mode begins, and saved after each change.
 class MeasurePanel {
   public:
-    /// `package` must outlive it.
+    /// `package` must outlive the panel.
     explicit MeasurePanel(const PackageReader& package);
 
     /// Handles the session's input, and draws measurements and the panel while session.window.panels.measure
@@ -30,8 +30,8 @@ class MeasurePanel {
     void show(Controls& controls, Session& session, std::span<const PlacedMesh> meshes, const View& view,
               double now);
 
-    /// The functions below do the same in steps, for pointers outside the window. Enters or leaves the mode
-    /// as set in the session; returns whether the mode is active.
+    /// The functions below are the steps of show(), for pointers outside the window. Enters or leaves the
+    /// mode as set in the session; returns whether the mode is active.
     bool attend(Session& session, double now);
     /// Whether measurements are being saved, or attend() has yet to report the result of saving them.
     bool saves() const { return file_.busy(); }

@@ -8,7 +8,7 @@ namespace vantage {
 /// An error message: a sentence in the window's language, and a reason if the kind of error has one. The next
 /// line is the error itself, in English.
 std::string failure_text(const std::string& sentence, const Error& error);
-/// Does the same for an error in another program or thread.
+/// Returns such a message for an error in another program or thread.
 std::string failure_text(const std::string& sentence, const std::string& error);
 
 }  // namespace vantage

@@ -64,7 +64,7 @@ struct Steering {
 /// State of a scene as the user views and edits it, in a window that may show other scenes before and after
 /// it.
 struct Session {
-    /// `window` must outlive it.
+    /// `window` must outlive the session.
     explicit Session(WindowState& of) : window(of) {}
 
     WindowState& window;

@@ -37,13 +37,13 @@ struct PointerState {
 
 /// Keyboard, mouse and touch input since the last frame.
 struct UserInput {
-    std::vector<KeyPress> keys;   ///< in order, including released ones
+    std::vector<KeyPress> keys;   ///< key presses in order, even if the key has been released since
     std::vector<int> held;        ///< positions of the keys that are down
-    bool double_clicked = false;  ///< with the left button
+    bool double_clicked = false;  ///< a double click of the left button
     std::vector<Click> clicks;    ///< in order
     Drags drags{};
-    std::optional<PointerState> pointer;  ///< if it differs from the current mouse position
-    std::optional<Pinch> pinch;           ///< while two fingers touch
+    std::optional<PointerState> pointer;  ///< set if it differs from the current mouse position
+    std::optional<Pinch> pinch;           ///< set while two fingers touch the screen
     bool pinch_begins = false;
 };
 

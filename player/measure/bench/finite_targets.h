@@ -12,8 +12,8 @@ struct NonFinite {
     std::size_t depth = 0, surface = 0, sums = 0, samples = 0;
     std::size_t all() const { return depth + surface + sums + samples; }
 };
-/// Counts infinite and NaN values in the last frame. Only for verification, because it waits for the GPU and
-/// reads back all targets.
+/// Counts infinite and NaN values in the last frame. Use it only for verification, because it waits for the
+/// GPU and reads back all targets.
 NonFinite count_non_finite(const FrameTargets& targets);
 
 /// A one-line message.

@@ -35,7 +35,8 @@ struct Smoothness {
 };
 Smoothness smoothness_of(const std::vector<FrameStep>& steps);
 
-/// A frame, the same view with the photos and weights of the next frame, and the change between them.
+/// A frame, a frame of the same view with the photos and weights of the next frame, and the change between
+/// the two.
 struct ShownStep {
     std::size_t frame;
     double patches;

@@ -137,7 +137,7 @@ int name_width(const PackageReader& package, const std::vector<std::uint32_t>& p
     return int(width);
 }
 
-/// The photos to hold out: those of --photo, or every n-th. Photos without pixels are skipped.
+/// The photos to hold out: those of --photo, or every n-th photo. Photos without pixels are skipped.
 std::vector<std::uint32_t> photos_to_hold_out(const PackageReader& package, const EvaluateOptions& o,
                                               const std::vector<std::uint32_t>& in_use) {
     std::vector<std::uint32_t> out = named_photos(package, o.package.photos);

@@ -45,7 +45,7 @@ ViewWeights view_weights(const View& view, std::span<const package::PhotoRecord>
         distances.push_back((center - eye).norm());
         angles.push_back(angle_between(view.cam_from_origin.direction(), direction));
     }
-    // Rounding is relative to the coordinates for distances, and to unit vectors for angles.
+    // Rounding errors are relative to the coordinates for distances, and to unit vectors for angles.
     double reach = eye.norm();
     for (const double d : distances) reach = std::max(reach, d);
     return {nearest_is_one(distances, 1e-3, 1e-9 * reach), nearest_is_one(angles, 1e-3, 1e-9)};

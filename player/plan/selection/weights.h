@@ -27,8 +27,8 @@ struct WeightSettings {
 std::vector<double> nearest_is_one(const std::vector<double>& values, double floor = 1e-3,
                                    double indistinct = 0);
 
-/// The factors of the photos' dynamic weights, per photo in (0, 1]: `distance` is 1 for the nearest photo,
-/// and `angle` is 1 for the photo with the most similar direction.
+/// The factors of the photos' dynamic weights, one value in (0, 1] per photo: `distance` is 1 for the nearest
+/// photo, and `angle` is 1 for the photo with the most similar direction.
 struct ViewWeights {
     std::vector<double> distance, angle;
 };
