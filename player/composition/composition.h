@@ -21,7 +21,7 @@ struct ObjectFrame {
 class Composition {
   public:
     /// Shows the frames, which all have the size of `view`, in the framebuffer `target`, for the eye drawn
-    /// last. `settings` specifies the background and whether its holes are filled.
+    /// last. `settings` specifies the background and whether to fill it.
     void show(std::span<const ObjectFrame> frames, const View& view, const RenderSettings& settings,
               const ShowTarget& target);
 

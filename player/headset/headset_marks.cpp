@@ -21,7 +21,8 @@ MarkColor color_of(MeasureLook look) {
     return look == MeasureLook::selected ? blue : look == MeasureLook::unfinished ? white : yellow;
 }
 
-/// Whether a photo is shown as a picture. It is not shown while the viewer is at its camera.
+/// Whether a photo is shown as a picture. A photo is not shown as a picture while the viewer is at its
+/// camera.
 bool is_in_scene(const PlanScene& scene, std::uint32_t photo, const Session& s, const Vector3d& eye,
                  const Stance& stance) {
     const package::PhotoRecord& p = scene.photos[photo];

@@ -56,7 +56,7 @@ Eigen::Vector3f normal_of(const Part& part, std::span<const std::uint32_t, 3> t)
     return (part.positions[t[1]] - a).cross(part.positions[t[2]] - a).stableNormalized();
 }
 
-/// For each coarse triangle, the triangle of the part at one of its corners that is most nearly parallel to
+/// For each coarse triangle: of the part's triangles at its corners, the one that is most nearly parallel to
 /// it.
 std::vector<std::uint32_t> replaced(const Part& part, std::span<const std::uint32_t> coarse) {
     std::vector<std::uint32_t> at_vertex(part.vertices.size(), 0), out;

@@ -32,7 +32,7 @@ void frame_curve(const DrawnFrames& frames) {
     ImGui::SetTooltip("%s", localized("%.1f ms", double(frames.ms[at])).c_str());
 }
 
-/// Recorded under its English name.
+/// A bar that shows how much of a budget is used, recorded under its English name.
 void budget_bar(Controls& c, const char* name, double held, double budget) {
     const std::string text = localized(tr("%.0f of %.0f MiB"), held / double(MiB), budget / double(MiB));
     ImGui::ProgressBar(float(budget > 0 ? held / budget : 0), ImVec2(-4 * ImGui::GetFontSize(), 0),
