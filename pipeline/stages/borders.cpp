@@ -11,8 +11,8 @@ namespace vantage {
 namespace {
 
 /// Marks the pixels of a row, except its ends, whose 3x3 neighborhood contains a depth discontinuity or a
-/// silhouette. Branch-free: an unseen neighbor makes a border by itself, and the NaNs that it causes in the
-/// other test compare false.
+/// silhouette. Branch-free: an unseen neighbor is enough to make a pixel a border pixel, and the NaNs that
+/// such a neighbor causes in the other test compare false.
 VANTAGE_SIMD void find_in_row(const float* above, const float* here, const float* below, int width,
                               float threshold, std::uint8_t* out) {
     constexpr float unseen = std::numeric_limits<float>::infinity();
@@ -35,7 +35,7 @@ VANTAGE_SIMD void find_in_row(const float* above, const float* here, const float
 }
 
 VANTAGE_SIMD void border_row(const float* distance, int width, int edge, float scale, std::uint8_t* out) {
-    constexpr float mixed = 1;  // px: those next to a border mix the colors of both sides
+    constexpr float mixed = 1;  // px: pixels next to a border mix the colors of both sides
     for (int x = 0; x < width; ++x) {
         const float outline = float(std::min(edge, std::min(x, width - 1 - x))) + 0.5f;
         const float code = std::min(distance[x] - mixed, outline) * scale;

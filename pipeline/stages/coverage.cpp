@@ -34,7 +34,7 @@ class Bits {
 };
 
 struct Found {
-    std::vector<std::uint8_t> on_map;  ///< per triangle of the map
+    std::vector<std::uint8_t> on_map;  ///< per triangle: whether the map shows it
     std::vector<Extent> extents;       ///< per cluster
     Bits whole, part;                  ///< triangles seen
 };
@@ -61,8 +61,8 @@ void add_map(const PhotoGeometry& g, const std::vector<FrameTriangles::Source>& 
     }
 }
 
-/// Adds visible vertices, since a triangle may fall between the map's pixels. Triangles of one cluster are
-/// consecutive in `sources`.
+/// Adds triangles with visible vertices, since a triangle may fall between the map's pixels. Triangles of one
+/// cluster are consecutive in `sources`.
 void add_vertices(const std::vector<std::uint32_t>& indices, const PhotoGeometry& g,
                   const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& k,
                   const std::vector<FrameTriangles::Source>& sources, Found& found) {
@@ -105,7 +105,8 @@ package::CoverageRecord record(const package::ClusterRecord& c, const Extent& e,
     std::uint32_t seen = 0;
     for (std::uint32_t t = c.first_triangle; t < c.first_triangle + c.triangles; ++t) seen += part.at(t);
     r.seen = std::max<std::uint16_t>(1, clamped_u16(65535.0 * seen / c.triangles));
-    // A margin of two pixels covers triangles between pixels, and those that the player's depth test passes.
+    // A margin of two pixels covers triangles that fall between pixels, and triangles that pass the player's
+    // depth test.
     const double w = 65535.0 * (1 << weight_map_level) / k.width,
                  h = 65535.0 * (1 << weight_map_level) / k.height;
     r.u0 = clamped_u16(std::floor((e.x0 - 2) * w));

@@ -3,8 +3,8 @@
 
 namespace vantage {
 
-/// The stage of coverage: writes a photo's coverage of the model, per cluster (COVR) and per triangle (VISB),
-/// from its triangle map and its texture coordinates.
+/// The coverage stage: writes a photo's coverage of the model, per cluster (COVR) and per triangle (VISB),
+/// computed from the photo's triangle map and texture coordinates.
 void make_coverage(StageInput& in);
 
 }  // namespace vantage

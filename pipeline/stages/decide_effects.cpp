@@ -74,7 +74,7 @@ class AreaByEdge {
         area_[std::size_t(std::clamp(step, 0.0, double(area_.size() - 1)))] += f.area;
     }
     bool empty() const { return !(total_ > 0); }
-    /// The edge length in px below which this fraction of the area lies; infinite without area.
+    /// The edge length in px below which this fraction of the area lies; infinite if there is no area.
     double below(double share) const {
         double sum = 0;
         for (std::size_t i = 0; i < area_.size(); ++i)
@@ -88,8 +88,8 @@ class AreaByEdge {
     double total_ = 0;
 };
 
-/// The 95th percentile of edge lengths by area, so that a few large triangles behind a dense object count by
-/// their area.
+/// The 95th percentile of edge lengths, weighted by area, so that a few large triangles behind a dense object
+/// count according to their area.
 Measured triangle_size(const SceneInput& scene) {
     AreaByEdge all;
     const std::size_t step = std::max<std::size_t>(1, scene.mesh.triangles.size() / samples);
@@ -141,7 +141,7 @@ Measured unseen_colors(const SceneInput& scene) {
                                100 * share)};
 }
 
-/// Describes a field: its range and the percentage of vertices without value. Sets `varies`.
+/// Describes a field: its range and the percentage of vertices without a value. Sets `varies`.
 std::string describe(const VertexField& field, bool& varies) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     std::size_t without = 0;
@@ -155,7 +155,7 @@ std::string describe(const VertexField& field, bool& varies) {
                           ? utf8_name(field.name) + " has no values"
                           : fmt::format("{} from {:.4g} to {:.4g}", utf8_name(field.name), low, high);
     if (without > 0 && low <= high)
-        out += fmt::format(", {:.1f} % without value", 100 * double(without) / double(field.values.size()));
+        out += fmt::format(", {:.1f} % without a value", 100 * double(without) / double(field.values.size()));
     return out;
 }
 
@@ -181,7 +181,7 @@ Measured clouds(const SceneInput& scene) {
 }
 
 Measured image_sets(const SceneInput& scene) {
-    if (scene.image_sets.size() < 2) return {1, "all photos are of one set"};
+    if (scene.image_sets.size() < 2) return {1, "all photos are in one image set"};
     std::string evidence;
     for (std::uint32_t b = 0; b < scene.image_sets.size(); ++b) {
         const auto n = std::ranges::count(scene.photos, b, &PhotoInput::image_set);
@@ -190,7 +190,7 @@ Measured image_sets(const SceneInput& scene) {
     return {double(scene.image_sets.size()), evidence};
 }
 
-/// Ignores photos of unknown or zero length; the length of reduced photos is scaled down.
+/// Ignores photos whose file length is unknown or zero; for reduced photos, the file length is scaled down.
 Measured raw_length(const SceneInput& scene) {
     double pixels = 0, bytes = 0;
     bool reduced = false;
@@ -212,7 +212,8 @@ Measured raw_length(const SceneInput& scene) {
                         bytes / 1e6, reduced ? " at this size" : "", raw / 1e6)};
 }
 
-/// Triangles with a vertex whose alpha is below 255, and those whose three vertices have alpha 0.
+/// The number of triangles with a vertex whose alpha is below 255, and of those whose vertices all have alpha
+/// 0.
 struct AlphaCount {
     std::size_t transparent = 0, invisible = 0;
 };
@@ -235,7 +236,7 @@ Measured transparent_share(const Mesh& mesh) {
     std::string evidence =
         fmt::format("{} of {} triangles have a vertex with alpha below 255", transparent, all);
     if (invisible == all)
-        evidence = fmt::format("all {} triangles have alpha 0: taken as alpha that was never set", all);
+        evidence = fmt::format("all {} triangles have alpha 0: treated as alpha that was never set", all);
     else if (invisible > 0)
         evidence += fmt::format(", and {} have alpha 0", invisible);
     return {double(transparent) / double(all), evidence};
@@ -276,7 +277,7 @@ std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effe
     for (const EffectRow& row : effect_table()) {
         const Measured m = measure(row, scene, by_image_set);
         if (row.effect == Effect::per_fragment && has_points_only(scene)) {
-            // Triangles of a stand-in are not drawn.
+            // The triangles of a stand-in are not drawn.
             decisions.push_back(
                 decide(row.effect, EffectChoice::automatic, 1e9, "the scene has points only"));
             continue;

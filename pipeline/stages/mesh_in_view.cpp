@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t max_examined = 200000;  ///< vertices per photo
 
-/// Whether the vertices in the frame span enough of it. They are visited in large steps, so that a few
-/// suffice for a photo that sees the mesh.
+/// Whether the vertices in the frame span a large enough part of it. Vertices are visited in large steps, so
+/// that a few suffice for a photo that sees the mesh.
 bool sees(const PhotoInput& photo, const std::vector<Eigen::Vector3d>& positions) {
     const Intrinsics& k = photo.camera.intrinsics;
     const double enough = least_share_of_frame * k.width * k.height;
@@ -57,7 +57,7 @@ void expect_mesh_in_view(const SceneInput& scene, std::size_t blind) {
     for (const PhotoInput& photo : scene.photos) cameras.extend(photo.camera.cam_from_world.center());
     throw Error(
         Exit::misplaced,
-        fmt::format("{}: {} of {} photos see less than {} % of a frame of it, so it is not where the "
+        fmt::format("{}: in {} of {} photos it spans less than {} % of the frame, so it is not where the "
                     "cameras look: {} {}, cameras {}",
                     (scene.files.mesh.empty() ? scene.files.points.front() : scene.files.mesh).string(),
                     blind, scene.photos.size(), 100 * least_share_of_frame,

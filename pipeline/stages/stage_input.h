@@ -16,7 +16,7 @@
 
 namespace vantage {
 
-/// Inputs of the stages that use the model; the same for all photos.
+/// Inputs of the stages that use the model. They are the same for all photos.
 struct GeometryContext {
     const PackedModel& model;
     const std::vector<SurfaceDisc>& discs;
@@ -33,24 +33,24 @@ struct PosedPhoto {
     std::string name;
     Intrinsics intrinsics;
     Pose pose;                      ///< relative to the origin
-    std::optional<LensTable> lens;  ///< empty if the photo is that of a pinhole camera
+    std::optional<LensTable> lens;  ///< empty for a pinhole camera
 };
 
-/// The pixel data that these stages read, as seen by a pinhole camera.
+/// The pixel data read by the stages that use the model, as seen by a pinhole camera.
 struct CoarsePixels {
-    /// At `weight_map_level`, one byte per texel; empty if the photo is opaque: valid where the lens images
-    /// it.
+    /// At `weight_map_level`, one byte per texel. Empty if the photo is opaque: then a texel is valid if the
+    /// lens images it.
     std::vector<std::uint8_t> valid;
     RgbaImage samples;  ///< at `sample_level`
 };
-/// Validity of a level's texels: 1 where the photo is opaque, else 0.
+/// Validity of a level's texels: 1 where the photo is opaque, otherwise 0.
 std::vector<std::uint8_t> validity(const RgbaImage& level);
 
 /// Projects the model into the photo and selects the triangles that may reach into its frame.
 PhotoView view_of(const GeometryContext& context, const PosedPhoto& photo);
 
-/// A level of a photo's pyramid, as taken, for the stages that do not use the model. These stages are called
-/// from the finest level to the coarsest, and write their chunks.
+/// A level of the pyramid of a photo with its lens distortion, for the stages that do not use the model.
+/// These stages are called for each level, from the finest to the coarsest, and write their chunks.
 struct LevelInput {
     PackageWriter& writer;
     std::uint32_t photo;
@@ -59,10 +59,11 @@ struct LevelInput {
     bool last;            ///< the coarsest
     const RgbaImage& image;
     std::span<const std::byte>
-        jpeg;  ///< the photo's file, if the finest level is that of its JPEG; else empty
+        jpeg;  ///< the photo's file, if its JPEG has the size of the finest level; otherwise empty
 };
 
-/// A photo for the stages that use the model. They write their chunks, and their measurements to its record.
+/// A photo for the stages that use the model. The stages write their chunks to the package and their
+/// measurements to the photo's record.
 class StageInput {
   public:
     StageInput(const GeometryContext& context, const PosedPhoto& photo, const PhotoView& view,

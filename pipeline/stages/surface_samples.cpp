@@ -33,7 +33,7 @@ std::array<Eigen::Vector2f, disc_points> make_disc() {
     return out;
 }
 
-/// The photo's pyramid from `sample_level` on: at most six levels.
+/// The photo's pyramid, starting at `sample_level`: at most six levels.
 std::vector<RgbaImage> levels_from(RgbaImage photo) {
     std::vector<RgbaImage> levels{std::move(photo)};
     while (levels.size() < 6 && std::min(levels.back().width, levels.back().height) > 1)
@@ -41,7 +41,7 @@ std::vector<RgbaImage> levels_from(RgbaImage photo) {
     return levels;
 }
 
-/// Linear color of the texel at a position; nullopt if it is not opaque.
+/// Linear color of the texel at a position; nullopt if the texel is not opaque.
 std::optional<Eigen::Vector3f> color_at(const RgbaImage& level, const Eigen::Vector2f& at) {
     const auto& table = linear_of_srgb_byte();
     const auto linear = [&](std::uint8_t code) { return float(table[code]); };
@@ -70,13 +70,13 @@ class DiscSampler {
                               center = pose_.R * disc.center.cast<double>() + pose_.t;
         const double cosine = std::abs(n.dot(center)) / std::max(center.norm(), 1e-300);
         if (!(center.z() > 0) || !(cosine > min_cosine)) return {};
-        // Uses the foreshortened size, so that texels do not extend beyond the disc.
+        // The foreshortened size is used, so that texels do not extend beyond the disc.
         const double size = cosine * std::sqrt(k_.fx * k_.fy) * disc.radius / center.z();
         if (!(size >= min_pixels) || !(size < k_.width)) return {};
         const double texel = std::log2(0.3 * size) - sample_level;
         const auto level = std::size_t(std::clamp(std::lround(texel), 0l, long(levels_.size()) - 1));
         const Eigen::Vector3d along = n.unitOrthogonal() * double(disc.radius), across = n.cross(along);
-        // The depth map may be off by one of its pixels.
+        // The depth map may be off by one pixel.
         const double pixel_size = (1 << weight_map_level) * center.z() / std::min(k_.fx, k_.fy);
         const auto slack = float(std::max(0.004 * center.z(), pixel_size / cosine));
         const ProjectedDisc in_camera{center.cast<float>(),
@@ -96,12 +96,12 @@ class DiscSampler {
     }
 
   private:
-    /// A disc in camera space, and its lookup position.
+    /// A disc in camera space, and the position at which its color is read.
     struct ProjectedDisc {
         Eigen::Vector3f center, along, across;
         float slack;  ///< tolerance of the depth test, scene units
         std::size_t level;
-        Eigen::Matrix<float, 2, 3> displaced;  ///< lens displacement, px: center; change along and across
+        Eigen::Matrix<float, 2, 3> displaced;  ///< px by the lens: at the center, change along and across
     };
     /// Displacement by the lens; NaN beyond its valid range.
     Eigen::Vector2d displacement(const Eigen::Vector3d& p) const {
@@ -119,7 +119,7 @@ class DiscSampler {
     Eigen::Vector2d pixel(const Eigen::Vector3d& p) const {
         return {k_.fx * p.x() / p.z() + k_.cx, k_.fy * p.y() / p.z() + k_.cy};
     }
-    /// The photo's color at a point `d` of the unit disc; nullopt if the photo does not see it.
+    /// The photo's color at a point `d` of the unit disc; nullopt if the photo does not see that point.
     std::optional<Eigen::Vector3f> seen_color(const ProjectedDisc& disc, const Eigen::Vector2f& d) const {
         const Eigen::Vector3f p = disc.center + d.x() * disc.along + d.y() * disc.across;
         if (!(p.z() > 0)) return {};
@@ -132,7 +132,7 @@ class DiscSampler {
         if (!(in_photo.minCoeff() >= 0 && in_photo.x() < width_ && in_photo.y() < height_)) return {};
         return color_at(levels_[disc.level], in_photo * scale_[disc.level]);
     }
-    /// A zero record if a channel is nearly black or white.
+    /// Returns a zero record if a channel is nearly black or white.
     package::SampleRecord record(const Eigen::Vector3f& linear, const Eigen::Vector2d& at) const {
         static const auto dark = float(linear_from_srgb(15 / 255.0)),
                           bright = float(linear_from_srgb(240 / 255.0));

@@ -19,14 +19,14 @@ namespace vantage {
 inline constexpr int sample_level = 2;
 
 /// The mean color of each disc in a photo, in linear light. A record is zero if less than five sixths of the
-/// disc is seen, the cosine of the viewing angle is at most 0.2, the foreshortened radius is below 6 px, or a
-/// channel is below sRGB 15 or above 240. `photo`: its pixels at `sample_level`; `geometry`: at
-/// `weight_map_level`. `lens`: null without one.
+/// disc is visible, if the cosine of the viewing angle is at most 0.2, if the foreshortened radius is below 6
+/// px, or if a channel is below sRGB 15 or above 240. `photo` is the photo at `sample_level`; `geometry` is
+/// at `weight_map_level`. `lens` is null for a pinhole camera.
 std::vector<package::SampleRecord> sample_discs(std::span<const SurfaceDisc> discs, RgbaImage photo,
                                                 const PhotoGeometry& geometry, const Intrinsics& intrinsics,
                                                 const Pose& cam_from_origin, const LensTable* lens = nullptr);
 
-/// The stage of color samples: writes those of all discs.
+/// The color sample stage: writes the color samples of all discs.
 void make_samples(StageInput& in);
 
 }  // namespace vantage

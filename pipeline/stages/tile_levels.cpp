@@ -22,7 +22,7 @@ using package::Type;
 
 constexpr int thumbnail_quality = 95;  ///< of JPEG
 
-/// The visible texels of a tile, packed.
+/// The texels of a tile without its border, packed.
 std::vector<std::byte> cut_inner_part(const LevelTexels& level, std::size_t tile) {
     const TilePart part = inner_part(level.size, tile);
     const auto left = std::size_t(tile_left(level.size, tile) + part.left),
@@ -41,7 +41,7 @@ Form form_for(Type type, std::span<const std::byte> texels) {
     return type == Type::tiles && is_opaque(texels) ? Form::jpeg : Form::planes;
 }
 
-/// Adds a picture to blocks that share the first one's header.
+/// Adds a picture to the blocks, which share the header of the first picture.
 void add_jpeg(std::span<const std::byte> rgba, int width, int height, int quality, CodedBlocks& out) {
     const std::vector<std::byte> jpeg = codec::encode_jpeg(rgba, width, height, quality);
     const auto header = codec::parse_jpeg_header(jpeg);
@@ -51,7 +51,7 @@ void add_jpeg(std::span<const std::byte> rgba, int width, int height, int qualit
     out.add(all.subspan(header->bytes));
 }
 
-/// False if a tile cannot be stored in this form.
+/// Returns false if the tile cannot be stored in this form.
 bool add_tile(std::span<const std::byte> texels, int width, int height, int quality, CodedBlocks& out) {
     if (out.form == Form::jpeg) {
         add_jpeg(texels, width, height, quality, out);
@@ -76,9 +76,9 @@ bool write_coded_tiles(PackageWriter& writer, Type type, std::uint32_t photo, st
 }  // namespace
 
 int level_quality(std::span<const std::byte> jpeg, std::uint32_t level) {
-    if (level == 0) return color_quality;  // compressed once more than its own JPEG
+    if (level == 0) return color_quality;  // compressed once more than the photo's own JPEG
     const double coarse = std::ldexp(codec::quantization_of(jpeg), -int(level));
-    // libjpeg's scaling of its tables.
+    // The formula by which libjpeg scales its quantization tables.
     const double quality = coarse < 1 ? 100 - 50 * coarse : 50 / coarse;
     return std::clamp(int(std::lround(quality)), 1, color_quality);
 }

@@ -15,8 +15,8 @@ namespace vantage {
 
 /// Maximum quality, 1 to 100, of color JPEGs other than the photo's own.
 inline constexpr int color_quality = 97;
-/// Quality of a level: its quantization is that of the photo's own JPEG (empty: none), halved per level,
-/// because the mean of four pixels has half their error.
+/// JPEG quality for a level. Its quantization is that of the photo's own JPEG, halved per level, because the
+/// mean of four pixels has half their error. `jpeg` is empty if the photo is not a JPEG.
 int level_quality(std::span<const std::byte> jpeg, std::uint32_t level);
 
 /// Texels of 4 bytes each, row by row.
@@ -25,26 +25,27 @@ struct LevelTexels {
     Level size;
 };
 
-/// Cuts a level into tiles and writes them to the package; compressed if the chunk is compact: opaque color
-/// as JPEG, depth rounded, weight maps and other color without loss.
+/// Cuts a level into tiles and writes them to the package. If the chunk is compact, tiles are compressed:
+/// opaque color as JPEG, depth rounded, weight maps and other color without loss.
 void write_tiles(PackageWriter& writer, package::Type type, std::uint32_t photo, std::uint32_t level,
                  const LevelTexels& of, int quality = color_quality);
 
-/// A level of color as it is read after write_tiles(): rounded, if it is stored as JPEG. Results computed
-/// from it then equal those computed later from the package.
+/// A level of color as it is read back after write_tiles(), with the errors of JPEG if it is stored as JPEG.
+/// Results computed from it equal those computed later from the package.
 RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint32_t level,
                     const RgbaImage& image, int quality);
 
-/// Writes the finest level of a photo with its JPEG's own coefficients. False if the chunk is not compact, or
-/// the JPEG cannot be divided into tiles.
+/// Writes the finest level of a photo with the coefficients of the photo's own JPEG. Returns false if the
+/// chunk is not compact, or if the JPEG cannot be divided into tiles.
 bool write_own_jpeg(PackageWriter& writer, std::uint32_t photo, std::span<const std::byte> jpeg);
 
-/// Writes a photo's thumbnail: RGBA texels, which may be stored as JPEG.
+/// Writes a photo's thumbnail from RGBA texels; it may be stored as JPEG.
 void write_thumbnail(PackageWriter& writer, std::uint32_t photo, const LevelTexels& of);
 
-/// The stage of tiles.
+/// The tile stage.
 void make_tiles(LevelInput& in);
-/// The stage of thumbnails, made from the coarsest level with enough detail, which is the cheapest to reduce.
+/// The thumbnail stage. The thumbnail is made from the coarsest level with enough detail, because that level
+/// is the cheapest to reduce.
 void make_thumbnail(LevelInput& in);
 
 }  // namespace vantage

@@ -18,7 +18,7 @@ namespace vantage {
 /// requested without OpenGL.
 bool renders_by_opengl(const PrepareSettings& settings);
 
-/// The model as projected into one photo.
+/// The model projected into one photo.
 struct PhotoView {
     FrameTriangles triangles;
     Eigen::Vector2d near_far;  ///< clip planes, scene units
@@ -31,14 +31,14 @@ class GeometryRenderer {
   public:
     /// Resolves automatic settings: OpenGL with jump flooding if there is a GPU, otherwise the CPU with exact
     /// distances. `model` and `normals` must outlive the renderer. Throws Error(graphics) if OpenGL is
-    /// requested but unavailable, Error(usage) if jump flooding is requested without OpenGL.
+    /// requested but unavailable, and Error(usage) if jump flooding is requested without OpenGL.
     GeometryRenderer(const PackedModel& model, const std::vector<Eigen::Vector3f>& normals,
                      const PrepareSettings& settings);
     ~GeometryRenderer();
     GeometryRenderer(const GeometryRenderer&) = delete;
     GeometryRenderer& operator=(const GeometryRenderer&) = delete;
 
-    bool by_opengl() const;  ///< false: on the CPU
+    bool by_opengl() const;  ///< false: the CPU is used
     DistanceMethod distance() const { return distance_; }
 
     /// Makes the model a stand-in for `cloud`, which provides the depth and must outlive the renderer.
@@ -49,7 +49,7 @@ class GeometryRenderer {
     /// On the CPU, rendering is deferred to the future's get().
     std::future<PhotoGeometry> render(std::shared_ptr<const PhotoView> view, const Intrinsics& intrinsics,
                                       Trace* trace, const std::string& photo);
-    /// Distance in pixels to the nearest border, at least up to `reach`; larger distances may be +inf.
+    /// Distance in pixels to the nearest border; distances greater than `reach` may be +inf.
     std::vector<float> distances(const std::vector<std::uint8_t>& borders, int width, int height, int reach);
 
   private:

@@ -20,8 +20,9 @@ struct ModelBuffers {
 ModelBuffers upload_model(std::span<const Eigen::Vector3f> positions,
                           std::span<const Eigen::Vector3f> normals);
 
-/// Renders the depth, angle and triangle maps; on the OpenGL thread. `indices`: three per triangle, see
-/// triangles_in_frame. `near_far`: clip planes, see depth_range. Throws gl::Failure on OpenGL errors.
+/// Renders the depth, angle and triangle maps. To be called on the OpenGL thread. `indices`: three per
+/// triangle, see triangles_in_frame. `near_far`: clip planes, see depth_range. Throws gl::Failure on OpenGL
+/// errors.
 PhotoGeometry render_geometry(const ModelBuffers& model, std::span<const std::uint32_t> indices,
                               const Intrinsics& intrinsics, const Pose& cam_from_origin,
                               Eigen::Vector2d near_far);

@@ -10,7 +10,7 @@
 
 namespace vantage {
 
-/// A thread that owns a headless OpenGL context. Runs submitted work in order; exceptions propagate through
+/// A thread that owns a headless OpenGL context. Runs submitted tasks in order; exceptions propagate through
 /// the futures. The context is created asynchronously, so the constructor does not block.
 class GlThread {
   public:
@@ -24,8 +24,8 @@ class GlThread {
         push([task] { (*task)(); });
         return result;
     }
-    /// Blocks until the context exists. Throws Error(graphics) if OpenGL is unavailable; submitted work then
-    /// fails with a broken promise.
+    /// Blocks until the context exists. Throws Error(graphics) if OpenGL is unavailable; submitted tasks then
+    /// fail with a broken promise.
     gl::Device device() const;
 
   private:

@@ -9,8 +9,8 @@
 namespace vantage {
 namespace {
 
-/// Distance to the nearest border pixel at or above, in the same column, at most `none`; `before`: distances
-/// of the row above.
+/// Distance to the nearest border pixel at or above this one in the same column, at most `none`. `before`:
+/// distances of the row above.
 VANTAGE_SIMD void step(const std::uint8_t* border, const std::int16_t* before, std::int16_t* to, int width,
                        std::int16_t none) {
     for (int x = 0; x < width; ++x) {
@@ -28,7 +28,7 @@ VANTAGE_SIMD void step_back(const std::int16_t* below, std::int16_t* to, int wid
 /// Rows are processed in blocks, since many blocks have no border within reach.
 constexpr std::size_t block = 128;
 
-/// best[x] = min(best[x], squares[x + k] + k * k), for k of both signs up to the reach.
+/// best[x] = min(best[x], squares[x + k] + k * k), for all k from -reach to reach.
 VANTAGE_SIMD void widen(const std::int16_t* squares, std::int16_t* best, int width, int reach) {
     for (int k = 1; k <= reach; ++k) {
         const auto square = std::int16_t(k * k);

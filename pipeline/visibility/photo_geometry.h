@@ -20,7 +20,7 @@ struct PhotoGeometry {
 /// The intrinsics of a photo's maps.
 Intrinsics map_intrinsics(const Intrinsics& photo);
 
-/// Near and far planes that enclose all vertices; `reach` as for clip_range.
+/// Near and far planes that enclose all vertices; `reach` is that of clip_range.
 Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Pose& cam_from_origin,
                             double reach = std::numeric_limits<double>::infinity());
 

@@ -61,7 +61,7 @@ ProjectedPieces clipped(const PhotoProjection& projection, const std::uint32_t* 
         const std::size_t from[3] = {0, i - 1, i};
         for (std::size_t c = 0; c < 3; ++c) {
             const Point at = project(kept[from[c]], projection.intrinsics);
-            // Far outside any photo, but within 64 bits.
+            // This is far outside any photo, but fits in 64 bits.
             constexpr double farthest = 1e18;
             piece.x[c] = nearest(std::clamp(at.x, -farthest, farthest));
             piece.y[c] = nearest(std::clamp(at.y, -farthest, farthest));

@@ -14,14 +14,14 @@ namespace vantage {
 /// with enough range for maps 65536 pixels wide.
 inline constexpr int position_bits = 14;
 
-/// A vertex on a photo's map. `inverse` is 0 if it is nearer than the near plane or its position overflows
-/// 32 bits.
+/// A vertex on a photo's map. `inverse` is 0 if the vertex is nearer than the near plane or its position
+/// overflows 32 bits.
 struct ProjectedVertex {
     std::int32_t x, y;
     float inverse;  ///< 1/z
 };
 
-/// The model projected into a photo's map. The spans' owners must outlive it.
+/// The model projected into a photo's map. The owner of `positions` must outlive it.
 struct PhotoProjection {
     std::span<const Eigen::Vector3f> positions;
     Intrinsics intrinsics;  ///< of the map

@@ -24,11 +24,11 @@ VANTAGE_SIMD void vertex_cosines(const float* positions, const float* normals, c
     }
 }
 
-/// The same at the intersection of a camera ray with a triangle, with the interpolated normal. `corners` are
-/// relative to the camera.
+/// The cosine at the intersection of a camera ray with a triangle, using the interpolated normal. `corners`
+/// are relative to the camera.
 float cosine(std::array<Eigen::Vector3f, 3> corners, const std::array<Eigen::Vector3f, 3>& normals,
              const Eigen::Vector3f& ray) {
-    // Scaled so that products neither underflow nor overflow.
+    // The corners are scaled so that products neither underflow nor overflow.
     const float unit = std::max(corners[0].cwiseAbs().maxCoeff(), corners[1].cwiseAbs().maxCoeff());
     for (Eigen::Vector3f& c : corners) c /= unit;
     // A corner's barycentric weight is the volume spanned by the ray and the opposite edge.

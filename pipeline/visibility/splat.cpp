@@ -10,8 +10,8 @@ namespace vantage {
 namespace {
 
 constexpr float unseen = std::numeric_limits<float>::infinity();
-constexpr float filling = 2;        ///< radius of a splat, in half distances, that leaves few gaps
-constexpr float largest = 64;       ///< radius of a splat, texels
+constexpr float filling = 2;   ///< radius of a splat that leaves few gaps, in half distances between points
+constexpr float largest = 64;  ///< radius of a splat, texels
 constexpr float hole_step = 0.02f;  ///< minimum depth of a hole behind its neighbors, relative to depth
 
 /// Draws a disc of constant depth.

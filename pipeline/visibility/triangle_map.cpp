@@ -29,11 +29,11 @@ std::pair<int, int> pixel_centers(Int low, Int high, int size) {
             int(std::clamp<Int>((high - half) >> subpixel_bits, -1, size - 1))};
 }
 
-/// Triangles after setup, `lanes` at a time. Edge function i, opposite corner i, is nonnegative inside the
+/// Triangles after setup, in groups of `lanes`. Edge function i, opposite corner i, is nonnegative inside the
 /// triangle; 1/z and value/z are linear over the map.
 struct SmallTriangles {
-    Ints small;           ///< -1 for small triangles; other fields of the others are undefined
-    Ints large;           ///< likewise
+    Ints small;           ///< -1 for small triangles; for others, the fields after `large` are undefined
+    Ints large;           ///< -1 for large triangles
     Ints x0, x1, y0, y1;  ///< bounding box, pixels; may be empty
     Ints row[3], step_x[3], step_y[3];
     Floats min_inverse, max_inverse;  ///< bounds of 1/z
@@ -46,7 +46,7 @@ VANTAGE_INLINE Ints snapped(const Ints& position) {
     return (position + (1 << (shift - 1))) >> shift;
 }
 
-/// A corner of each triangle, on the map, in subpixels.
+/// One corner of each triangle, on the map, in subpixels.
 struct Corners {
     Ints x, y;
     Floats inverse, value;

@@ -19,8 +19,8 @@ struct TriangleMap {
 
 /// Rasterizes triangles (three indices each) on the CPU, without backface culling and clipped against the
 /// near plane. `values`: one per vertex. Corners are snapped to 1/256 pixel, so that triangles that share an
-/// edge leave no gap; a pixel center on the edge is inside both. At equal depth the triangle drawn first
-/// wins; small triangles are drawn before large ones.
+/// edge leave no gap; a pixel center on the edge is inside both triangles. At equal depth the triangle drawn
+/// first wins; small triangles are drawn before large ones.
 TriangleMap rasterize(const PhotoProjection& projection, std::span<const std::uint32_t> indices,
                       std::span<const float> values);
 

@@ -12,7 +12,7 @@ namespace {
 constexpr auto block_size = std::size_t(lanes);
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-/// Spreads the low 16 bits to the even bits.
+/// Spreads the low 16 bits to the even bit positions.
 std::uint32_t spread(std::uint32_t v) {
     v &= 0xffff;
     v = (v | v << 8) & 0x00ff00ff;
@@ -31,8 +31,8 @@ void sort_into_bins(const PhotoProjection& p, BinnedVertices& s) {
         return std::size_t(v.y >> BinnedVertices::bin_bits) * std::size_t(s.columns) +
                std::size_t(v.x >> BinnedVertices::bin_bits);
     };
-    // Counts are shifted by two bins, so that first[bin + 1] is the insertion position while filling and ends
-    // up as the start of bin + 1.
+    // Counts are shifted by two bins, so that first[bin + 1] is the insertion position of `bin` while the
+    // bins are filled, and the start of bin + 1 afterwards.
     s.first.assign(std::size_t(s.columns) * std::size_t(s.rows) + 2, 0);
     for (const ProjectedVertex& v : p.vertices)
         if (in_frame(v)) ++s.first[bin_of(v) + 2];

@@ -3,8 +3,8 @@
 
 namespace vantage {
 
-/// The stage of texture coordinates: writes them, if the package holds any for the photo, and the photo's
-/// measurements: the footprint hull, the fraction of visible vertices, depths.
+/// The texture coordinate stage. It writes the texture coordinates, if the package holds any for the photo,
+/// and the photo's measurements: the footprint hull, the fraction of visible vertices and the depths.
 void make_coordinates(StageInput& in);
 
 }  // namespace vantage

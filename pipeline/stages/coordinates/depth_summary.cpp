@@ -16,7 +16,7 @@ struct Range {
     float low, high;
 };
 
-/// Range of the finite depths; `high` is 0 if there are none. Depths are positive.
+/// Range of the finite depths; `high` is 0 if no depth is finite. Depths are positive.
 VANTAGE_SIMD Range range(const float* z, std::size_t count) {
     constexpr std::size_t lanes = 16;
     constexpr float infinite = std::numeric_limits<float>::infinity();

@@ -15,7 +15,8 @@
 namespace vantage {
 namespace {
 
-/// Coordinates relative to a corner of a triangle up to this extent are exact in single precision.
+/// Coordinates relative to a corner are exact in single precision if the triangle is at most this wide and
+/// high.
 constexpr int small_extent = 62 << position_bits;
 
 /// The bins that a range of positions touches.
@@ -28,12 +29,12 @@ std::pair<int, int> bins(Int low, Int high, int count) {
 /// A small triangle after setup, relative to its first corner.
 struct SmallTriangle {
     int x, y;                      ///< of the first corner
-    int left, right, top, bottom;  ///< bounds of the positions that it may hide
+    int left, right, top, bottom;  ///< bounds of the positions that the triangle may hide
     float bx, by, cx, cy, area;
     float slack;  ///< keeps rounding from opening gaps between triangles
     float sign, share;
     float inverse[3];   ///< 1/z of the corners
-    float max_inverse;  ///< no vertex with more than this is hidden
+    float max_inverse;  ///< vertices with a larger 1/z are not hidden
     int corners[3];
 };
 
@@ -62,7 +63,7 @@ VANTAGE_INLINE Size set_up(std::span<const ProjectedVertex> vertices, const std:
     return std::abs(t.area) > t.slack ? Size::small : Size::none;
 }
 
-/// Tests `lanes` vertices, starting at `i`. Returns whether any is newly hidden.
+/// Tests `lanes` vertices, starting at `i`. Returns whether any of them is newly hidden.
 VANTAGE_INLINE bool hide_lanes(const SmallTriangle& t, std::size_t i, BinnedVertices& s) {
     Ints x, y, vertex, hidden;
     Floats inverse;
@@ -86,8 +87,8 @@ VANTAGE_INLINE bool hide_lanes(const SmallTriangle& t, std::size_t i, BinnedVert
     return any[0] | any[1] | any[2] | any[3];
 }
 
-/// The blocks, of `lanes` starting at `first`, in which the triangle may hide vertices: one bit in the byte
-/// of each.
+/// Among the `lanes` blocks that start at `first`, those in which the triangle may hide vertices: one bit in
+/// each block's byte.
 VANTAGE_INLINE std::uint64_t blocks_behind(const SmallTriangle& t, std::size_t first, const VertexBlocks& b) {
     Ints left, right, top, bottom;
     Floats inverse;
@@ -103,7 +104,7 @@ VANTAGE_INLINE std::uint64_t blocks_behind(const SmallTriangle& t, std::size_t f
 }
 
 /// Hides vertices from `first` to `last` (inclusive), and possibly others, by descending through the levels
-/// of blocks. Returns the tests of `lanes` vertices or blocks.
+/// of blocks. Returns the number of tests; each covers `lanes` vertices or blocks.
 VANTAGE_INLINE std::size_t hide_in_blocks(const SmallTriangle& t, std::size_t first, std::size_t last,
                                           BinnedVertices& s) {
     struct Group {
@@ -133,7 +134,7 @@ VANTAGE_INLINE std::size_t hide_in_blocks(const SmallTriangle& t, std::size_t fi
     return tests;
 }
 
-/// Widens the bounds by the triangle's growth due to the slack, within these bins.
+/// Widens the bounds, within these bins, because the slack enlarges the triangle.
 VANTAGE_INLINE void add_slack(SmallTriangle& t, int x0, int x1, int y0, int y1) {
     // A barycentric coordinate is at least -slack / area; the factor also covers rounding.
     const float reach = 8 * t.slack / std::abs(t.area);
@@ -148,8 +149,9 @@ VANTAGE_INLINE void add_slack(SmallTriangle& t, int x0, int x1, int y0, int y1) 
     wider(t.top, t.bottom, y0, y1);
 }
 
-/// Marks the vertices hidden by small triangles: those whose line of sight meets a triangle that does not
-/// contain them at less than `max_depth_ratio` of their depth. Returns the indices of the large triangles.
+/// Marks the vertices hidden by small triangles. A triangle hides a vertex if the vertex is not one of its
+/// corners and the line of sight meets the triangle at less than `max_depth_ratio` times the vertex's depth.
+/// Returns the indices of the large triangles.
 VANTAGE_SIMD std::vector<std::uint32_t> hide_by_small(std::span<const ProjectedVertex> vertices,
                                                       std::span<const std::uint32_t> indices,
                                                       float max_depth_ratio, BinnedVertices& s,
@@ -178,7 +180,7 @@ VANTAGE_SIMD std::vector<std::uint32_t> hide_by_small(std::span<const ProjectedV
     return large;
 }
 
-/// The same for one clipped triangle of any size.
+/// Marks the vertices hidden by one clipped triangle of any size.
 void hide_by(const ProjectedPiece& p, const std::uint32_t* corners, double max_depth_ratio,
              BinnedVertices& s) {
     const auto edge = [&](std::size_t a, std::size_t b, double x, double y) {
