@@ -49,7 +49,7 @@ PoseRefinement find_pose_refinement(const FinishInput& in, const PackageReader& 
     return joined(std::move(image_sets), photos.records, in.image_sets);
 }
 
-/// Determines the photos' cameras and rewrites the chunks that depend on those that move.
+/// Determines the photos' cameras and rewrites the chunks that depend on the cameras that move.
 PoseRefinement register_cameras(const FinishInput& in, const PackageReader& part, const PhotoSamples& samples,
                                 PhotoTables& photos) {
     const auto fingerprints = pose_refinement_fingerprints(photos.states, photos.records, in.given,
@@ -99,7 +99,8 @@ struct ImageSetColors {
     ColorFit fit;
 };
 
-/// Opens the part with its current chunks: a rewritten compact chunk has a different length.
+/// Opens the part file again to see its current chunks, because a rewritten compact chunk has a different
+/// length.
 PackageReader open_part(const FinishInput& in) {
     return PackageReader(part_of(in.out), PackageReader::Expect::part);
 }
@@ -139,8 +140,8 @@ std::vector<ImageSetColors> fit_image_sets(const FinishInput& in, const PhotoSam
     return out;
 }
 
-/// The results from the photos of one image set once their cameras are known. Photos of other image sets have
-/// no pixels in `photos`.
+/// The results from the photos of one image set, computed once their cameras are known. In `photos`, the
+/// photos of other image sets have no pixels.
 struct ImageSetAgreement {
     ColorRefinement colors;
     TransientMasks transients;
@@ -187,7 +188,7 @@ void agree_by_image_set(const FinishInput& in, const PackageReader& part, std::v
     out.transients = joined(std::move(transients), photos.records, in.image_sets);
 }
 
-/// The results without photos.
+/// The results for a scene without photos.
 Agreement no_agreement() {
     Agreement out;
     std::size_t next = 0;
@@ -217,7 +218,7 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     // A copy, because the records' poses change in the meantime.
     const std::vector<package::PhotoRecord> given = photos.records;
     Agreement out;
-    // Fits colors while cameras are registered, because cameras seldom move.
+    // Colors are fitted while cameras are being registered, because cameras seldom move.
     std::future<std::vector<ImageSetColors>> fitting =
         std::async(std::launch::async, [&] { return fit_image_sets(in, samples, given); });
     out.pose_refinement = register_cameras(in, open_part(in), samples, photos);

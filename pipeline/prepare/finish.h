@@ -24,14 +24,14 @@ struct FinishInput {
     bool validate = true;  ///< see PrepareSettings
     package::SceneRecord scene;
     std::vector<std::string> image_sets{""};  ///< names, see ImageSet
-    std::vector<Pose> given;                  ///< relative to the origin; with `known`, records may differ
-    std::optional<PoseRefinement> known;      ///< found for an earlier package from the same inputs
-    std::vector<package::PairRecord> known_pairs;  ///< measured for earlier packages
+    std::vector<Pose> given;  ///< relative to the origin; if `known` is set, the records' poses may differ
+    std::optional<PoseRefinement> known;  ///< found in an earlier package that was made from the same inputs
+    std::vector<package::PairRecord> known_pairs;  ///< found in earlier packages
     unsigned threads = 0;                          ///< 0: all cores
     OnProgress progress;                           ///< may be empty
 };
 
-/// Content of single photos that other photos contradict.
+/// Content that appears in single photos and is contradicted by others.
 struct TransientMasks {
     EffectDecision decision;
     std::vector<double> disagreeing;  ///< per photo: the contradicted fraction of its visible surface

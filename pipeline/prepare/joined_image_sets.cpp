@@ -19,7 +19,7 @@ std::vector<EffectDecision> decisions_of(const std::vector<Result>& image_sets,
     return out;
 }
 
-/// Per photo, the value of its own image set.
+/// For each photo, the value from its own image set.
 template <class Result, class Value>
 std::vector<Value> own_values(const std::vector<Result>& image_sets, std::vector<Value> Result::*member,
                               std::span<const package::PhotoRecord> photos) {
@@ -33,7 +33,7 @@ bool is_of(const LeaveOneOutPose& p, std::uint32_t image_set, std::span<const pa
     return photos[p.without].image_set == image_set && photos[p.photo].image_set == image_set;
 }
 
-/// Joins the values per lens: a lens belongs to one image set.
+/// Joins the values per lens: each lens belongs to one image set only.
 ColorFit joined_fit(const std::vector<ColorFit>& image_sets, std::span<const std::uint32_t> lens,
                     std::span<const package::PhotoRecord> photos) {
     ColorFit out = image_sets.front();
@@ -57,7 +57,8 @@ EffectDecision joined(std::span<const EffectDecision> decisions, std::span<const
     out = {out.effect, false, out.forced, 0, {}};
     for (std::size_t b = 0; b < decisions.size(); ++b) {
         const EffectDecision& d = decisions[b];
-        // The maximum over the image sets with the effect, if any has it.
+        // The maximum over the image sets for which the effect is on, or over all of them if it is off for
+        // all.
         if (d.on == out.on ? d.measured > out.measured : d.on) out.measured = d.measured;
         out.on |= d.on;
         out.evidence += (b ? "; " : "") + names[b] + ": " + d.evidence;

@@ -8,13 +8,14 @@
 
 namespace vantage {
 
-// Join the results of the image sets into one for all photos; with a single image set, the result is its own.
+// These functions join the results of the image sets into one result for all photos. If there is a single
+// image set, its result is returned unchanged.
 
-/// The effect is on if it is on for any image set. `names`: those of the image sets, in the order of
+/// The effect is on if it is on for any image set. `names`: the names of the image sets, in the order of
 /// `decisions`.
 EffectDecision joined(std::span<const EffectDecision> decisions, std::span<const std::string> names);
 
-/// Each photo's result is that of its own image set.
+/// Each photo takes its result from its own image set.
 PoseRefinement joined(std::vector<PoseRefinement> image_sets, std::span<const package::PhotoRecord> photos,
                       std::span<const std::string> names);
 ColorRefinement joined(std::vector<ColorRefinement> image_sets, std::span<const package::PhotoRecord> photos,
@@ -22,8 +23,8 @@ ColorRefinement joined(std::vector<ColorRefinement> image_sets, std::span<const 
 TransientMasks joined(std::vector<TransientMasks> image_sets, std::span<const package::PhotoRecord> photos,
                       std::span<const std::string> names);
 
-/// The effects that are on for each image set: its own decisions and, for the first image set, the
-/// background.
+/// The effects that are on for each image set: those of its own decisions and, for the first image set, also
+/// the background.
 std::vector<EffectSet> effects_of_image_sets(std::span<const EffectDecision> decisions,
                                              std::size_t image_sets);
 

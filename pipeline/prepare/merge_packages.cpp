@@ -52,7 +52,7 @@ std::vector<PackageReader> open_shares(const std::vector<fs::path>& files) {
     return shares;
 }
 
-/// Scene-wide chunks must agree, except for the per-photo records in PHOT and STAT.
+/// Scene-wide chunks must be identical, except for the per-photo records in PHOT and STAT.
 void expect_same_scene(const PackageReader& a, const PackageReader& b) {
     for (const DirectoryEntry& e : a.directory()) {
         if (e.photo != package::scene_wide || e.type == std::uint32_t(Type::photos) ||
@@ -73,7 +73,7 @@ void merge_photo(std::uint32_t i, const EarlierPackages& parts, PackageWriter& w
     const auto holder =
         std::ranges::find_if(parts, [&](const auto& part) { return bool(part->photo(record.name)); });
     if (holder == parts.end())
-        throw Error(Exit::damaged, std::string(record.name) + ": found in none of the parts");
+        throw Error(Exit::damaged, std::string(record.name) + ": not found in any of the parts");
     const std::uint32_t at = *(*holder)->photo(record.name);
     record = (*holder)->record(at);
     state = (*holder)->state(at);
@@ -87,7 +87,7 @@ void merge_photo(std::uint32_t i, const EarlierPackages& parts, PackageWriter& w
             });
             if (!taken)
                 throw Error(Exit::damaged,
-                            std::string(record.name) + ": damaged data of stage " + stage_row(stage).name);
+                            std::string(record.name) + ": damaged data from stage " + stage_row(stage).name);
         }
     }
     writer.note(Type::photos, i, bytes_of_one(record));
@@ -120,7 +120,7 @@ void copy_merged_scene(const PackageReader& from, PackageWriter& writer) {
     }
 }
 
-/// Moves cameras that were refined from other inputs back to their given poses.
+/// Moves cameras back to their given poses if they were refined from other inputs.
 void move_back(const FinishInput& in, PhotoTables& photos) {
     const PackageReader part(part_of(in.out), PackageReader::Expect::part);
     for (std::uint32_t i = 0; i < photos.records.size(); ++i) {
@@ -142,7 +142,8 @@ void merge(const std::vector<fs::path>& files, const fs::path& out, const OnProg
 
 namespace {
 
-/// Copies the parts' model and photos into the package, except what an interrupted run already copied.
+/// Copies the parts' model and photos into the package, except for those that an interrupted run has already
+/// copied.
 PhotoTables copy_parts(std::span<const PackageReader> parts, const fs::path& out, PackageWriter& writer,
                        const OnProgress& progress) {
     const PackageReader& first = parts.front();

@@ -72,7 +72,7 @@ std::optional<PoseRefinement> pose_refinement_of(const PackageReader& package, s
     const std::string text(package.meta());
     out.decision = decision_in(text, Effect::pose_refinement);
     out.warnings = findings_in(text);
-    // Packages of earlier versions lack the leave-one-out poses.
+    // Packages written by earlier versions lack the leave-one-out poses.
     if (out.decision.on && !package.find(Type::pose_refinement_without)) return {};
     out.pairs = pairs_of(package);
     for (const auto& r :

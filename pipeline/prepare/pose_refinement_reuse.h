@@ -18,20 +18,20 @@ std::vector<Pose> given_poses(const SceneInput& scene, const Eigen::Vector3d& or
 /// The poses given to `prepare`, as stored in a package.
 std::vector<Pose> given_poses(const PackageReader& package);
 
-/// XXH3-64, per photo, of the inputs of its pose refinement: its tiles, camera, model, given pose, renderer
-/// and image set.
+/// For each photo, the XXH3-64 of the inputs to its pose refinement: tiles, camera, model, given pose,
+/// renderer and image set.
 std::vector<std::uint64_t> pose_refinement_fingerprints(std::span<const package::PhotoState> states,
                                                         std::span<const package::PhotoRecord> photos,
                                                         std::span<const Pose> given, bool opengl);
-/// XXH3-64 of all fingerprints and of the choice.
+/// XXH3-64 of all fingerprints, the choice and whether the result is validated.
 std::uint64_t pose_refinement_key(std::span<const std::uint64_t> fingerprints, EffectChoice choice,
                                   bool validate);
 
-/// The pose refinement stored in a package; empty if its key differs or it is damaged.
+/// The pose refinement stored in a package; empty if its key differs or if it is damaged.
 std::optional<PoseRefinement> pose_refinement_of(const PackageReader& package, std::uint64_t key);
 /// The pairs of photos stored in a package; empty if they are damaged.
 std::vector<package::PairRecord> pairs_of(const PackageReader& package);
-/// The pairs of all finished earlier packages.
+/// The pairs of photos stored in all finished earlier packages.
 std::vector<package::PairRecord> pairs_of(const EarlierPackages& earlier);
 
 /// The pose refinement of a finished earlier package, if it was made from exactly these inputs.

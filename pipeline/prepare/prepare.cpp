@@ -30,7 +30,7 @@ namespace {
 
 using package::Type;
 
-/// Counts the stages that ran, with reasons, and those whose chunks were kept.
+/// Counts the stages that ran, with the reasons, and the stages whose chunks were kept.
 class StageCounts {
   public:
     StageCounts(const SceneInput& scene, nlohmann::json settings, const EarlierPackages& earlier)
@@ -57,7 +57,7 @@ class StageCounts {
     const EarlierPackages& earlier_;
 };
 
-/// The photos to decode while the model is prepared: none if memory is limited or chunks may be reused.
+/// The photos to decode while the model is being prepared: none if memory is limited or chunks may be reused.
 std::vector<std::size_t> photos_to_prefetch(const SceneInput& scene, const PrepareSettings& settings,
                                             const Share& share, const std::filesystem::path& out) {
     std::vector<std::size_t> first;
@@ -69,7 +69,8 @@ std::vector<std::size_t> photos_to_prefetch(const SceneInput& scene, const Prepa
     return first;
 }
 
-/// Estimates and reports the resources that the run needs. Throws if the disk or --memory is too small.
+/// Estimates and reports the resources that the run needs. Throws if the free disk space or --memory is too
+/// small.
 ResourceEstimate reserve(const PreparePlan& plan, const SceneInput& scene, const PrepareSettings& settings,
                          const PrepareRun& run, bool opengl, const std::filesystem::path& out) {
     const PackageLayout layout = package_layout(plan.chunks, plan.names);
@@ -164,20 +165,21 @@ void record_skipped(const SceneInput& scene, const PhotoTables& photos, PrepareR
                                      result.skipped.front().photo + ": " + result.skipped.front().why);
 }
 
-/// Finishes a shard; merging computes the results that depend on all photos.
+/// Finishes a shard. The results that depend on all photos are computed when the shards are merged.
 void finish_share(PackageWriter& writer, const PhotoTables& photos) {
     writer.write(Type::photos, package::scene_wide, bytes_of(photos.records));
     writer.write(Type::states, package::scene_wide, bytes_of(photos.states));
     writer.finish();
 }
 
-/// The scene's cameras: as given, and as refined by an earlier run from the same inputs.
+/// The scene's cameras: the given poses, and the current ones, which an earlier run may have refined from the
+/// same inputs.
 struct Cameras {
     std::vector<Pose> given, current;  ///< relative to the origin
     std::optional<PoseRefinement> pose_refinement;
 };
 
-/// Also writes refined poses to the photos' records.
+/// Determines the cameras and writes refined poses to the photos' records.
 Cameras scene_cameras(const SceneKey& key, const SceneInput& scene, const Eigen::Vector3d& origin,
                       IdentityCache& identities, const EarlierPackages& earlier,
                       std::vector<package::PhotoRecord>& records) {
@@ -193,7 +195,7 @@ Cameras scene_cameras(const SceneKey& key, const SceneInput& scene, const Eigen:
     return cameras;
 }
 
-/// Runs all photos through their stages and updates the estimate of this machine's speed.
+/// Runs all stages of all photos and updates the estimate of this machine's speed.
 PrepareResult prepare_photos(const PhotoContext& context, PhotoTables& photos,
                              const ResourceEstimate& estimate, const PrepareRun& run,
                              const OnProgress& progress) {

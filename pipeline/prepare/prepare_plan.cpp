@@ -18,7 +18,7 @@
 namespace vantage {
 namespace {
 
-/// RMS distance of the vertices in the model's bounds from their mean; invariant under rotation.
+/// RMS distance from their mean of the vertices inside the model's bounds; it is invariant under rotation.
 double spread(const Mesh& mesh, const package::SceneRecord& model) {
     const Eigen::AlignedBox3d bounds(Eigen::Map<const Eigen::Vector3d>(model.bounds_min),
                                      Eigen::Map<const Eigen::Vector3d>(model.bounds_max));
@@ -33,9 +33,9 @@ double spread(const Mesh& mesh, const package::SceneRecord& model) {
     return squares > 0 ? std::sqrt(squares) : 1;
 }
 
-/// The finest density, rounded up to a power of two so that adding or removing a photo does not change every
-/// weight map: an octave is twelve steps of the depth weight. The powers are relative to the model's size,
-/// because rounding in input units would depend on the unit.
+/// The finest density, rounded up to a power of two, so that adding or removing a photo does not change every
+/// weight map. An octave is twelve steps of the depth weight. The powers are relative to the model's size,
+/// because otherwise the rounding would depend on the unit of the input.
 double reference_density(const SceneInput& scene, const package::SceneRecord& model) {
     const double size = spread(scene.mesh, model);
     return std::exp2(std::ceil(std::log2(finest_density(scene) * size))) / size;
@@ -72,7 +72,8 @@ void add_deviations(SceneInput& scene, Trace* trace) {
     scene.compared.clear();
 }
 
-/// Its facets are visible from both sides, because points have no orientation.
+/// Packs the stand-in for the points. Its facets are visible from both sides, because points have no
+/// orientation.
 PackedModel pack_stand_in(SceneInput& scene) {
     std::vector<Eigen::Vector3d> eyes;
     for (const PhotoInput& photo : scene.photos) eyes.push_back(photo.camera.cam_from_world.center());

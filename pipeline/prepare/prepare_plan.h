@@ -17,7 +17,7 @@ namespace vantage {
 struct PreparePlan {
     package::SceneRecord scene{};
     std::vector<EffectDecision> effects;
-    PointTree points;  ///< empty if the effect is off
+    PointTree points;  ///< empty if the effect `points` is off
     PhotoTables photos;
     std::vector<std::string> image_sets{""};  ///< names, see ImageSet
     std::string meta;
@@ -25,19 +25,19 @@ struct PreparePlan {
     std::uint64_t names = 0;  ///< checksum of the photos' names, in order
 };
 
-/// Throws if a scene cannot be prepared: Error(usage) if it has points only and the effect `points` is off,
-/// Error(input) if the mesh has no triangles.
+/// Throws if the scene cannot be prepared: Error(usage) if it consists only of points and the effect `points`
+/// is off, or Error(input) if the mesh has no triangles.
 void expect_usable(const SceneInput& scene, const PrepareSettings& settings);
 
-/// Scales the cameras for photos reduced to at most `longest` pixels on the long side.
+/// Scales the cameras to photos that are reduced to at most `longest` pixels on the longer side.
 void reduce_photos(SceneInput& scene, int longest);
 
 /// Subdivides the model, compares it with the reference meshes, clusters and packs it; the scene's mesh is
 /// subdivided and reordered in the same way.
 PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace* trace);
 
-/// Inspects the scene and plans the chunks of the package or shard. Throws Error(input), and Error(usage) if
-/// a photo to hold out is not in the scene.
+/// Inspects the scene and plans the chunks of the package or shard. Throws Error(input), or Error(usage) if a
+/// photo to be held out is not in the scene.
 PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const PrepareSettings& settings,
                       Share share, IdentityCache& identities, Trace* trace);
 

@@ -47,7 +47,7 @@ void copy_thumbnail(const PackageReader& from, PackageWriter& to, std::uint32_t 
     write_thumbnail(to, photo, {rgba, {int(r.thumbnail_width), int(r.thumbnail_height)}});
 }
 
-/// A chunk that already has a compact form keeps it.
+/// Copies a chunk of tiles; a chunk that already has a compact form keeps it.
 void copy_tiles(const PackageReader& from, PackageWriter& to, std::uint32_t photo, const PhotoRecord& r,
                 Type type, std::uint32_t level) {
     const DirectoryEntry* e = from.find(type, photo, level);
@@ -72,8 +72,8 @@ void copy_photo(const PackageReader& from, PackageWriter& to, std::uint32_t i, c
             to.write(row->type, i, from.records<std::byte>(row->type, i));
 }
 
-/// The photo's state, with its chunks' checksums. Its stages have no keys, because `prepare` would produce
-/// different bytes.
+/// The photo's state with the checksums of its chunks. Its stages have no keys, because `prepare` would
+/// produce different bytes.
 PhotoState state_of(const PackageReader& from, const PackageWriter& to, std::uint32_t i,
                     const PhotoRecord& r) {
     PhotoState state = from.records<PhotoState>(Type::states)[i];

@@ -57,20 +57,21 @@ std::uint64_t freed_in_heap() {
 
 double pixels(const PhotoInput& photo) { return double(photo.decoded.width) * photo.decoded.height; }
 
-/// For one thread of a 2023 server; machine_speed() scales them. Measured as in docs/measurements.md, "Cost
-/// by number of triangles".
+/// These times are for one thread of a 2023 server; machine_speed() scales them. They were measured as
+/// described in docs/measurements.md, "Cost by number of triangles".
 constexpr double seconds_per_pixel = 17e-9, seconds_per_lens_pixel = 2e-9, seconds_per_triangle = 0.16e-6;
 /// Seconds for decoding.
 constexpr double seconds_per_jpeg_pixel = 5e-9, seconds_per_other_pixel = 35e-9;
-/// Seconds for writing a package to a disk, which is flushed at the end.
+/// Seconds for writing a package to a disk, including flushing it at the end.
 constexpr double seconds_per_written_byte = 2e-9;
-/// Seconds for comparing photos; validation adds time only for the first photos, because few photos are held
-/// out.
+/// Seconds for comparing photos; validation takes additional time for at most `max_validated` photos, because
+/// few photos are held out.
 constexpr double seconds_per_photo = 0.02, seconds_per_validated = 0.02;
 constexpr std::size_t max_validated = 12;
-/// Seconds for the background.
+/// Seconds per photo for computing the background.
 constexpr double seconds_per_swept = 0.03;
-/// Maximum memory for the background: views, depths by direction, their costs and messages.
+/// Maximum memory for the background, in bytes: views, depths by direction, the costs of depths, and
+/// messages.
 constexpr std::uint64_t background_memory = 50'000'000;
 /// Shorter runs are too short to measure the speed.
 constexpr double shortest_run = 0.5;
@@ -86,8 +87,8 @@ double photo_seconds(const PhotoInput& photo, const package::SceneRecord& model)
            double(model.triangles) * seconds_per_triangle;
 }
 
-/// Bytes of a photo's file per pixel; the same again during decoding if the file is large because it is not a
-/// JPEG.
+/// Bytes of a photo's file per pixel, counted twice, because decoding a large file that is not a JPEG needs
+/// as much again.
 double file_bytes(const PhotoInput& photo) {
     std::error_code error;
     const auto bytes = fs::file_size(photo.file, error);
@@ -122,7 +123,7 @@ ResourceEstimate estimate_resources(const SceneInput& scene, const PrepareSettin
     };
     const std::uint64_t base = memory_now() + scene_memory(model, run.opengl);
     const bool shared = run.shares > 0;
-    // The photos' memory is free again when their results are compared.
+    // The memory of the photos has been freed by the time their results are compared.
     const auto needed = [&](unsigned in_flight) {
         return base +
                std::max(in_flight * photo(in_flight), shared ? 0 : agree_memory(scene, settings, in_flight));
@@ -142,8 +143,8 @@ ResourceEstimate estimate_resources(const SceneInput& scene, const PrepareSettin
 std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& model, bool spare_cores) {
     double most = 0;
     for (const PhotoInput& photo : scene.photos) {
-        // Bytes per pixel: RGBA and its pyramid 6, and the file; a copy and the source position of each
-        // pixel; a mask. Maps, distances and weight maps take 28 at a quarter of the pixels.
+        // Bytes per pixel: 6 for RGBA and its pyramid, plus the file; 12 for a copy and the source position
+        // of each pixel; 4 for a mask. Maps, distances and weight maps take 28 at a quarter of the pixels.
         const double texels =
             6 + file_bytes(photo) + (photo.camera.lens.distorts() ? 12 : 0) + (photo.mask.empty() ? 0 : 4);
         constexpr double maps = 7;
@@ -164,16 +165,16 @@ std::uint64_t agree_memory(const SceneInput& scene, const PrepareSettings& setti
     double texels = 0;  // at the level of Folds, at most 256 on the longer side
     for (const PhotoInput& photo : scene.photos)
         texels = std::max(texels, std::min(pixels(photo) / 4, 256.0 * 256.0 * 3 / 4));
-    // Bytes per texel: Folds' photos 100, transient views 80, sightings of 52 at a quarter of the texels; and
-    // per thread the blended colors of three predictions.
+    // Bytes per texel: 100 for the photos of Folds, 80 for transient views, 52 for sightings at a quarter of
+    // the texels, and for each thread 100 for the blended colors of three predictions.
     return beside + std::uint64_t(texels * (100 * at_most(cached_photos) + 80 * at_most(cached_views) +
                                             13 * at_most(kept_sightings) * at_most(max_others) +
                                             100 * at_most(threads)));
 }
 
 std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl) {
-    // Memory of the report's views; for OpenGL also of a software renderer's shaders, buffers and triangle
-    // bins.
+    // Memory for the report's views, and with OpenGL also for the shaders, buffers and triangle bins of a
+    // software renderer.
     return std::uint64_t(18e6 + (opengl ? 160e6 + 150.0 * double(model.triangles) : 0));
 }
 
@@ -226,7 +227,7 @@ void remember_speed(double expected, double took) {
     try {
         replace_file(file, fmt::format("{:g}\n", speed));
     } catch (const Error&) {
-        // The speed only improves estimates.
+        // Ignored, because the speed only improves estimates.
     }
 }
 

@@ -23,8 +23,8 @@ namespace {
 using package::PhotoRecord;
 using package::Type;
 
-/// Writes the weight maps' fourth channel at all levels: 255 without a map; never 0 where the photo sees the
-/// model.
+/// Writes the weight maps' fourth channel at all levels: 255 if `map` is null, and never 0 where the photo
+/// sees the model.
 void write_weights(const PackageReader& part, PackageWriter& writer, std::uint32_t photo,
                    const PhotoRecord& r, const TransientMap* map) {
     for (int l = weight_map_level; l < weight_map_levels_end(int(r.levels)); ++l) {
@@ -35,7 +35,7 @@ void write_weights(const PackageReader& part, PackageWriter& writer, std::uint32
     }
 }
 
-/// 0 if no part of the photo is contradicted.
+/// The checksum of the map; 0 if no part of the photo is contradicted.
 std::uint64_t key_of(const TransientMap& map) {
     if (std::ranges::all_of(map.weight, [](std::uint8_t w) { return w == 255; })) return 0;
     return checksum(bytes_of(map.weight));
@@ -59,7 +59,8 @@ EffectDecision decide_transients(std::span<const PhotoRecord> photos, const std:
                                  EffectChoice choice) {
     const auto worst = std::ranges::max_element(maps, {}, &TransientMap::disagreeing);
     if (worst == maps.end() || std::ranges::all_of(maps, [](const auto& m) { return m.weight.empty(); }))
-        return decide(Effect::transients, choice, 0, "no photo shares surface with two others");
+        return decide(Effect::transients, choice, 0,
+                      "no photo sees a part of the surface that two others see");
     return decide(Effect::transients, choice, worst->disagreeing,
                   fmt::format("other photos contradict {:.2f} % of the surface in {}, the most of any photo",
                               100 * worst->disagreeing, photos[std::size_t(worst - maps.begin())].name));
@@ -77,7 +78,7 @@ void confirm(const FinishInput& in, const Folds& folds, const TransientViews& vi
     confirm(decision, validated);
 }
 
-/// Views at the resolution of the weight maps, which is twice that of the evidence.
+/// Views at the resolution of the weight maps, which is twice the resolution of the evidence.
 TransientViews finer_views(const PackageReader& part, std::span<const PhotoRecord> photos) {
     return {cached_views, [&part, photos](std::uint32_t i) {
                 TransientView view = read_transient_view(part, photos[i], i, transient_level(photos[i]));
@@ -86,8 +87,8 @@ TransientViews finer_views(const PackageReader& part, std::span<const PhotoRecor
             }};
 }
 
-/// Sets the decision and the evidence per photo in `out`; returns the maps to apply, none if the effect is
-/// off.
+/// Sets the decision and the evidence per photo in `out`. Returns the maps to apply, which are empty if the
+/// effect is off.
 std::vector<TransientMap> decide_weights(const FinishInput& in, const PackageReader& part, const Folds& folds,
                                          const ColorRefinement& colors, std::span<const PhotoRecord> photos,
                                          TransientMasks& out) {

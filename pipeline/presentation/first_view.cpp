@@ -23,10 +23,10 @@ constexpr double filled = 0.75;                ///< fraction of the frame's heig
 constexpr double least_fov = 8, max_fov = 70;  ///< degrees
 constexpr double nearby = 25 * degree;         ///< angle at the model between nearby photos
 constexpr double tolerated_roll = 15 * degree, usual_height = 40 * degree;
-constexpr double usual_distance = 0.5;  ///< width of the bell, in ln(distance / median)
-constexpr int cells = 24;               ///< along the model's longest side, for its roughness
+constexpr double usual_distance = 0.5;  ///< width of the bell curve, in ln(distance / median)
+constexpr int cells = 24;               ///< number along the model's longest side, for measuring detail
 
-/// The amount of detail at each disc: the variation of its neighbors' normals and colors.
+/// The amount of detail at each disc: how much the normals and colors of nearby discs vary.
 std::vector<double> detail_of(Samples samples, std::span<const SurfaceDisc> discs) {
     struct Cell {
         Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
@@ -53,7 +53,7 @@ std::vector<double> detail_of(Samples samples, std::span<const SurfaceDisc> disc
             }
     }
     const auto worth = [](const Cell& cell) {
-        // The fraction of the normals' energy outside their main direction.
+        // The fraction of the normals' squared lengths that is not along their main direction.
         const double bent = 1 - principal_axes(cell.normals).values[2] / std::max(cell.normals.trace(), 1e-9);
         const double n = std::max(cell.colored, 1.0), mean = cell.light / n;
         return 0.05 + bent + 2 * std::sqrt(std::max(cell.squares / n - mean * mean, 0.0));
@@ -111,7 +111,8 @@ const Candidate& best_of(const std::vector<Candidate>& all, const Vector3d& up) 
     return *std::ranges::max_element(all, {}, score);
 }
 
-/// The range of points seen around a direction, from quantile `low` to `high`, as tangents to both sides.
+/// The range of points around a viewing direction, as tangents of the angles: from a low quantile to a high
+/// one.
 struct Extent {
     double low, high;
     double middle() const { return (low + high) / 2; }
@@ -122,7 +123,7 @@ Extent extent_of(std::vector<double> tangents, double radius) {
     return {quantile(tangents, 0.01) - radius, quantile(tangents, 0.99) + radius};
 }
 
-/// Turns and zooms the view to the centers of discs.
+/// Turns and zooms the view so that it frames `points`, the centers of discs.
 void frame(FirstView& view, const Vector3d& eye, const Vector3d& up, std::span<const Vector3d> points,
            double radius) {
     double distance = 0;
@@ -150,7 +151,7 @@ void frame(FirstView& view, const Vector3d& eye, const Vector3d& up, std::span<c
     }
 }
 
-/// Frames the view like the photo.
+/// Gives the view the frame of the photo.
 void frame_as(FirstView& view, const package::PhotoRecord& photo) {
     const Pose pose = cam_from_origin(photo);
     view.target = pose.center() + seen_distance(photo) * pose.direction();

@@ -12,10 +12,10 @@ namespace {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-constexpr double least_arc = 150 * pi / 180;               ///< minimum range of azimuths around an object
+constexpr double least_arc = 150 * pi / 180;               ///< minimum range of azimuths for an object
 constexpr double faces_outward = 0.6, faces_inward = 0.4;  ///< fractions of the surface
 
-/// Visible discs: their centers, and their normals toward the photos that show them.
+/// The centers of visible discs, and their normals, turned toward the photos that show them.
 struct Facing {
     std::vector<Vector3d> centers, normals;
 };
@@ -35,7 +35,8 @@ Facing facing_photos(std::span<const Pose> poses, Samples samples, std::span<con
     return out;
 }
 
-/// The largest azimuth gap between cameras, seen from `middle`, about `up`.
+/// The largest gap in azimuth between cameras as seen from `middle`, in radians; azimuths are measured about
+/// `up`.
 double largest_gap(std::span<const Pose> poses, const Vector3d& middle, const Vector3d& up) {
     const Vector3d east = up.unitOrthogonal(), north = up.cross(east);
     std::vector<double> azimuths;
@@ -51,7 +52,7 @@ double largest_gap(std::span<const Pose> poses, const Vector3d& middle, const Ve
     return gap;
 }
 
-/// Whether most cameras are between surfaces along all three directions.
+/// Whether most cameras have surfaces on both sides along all three axes.
 bool among(std::span<const Pose> poses, const std::vector<Vector3d>& centers, const Vector3d& up) {
     const Vector3d east = up.unitOrthogonal(), north = up.cross(east);
     std::vector<bool> inside(poses.size(), true);

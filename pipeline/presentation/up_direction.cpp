@@ -28,11 +28,12 @@ constexpr std::size_t max_compared = 32;  ///< maximum number of cameras whose p
 constexpr double error_of_surface = 0.7 * radians, farthest_surface = 15 * radians;
 constexpr double least_upright = 0.2;  ///< fraction of the discs on walls and floors
 constexpr double unsure = 5 * radians, turn_by = 10 * radians;
-constexpr double clearly_more = 0.25;  ///< fraction of the discs
-/// Weight of `held` per disc: if all walls are parallel, it determines the up direction along them.
+constexpr double clearly_more = 0.25;  ///< additional fraction of the discs
+/// Weight of `held` per disc. If all walls are parallel, `held` determines which direction parallel to them
+/// is up.
 constexpr double held_weight = 0.002;
 
-/// The axis of a camera that should be level if `up` is correct, and its deviation in radians.
+/// The camera axis that should be level if `up` is correct, and its deviation from level in radians.
 struct Level {
     Vector3d axis;
     double roll;
@@ -41,14 +42,14 @@ struct Level {
 Level level_axis(const Pose& pose, const Vector3d& up) {
     const Vector3d x = pose.R.row(0), y = pose.R.row(1);
     const double upright = std::abs(x.dot(up)), turned = std::hypot(y.dot(up), on_its_side);
-    // If held upright, its columns run downward.
+    // If the camera is held upright, its columns run downward.
     const bool headlong = y.dot(up) > outlier;
     if (!headlong && upright <= turned) return {x, upright};
     if (turned < outlier) return {y, turned};
     return {x, headlong ? outlier : upright};
 }
 
-/// The misfit of an up direction, computed until it exceeds `enough`.
+/// The misfit of an up direction. The sum stops when it reaches `enough`.
 double misfit(std::span<const Pose> poses, const Vector3d& up,
               double enough = std::numeric_limits<double>::infinity()) {
     double sum = 0;
@@ -57,7 +58,7 @@ double misfit(std::span<const Pose> poses, const Vector3d& up,
     return sum;
 }
 
-/// The best of the directions proposed by pairs of cameras.
+/// The best among `mean` and the directions proposed by pairs of cameras.
 Vector3d best_suggestion(std::span<const Pose> poses, const Vector3d& mean) {
     const std::size_t count = std::min(poses.size(), max_compared);
     const auto some = [&](std::size_t i) -> const Pose& { return poses[i * poses.size() / count]; };
@@ -102,8 +103,8 @@ UpEstimate refined(std::span<const Pose> poses, Vector3d up, const Vector3d& mea
     return out;
 }
 
-/// The mean of the photos' up directions, from their columns. If it vanishes, the direction opposite to the
-/// mean viewing direction, because cameras look down more often than up.
+/// The mean of the photos' up directions, taken from their columns. If the mean vanishes, this is the
+/// direction opposite to the mean viewing direction, because cameras look down more often than up.
 Vector3d mean_up(std::span<const Pose> poses) {
     Vector3d columns = Vector3d::Zero(), ahead = Vector3d::Zero();
     for (const Pose& p : poses) columns -= p.R.row(1).transpose(), ahead += p.direction();
@@ -112,8 +113,8 @@ Vector3d mean_up(std::span<const Pose> poses) {
     return Vector3d::UnitZ();
 }
 
-/// A direction parallel to walls and perpendicular to floors, and the fraction of discs on them: 0 if it is
-/// not near the requested one.
+/// A direction parallel to walls and perpendicular to floors, and the fraction of discs that lie on walls or
+/// floors. The fraction is 0 if the direction is not near the requested one.
 struct Upright {
     Vector3d up;
     double share;
@@ -123,7 +124,7 @@ Upright upright_near(std::span<const SurfaceDisc> discs, const Vector3d& held) {
     const auto usable = [](const SurfaceDisc& d) { return d.normal.squaredNorm() > 0; };
     const auto all = double(std::ranges::count_if(discs, usable));
     Upright out{held, 0};
-    // Sines of the narrowing angles within which a disc counts as wall or floor.
+    // The sines of angles that decrease from round to round; within them, a disc counts as wall or floor.
     for (const double near : {0.3, 0.2, 0.15, 0.1, 0.1, 0.07, 0.07, 0.07}) {
         Eigen::Matrix3d scatter = -held_weight * all * held * held.transpose();
         double upright = 0;
@@ -143,8 +144,9 @@ Upright upright_near(std::span<const SurfaceDisc> discs, const Vector3d& held) {
     return out;
 }
 
-/// If all cameras look down in the same direction, as from the air, their rows are parallel and their columns
-/// lean far. Turns the estimate about the rows to a direction with clearly more walls and floors.
+/// If all cameras look down in the same direction, as in aerial photos, their rows are parallel and their
+/// columns are far from vertical. In this case, the estimate is turned about the rows to a direction that has
+/// clearly more walls and floors.
 Vector3d tilted(std::span<const Pose> poses, const UpEstimate& e, std::span<const SurfaceDisc> discs) {
     if (poses.empty() || e.error < unsure) return e.up;
     Vector3d row = Vector3d::Zero();

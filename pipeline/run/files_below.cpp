@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// `above`: the enclosing folders, none of which is entered again.
+/// `above`: the enclosing folders, which are not entered again.
 void add_files(const fs::path& folder, int levels, std::vector<fs::path> above,
                std::vector<fs::path>& files) {
     std::error_code error;

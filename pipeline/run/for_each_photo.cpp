@@ -30,7 +30,7 @@ void for_each_photo(std::size_t count, unsigned threads, const std::function<voi
             for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t)
                 others.emplace_back(work_on_next);
         } catch (const std::system_error&) {
-            // The system allows no more threads; those that have started do the work.
+            // The system cannot start more threads; those already started do the work.
         }
         work_on_next();
     }

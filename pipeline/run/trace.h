@@ -15,7 +15,7 @@ class Trace {
     struct Span {
         const char* what;
         std::string photo;  ///< empty if the work concerns the whole scene
-        unsigned thread;    ///< numbered in the order of the threads' first spans
+        unsigned thread;    ///< threads are numbered in the order of their first spans
         double begin, end;  ///< s since the trace was created
     };
 
@@ -32,7 +32,7 @@ class Trace {
     std::vector<Span> spans_;
 };
 
-/// Records the time from its construction to the end of the scope; does nothing if the trace is null.
+/// Records the time from its construction to its destruction; does nothing if the trace is null.
 class Traced {
   public:
     Traced(Trace* trace, const char* what, std::string photo = {})
@@ -50,7 +50,8 @@ class Traced {
     double begin_;
 };
 
-/// Writes the Trace Event Format, which chrome://tracing and Perfetto open. Throws Error(storage).
+/// Writes the spans in the Trace Event Format, which chrome://tracing and Perfetto can open. Throws
+/// Error(storage).
 void write_trace(const std::filesystem::path& file, const std::vector<Trace::Span>& spans);
 
 }  // namespace vantage

@@ -7,11 +7,11 @@
 
 namespace vantage {
 
-/// Called during long operations, by one thread at a time. An exception from it aborts the operation.
+/// Called during long operations, by one thread at a time. If it throws, the operation is aborted.
 using OnProgress = std::function<void(const Progress&)>;
 
-/// A callback that calls `report`, if not empty, until `*stop` is set, and from then on throws
-/// Error(interrupted, `message`). A null `stop` is never set.
+/// A callback that calls `report`, if that is not empty, until `*stop` is set; from then on it throws
+/// Error(interrupted, `message`). If `stop` is null, it never throws.
 OnProgress until_stopped(const std::atomic<bool>* stop, std::string message, OnProgress report);
 
 }  // namespace vantage

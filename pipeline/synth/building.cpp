@@ -63,13 +63,13 @@ void shell(ModelBuilder& b, const SynthSpec::Building& s) {
     }
 }
 
-/// A point of the (2,3) torus knot, lying in the xz plane, t in [0, 2 pi).
+/// A point on the (2,3) torus knot, which lies in the xz plane; t is in [0, 2 pi).
 Vector3d knot_at(double t) {
     const double r = 2 + std::cos(3 * t);
     return Vector3d(r * std::cos(2 * t), -std::sin(3 * t) * 1.2, r * std::sin(2 * t)) / 4.2;
 }
 
-/// A tube along the (2,3) torus knot of radius `size` about `center`.
+/// A tube that follows the (2,3) torus knot around `center`; the knot's radius is `size`.
 void knot(ModelBuilder& b, const Vector3d& center, double size, int triangles) {
     const double pi = std::numbers::pi;
     const int around = std::max(5, int(std::sqrt(triangles / 2.0 / 10))), along = triangles / 2 / around;

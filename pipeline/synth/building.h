@@ -13,11 +13,12 @@ struct SynthModel {
     Mesh mesh;
     std::vector<Material> materials;
     bool clouds = false;     ///< in the sky
-    std::vector<float> sky;  ///< visible sky fraction per vertex, for daylight.h; empty: simple lighting
+    std::vector<float> sky;  ///< visible sky fraction per vertex (see daylight.h); empty: simple lighting
 };
 
-/// A building with its facade along x at y = 0, facing -y, with z up: coarse walls, windows in deep recesses,
-/// a roof and the ground, and a finely meshed torus knot on a plinth in front of it; or a chapel.
+/// Builds a chapel, or a building whose facade extends along x at y = 0 and faces -y, with z up. The building
+/// has coarse walls, windows in deep recesses and a roof. It stands on the ground, and a finely meshed torus
+/// knot on a plinth stands in front of it.
 SynthModel build_model(const SynthSpec& spec);
 
 }  // namespace vantage

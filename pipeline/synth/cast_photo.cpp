@@ -31,7 +31,7 @@ std::optional<Vector2d> undistort_point(const Lens& lens, const Vector2d& distor
     return (distort(lens, x) - distorted).norm() < 1e-9 ? std::optional(x) : std::nullopt;
 }
 
-/// The model lit by sun and sky.
+/// The model, lit by the sun and the sky.
 struct LitScene {
     const SynthModel& model;
     const RayScene& rays;
@@ -42,7 +42,7 @@ struct LitScene {
         const auto n = [&](std::size_t i) { return model.mesh.normals[t[i]].cast<double>(); };
         return (n(0) * (1 - hit.uv.sum()) + n(1) * hit.uv.x() + n(2) * hit.uv.y()).normalized();
     }
-    /// Linear light along the ray from the first surface it hits, or from the sky.
+    /// Linear light that arrives along the ray from the first surface that it hits, or from the sky.
     Vector3f color(const Vector3d& eye, const Vector3d& direction) const {
         const auto hit = rays.first_hit(eye, direction);
         if (!hit) {
@@ -73,7 +73,7 @@ std::uint8_t encode(float linear) {
     return std::uint8_t(std::lround(255 * s));
 }
 
-/// The ray through a point of the photo, in pixels; its z in camera coordinates is 1.
+/// The ray through the point (u, v) of the photo, in pixels; its z in camera coordinates is 1.
 std::optional<Vector3d> ray_through(const Camera& camera, double u, double v) {
     const Intrinsics& k = camera.intrinsics;
     const Vector2d p((u - k.cx) / k.fx, (v - k.cy) / k.fy);
@@ -82,7 +82,7 @@ std::optional<Vector3d> ray_through(const Camera& camera, double u, double v) {
     return camera.cam_from_world.R.transpose() * Vector3d(ray->x(), ray->y(), 1);
 }
 
-/// Mean of samples x samples rays through a pixel, 0 for invalid rays.
+/// Mean of samples x samples rays through a pixel; invalid rays count as 0.
 template <class Light>
 Vector3f pixel_mean(const Camera& camera, int x, int y, int samples, const Light& light) {
     Vector3f sum = Vector3f::Zero();
@@ -94,7 +94,7 @@ Vector3f pixel_mean(const Camera& camera, int x, int y, int samples, const Light
     return sum / float(samples * samples);
 }
 
-/// Linear light per pixel in daylight, from one ray, or from samples x samples rays at an edge.
+/// Linear light per pixel in daylight, from one ray per pixel, or from samples x samples rays at edges.
 std::vector<Vector3f> cast_daylight(const SynthModel& model, const RayScene& rays, const Camera& camera,
                                     int samples) {
     const int width = camera.intrinsics.width, height = camera.intrinsics.height;

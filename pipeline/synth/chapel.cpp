@@ -9,11 +9,12 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using Profile = std::vector<Vector2d>;  ///< x: across the path, outward; y: out of the wall
+using Profile = std::vector<Vector2d>;  ///< x: outward, across the path; y: out of the wall
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// An arched opening from `sill` to `spring`, where its arch starts, or a round one about `spring`.
+/// An opening in a wall: arched, rising from `sill` to `spring`, where its arch starts, or round, with its
+/// center at the height `spring`.
 struct Opening {
     double x, sill, spring, radius;
     bool round = false;
@@ -22,7 +23,7 @@ struct Opening {
     double rise(double at) const { return std::sqrt(std::max(0.0, radius * radius - (at - x) * (at - x))); }
     double low(double at) const { return round ? spring - rise(at) : sill; }
     double high(double at) const { return spring + rise(at); }
-    /// Position of a profile point at t along the opening's outline, from its lower left.
+    /// Position of a profile point at t along the opening's outline, which starts at the lower left.
     Vector3d around(double t, const Vector2d& p) const {
         const double r = radius + p.x(),
                      half = round ? t * turn : std::clamp(2 * t - 0.5, 0.0, 1.0) * turn / 2;
@@ -31,7 +32,7 @@ struct Opening {
     }
 };
 
-/// Three quarters of a circle.
+/// A profile of three quarters of a circle.
 Profile roll(const Vector2d& center, double radius) {
     Profile out;
     for (int i = 0; i <= 8; ++i) {
@@ -46,14 +47,14 @@ void block(ModelBuilder& b, const Vector3d& low, const Vector3d& high, Material 
     b.quad(low, {0, high.y() - low.y(), 0}, {high.x() - low.x(), 0, 0}, material);
 }
 
-/// Each pair of neighboring points generates a plane of the molding.
+/// A molding: each pair of neighboring points of the profile is swept into one face.
 void moulding(ModelBuilder& b, const Profile& edges, int steps,
               const std::function<Vector3d(double, const Vector2d&)>& at) {
     for (std::size_t i = 0; i + 1 < edges.size(); ++i)
         b.sweep(std::span(edges).subspan(i, 2), steps, at, Material::limestone);
 }
 
-/// The part of the plane at this y between two height profiles, which depend on x, as wide as an opening.
+/// A piece of wall in the plane at this y, as wide as the opening; its lower and upper limits depend on x.
 void wall(ModelBuilder& b, const Opening& o, const std::function<double(double)>& low,
           const std::function<double(double)>& high, double y = 0, Material material = Material::ashlar) {
     b.surface(
@@ -65,7 +66,7 @@ void wall(ModelBuilder& b, const Opening& o, const std::function<double(double)>
         material);
 }
 
-/// The wall from x0 to x1 and from z = low to `high` around an opening of this size.
+/// The wall from x0 to x1 and from z = low to `high`, with the opening cut out of it.
 void pierced_wall(ModelBuilder& b, double x0, double x1, double low,
                   const std::function<double(double)>& high, const Opening& o) {
     const auto bottom = [&](double) { return low; };
@@ -128,7 +129,7 @@ void tracery(ModelBuilder& b, const Opening& o, double depth) {
              o.spring + 0.63 * o.radius * std::sin(turn * i / 8), 0.25 * o.radius);
 }
 
-/// Cornice and a row of small arches along the slope of the gable, from its lower end at x0 to its top.
+/// A cornice and a row of small arches along one slope of the gable, from its lower end at x0 to its top.
 void raking_cornice(ModelBuilder& b, double x0, const std::function<double(double)>& top) {
     const double side = x0 < 0 ? 1 : -1;
     const Vector3d apex(0, 0, top(0)), end(1.08 * x0, 0, top(0) + 1.08 * (top(x0) - top(0)));
@@ -175,7 +176,7 @@ void front(ModelBuilder& b, double half, double eaves, double ridge) {
              });
 }
 
-/// The other walls, with a buttress on each side, and the roof.
+/// The other three walls, with a buttress on each side wall, and the roof.
 void shell_of_chapel(ModelBuilder& b, double half, double eaves, double rise, double depth) {
     constexpr double over = 0.3;
     const Vector3d up(0, 0, eaves), back(0, depth, 0);
@@ -192,7 +193,7 @@ void shell_of_chapel(ModelBuilder& b, double half, double eaves, double rise, do
     b.triangle(corner(half, eaves), corner(-half, eaves), corner(0, eaves + rise), Material::ashlar);
 }
 
-/// One block on another, both with a square base.
+/// A stack of blocks with square bases.
 void pedestal(ModelBuilder& b, const Vector3d& foot, double size) {
     for (const auto& [low, high, wide] : {std::tuple(0.0, 0.12, 0.62), std::tuple(0.12, 0.24, 0.52),
                                           std::tuple(0.24, 0.92, 0.42), std::tuple(0.92, 1.0, 0.5)})

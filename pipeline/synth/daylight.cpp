@@ -14,14 +14,15 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 const Vector3d toward_sun = Vector3d(-0.62, -0.62, 0.52).normalized();
-// Light on a white surface that faces its source, relative to white in a photo.
+// Light on a white surface that faces the source of the light, relative to white in a photo.
 const Vector3f sunlight(1.42f, 1.24f, 0.95f), skylight(0.27f, 0.35f, 0.47f), bounced(0.15f, 0.12f, 0.085f);
 const Vector3f horizon(0.72f, 0.80f, 0.88f), haze(0.30f, 0.41f, 0.57f);
 constexpr double clear_distance = 9000;  ///< distance in m at which haze leaves 1 / e of the light
 constexpr double sun_radius = 0.0047;    ///< rad
 constexpr int sky_rays = 32;             ///< per vertex
 
-/// Directions around the normal, with cosine-weighted density, by the golden angle.
+/// The fraction of the sky that is visible. Rays are spaced by the golden angle around the normal, with
+/// cosine-weighted density.
 double sky_share(const RayScene& rays, const Vector3d& p, const Vector3d& n) {
     const Vector3d x = n.unitOrthogonal(), y = n.cross(x);
     int seen = 0;
@@ -41,7 +42,7 @@ Vector3d sun_point(double random) {
     return (toward_sun + r * (std::cos(angle) * x + std::sin(angle) * toward_sun.cross(x))).normalized();
 }
 
-/// `d` has length 1; `pixel` is the angle of a pixel in radians.
+/// `d` has length 1; `pixel` is the angle subtended by a pixel, in radians.
 Vector3f daylight_sky(const Vector3d& d, double pixel) {
     const double up = std::max(0.0, d.z());
     Vector3f sky = mix(horizon, {0.17f, 0.36f, 0.68f}, 1 - std::exp(-2.6 * up));

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 constexpr double pi = std::numbers::pi;
 constexpr double lawn_height = -0.03;
-constexpr int around = 144;  ///< segments of the lawn and the hill
+constexpr int around = 144;  ///< number of segments around the lawn and the hill
 
 Vector3d on_ring(double distance, int piece, double z) {
     const double angle = 2 * pi * piece / around;
@@ -28,7 +28,7 @@ void lawn(ModelBuilder& b, double radius) {
         b.triangle(middle, middle + 1 + i, middle + 1 + (i + 1) % around, Material::grass);
 }
 
-/// The height at a distance from the vertical axis through the origin, in the direction given by an angle.
+/// The height of the hill at `distance` from the vertical axis through the origin, in the direction `angle`.
 double hill_height(const SynthSpec::Garden& g, double distance, double angle) {
     const double up = std::sin(pi / 2 * std::clamp(distance / g.radius - 1, 0.0, 1.0));
     return g.hill * up * up * (0.7 + 0.2 * std::sin(3 * angle + 1) + 0.1 * std::sin(7 * angle));
@@ -55,7 +55,8 @@ void hill(ModelBuilder& b, const SynthSpec::Garden& g) {
         }
 }
 
-/// In front of each opening above the ground floor: two rails, and bars spaced by six times their thickness.
+/// In front of each opening above the ground floor, adds two rails and bars spaced at six times their
+/// thickness.
 void railings(ModelBuilder& b, const SynthSpec& spec) {
     const SynthSpec::Building& s = spec.building;
     const double w = s.width / s.bays, h = s.height / s.floors, t = spec.garden.railing;
@@ -72,7 +73,8 @@ void railings(ModelBuilder& b, const SynthSpec& spec) {
         }
 }
 
-/// Triangles are smaller than the model's; each vertex stores the visible fraction of the sky.
+/// Its triangles are smaller than those of the model, and each vertex stores the fraction of the sky that is
+/// visible.
 SynthModel build_chapel_world(SynthSpec spec) {
     spec.building.max_edge = 0.12;
     ModelBuilder b{build_model(spec), 0};

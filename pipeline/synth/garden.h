@@ -3,12 +3,12 @@
 
 namespace vantage {
 
-/// A lawn at z = -0.03 around the origin, and a wooded hill around it; clouds in the sky.
+/// Adds a lawn at z = -0.03 around the origin, a wooded hill around the lawn, and clouds in the sky.
 void add_garden(ModelBuilder& b, const SynthSpec::Garden& garden);
 
-/// Content of a synthetic scene's photos: the model and, if there is a garden, additional geometry that the
-/// model lacks: a lawn at z = -0.03 around it, a wooded hill around the lawn, railings in front of the upper
-/// windows, and clouds. Around a chapel: open country, daylight and haze.
+/// The content of a synthetic scene's photos: the model and, if there is a garden, additional geometry that
+/// is not in the model: a lawn at z = -0.03, a wooded hill around the lawn, railings in front of the upper
+/// windows, and clouds. A chapel is surrounded by open country instead, with daylight and haze.
 SynthModel build_world(const SynthSpec& spec);
 
 }  // namespace vantage

@@ -3,9 +3,9 @@
 
 namespace vantage {
 
-/// Adds a glass case around the object to the model: four walls and a lid, greenish, with the alpha of the
-/// specification. All other vertices become white and opaque. Photos are rendered without it, as if through
-/// clear glass. Does nothing if there is no case.
+/// Adds a greenish glass case around the object: four walls and a lid, with the alpha given in the
+/// specification. All other vertices become white and opaque. Photos are rendered without the case, as if
+/// through clear glass. Does nothing if the specification has no case.
 void add_glass_case(const SynthSpec& spec, SynthModel& model);
 
 }  // namespace vantage

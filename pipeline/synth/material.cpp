@@ -13,15 +13,16 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr double level = 0.9;  ///< |normal.z| of a floor, at least
+constexpr double level = 0.9;  ///< minimum |normal.z| of a floor
 
-/// A point of masonry.
+/// A point on masonry.
 struct Course {
     double id;  ///< [0, 1), random per brick
     bool joint;
 };
 
-/// Masonry in running bond, with bricks of width x height, including joints of width `joint`, all in meters.
+/// Masonry in running bond. Bricks are width x height in size, including joints of width `joint`, all in
+/// meters.
 Course course(const Vector2d& p, double width, double height, double joint) {
     const double row = std::floor(p.y() / height);
     const double x = p.x() / width + (std::int64_t(row) & 1 ? 0.5 : 0.0), column = std::floor(x);
@@ -44,7 +45,7 @@ Vector3f grating(const Vector2d& uv) {
     return bar || row ? Vector3f(0.04f, 0.045f, 0.06f) : Vector3f(0.72f, 0.72f, 0.68f);
 }
 
-/// A page of text in OpenCV's vector font.
+/// A page of text drawn in OpenCV's vector font.
 const cv::Mat& page() {
     static const cv::Mat drawn = [] {
         cv::Mat m(1024, 1024, CV_8U, cv::Scalar(230));
@@ -148,7 +149,7 @@ Vector3f albedo(Material material, const Vector3d& p, const Vector3d& n) {
 
 namespace {
 
-/// Strokes 4 cm wide: squares 0.8 m apart, and an arch in every second one.
+/// Strokes 4 cm wide that form squares spaced at 0.8 m, with an arch in every second square.
 double charcoal(const Vector2d& uv) {
     constexpr double square = 0.8, half = 0.02;
     const double column = std::floor(uv.x() / square), row = std::floor(uv.y() / square);

@@ -16,7 +16,7 @@ enum class Material : std::uint8_t {
     grass,
     trees,
     iron,
-    ashlar,  // from here on of a chapel and the country around it: see surface_finish.h
+    ashlar,  // from here on, materials of a chapel and the country around it, see surface_finish.h
     limestone,
     statuary,
     wood,
@@ -30,16 +30,16 @@ enum class Material : std::uint8_t {
 /// normal. It has millimeter-sized details, which a baked texture would lose.
 Eigen::Vector3f albedo(Material material, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
 
-/// The same in infrared, gray: details under plaster are visible, ink and colors hardly are. Plaster has an
-/// underdrawing: arches and squares of charcoal.
+/// Diffuse reflectance in infrared, which is gray: details under plaster are visible, but ink and colors
+/// hardly are. Plaster has an underdrawing of arches and squares in charcoal.
 Eigen::Vector3f infrared_albedo(Material material, const Eigen::Vector3d& point,
                                 const Eigen::Vector3d& normal);
 
-/// Coordinates on a surface with this normal, across and up; those of the ground plane if |normal.z| exceeds
-/// `level`.
+/// The coordinates of a point on a surface with this normal, across and up; coordinates in the ground plane
+/// if |normal.z| exceeds `level`.
 Eigen::Vector2d across_and_up(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double level);
 
-/// Light of a cloudy sky at infinity, in a direction of length 1.
+/// Light from a cloudy sky at infinity; `direction` has length 1.
 Eigen::Vector3f clouded(const Eigen::Vector3f& sky, const Eigen::Vector3d& direction);
 
 }  // namespace vantage

@@ -24,8 +24,8 @@ struct ModelBuilder {
         model.materials.push_back(material);
     }
 
-    /// A parallelogram with edges u and v at `corner`; its normal is along u x v. Divided into
-    /// quads with sides of at most `max_edge`, unless that is 0.
+    /// A parallelogram with edges u and v at `corner`; its normal is along u x v. It is divided into quads
+    /// with sides of at most `max_edge`, unless that is 0.
     void quad(const Eigen::Vector3d& corner, const Eigen::Vector3d& u, const Eigen::Vector3d& v,
               Material material) {
         const auto pieces = [&](double length) {
@@ -44,11 +44,13 @@ struct ModelBuilder {
                 triangle(a, a + row + 1, a + row, material);
             }
     }
-    /// The surface f(u, v) for u and v from 0 to 1, in at least nu x nv quads; its normal is along the cross
-    /// product of its derivatives. Divided further into sides of about `max_edge`, unless that is 0.
+    /// The surface f(u, v) for u and v from 0 to 1, divided into at least nu x nv quads; its normal is along
+    /// the cross product of its derivatives. Quads are divided further until their sides are about
+    /// `max_edge`, unless that is 0.
     void surface(int nu, int nv, const std::function<Eigen::Vector3d(double u, double v)>& f,
                  Material material);
-    /// The swept surface of a profile: its point p is at `at(t, p)`, with t from 0 to 1 in `steps` steps.
+    /// The surface swept by a profile: its point p moves along `at(t, p)`, with t going from 0 to 1 in
+    /// `steps` steps.
     void sweep(std::span<const Eigen::Vector2d> profile, int steps,
                const std::function<Eigen::Vector3d(double t, const Eigen::Vector2d& p)>& at,
                Material material);

@@ -38,7 +38,7 @@ double turbulence(const Vector3d& p, double frequency, int octaves) {
 
 namespace {
 
-/// Like noise(), in [-1, 1] and in single precision, for callers that need many octaves.
+/// Like noise(), but in [-1, 1] and in single precision, for callers that need many octaves.
 float quick_noise(float x, float y, float z) {
     const auto floored = [](float v) { return float(std::int32_t(v) - (float(std::int32_t(v)) > v)); };
     const float fx = floored(x), fy = floored(y), fz = floored(z);
@@ -67,7 +67,7 @@ double rough(const Vector3d& p, double coarsest, double footprint, double fall) 
     Eigen::Vector3f q = (p / coarsest).cast<float>();
     for (double wave = coarsest; wave > 2 * footprint; wave /= 2, weight *= fall) {
         sum += weight * std::min(1.0, wave / footprint - 2) * double(quick_noise(q.x(), q.y(), q.z()));
-        // turned by 37 degrees about z and shifted, which hides the lattice
+        // rotated by 37 degrees about z and shifted, which hides the lattice
         q = Eigen::Vector3f(1.597f * q.x() - 1.204f * q.y() + 17.3f, 1.204f * q.x() + 1.597f * q.y() + 5.1f,
                             2.0f * q.z() + 9.7f);
     }

@@ -10,12 +10,12 @@ double hashed(std::int64_t x, std::int64_t y, std::int64_t z);
 /// Value noise in [0, 1] on the unit lattice.
 double noise(const Eigen::Vector3d& p);
 
-/// Sum of octaves of noise, the coarsest of `frequency` per meter, in [0, 1].
+/// Sum of octaves of noise, in [0, 1]; the coarsest octave has the frequency `frequency` per meter.
 double turbulence(const Eigen::Vector3d& p, double frequency, int octaves);
 
-/// Fractal noise around 0, mostly within [-1, 1]: octaves from wavelength `coarsest` down to twice the
-/// `footprint` of a pixel, both in meters, each finer one with `fall` times the amplitude. Detail finer than
-/// a pixel is omitted to avoid aliasing.
+/// Fractal noise around 0, mostly within [-1, 1]: octaves with wavelengths from `coarsest` down to twice the
+/// `footprint` of a pixel, both in meters. Each octave has `fall` times the amplitude of the next coarser
+/// one. Detail finer than a pixel is omitted to avoid aliasing.
 double rough(const Eigen::Vector3d& p, double coarsest, double footprint, double fall);
 
 inline Eigen::Vector3f mix(const Eigen::Vector3f& a, const Eigen::Vector3f& b, double t) {

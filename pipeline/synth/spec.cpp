@@ -12,8 +12,8 @@
 namespace vantage {
 namespace {
 
-/// A table of the file. Throws Error(input) for an invalid value when read, and for unread keys when
-/// destroyed.
+/// A table in the file. Reading an invalid value throws Error(input), and so does the destructor if any keys
+/// are unknown.
 class Table {
   public:
     Table(const std::filesystem::path& file, const toml::table& root, std::string name)

@@ -12,7 +12,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-/// From 0 at `low` to 1 at `high`.
+/// Rises linearly from 0 at `low` to 1 at `high`.
 double ramp(double x, double low, double high) { return std::clamp((x - low) / (high - low), 0.0, 1.0); }
 
 Vector3d stretched(const Vector3d& p, double x, double y, double z) {
@@ -29,11 +29,11 @@ double slope(const SurfacePoint& at, const Height& height) {
 /// One of the stones of a wall or a pavement.
 struct Stone {
     double id;    ///< [0, 1), random
-    double tilt;  ///< height of its face, in meters: stones are slightly uneven
+    double tilt;  ///< height of its face in meters, because stones are slightly uneven
     double edge;  ///< distance to its nearest edge, in meters
 };
 
-/// Rows of `height`, with stones of different widths.
+/// The stone at a point; stones of different widths lie in rows of `height`.
 Stone stone_at(const Vector2d& p, double height) {
     const double row = std::floor(p.y() / height);
     const auto r = std::int64_t(row);
@@ -48,7 +48,8 @@ Stone stone_at(const Vector2d& p, double height) {
     return {hashed(c, r, 6), tilt, std::min({l, right, low, height - low})};
 }
 
-/// Darker where it is dirty, gray where lichen grows, and green near the ground.
+/// The color of a weathered surface: darker where it is dirty, gray where lichen grows, and green near the
+/// ground.
 Vector3f weathered(const Vector3f& clean, const SurfacePoint& at) {
     const Vector3d& p = at.position;
     const double streaks = rough(stretched(p, 1, 1, 0.16), 0.7, 0.04, 0.7);
@@ -142,7 +143,7 @@ Finish tiles(const SurfacePoint& at) {
     return {mix(clay, {0.22f, 0.21f, 0.15f}, 0.8 * moss), slope(at, height)};
 }
 
-/// Fields between hedges, and woods.
+/// Fields between hedges, and patches of woodland.
 Vector3f farmland(const SurfacePoint& at, const Vector3f& grass, const Vector3f& leaves) {
     const Vector3d& p = at.position;
     const double bend = rough(p, 400, 50, 0.5);
@@ -155,7 +156,7 @@ Vector3f farmland(const SurfacePoint& at, const Vector3f& grass, const Vector3f&
     return mix(tilled, leaves, std::max(hedge, ramp(woods, 0.05, 0.1)));
 }
 
-/// Meadow near, farmland far away.
+/// Meadow nearby and farmland far away.
 Finish meadow(const SurfacePoint& at) {
     const Vector3d& p = at.position;
     const double far = p.head<2>().norm(), tufts = rough(p, 1.5, at.footprint, 0.9),
@@ -171,7 +172,7 @@ Finish meadow(const SurfacePoint& at) {
                    })};
 }
 
-/// Worn slabs with grass in their joints, gradually replaced by the meadow.
+/// Worn slabs with grass in their joints, which gradually give way to the meadow.
 Finish flags(const SurfacePoint& at) {
     const Vector3d& p = at.position;
     const auto height = [&](const Vector3d& q) {

@@ -27,10 +27,11 @@ using Eigen::Vector3f;
 
 constexpr double radians = std::numbers::pi / 180;
 
-/// Uniform in [-1, 1), with the same results on every platform.
+/// A uniformly distributed number in [-1, 1), with the same results on every platform.
 double signed_unit(std::mt19937& engine) { return double(engine()) * 0x1p-31 - 1; }
 
-/// The camera with random rotation and shift, by about `pixels` in total at `distance`.
+/// The camera with a random rotation and shift, which displace points at `distance` by about `pixels` in
+/// total.
 Camera perturbed(Camera camera, double pixels, double distance, std::mt19937& engine) {
     const auto direction = [&] {
         const double z = signed_unit(engine), y = signed_unit(engine), x = signed_unit(engine);
@@ -63,7 +64,7 @@ std::vector<PhotoExposure> exposures(const SynthSpec& spec) {
     return out;
 }
 
-/// The image set of a photo, by its number; the infrared ones come last.
+/// The image set of the photo with this number; infrared photos come last.
 SynthImageSet image_set_of(const SynthSpec& spec, std::size_t photo) {
     return photo < std::size_t(spec.photos.count) ? SynthImageSet::visible : SynthImageSet::infrared;
 }
@@ -83,7 +84,7 @@ std::filesystem::path depth_of(const NamedCamera& photo) {
     return std::filesystem::path("truth") / "depth" / (std::string(stem_of(photo.photo)) + ".exr");
 }
 
-/// With `height`, the mesh has a scalar field: the height above the ground.
+/// If `height` is set, the mesh gets the height above the ground as a scalar field.
 void write_model(const SynthModel& model, bool height, const std::filesystem::path& file) {
     std::vector<Vector3f> positions;
     for (const Vector3d& p : model.mesh.positions) positions.push_back(p.cast<float>());
@@ -110,7 +111,7 @@ Pose look_at(const Vector3d& eye, const Vector3d& target) {
 
 namespace {
 
-/// Without the image sets' folders.
+/// The photos of all image sets; their names do not include the folders of the image sets.
 std::vector<NamedCamera> place_image_set(const SynthSpec& spec) {
     const SynthSpec::Photos& s = spec.photos;
     std::mt19937 engine(spec.seed);
@@ -123,7 +124,7 @@ std::vector<NamedCamera> place_image_set(const SynthSpec& spec) {
         const Vector3d target(aside, -spec.object.distance / 2, 0.42 * spec.building.height + up);
         const double f = s.width / (2 * std::tan(s.fov / 2 * radians));
         Camera camera;
-        // Off-center principal point, as in real cameras.
+        // The principal point is off center, as in real cameras.
         camera.intrinsics = {
             s.width, s.height, f, f, s.width / 2.0 + 0.006 * s.width, s.height / 2.0 - 0.004 * s.width};
         if (spec.lens.k1 != 0 || spec.lens.k2 != 0)

@@ -9,8 +9,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Radius and height, relative to the urn's height, at v from 0 to 1 along its outline: a Catmull-Rom spline
-/// (1974).
+/// Radius and height, relative to the urn's height, at v from 0 to 1 along its outline, which is a
+/// Catmull-Rom spline (1974).
 Vector2d outline(double v) {
     static const std::array<Vector2d, 20> points{
         {{0.25, 0},    {0.25, 0.05}, {0.20, 0.07}, {0.12, 0.12},  {0.09, 0.2},  {0.13, 0.225}, {0.10, 0.25},

@@ -14,7 +14,7 @@ struct PhotoContext {
     const SceneInput& scene;
     const SceneKey& key;
     const GeometryContext& geometry;
-    std::span<const Pose> poses;  ///< relative to the origin: as given, or refined
+    std::span<const Pose> poses;  ///< relative to the origin; given or refined
     IdentityCache& identities;
     PhotoPrefetch& prefetch;
     const EarlierPackages& earlier;
@@ -28,7 +28,7 @@ struct PhotoJob {
     const PhotoContext& context;
     const PhotoInput& photo;
     PosedPhoto at;
-    bool spare_core;  ///< a core is idle and no other photo needs it
+    bool spare_core;  ///< a core is idle and no other photo needs that core
 };
 
 }  // namespace vantage

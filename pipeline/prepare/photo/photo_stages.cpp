@@ -28,8 +28,8 @@ bool reuse(const PhotoContext& c, Stage stage, std::uint32_t i, package::PhotoRe
     return false;
 }
 
-/// Whether an earlier run failed to decode the same file. If so, copies the reason, so that it is not decoded
-/// again.
+/// Whether an earlier run failed to decode the same file. If so, copies the reason, and the file is not
+/// decoded again.
 bool known_unreadable(const PhotoContext& c, const std::string& name, PhotoState& state) {
     for (const auto& package : c.earlier) {
         const auto j = package->photo(name);
@@ -50,7 +50,7 @@ void record_reason(PhotoState& state, const PhotoInput& photo, const Error& erro
     std::memcpy(state.skipped, reason.c_str(), reason.size() + 1);
 }
 
-/// Keeps the photo's camera and the tiles' key, so that the next run recognizes the file.
+/// The photo's camera and the tiles' key are kept, so that the next run recognizes the file.
 void skip(const PhotoContext& c, std::uint32_t i, const Pose& pose, package::PhotoRecord& r,
           PhotoState& state) {
     for (const StageRow& row : stage_table())
@@ -83,7 +83,7 @@ std::future<void> start_geometry(const PhotoJob& job, const StageSet& missing,
 void make_stages(const PhotoJob& job, const StageSet& missing, std::optional<PhotoFile>& file,
                  package::PhotoRecord& r) {
     std::future<void> geometry;
-    std::promise<CoarsePixels> pixels;  // destroyed first if decoding throws, which ends the wait
+    std::promise<CoarsePixels> pixels;  // if decoding throws, this is destroyed first, which ends the wait
     if (missing.needs_model()) geometry = start_geometry(job, missing, pixels.get_future(), r);
     if (missing.needs_pixels(r.flags & package::photo_has_alpha))
         make_pixels(job, missing, *file, r, pixels);
@@ -107,8 +107,8 @@ std::vector<Stage> make_missing(const PhotoJob& job, std::optional<PhotoFile>& f
             missing.add(row.stage);
         }
     }
-    // A file that is no longer readable is a disk error and ends the run; one that cannot be decoded is
-    // skipped.
+    // A file that can no longer be read indicates a disk error and ends the run; a file that cannot be
+    // decoded is skipped.
     if (file && missing.needs_pixels(r.flags & package::photo_has_alpha)) file->bytes();
     try {
         make_stages(job, missing, file, r);
@@ -141,7 +141,7 @@ std::vector<Stage> run_photo(const PhotoContext& c, std::uint32_t i, bool spare_
     }
     r.source_bytes = file->identity().bytes;
     r.source_checksum = file->identity().checksum;
-    if (!r.levels) file.reset();  // held out: identified, so that no program overwrites it
+    if (!r.levels) file.reset();  // a held-out photo is only identified, so that no program overwrites it
     state = stage_keys(c.key, photo, c.poses[i], file ? file->identity() : FileIdentity{},
                        mask_identity(photo, c.identities));
     const package::PhotoRecord planned = r;

@@ -20,7 +20,7 @@ RgbaImage decoded(const PhotoJob& job, PhotoFile& file) {
     return decode_photo(job.photo.file, file.bytes(), job.photo.decoded);
 }
 
-/// Throws Error(input) if its size is not the photo's.
+/// Throws Error(input) if the size of the mask is not that of the photo.
 RgbaImage read_mask(const std::filesystem::path& file, const RgbaImage& photo) {
     try {
         return read_unprofiled(file, {photo.width, photo.height});
@@ -36,7 +36,7 @@ void cut_out(RgbaImage& image, const RgbaImage& mask) {
     image.opaque = false;
 }
 
-/// A photo's pixels; `own`: unchanged from its file.
+/// A photo's pixels; `own`: the pixels are unchanged from the file.
 struct Pixels {
     RgbaImage image;
     bool own;
@@ -54,15 +54,15 @@ Pixels decode_pixels(const PhotoJob& job, PhotoFile& file, const package::PhotoR
     return {std::move(image), own};
 }
 
-/// The valid texels at `weight_map_level` of a photo that is not opaque.
+/// The valid texels of a photo that is not opaque, at `weight_map_level`.
 std::vector<std::uint8_t> valid_texels(const PhotoJob& job, const RgbaImage& level) {
     if (!job.at.lens) return validity(level);
     const Traced traced(job.context.trace, "lens", job.photo.name);
     return validity(pinhole_image(level, *job.at.lens, weight_map_level));
 }
 
-/// Runs the stages that do not use the model. `jpeg`: the photo's file, if level 0 can be taken from it, else
-/// empty.
+/// Runs the stages that do not use the model. `jpeg`: the photo's file if level 0 can be taken from it,
+/// otherwise empty.
 void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
                   std::span<const std::byte> jpeg, package::PhotoRecord& r,
                   std::promise<CoarsePixels>& found) {
@@ -72,7 +72,7 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
     const bool opaque = is_opaque(level);
     if (!opaque) r.flags |= package::photo_has_alpha;
     CoarsePixels coarse;
-    // Samples are taken from the stored pixels, so that recomputing them gives the same.
+    // Samples are taken from the stored pixels, so that recomputing them later gives the same values.
     const std::uint32_t sampled = std::min(std::uint32_t(sample_level), r.levels - 1);
     const std::uint32_t last = std::max(r.levels, std::uint32_t(sample_level) + 1);
     for (std::uint32_t l = 0; l < last; ++l) {

@@ -7,7 +7,8 @@
 namespace vantage {
 
 /// Decodes the photo and runs the stages in `missing` that do not use the model. `coarse` is fulfilled as
-/// soon as its levels exist. Throws Error(input) if the photo cannot be decoded or does not fit its camera.
+/// soon as the levels that it contains exist. Throws Error(input) if the photo cannot be decoded or does not
+/// fit its camera.
 void make_pixels(const PhotoJob& job, const StageSet& missing, PhotoFile& file, package::PhotoRecord& record,
                  std::promise<CoarsePixels>& coarse);
 
