@@ -16,7 +16,7 @@ namespace {
 
 using package::Type;
 
-/// Fills `smooth` from texels that have a color and show the model.
+/// Computes `smooth` from the texels that have a color and show the model.
 void smooth_colors(CoarsePhoto& photo) {
     const cv::Size window(9, 9);
     cv::Mat color(photo.k.height, photo.k.width, CV_32FC4, cv::Scalar::all(0));

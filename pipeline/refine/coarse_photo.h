@@ -12,43 +12,44 @@
 
 namespace vantage {
 
-/// Relative depth difference above which texels are not on one surface.
+/// Relative depth difference above which texels are considered to be on different surfaces.
 inline constexpr double depth_step = 0.02;
 
-/// Mean colors of squares of 2 x 2 texels around each corner between texels; at the edge of the photo, only
-/// of the texels inside it. Interpolation between four corners gives the mean over a square at any position.
+/// Mean colors of the 2 x 2 texels around each texel corner; at the edge of the photo, only texels inside the
+/// photo count. Interpolating between four corners gives the mean over a square at any position.
 struct SquareMeans {
     int width = 0, height = 0;           ///< corners: one more than texels
     std::vector<Eigen::Array4f> colors;  ///< row by row; linear light, the fourth value unused
 
-    /// The mean around a position in units of squares, each component at least 0 and at most one square
-    /// beyond the last.
+    /// The mean around a position, which is in units of squares; each coordinate is at least 0 and at most
+    /// one square beyond the last.
     Eigen::Array4f around(float x, float y) const;
 };
 
-/// `colors`: those of a level, in row-major order.
+/// `colors`: the colors of a level, in row-major order.
 SquareMeans square_means(std::span<const std::array<float, 3>> colors, int width, int height);
 
 /// A photo at one coarse level of its pyramid, for validation.
 struct CoarsePhoto {
     struct Texel {
-        float linear[3];  ///< light, as exposed; NaN where the photo has no opaque pixel
-        float smooth[3];  ///< mean of `linear` over the surrounding surface, 9 x 9 texels; for seams
+        float linear[3];  ///< light as exposed; NaN where the photo has no opaque pixel
+        float smooth[3];  ///< mean of `linear` over 9 x 9 texels, where they show the model; for seams
         float z;          ///< +inf where the photo does not see the model
-        float weight;     ///< the lumigraph's factors for the frame and for borders
+        float weight;     ///< the product of the lumigraph's factors for frame and borders
     };
     Intrinsics k;               ///< of this level
     Pose pose;                  ///< relative to the origin
     double focal = 1;           ///< focal length, in px of the full-size photo
     std::vector<Texel> texels;  ///< row by row
-    /// Means of the next finer level, whose squares are as large as this level's texels: interpolation
-    /// between coarse texels would blur.
+    /// Means of the next finer level. Their squares are as large as this level's texels; they are used
+    /// because interpolation between coarse texels would blur.
     SquareMeans means;
 
     Grid<const Texel> grid() const { return {texels.data(), k.width, k.height}; }
 };
 
-/// Every second texel in x and in y: the same photo with a quarter of its rays. Without `means`.
+/// Every second texel in x and in y, that is, the same photo with a quarter of its rays. The result has no
+/// `means`.
 CoarsePhoto every_second_texel(const CoarsePhoto& photo);
 
 /// Reads a photo's tiles, weight maps and depth at a level. Throws Error(damaged).

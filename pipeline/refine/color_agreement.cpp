@@ -17,16 +17,15 @@ constexpr double min_improvement = 0.1;  ///< fraction of the disagreement that 
 
 EffectDecision decide_exposure(const ColorFit& fit, EffectChoice wanted) {
     if (!fit.shares_surface())
-        return decide(Effect::exposure, wanted, 0, "no two photos share enough surface");
+        return decide(Effect::exposure, wanted, 0, "no two photos see enough of the same surface");
     const bool helps = fit.after <= (1 - min_improvement) * fit.before;
-    return decide(
-        Effect::exposure, wanted, helps ? fit.before : 0,
-        fmt::format("the photos' colors of the same surface differ by {:.1f} % (median), with gains "
-                    "by {:.1f} %",
-                    percent(fit.before), percent(fit.after)));
+    return decide(Effect::exposure, wanted, helps ? fit.before : 0,
+                  fmt::format("the photos' colors of the same surface differ by {:.1f} % (median), and with "
+                              "gains by {:.1f} %",
+                              percent(fit.before), percent(fit.after)));
 }
 
-/// The fraction of the light lost in the corner.
+/// The fraction of the light that is lost in the corner of a photo.
 double corner_loss(const Vignetting& f) { return -std::expm1(-log_vignetting(f, 1)); }
 
 EffectDecision decide_vignetting(const ColorFit& fit, EffectChoice wanted) {
@@ -38,8 +37,8 @@ EffectDecision decide_vignetting(const ColorFit& fit, EffectChoice wanted) {
                       : "no lens vignetting was found");
 }
 
-/// The validation of gains, and the additional benefit of vignetting; `both`: with vignetting, empty if there
-/// is none.
+/// The validation of gains, and of the additional benefit of correcting vignetting. `both`: the colors with
+/// vignetting, empty if there is no vignetting.
 struct ColorJudgments {
     Judgment exposure, vignetting;
 };
@@ -93,7 +92,7 @@ ColorRefinement refine_colors(ColorFit fit, std::vector<std::uint32_t> lens, Sam
                               const std::map<Effect, EffectChoice>& choices, const Folds* folds) {
     const EffectChoice vignetting = choice_of(choices, Effect::vignetting),
                        exposure = choice_of(choices, Effect::exposure);
-    // Reads one photo at a time, which takes less memory than each thread reading its own.
+    // The photos are read one at a time, which takes less memory than if each thread read its own.
     std::future<void> reading;
     if (folds && exposure != EffectChoice::off)
         reading = std::async(std::launch::async, [&] { folds->read_ahead(); });

@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// Up to `max_folds` of the photos with pixels, evenly spread.
+/// Up to `max_folds` photos that have pixels, evenly spread.
 std::vector<std::uint32_t> photos_to_hold_out(std::span<const package::PhotoRecord> photos,
                                               std::size_t max_folds) {
     std::vector<std::uint32_t> with_pixels, out;

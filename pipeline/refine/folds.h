@@ -12,11 +12,12 @@
 
 namespace vantage {
 
-/// Cache sizes of Folds: number of coarse photos, and of folds' sightings (some 2 MB each).
+/// Cache sizes of Folds: the number of coarse photos, and of folds whose sightings are kept (about 2 MB
+/// each).
 inline constexpr std::size_t cached_photos = 64, kept_sightings = 12;
 inline constexpr std::size_t max_others = 8;  ///< maximum number of photos from which a photo is predicted
 
-/// The photos of Folds. The spans must outlive it.
+/// The input of Folds. The objects referred to must outlive the Folds object.
 struct FoldsInput {
     const PackageReader& package;                  ///< package with tiles, weight maps and depth
     std::span<const package::PhotoRecord> photos;  ///< with their poses
@@ -24,17 +25,17 @@ struct FoldsInput {
     std::span<const SurfaceDisc> discs;  ///< one per sample of a photo
     double border_width = 0;             ///< as in SceneRecord
     unsigned threads = 0;
-    int long_side = 256;         ///< maximum longer side of the levels at which photos are read, texels
+    int long_side = 256;         ///< maximum longer side, in texels, of the levels at which photos are read
     std::size_t max_folds = 24;  ///< maximum number of photos held out
 };
 
-/// A held-out photo, and the photos from which it is predicted.
+/// A held-out photo and the photos from which it is predicted.
 struct Fold {
     std::uint32_t photo;
-    std::vector<std::uint32_t> others;  ///< up to max_others that share the most surface with it, ascending
+    std::vector<std::uint32_t> others;  ///< up to max_others that see most of the same surface, ascending
 };
 
-/// Cross-validation: photos spread over the scene are held out of all estimates, one at a time. Photos are
+/// Cross-validation: photos spread over the scene are held out of all estimates one at a time. Photos are
 /// read at the finest level with at most 256 texels on the longer side.
 class Folds {
   public:
@@ -47,19 +48,20 @@ class Folds {
     int level(std::uint32_t photo) const;
     std::shared_ptr<const CoarsePhoto> photo(std::uint32_t photo) const { return photos_.get(photo); }
 
-    /// A fold's photo, and its sightings in the others.
+    /// A fold's photo, and where the other photos see its surface.
     struct View {
         const Fold& fold;
         std::size_t index;          ///< of the fold
-        const CoarsePhoto& target;  ///< every second texel of the fold's photo: enough for validation
+        const CoarsePhoto& target;  ///< every second texel of the fold's photo, which suffices
         const Folds& folds;
 
-        /// The other photos' sightings of the photo's pixels. Cached for some folds.
+        /// The sightings in the other photos of the surface at the photo's pixels. Cached for some folds.
         std::shared_ptr<const Sightings> sightings() const;
-        /// The same with other poses, one per photo of the scene; `own`: the pose of the fold's photo.
+        /// Computes the sightings with other poses, one per photo of the scene; `own` is the pose of the
+        /// fold's photo.
         Sightings sightings(std::span<const Pose> poses, const Pose& own) const;
     };
-    /// Reads the photos of all folds into the cache, as far as they fit, so that later calls need not wait.
+    /// Reads the photos of all folds into the cache, as many as fit, so that later calls need not wait.
     void read_ahead() const;
     /// Calls visit(view) for every fold, on several threads. Throws Error(damaged).
     void each(const std::function<void(const View&)>& visit) const;

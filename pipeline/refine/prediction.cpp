@@ -18,7 +18,7 @@ using Color = std::array<float, 3>;
 
 constexpr float no_color = std::numeric_limits<float>::quiet_NaN();
 
-/// sRGB code, 0 to 255, of a square root of light, from a table.
+/// The sRGB code, 0 to 255, for the square root of a light value, from a table.
 float code_of(float root) {
     constexpr int steps = 2048;
     static const std::vector<float> table = [] {
@@ -30,7 +30,7 @@ float code_of(float root) {
     return table[std::size_t(std::clamp(root, 0.0f, 1.0f) * steps + 0.5f)];
 }
 
-/// A sighting as blended: its colors are square roots of light.
+/// A sighting prepared for blending. Its colors are square roots of light.
 struct Blended {
     float weight;
     Color root, smooth;
@@ -38,7 +38,7 @@ struct Blended {
 
 using Colors = Color Blended::*;
 
-/// own_share() in blend.frag.
+/// Corresponds to own_share() in blend.frag.
 float own_share(float theta) {
     const float near = shader::own_angle * shader::own_angle;
     return near / (near + theta * theta);
@@ -52,7 +52,8 @@ float transient_weight(const Alternative& a, const Sighting& s) {
     return mask + (1 - mask) * own_share(s.theta);
 }
 
-/// Fraction of a color that keeps its exposure because it is overexposed, as in refined() of blend.frag.
+/// The fraction of a color that keeps its exposure because the color is overexposed, as in refined() in
+/// blend.frag.
 float white_share(const float (&root)[3], float theta) {
     const float least = std::min({root[0], root[1], root[2]}), light = least * least;
     if (!(light > shader::overexposed)) return 0;
@@ -60,12 +61,12 @@ float white_share(const float (&root)[3], float theta) {
     return t * t * (3 - 2 * t) * (1 - own_share(theta));
 }
 
-/// Factor on light that removes a lens's vignetting, see ColorFit.
+/// The factor on light that removes the vignetting of a lens, see ColorFit.
 float without_vignetting(const Vignetting& f, double radius2) {
     return float(std::exp(log_vignetting_at_square(f, radius2)));
 }
 
-/// Square root of light times a factor, as refined() mixes light.
+/// The square root of light multiplied by a factor, mixed as in refined().
 float exposed(float root, float factor, float white) {
     if (!(white > 0) || factor >= 1) return factor * root;
     return root * std::sqrt(factor * factor * (1 - white) + white);
@@ -101,7 +102,7 @@ struct Mean {
         weight += w;
         for (std::size_t k = 0; k < 3; ++k) sum[k] += w * c[k];
     }
-    /// sRGB codes; NaN if the weights are 0. `light`: factor on the mean.
+    /// The mean as sRGB codes; NaN if the weights are 0. `light`: a factor on the mean.
     Color code(float light = 1) const {
         if (!(weight > 0)) return {no_color, no_color, no_color};
         const float factor = std::sqrt(light) / weight;
@@ -109,20 +110,21 @@ struct Mean {
     }
 };
 
-/// The photos' colors at a pixel, blended; `which`: as exposed or smoothed.
+/// The photos' blended color at a pixel. `which`: the colors as exposed, or smoothed.
 Mean mean_at(const Sightings& s, std::span<const Blended> b, std::size_t pixel, Colors which) {
     Mean mean;
     for (std::size_t i = s.first[pixel]; i < s.first[pixel + 1]; ++i) mean.add(b[i].weight, b[i].*which);
     return mean;
 }
 
-/// The surface at `pixel`, blended with the weights at `other`, from the photos that see both.
+/// The color of the surface at `pixel`, blended with the weights at the pixel `other`, from the photos that
+/// see both pixels.
 Mean mean_with_weights_of(const Sightings& s, std::span<const Blended> b, std::size_t pixel,
                           std::size_t other) {
     Mean mean;
     std::size_t j = s.first[other];
     for (std::size_t i = s.first[pixel]; i < s.first[pixel + 1]; ++i) {
-        // Both list the photos in the same order.
+        // Both pixels list the photos in the same order.
         while (j < s.first[other + 1] && s.all[j].photo < s.all[i].photo) ++j;
         if (j == s.first[other + 1]) break;
         if (s.all[j].photo == s.all[i].photo) mean.add(b[j].weight, b[i].smooth);
@@ -130,14 +132,15 @@ Mean mean_with_weights_of(const Sightings& s, std::span<const Blended> b, std::s
     return mean;
 }
 
-/// Root mean square over the channels.
+/// Root mean square of the difference over the channels.
 double distance(const Color& a, const Color& b) {
     double sum = 0;
     for (std::size_t c = 0; c < 3; ++c) sum += double(a[c] - b[c]) * double(a[c] - b[c]);
     return std::sqrt(sum / 3);
 }
 
-/// The step between two neighbors that is due to their weights; empty if they are not on one surface.
+/// The color step between two neighboring pixels that is due to their weights; empty if the pixels are not on
+/// one surface.
 std::optional<double> step(const CoarsePhoto& target, const Sightings& s, std::span<const Blended> b,
                            std::span<const Color> smooth, std::size_t i, std::size_t j) {
     const float zi = target.texels[i].z, zj = target.texels[j].z;
@@ -145,7 +148,7 @@ std::optional<double> step(const CoarsePhoto& target, const Sightings& s, std::s
     const Color &ci = smooth[i], &cj = smooth[j];
     if (!std::isfinite(ci[0]) || !std::isfinite(cj[0])) return {};
     const Color ij = mean_with_weights_of(s, b, i, j).code(), ji = mean_with_weights_of(s, b, j, i).code();
-    // Without a common photo, the whole step is due to the change of photos.
+    // If the pixels have no photo in common, the whole step is due to the change of photos.
     const bool common = std::isfinite(ij[0]) && std::isfinite(ji[0]);
     return common ? (distance(ci, ij) + distance(cj, ji)) / 2 : distance(ci, cj);
 }
@@ -161,7 +164,7 @@ double seams_of(const CoarsePhoto& target, const Sightings& s, std::span<const B
     const auto add = [&](std::size_t i, std::size_t j) {
         if (const auto found = step(target, s, b, smooth, i, j)) sum += *found, ++n;
     };
-    // Uses only every other row and column, which is hardly less precise.
+    // Only every other row and column is used, which is hardly less precise.
     for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < width; ++x) {
             const std::size_t at = y * width + x;
@@ -188,7 +191,8 @@ cv::Mat luminance(const cv::Mat& color, const cv::Scalar& gain) {
     return out;
 }
 
-/// Wang et al. 2004, windows normalized to the mask (32FC1 of 0 and 1); both pictures are 0 outside it.
+/// SSIM (Wang et al. 2004) with windows normalized to the mask (32FC1 of 0 and 1). Both pictures are 0
+/// outside the mask.
 double mean_ssim(const cv::Mat& a, const cv::Mat& b, const cv::Mat& mask) {
     const auto blur = [](const cv::Mat& m) {
         cv::Mat out;

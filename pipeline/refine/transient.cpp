@@ -32,7 +32,7 @@ std::vector<TransientMap> transient_maps(const TransientViews& uncorrected, cons
 
 namespace {
 
-/// The maps of the photos from which a fold's photo is predicted; empty for the others.
+/// The maps of the photos from which a fold's photo is predicted; empty for other photos.
 std::vector<TransientMap> maps_without(const Folds& folds, const Fold& fold,
                                        const TransientPartners& partners, const PhotoColors& colors,
                                        const TransientViews& uncorrected) {

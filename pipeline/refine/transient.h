@@ -10,21 +10,23 @@
 
 namespace vantage {
 
-/// Colors as exposed.
+/// The view of a photo for transient masking, with its colors as exposed.
 TransientView transient_view(const CoarsePhoto& photo);
 
 /// Photos as exposed, created on demand.
 using TransientViews = LruCache<TransientView>;
-inline constexpr std::size_t cached_views = 16;  ///< cached at once, as exposed and as corrected
+inline constexpr std::size_t cached_views = 16;  ///< number cached at once, both as exposed and as corrected
 
-/// The maps of all photos, each compared with its partners. Keeps a bounded number of photos in memory. Empty
-/// for photos with fewer than two partners. `uncorrected` may throw Error(damaged).
+/// The transient maps of all photos; each photo is compared with its partners. The map is empty for photos
+/// with fewer than two partners. The number of photos in memory is bounded. `uncorrected` may throw
+/// Error(damaged).
 std::vector<TransientMap> transient_maps(const TransientViews& uncorrected, const PhotoColors& colors,
                                          const TransientPartners& partners, unsigned threads);
 
 /// Validates transient masks on held-out photos, which influence neither weight maps nor gains.
-/// `uncorrected`: at the folds' levels. `fits`: per fold, the colors fitted without the fold's photo.
-/// `gains_on`, `vignetting_on`: whether to blend with them.
+/// `uncorrected` has the photos at the folds' levels. `fits` holds, for each fold, the colors fitted without
+/// the fold's photo. `gains_on` and `vignetting_on`: whether to blend with gains and with vignetting
+/// correction.
 Judgment validate_transients(const Folds& folds, const TransientViews& uncorrected,
                              const TransientPartners& partners, std::span<const PhotoColors> fits,
                              bool gains_on, bool vignetting_on);

@@ -8,9 +8,9 @@
 namespace vantage {
 namespace {
 
-constexpr double max_loss = 0.75;    ///< dB, largest loss of any photo
-constexpr double negligible = 0.01;  ///< dB, of the mean gain
-constexpr double fewer_seams = 0.9;  ///< maximum fraction of the seams without the effect
+constexpr double max_loss = 0.75;    ///< largest permitted loss of any photo, dB
+constexpr double negligible = 0.01;  ///< largest mean gain that counts as none, dB
+constexpr double fewer_seams = 0.9;  ///< maximum ratio of the seams with the effect to those without
 
 }  // namespace
 

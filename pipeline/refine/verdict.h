@@ -9,33 +9,34 @@
 
 namespace vantage {
 
-/// A photo held out of all estimates and predicted from the others: without an effect, and with it.
+/// A photo that is held out of all estimates and predicted from the others, without an effect and with it.
 struct ValidatedPhoto {
     std::string name;
     ValidationScore without, with;
 };
 
-/// Photos with fewer scored pixels are not counted.
+/// Photos with fewer scored pixels than this are not counted.
 inline constexpr std::size_t fewest_pixels = 200;
 
-/// Summarizes photos of at least `fewest_pixels`; no photos: all 0. `noise` is the standard error of the mean
-/// if gains were as likely as losses of the same size: after one wrong camera is fixed, few photos gain much
-/// and none loses, and the spread of the gains is not noise.
+/// Summarizes the photos with at least `fewest_pixels` scored pixels; without photos, all values are 0.
+/// `noise` is the standard error that the mean would have if gains were as likely as losses of the same size.
+/// It is used because the spread of gains is not always noise: after one wrong camera is fixed, few photos
+/// gain much and none loses.
 Judgment summarize(std::span<const ValidatedPhoto> photos);
 
-/// Minimum number of photos to validate an effect.
+/// Minimum number of photos for validating an effect.
 inline constexpr int min_validated_photos = 3;
 
-/// Whether an effect is worthwhile: held-out photos gain (more than twice the noise, or twice the standard
-/// error of the mean), or do not lose within that error while seams fall by a tenth; and no photo loses more
-/// than 0.75 dB. False for fewer than three photos.
+/// Whether an effect is worthwhile. Either held-out photos must gain by more than twice the noise or twice
+/// the standard error of the mean, or they must not lose more than that error while seams decrease by a
+/// tenth. In addition, no photo may lose more than 0.75 dB. False for fewer than three photos.
 bool is_called_for(const Judgment& judgment);
 
 /// Validates an effect that is on: adds the judgment and its sentence to the decision, and turns the effect
-/// off if it is not worthwhile. It stays on if forced, or with too few photos.
+/// off if it is not worthwhile. The effect stays on if it is forced or if there are too few photos.
 void confirm(EffectDecision& decision, const Judgment& judgment);
 
-/// One sentence about a judgment, such as "held-out photos gain 0.21 dB (+-0.05; 1 of 10 worse)".
+/// A sentence about the judgment, such as "held-out photos gain 0.21 dB (+-0.05; 1 of 10 worse)".
 std::string sentence(const Judgment& judgment);
 
 }  // namespace vantage

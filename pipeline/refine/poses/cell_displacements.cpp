@@ -20,9 +20,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using package::PairRecord;
 
-constexpr int depth_side = 400;    ///< texels of the depth
-constexpr int reach = 3;           ///< texels around a cell's center that are on one surface
-constexpr double max_stretch = 5;  ///< maximum stretch of the second photo's pixels in the first
+constexpr int depth_side = 400;    ///< longer side of the depth level, texels
+constexpr int reach = 3;           ///< texels around a cell's center that must be on one surface
+constexpr double max_stretch = 5;  ///< maximum stretch from the second photo's pixels to the first's
 constexpr double max_weight = 4;   ///< matches
 constexpr int columns = package::pair_columns, rows = package::pair_rows;
 
@@ -34,7 +34,7 @@ struct GivenCamera {
     explicit GivenCamera(const package::PhotoRecord& p)
         : k(intrinsics(p)), pose(cam_from_origin(p)), distance(p.seen_distance > 0 ? p.seen_distance : 1) {}
     double focal() const { return std::sqrt(k.fx * k.fy); }
-    /// Derivatives of the pixel.
+    /// Derivatives of the pixel position with respect to a point, the pose and the lens.
     Eigen::Matrix<double, 2, 3> of_point(const Vector3d& x) const {
         return pixel_derivative(k, pose.R * x + pose.t) * pose.R;
     }
@@ -72,7 +72,8 @@ class Surface {
         z_.resize(bytes.size() / sizeof(float));
         std::memcpy(z_.data(), bytes.data(), bytes.size());
     }
-    /// The point at a position in fractions of the photo's width and height, if it is on one smooth surface.
+    /// The surface point at the position (u, v), in fractions of the photo's width and height; empty if its
+    /// neighborhood is not one smooth surface.
     std::optional<Place> at(double u, double v) const {
         const int x = int(u * k_.width), y = int(v * k_.height);
         if (x < reach || y < reach || x + reach >= width_ || y + reach >= height_) return {};
@@ -104,8 +105,8 @@ Matrix2d along_surface(const GivenCamera& a, const GivenCamera& b, const Place& 
     return a.of_point(at.x) * at.tangents * (b.of_point(at.x) * at.tangents).inverse();
 }
 
-/// A match is displaced by M e_b - e_a if camera errors displace the surface by e_a in `a` and by e_b in `b`,
-/// where M maps pixels of `b` to `a` along the surface.
+/// If camera errors displace the surface by e_a in `a` and by e_b in `b`, a match is displaced by M e_b -
+/// e_a, where M maps pixels of `b` to pixels of `a` along the surface.
 std::optional<CellDisplacement> cell_at(const GivenCamera& a, const GivenCamera& b, const Place& at) {
     const auto in_a = project(a.k, a.pose, at.x), in_b = project(b.k, b.pose, at.x);
     if (!in_a || !in_b) return {};
@@ -117,7 +118,7 @@ std::optional<CellDisplacement> cell_at(const GivenCamera& a, const GivenCamera&
     return out;
 }
 
-/// Adds the derivatives for a common motion of all cameras, about the center of all points.
+/// Adds the derivatives with respect to a common motion of all cameras about the center of all points.
 void add_frame(CellDisplacements& out, std::span<const GivenCamera> cameras,
                std::span<const std::vector<Place>> places) {
     double n = 0;

@@ -15,17 +15,16 @@ struct CellDisplacement {
     Eigen::Vector2d moved;  ///< px of the first photo
     double weight;          ///< number of matches, at most 4
     bool odd;               ///< true for every other cell, as on a checkerboard
-    /// Per pose: rotation about the camera's axes times the focal length, translation times focal length over
-    /// distance.
+    /// For each pose: the rotation about the camera's axes times the focal length, and the translation times
+    /// the focal length divided by the distance.
     Eigen::Matrix<double, 2, 6> pose_a, pose_b;
-    /// Per lens: a longer focal length, in px at half the diagonal; a displacement to the right and down from
-    /// the first row to the last, 0 in the middle.
+    /// For each lens: an increase of the focal length, in px at half the diagonal, and a displacement to the
+    /// right and downward that grows from the first row to the last and is 0 in the middle.
     Eigen::Matrix<double, 2, 3> lens_a, lens_b;
-    /// With respect to a common motion of all cameras: a SmallMotion divided by
-    /// `CellDisplacements::frame_unit`.
+    /// For a common motion of all cameras: a SmallMotion divided by `CellDisplacements::frame_unit`.
     Eigen::Matrix<double, 2, 7> frame = Eigen::Matrix<double, 2, 7>::Zero();
     Eigen::Matrix<double, 2, 7> seen =
-        Eigen::Matrix<double, 2, 7>::Zero();  ///< motion of the surface in the first photo due to that motion
+        Eigen::Matrix<double, 2, 7>::Zero();  ///< resulting motion of the surface in the first photo
 };
 
 /// The cells of one pair.
@@ -34,11 +33,12 @@ struct PairCells {
     std::vector<CellDisplacement> cells;
 };
 
-/// The cells of all trusted pairs that show one smooth surface around their center.
+/// The cells of all trusted pairs. Cells are included only if there is one smooth surface around their
+/// center.
 struct CellDisplacements {
     std::vector<PairCells> pairs;
     MotionFrame frame;
-    double frame_unit = 0;  ///< scale of a SmallMotion of about one pixel
+    double frame_unit = 0;  ///< size of a SmallMotion that moves the surface by about one pixel
 };
 /// Reads the depth of each first photo at a coarse level. Throws Error(damaged).
 CellDisplacements cell_displacements(const PoseRefinementInput& in,

@@ -10,21 +10,22 @@
 
 namespace vantage {
 
-/// Derivative of the pixel with respect to the point in camera space, which must be in front of the camera.
+/// Derivative of the pixel position with respect to the point in camera space. The point must be in front of
+/// the camera.
 Eigen::Matrix<double, 2, 3> pixel_derivative(const Intrinsics& k, const Eigen::Vector3d& in_camera);
-/// Derivative of the pixel at which the camera sees S(x), with respect to S. x must be in front of the
-/// camera.
+/// Derivative, with respect to S, of the pixel position at which the camera sees S(x). The point x must be in
+/// front of the camera.
 Eigen::Matrix<double, 2, 7> motion_derivative(const Intrinsics& k, const Pose& pose, const Eigen::Vector3d& x,
                                               const MotionFrame& frame);
 
-/// The common motion of all cameras: the similarity S for which the given cameras project S(x) closest to
-/// where the new ones project x. Least squares over the tracks' points, linearized for motions of a few
-/// pixels. The identity if the tracks do not determine it.
+/// The common motion of all cameras, that is, the similarity S with which the given cameras project S(x) as
+/// close as possible to where the new cameras project x. It is a least-squares solution over the tracks'
+/// points, linearized for motions of a few pixels. Returns the identity if the tracks do not determine S.
 Similarity common_motion(std::span<const Intrinsics> intrinsics, std::span<const Pose> given,
                          std::span<const Pose> now, std::span<const Track> tracks);
 
-/// Median distance in pixels between the projections of the tracks' points under two sets of cameras, in one
-/// photo or in all; 0 if there are none.
+/// Median distance in pixels between the projections of the tracks' points with two sets of cameras, in one
+/// photo or in all photos; 0 if there are no points.
 double median_motion(std::span<const Intrinsics> intrinsics, std::span<const Pose> a, std::span<const Pose> b,
                      std::span<const Track> tracks, std::optional<std::uint32_t> photo = {});
 

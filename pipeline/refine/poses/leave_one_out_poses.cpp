@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// The moved cameras that share the most surface with a photo, ascending.
+/// The moved cameras whose photos see most of the surface that this photo sees, ascending.
 std::vector<std::uint32_t> moved_near(const PoseSolution& s, const SharedSurface& shared,
                                       std::uint32_t photo) {
     std::vector<std::uint32_t> out;
@@ -22,7 +22,7 @@ std::vector<std::uint32_t> moved_near(const PoseSolution& s, const SharedSurface
 }  // namespace
 
 std::vector<LeaveOneOutPose> leave_one_out_poses(const PoseRounds& rounds, const PoseSolution& s,
-                                            const Folds& folds) {
+                                                 const Folds& folds) {
     const FoldsInput& in = folds.input();
     std::vector<std::vector<LeaveOneOutPose>> of(in.photos.size());
     for_each_photo(of.size(), in.threads, [&](std::size_t i) {

@@ -6,9 +6,10 @@
 
 namespace vantage {
 
-/// For each photo with pixels, the poses of moved cameras, fitted again without the photo's matches: up to
-/// package::poses_without_photo cameras that share the most surface with it; other cameras stay. Sorted by
-/// the photo, then by the camera. The matches are those found under the solution's poses.
+/// For each photo with pixels, poses of moved cameras that are fitted again without the photo's matches. This
+/// concerns up to package::poses_without_photo cameras, those whose photos see most of the same surface; the
+/// other cameras stay. The result is sorted by photo, then by camera. The matches are those found with the
+/// solution's poses.
 std::vector<LeaveOneOutPose> leave_one_out_poses(const PoseRounds& rounds, const PoseSolution& solution,
                                                  const Folds& folds);
 

@@ -30,7 +30,7 @@ cv::Mat gray_of(const PackageReader& package, const package::PhotoRecord& r, std
     return gray;
 }
 
-/// Normalizes by local mean and contrast, which vary with exposure, haze and shadow; preserves detail.
+/// Normalizes by local mean and contrast, which vary with exposure, haze and shadow. Detail is preserved.
 cv::Mat normalize_contrast(const cv::Mat& gray) {
     cv::Mat mean, square;
     const cv::Size window(25, 25);

@@ -17,23 +17,23 @@ struct MatchView {
     int level;
     Intrinsics k;   ///< of this level
     Pose pose;      ///< pose from which the depth was rendered
-    cv::Mat gray;   ///< u8, normalized by local mean and contrast, independent of exposure
+    cv::Mat gray;   ///< u8, normalized by local mean and contrast, so independent of exposure
     cv::Mat depth;  ///< f32, linear z; +inf if the photo does not see the model
 };
 
 /// Reads the finest level that has depth and at most `long_side` pixels on its longer side, or the coarsest
-/// level if there is none. Throws Error(damaged).
+/// level if there is no such level. Throws Error(damaged).
 MatchView read_match_view(const PackageReader& package, const package::PhotoRecord& record,
                           std::uint32_t photo, int long_side);
 
-/// Views of a package's photos at the requested sizes, cached for all rounds of matching, about 50 MB at each
-/// size: 12 of 1600 px, 48 of 800 px. Thread-safe.
+/// Views of a package's photos at the requested sizes, cached for all rounds of matching. The cache takes
+/// about 50 MB for each size: 12 views of 1600 px or 48 views of 800 px. Thread-safe.
 class MatchViews {
   public:
-    /// Both must outlive this object.
+    /// `package` and `photos` must outlive this object.
     MatchViews(const PackageReader& package, std::span<const package::PhotoRecord> photos)
         : package_(package), photos_(photos) {}
-    /// Throws like read_match_view().
+    /// Throws Error(damaged).
     std::shared_ptr<const MatchView> get(std::uint32_t photo, int long_side) const;
     const PackageReader& package() const { return package_; }
 
@@ -44,7 +44,7 @@ class MatchViews {
     mutable std::map<int, LruCache<MatchView>> sizes_;
 };
 
-/// Converts a position at a level to full-size pixels. Pixel centers are at +0.5 at all levels.
+/// Converts a position at a level to full-size pixels. At all levels, pixel centers are at +0.5.
 inline Eigen::Vector2d at_full_size(const Eigen::Vector2d& pixel, int level) { return pixel * (1 << level); }
 
 }  // namespace vantage

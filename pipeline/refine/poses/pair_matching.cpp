@@ -17,7 +17,7 @@ std::int16_t in_64ths(double pixels) {
     return std::int16_t(std::clamp(std::lround(64 * pixels), -32767l, 32767l));
 }
 
-/// Displacements of one pair, overall and per cell of the first photo.
+/// The displacements of one pair of photos, overall and per cell of the first photo.
 class Displacements {
   public:
     Displacements(std::span<const Track> tracks, std::uint32_t other, const Intrinsics& k) {

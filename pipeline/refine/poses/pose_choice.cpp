@@ -20,10 +20,10 @@ using package::PairRecord;
 
 constexpr double explained = 0.5;          ///< largest remaining fraction of the displacement
 constexpr double noticed_common = 1;       ///< px
-constexpr int validated_side = 384;        ///< texels, for the validation of poses
+constexpr int validated_side = 384;        ///< longer side of photos for the validation of poses, texels
 constexpr std::size_t max_validated = 12;  ///< photos
 
-/// The pairs without any of `photos`.
+/// The pairs that contain none of `photos`.
 std::vector<PairRecord> pairs_without(std::span<const PairRecord> pairs,
                                       std::span<const std::uint32_t> photos) {
     std::vector<PairRecord> out;
@@ -32,8 +32,8 @@ std::vector<PairRecord> pairs_without(std::span<const PairRecord> pairs,
     return out;
 }
 
-/// Photos that are displaced relative to all others, the worst first; at most a third of all. They do not
-/// include the reference photos, which stay.
+/// Photos that are displaced relative to all others, the worst first, but at most a third of all photos.
+/// `stay`: photos that must stay and are not considered.
 std::vector<std::uint32_t> odd_photos(const PoseRefinementInput& in, std::span<const PairRecord> pairs,
                                       std::span<const std::uint32_t> stay) {
     std::vector<std::uint32_t> odd;
@@ -55,8 +55,8 @@ std::vector<std::uint32_t> odd_photos(const PoseRefinementInput& in, std::span<c
     return odd;
 }
 
-/// Overlapping photos: the pair that shares the most surface, then repeatedly the photo that shares the most
-/// with those chosen.
+/// Overlapping photos: first the pair that sees most of the same surface, then repeatedly the photo that sees
+/// most of the surface seen by those already chosen.
 std::vector<std::uint32_t> overlapping(std::span<const PairRecord> pairs, std::size_t count) {
     std::vector<std::uint32_t> out;
     const auto is_in = [&](std::uint32_t photo) { return std::ranges::count(out, photo) > 0; };
@@ -73,7 +73,8 @@ std::vector<std::uint32_t> overlapping(std::span<const PairRecord> pairs, std::s
     return out;
 }
 
-/// The input as if other photos had no pixels. `records` and `samples` store its data.
+/// The input as if all photos except `photos` had no pixels. `records` and `samples` store the data of the
+/// result.
 PoseRefinementInput input_of(const PoseRefinementInput& in, std::span<const std::uint32_t> photos,
                              std::vector<package::PhotoRecord>& records,
                              std::vector<std::span<const package::SampleRecord>>& samples) {
@@ -90,7 +91,7 @@ PoseRefinementInput input_of(const PoseRefinementInput& in, std::span<const std:
 /// The cameras that a solution moves.
 enum class Moved { odd_ones, all, together };
 
-/// A solution, and its poses with held-out photos.
+/// A solution, and its poses fitted without held-out photos.
 struct Candidate {
     PoseSolution solution;
     Moved which;
@@ -105,8 +106,9 @@ Candidate candidate(const PoseRounds& rounds, const Folds& folds, PoseSolution s
     return c;
 }
 
-/// The pose from which a held-out photo is predicted: its given pose shows whether the frame of the survey is
-/// kept; a pose fitted to the others, with the candidate and without, shows the quality for a viewer.
+/// The pose from which a held-out photo is predicted. The given pose shows whether the frame of the survey is
+/// kept. A pose fitted to the other photos, both with and without the candidate, shows the quality that a
+/// viewer sees.
 enum class Own { given, fitted };
 
 /// Validates a candidate against `before` (null: the given poses) on held-out photos that do not influence
@@ -130,7 +132,7 @@ Judgment validate(const PoseRounds& rounds, const Folds& folds, std::span<const 
     return summarize(photos);
 }
 
-/// The uncertainty of the motion of the photo's content, in px, from a jackknife over the folds.
+/// The uncertainty of the motion of the photo's content, in px, estimated with a jackknife over the folds.
 double uncertainty(const PoseRounds& rounds, const Folds& folds, const Candidate& c, std::uint32_t photo) {
     std::vector<double> moved;
     for (std::size_t f = 0; f < folds.all().size(); ++f)
@@ -159,7 +161,7 @@ std::string outcome(const PoseSolution& s) {
     for (const PhotoPoseRefinement& p : s.photos)
         if (p.pose) by.push_back(p.motion_px), uncertainty.push_back(p.uncertainty);
     return fmt::format(
-        "{} by {:.2f} px (median; uncertainty {:.2f} px), which reduced the error of holdout corners from "
+        "{} by {:.2f} px (median; uncertainty {:.2f} px), which reduced the error of held-out corners from "
         "{:.2f} to {:.2f} px",
         by.size() == 1 ? "1 camera was moved" : fmt::format("{} cameras were moved", by.size()),
         quantile(by, 0.5), quantile(uncertainty, 0.5), s.before, s.after);
@@ -171,30 +173,30 @@ class PoseChoice {
     PoseChoice(const PoseRefinementInput& in, const CellDisplacements& cells, PoseRefinement& out)
         : out_(out), judge_(in.validate && !out.decision.forced), in_(in), cells_(cells) {}
 
-    /// Whether the displacements of the pairs' cells permit a useful fit of these photos (of all photos if
-    /// the list is empty); else records the reason.
+    /// Whether a fit of these photos (of all photos if the list is empty) can be useful, judging by the
+    /// displacements of the pairs' cells. If not, records the reason.
     bool may_help(std::span<const std::uint32_t> photos, const std::string& of) {
         constexpr double hopeless = 0.85;
         const LeftByPoses left = left_by_poses(in_, cells_, photos);
         if (!(left.before > 0) || left.after < hopeless * left.before) return true;
         reject(fmt::format(
-            "{} would leave {:.2f} of {:.2f} px, so that the mesh or the lens is the likely cause", of,
+            "{} would leave an error of {:.2f} of {:.2f} px, so the mesh or the lens is the likely cause", of,
             left.after, left.before));
         return false;
     }
 
-    /// Whether a trial suggests that a full fit would be better; else records the reason.
+    /// Whether a trial suggests that a full fit would improve the poses. If not, records the reason.
     bool promises(const PoseSolution& trial, const std::string& of) {
         constexpr double promising = 0.75;
-        if (moved(trial) == 0) return reject(of + " would not improve holdout corners"), false;
+        if (moved(trial) == 0) return reject(of + " would not improve held-out corners"), false;
         if (trial.after <= promising * trial.before) return true;
         reject_unexplained(trial, of);
         return false;
     }
 
-    /// Takes the solution if it is better than the current one.
+    /// Takes this solution if it is better than the current one.
     void consider(PoseSolution solution, const std::string& of, Moved which) {
-        if (moved(solution) == 0) return reject(of + " would not improve holdout corners");
+        if (moved(solution) == 0) return reject(of + " would not improve held-out corners");
         if (solution.after > explained * solution.before) return reject_unexplained(solution, of);
         judging();
         Candidate c = candidate(rounds(), *folds_, std::move(solution), which);
@@ -206,7 +208,7 @@ class PoseChoice {
             if (!is_called_for(fitted)) return reject(of + ": " + sentence(fitted));
             const Judgment given = validate(rounds(), *folds_, gains_, taken, c, Own::given);
             if (given.gain < -2 * given.error || (which == Moved::together && !is_called_for(given)))
-                return reject(of + " would leave the frame of the given cameras: " + sentence(given));
+                return reject(of + " would depart from the frame of the given cameras: " + sentence(given));
             out_.decision.judgment = fitted;
             validated = "; " + sentence(fitted);
         }
@@ -216,7 +218,7 @@ class PoseChoice {
         taken_ = std::move(c);
     }
 
-    /// Created for the first fit that is worthwhile.
+    /// The rounds are created when the first worthwhile fit needs them.
     const PoseRounds& rounds() {
         if (!rounds_) rounds_.emplace(in_);
         return *rounds_;
@@ -235,8 +237,8 @@ class PoseChoice {
     void reject(const std::string& why) { out_.decision.evidence += "; " + why; }
     void reject_unexplained(const PoseSolution& s, const std::string& of) {
         reject(
-            fmt::format("{} would reduce the error of holdout corners only from {:.2f} to {:.2f} px, so "
-                        "that the mesh or the lens is the likely cause",
+            fmt::format("{} would reduce the error of held-out corners only from {:.2f} to {:.2f} px, so "
+                        "the mesh or the lens is the likely cause",
                         of, s.before, s.after));
     }
     /// Prepares validation on first use.
@@ -275,7 +277,7 @@ void choose_all(const PoseRefinementInput& in, PoseRefinement& out, PoseChoice& 
     choice.consider(solution, "moving all cameras", Moved::all);
     if (choice.any() && solution.common_motion > noticed_common)
         out.decision.evidence +=
-            fmt::format("; their common motion of {:.2f} px was taken back", solution.common_motion);
+            fmt::format("; their common motion of {:.2f} px was undone", solution.common_motion);
 }
 
 }  // namespace
@@ -291,7 +293,7 @@ void choose_poses(const PoseRefinementInput& in, const CellDisplacements& cells,
         choice.promises(PoseRounds(in, Effort::trial).fit_some(odd), what))
         choice.consider(choice.rounds().fit_some(odd), what, Moved::odd_ones);
     if (!stay.empty()) {
-        out.decision.evidence += "; poses would hide the lens's error: cameras stay";
+        out.decision.evidence += "; cameras stay, because new poses would hide the lens error";
     } else if (errors.common_motion > 0) {
         choice.consider(choice.rounds().moved_together(errors.common, errors.uncertainty),
                         "moving them together", Moved::together);

@@ -6,13 +6,14 @@
 
 namespace vantage {
 
-/// Decides which cameras move, given that photos disagree by `out.decision`. First moves the photos that
-/// disagree with all others, while the others stay. If the others still disagree, moves all, unless the
-/// disagreement is explained by a systematic error, which new poses would hide. New poses are kept only if
-/// they halve the displacement of held-out corners (errors of the mesh also displace corners, and moving
-/// cameras hardly reduces these); if held-out photos are predicted better (see is_called_for), and not worse
-/// from their given cameras; and, per camera, if it moves by more than its uncertainty. The second condition
-/// (prediction) is skipped if the choice is forced or `input.validate` is false. Throws Error(damaged).
+/// Decides which cameras move, given that the photos disagree according to `out.decision`. First, the cameras
+/// of photos that disagree with all others move, while the others stay. If the others still disagree, all
+/// cameras move, unless a systematic error explains the disagreement, because new poses would hide it. New
+/// poses are kept only under three conditions. They must halve the displacement of held-out corners; errors
+/// in the mesh also displace corners, but moving cameras hardly reduces these displacements. Held-out photos
+/// must be predicted better (see is_called_for), and not worse from their given cameras. Finally, each camera
+/// must move by more than its uncertainty. The second condition (prediction) is skipped if the choice is
+/// forced or `input.validate` is false. Throws Error(damaged).
 void choose_poses(const PoseRefinementInput& input, const CellDisplacements& cells,
                   const SystematicErrors& errors, PoseRefinement& out);
 

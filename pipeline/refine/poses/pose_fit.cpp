@@ -8,10 +8,10 @@
 namespace vantage {
 namespace {
 
-/// Reprojection error in px of a track's point in one photo.
+/// Reprojection error, in px, of a track's point in one photo.
 struct ReprojectionError {
     const FittedCamera& camera;
-    Eigen::Vector3d point, right, down;  ///< `right`, `down`: tangents, one pixel long
+    Eigen::Vector3d point, right, down;  ///< `right` and `down` are tangents, one pixel long
     Eigen::Vector2d pixel;
 
     template <class T>
@@ -31,7 +31,7 @@ struct ReprojectionError {
     }
 };
 
-/// Prior that pulls a camera to its given pose.
+/// A prior that pulls a camera toward its given pose.
 struct Anchor {
     double weight;
     template <class T>
@@ -56,7 +56,7 @@ void add_track(ceres::Problem& problem, std::span<const FittedCamera> cameras, c
     for (const Match& m : track.matches) add(m.photo, m.pixel);
 }
 
-/// The track without matches that have no finite residual under `poses`. All matches are dropped if the
+/// The track, restricted to matches whose residual is finite with `poses`. All matches are dropped if the
 /// residual in the track's own photo or the track's normal is not finite.
 Track usable(const Track& track, std::span<const FittedCamera> cameras, std::span<const Pose> poses) {
     Track out = track;

@@ -21,10 +21,10 @@ namespace {
 using package::PairRecord;
 using package::PhotoRecord;
 
-constexpr int evidence_size = 800, evidence_corners = 300;  ///< px on the longer side; per photo
+constexpr int evidence_size = 800, evidence_corners = 300;  ///< px on the longer side; corners per photo
 constexpr double max_displacement = 1, max_shift = 1.5;     ///< px; larger values require pose refinement
 
-/// Key of everything that a pair's measurement depends on.
+/// The key of everything that the measurement of a pair depends on.
 std::uint64_t key_of(const PoseRefinementInput& in, const PhotoPair& pair) {
     const std::array parts{in.fingerprints[pair.a], in.fingerprints[pair.b]};
     return checksum(std::as_bytes(std::span(parts)));
@@ -63,19 +63,20 @@ std::vector<PairRecord> measure_pairs(const PoseRefinementInput& in) {
 
 std::string name_of(const PoseRefinementInput& in, std::uint32_t photo) { return in.photos[photo].name; }
 
-/// The reason that pose refinement cannot be measured; empty if it can.
+/// The reason why the need for pose refinement cannot be measured; empty if it can.
 std::string without_evidence(const PoseRefinementInput& in, std::span<const PairRecord> pairs) {
     const auto with_pixels =
         std::ranges::count_if(in.photos, [](const PhotoRecord& p) { return p.levels > 0; });
     if (with_pixels < 2) return "fewer than two photos: nothing to compare";
-    if (pairs.empty()) return "no two photos share enough surface that is neither black nor white";
+    if (pairs.empty()) return "no two photos see enough of the same surface that is neither black nor white";
     if (std::ranges::any_of(pairs, trusted)) return {};
     return std::ranges::any_of(pairs, contradicts)
                ? "the photos contradict each other on this model: wrong mesh or wrong cameras?"
                : "the photos show too little detail for matching";
 }
 
-/// Whether the visible discs lie in a plane: the ratio of smallest to largest variance is at most 1e-5.
+/// Whether the visible discs lie in a plane, that is, whether the ratio of the smallest to the largest
+/// variance is at most 1e-5.
 bool is_flat(const PoseRefinementInput& in) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();

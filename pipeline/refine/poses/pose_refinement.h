@@ -18,8 +18,8 @@ struct PoseRefinementInput {
     std::span<const package::PhotoRecord> photos;  ///< records with the given poses
     Samples samples;
     std::span<const SurfaceDisc> discs;           ///< one per sample of a photo
-    std::span<const std::uint64_t> fingerprints;  ///< fingerprints of each photo's content and pose
-    std::span<const package::PairRecord> known;   ///< measured earlier, reused if their keys match
+    std::span<const std::uint64_t> fingerprints;  ///< a fingerprint of each photo's content and pose
+    std::span<const package::PairRecord> known;   ///< pairs measured earlier, reused if their keys match
     double border_width = 0;                      ///< as in SceneRecord
     unsigned threads = 0;
     bool validate = true;   ///< whether held-out photos must confirm that cameras move
@@ -40,27 +40,27 @@ struct LeaveOneOutPose {
     Pose pose;
 };
 
-/// The agreement of the photos through the model, and the poses that improve it.
+/// How well the photos agree through the model, and the poses that improve this agreement.
 struct PoseRefinement {
     EffectDecision decision;
     std::vector<PhotoPoseRefinement> photos;
-    std::vector<package::PairRecord> pairs;  ///< pairs under the given cameras
+    std::vector<package::PairRecord> pairs;  ///< measured with the given cameras
     std::vector<LeaveOneOutPose> without;    ///< see leave_one_out_poses; empty if no camera moved on its own
-    std::vector<std::string> warnings;       ///< one line each: misplaced photos, swapped cameras
+    std::vector<std::string> warnings;       ///< one line per misplaced photo, camera swap or lens error
 };
 
-/// A photo is odd if it is displaced by at least `min_outlier` px and by `outlier_ratio` times as much as the
-/// others.
+/// A photo is odd if it is displaced by at least `min_outlier` px and at least `outlier_ratio` times as much
+/// as the others.
 inline constexpr double min_outlier = 0.75, outlier_ratio = 2;
 
-/// The disagreement of the pairs, relative to the limits: corners displaced by 1 px (median), a pair shifted
-/// by 1.5 px, one photo displaced by twice as much as the others. Above 1, pose refinement is needed. `found`
-/// receives a description; may be null.
+/// The disagreement of the pairs, relative to three limits: corners displaced by 1 px (median), a pair
+/// shifted by 1.5 px, and one photo displaced by twice as much as the others. If it exceeds 1, pose
+/// refinement is needed. `found` receives a description, unless it is null.
 double disagreement(const PoseRefinementInput& input, std::span<const package::PairRecord> pairs,
                     std::string* found = nullptr);
 
-/// Matches each photo with the two that share the most surface with it, at 800 px on the longer side, unless
-/// pose refinement is off. If they disagree, decides which cameras move; see choose_poses. Throws
+/// Unless pose refinement is off, matches each photo with the two photos that see most of the same surface,
+/// at 800 px on the longer side. If they disagree, decides which cameras move; see choose_poses. Throws
 /// Error(damaged).
 PoseRefinement register_photos(const PoseRefinementInput& input, EffectChoice choice);
 

@@ -10,19 +10,19 @@ namespace vantage {
 namespace {
 
 constexpr std::size_t matched_pairs_per_photo = 6;
-constexpr int coarse = 800, fine = 1600;  ///< px on the photos' longer side
+constexpr int coarse = 800, fine = 1600;  ///< px on the longer side of the photos
 constexpr std::array full_rounds{coarse, fine, fine, fine, fine};
 constexpr std::array trial_rounds{coarse, coarse};
 constexpr int full_corners = 500, trial_corners = 200;
-/// Weight of the anchor, in observations: small against thousands of corners, but above 1, because errors in
-/// the mesh correlate those of the corners.
+/// Weight of the anchor, in observations. It is small compared with thousands of corners, but greater than 1,
+/// because errors in the mesh make the errors of corners correlated.
 constexpr double anchor = 5;
 constexpr double converged_motion = 0.05;  ///< px
 constexpr int attempts = 3;
 
 enum class Subset { fitting, holdout };
 
-/// Every fifth track is held out of the fit to test its result.
+/// The tracks for fitting, or every fifth track, which is held out of the fit to test its result.
 std::vector<Track> subset(std::span<const Track> tracks, Subset wanted) {
     std::vector<Track> out;
     for (std::size_t s = 0; s < tracks.size(); ++s)
@@ -30,7 +30,8 @@ std::vector<Track> subset(std::span<const Track> tracks, Subset wanted) {
     return out;
 }
 
-/// Median displacement in px of the held-out tracks' matches: per photo, then overall; 0 if there are none.
+/// Median displacement, in px, of the matches of held-out tracks: first per photo, then overall; 0 if there
+/// are no matches.
 std::vector<double> holdout_displacement(const Matching& m, std::size_t photos) {
     std::vector<std::vector<double>> of(photos + 1);
     for (const Track& s : subset(m.tracks, Subset::holdout))
@@ -48,7 +49,7 @@ std::vector<Pose> poses_of(std::span<const FittedCamera> cameras, std::span<cons
     return out;
 }
 
-/// The pairs with at least one of `photos`.
+/// The pairs that contain at least one of `photos`.
 std::vector<PhotoPair> pairs_of(std::span<const PhotoPair> pairs, std::span<const std::uint32_t> photos) {
     std::vector<PhotoPair> out;
     for (const PhotoPair& p : pairs)
@@ -56,7 +57,7 @@ std::vector<PhotoPair> pairs_of(std::span<const PhotoPair> pairs, std::span<cons
     return out;
 }
 
-/// The tracks without a photo's matches.
+/// The tracks without the matches of one photo.
 std::vector<Track> tracks_without(std::span<const Track> tracks, std::uint32_t photo) {
     std::vector<Track> out;
     for (const Track& t : tracks) {
@@ -234,8 +235,8 @@ std::vector<Pose> PoseRounds::poses_without(const PoseSolution& s, std::uint32_t
         if (of_fitted) near.push_back(t);
     }
     if (!has_say) return {};
-    // Uses the difference of two fits to the same matches, because the rounds of matching end before a fit
-    // has converged.
+    // The difference between two fits to the same matches is used, because the rounds of matching end before
+    // a fit has converged.
     const Poses with = fit_without(s, cameras, near, free),
                 without = fit_without(s, cameras, tracks_without(near, photo), free);
     if (with.empty() || without.empty()) return {};

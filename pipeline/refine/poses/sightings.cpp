@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// Another photo, with its camera relative to the target's.
+/// Another photo, with its camera relative to that of the target.
 struct Projector {
     const CoarsePhoto& photo;
     std::uint32_t index;
@@ -22,7 +22,7 @@ struct Projector {
     Vector3f t, center;  ///< the center in the target's camera space
     float fx, fy, cx, cy;
     float radius_scale;  ///< factor from squared texels to the squared vignetting radius
-    float focal;         ///< relative to the target's
+    float focal;         ///< relative to that of the target
 
     Projector(const OtherPhoto& other, const CoarsePhoto& target, const Pose& pose)
         : photo(*other.photo),
@@ -47,7 +47,7 @@ struct Point {
     Vector3f at, normal, to_viewer;
 };
 
-/// The four texels around a position, and the position between the first and the last.
+/// The four texels around a position; (u, v) is the position between the first and the last texel.
 struct Corners {
     const CoarsePhoto::Texel* texel[4];
     float u, v;
@@ -63,7 +63,7 @@ Corners corners_at(const CoarsePhoto& photo, float x, float y) {
     return {{&grid(x0, y0), &grid(x1, y0), &grid(x0, y1), &grid(x1, y1)}, x - 0.5f - left, y - 0.5f - top};
 }
 
-/// Like seen() in blend.frag.
+/// Corresponds to seen() in blend.frag.
 float visibility(const Projector& p, const Corners& c, const Vector3f& at, const Vector3f& normal) {
     const float cosine = std::max(std::abs(normal.dot(at)) / at.norm(), shader::least_cosine),
                 slack = std::max(shader::depth_slack * at.z(), at.z() / std::min(p.fx, p.fy) / cosine);
@@ -73,13 +73,13 @@ float visibility(const Projector& p, const Corners& c, const Vector3f& at, const
     return at.z() > nearest + slack ? shader::beside : 1;
 }
 
-/// angle_weight() times own_view() in blend.frag.
+/// Corresponds to angle_weight() times own_view() in blend.frag.
 float angle_weight(float theta) {
     const float near = shader::own_angle / std::max(theta, shader::own_least);
     return std::max(std::exp(-theta / shader::default_sharpness), 1e-12f) * (1 + near * near);
 }
 
-/// False if the photo does not show the point.
+/// Returns false if the photo does not show the point.
 bool sighting(const Projector& p, const Point& point, Sighting& out) {
     const Vector3f to_photo = p.center - point.at;
     if (point.normal.dot(to_photo) < 0) return false;
@@ -107,7 +107,7 @@ bool sighting(const Projector& p, const Point& point, Sighting& out) {
     const float right = out.x - p.cx, down = out.y - p.cy;
     out.radius2 = (right * right + down * down) * p.radius_scale;
     out.theta = angle_between(point.to_viewer, to_photo);
-    // Like sampling() in blend.frag, for a view of the target's size, without the slant.
+    // Corresponds to sampling() in blend.frag for a view of the target's size, but ignores the slant.
     const float sampling = std::clamp(p.focal * point.at.z() / at.z(), 0.001f, 1.0f);
     out.weight *= seen * angle_weight(out.theta) * sampling;
     return true;
@@ -118,7 +118,7 @@ class Surface {
   public:
     explicit Surface(const CoarsePhoto& target) : target_(target) {}
 
-    /// False where the target does not see the model.
+    /// Returns false where the target does not see the model.
     bool point(int x, int y, Point& out) const {
         if (!std::isfinite(target_.grid()(x, y).z)) return false;
         out.at = at(x, y);
@@ -138,7 +138,7 @@ class Surface {
                 (float(y) + 0.5f - float(target_.k.cy)) / float(target_.k.fy) * z, z};
     }
 
-    /// The difference to the neighbor with the more similar depth, so that normals at an edge are those of
+    /// The difference from the neighbor whose depth is more similar, so that a normal at an edge is that of
     /// one surface.
     Vector3f difference(int x, int y, int dx, int dy) const {
         const auto z = [&](int i, int j) {

@@ -15,28 +15,28 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double block = 16;              ///< pixels of the level, between corners
-constexpr double max_round_trip = 0.75;   ///< pixels of the level, after tracking forward and back
+constexpr double block = 16;              ///< distance between corners, pixels of the level
+constexpr double max_round_trip = 0.75;   ///< largest error after tracking back, pixels of the level
 constexpr double min_correlation = 0.75;  ///< over `patch`
 const cv::Size patch(13, 13);
 const cv::Size window(15, 15);  ///< of optical flow
-constexpr int levels = 3;       ///< levels of its pyramids, besides the first
+constexpr int levels = 3;       ///< pyramid levels in addition to the first
 
 Vector2d to_vector(const cv::Point2f& p) { return {double(p.x), double(p.y)}; }
 
-/// The map from one camera's pixels to another's.
+/// The mapping from one camera's pixels to those of another.
 struct Reprojection {
     Eigen::Matrix3f R;
     Eigen::Vector3f t;
     float fx, fy, cx, cy;
 };
 
-/// A row of pixels in another camera: their positions and depths there.
+/// A row of pixels as seen by another camera: their positions and depths.
 struct ReprojectedRow {
     float *u, *v, *depth;
 };
 
-/// For pixels at depths `z`, on rays (x, y, 1). Undefined where z is infinite.
+/// Reprojects pixels at depths `z` on the rays (x, y, 1). The result is undefined where z is infinite.
 VANTAGE_SIMD void reproject_row(const Reprojection& to, const float* z, const float* ray_x, float ray_y,
                                 int width, const ReprojectedRow& row) {
     float *u = row.u, *v = row.v, *depth = row.depth;
@@ -52,8 +52,8 @@ VANTAGE_SIMD void reproject_row(const Reprojection& to, const float* z, const fl
     }
 }
 
-/// Warps `from` into the chart through the surface. `shown`: 255 if `from` sees the surface there; elsewhere
-/// the result is `fallback`.
+/// Warps `from` into the chart through the surface. `shown` is set to 255 where `from` sees the surface;
+/// elsewhere the result is `fallback`.
 cv::Mat warp(const MatchView& chart, const MatchView& from, const Pose& from_pose, const cv::Mat& fallback,
              cv::Mat& shown) {
     const Eigen::Matrix3d R = from_pose.R * chart.pose.R.transpose();
@@ -89,7 +89,7 @@ cv::Mat warp(const MatchView& chart, const MatchView& from, const Pose& from_pos
     return out;
 }
 
-/// Normalized cross-correlation of two patches; 0 if one has no contrast.
+/// Normalized cross-correlation of two patches; 0 if either has no contrast.
 double correlation(const cv::Mat& a, const cv::Point2f& at_a, const cv::Mat& b, const cv::Point2f& at_b) {
     cv::Mat p, q;
     cv::getRectSubPix(a, patch, at_a, p, CV_32F);
@@ -141,7 +141,7 @@ bool SurfaceChart::is_smooth(const Vector2d& at) const {
     return true;
 }
 
-// OpenCV's pixel centers are at integers.
+// In OpenCV, pixel centers are at integers.
 Vector3d SurfaceChart::surface_point(const Vector2d& at) const {
     const int x = std::clamp(int(std::floor(at.x())), 0, view_.depth.cols - 2),
               y = std::clamp(int(std::floor(at.y())), 0, view_.depth.rows - 2);

@@ -12,10 +12,10 @@ namespace vantage {
 struct Match {
     std::uint32_t photo;
     Eigen::Vector2d pixel;  ///< full-size pixels of that photo
-    Eigen::Vector2d moved;  ///< offset from the cameras' prediction, in full-size pixels of this photo
+    Eigen::Vector2d moved;  ///< offset from the prediction, in full-size pixels of the track's photo
 };
 
-/// A corner of a photo, its point on the surface, and its matches in other photos.
+/// A corner in a photo, its point on the surface, and its matches in other photos.
 struct Track {
     std::uint32_t photo;
     Eigen::Vector2d pixel;          ///< full size
@@ -28,19 +28,20 @@ struct Track {
 class SurfaceChart {
   public:
     /// Finds up to `corners` corners (Shi and Tomasi 1994), at least 16 pixels of the level apart. `pose`:
-    /// the current estimate of the camera; the surface remains that seen from `view.pose`.
+    /// the current estimate of the camera's pose; the surface is still the one seen from `view.pose`.
     SurfaceChart(const MatchView& view, const Pose& pose, std::uint32_t photo, int corners);
 
     const std::vector<Track>& tracks() const { return tracks_; }
-    /// Tracks the corners in another photo (pyramidal Lucas and Kanade 1981) and adds the matches to their
-    /// tracks. A match must return to within 0.75 px when tracked back, have a correlation of at least 0.75,
-    /// and lie on a smooth surface. Returns the number of corners that could be compared.
+    /// Finds the corners in another photo (pyramidal Lucas and Kanade 1981) and adds the matches to the
+    /// corners' tracks. A match must return to within 0.75 px of the corner when tracked back, have a
+    /// correlation of at least 0.75, and lie on a smooth surface. Returns the number of corners that could be
+    /// compared.
     std::size_t match(const MatchView& other, const Pose& other_pose, std::uint32_t other_photo);
 
   private:
-    /// The point on the surface, with interpolated depth, relative to the origin.
+    /// The surface point at a pixel, with interpolated depth, relative to the origin.
     Eigen::Vector3d surface_point(const Eigen::Vector2d& pixel) const;
-    /// Whether the neighborhood is inside the photo and on one surface.
+    /// Whether the pixel's neighborhood is inside the photo and on one surface.
     bool is_smooth(const Eigen::Vector2d& pixel) const;
 
     const MatchView& view_;

@@ -13,17 +13,18 @@ namespace {
 using package::PairRecord;
 
 constexpr int matched_side = 800, corners_of_neighbor = 300;
-/// Fractions of the longer side: pairs displaced by more are suspect, and matches displaced by more do not
-/// fit. The first distinguishes cameras from their neighbors, the second allows for inexact cameras.
+/// Fractions of the longer side. Pairs displaced by more than `near` are suspect, and matches displaced by
+/// more than `far_away` do not fit. The first limit distinguishes cameras from their neighbors; the second
+/// allows for inexact cameras.
 constexpr double near = 0.003, far_away = 0.01;
 constexpr double min_fit = 0.4;   ///< fraction of the corners
-constexpr double min_better = 2;  ///< times the fit with the cameras as given
+constexpr double min_better = 2;  ///< multiple of the fit with the given cameras
 constexpr int max_neighbors = 3;
 constexpr std::size_t max_suspects = 12;
 
 double longer_side(const package::PhotoRecord& p) { return double(std::max(p.width, p.height)); }
 
-/// Whether the photos of the pair contradict each other, or are displaced by more than inexact cameras
+/// Whether the photos of the pair contradict each other, or are displaced by more than inexact cameras can
 /// explain.
 bool is_bad(const PoseRefinementInput& in, const PairRecord& p) {
     return contradicts(p) || (trusted(p) && double(p.median) > near * longer_side(in.photos[p.a]));
@@ -32,7 +33,7 @@ bool is_bad(const PoseRefinementInput& in, const PairRecord& p) {
 struct Counts {
     std::size_t all = 0, bad = 0, contradicting = 0;
 };
-/// Counts each photo's pairs, except those with photos to `ignore`.
+/// Counts the pairs of each photo, except pairs with a photo to be ignored.
 std::vector<Counts> count_pairs(const PoseRefinementInput& in, std::span<const PairRecord> pairs,
                                 const std::vector<bool>& ignore) {
     std::vector<Counts> out(in.photos.size());
@@ -47,15 +48,15 @@ std::vector<Counts> count_pairs(const PoseRefinementInput& in, std::span<const P
     return out;
 }
 
-/// The fit of photos to their neighbors with their own and with other cameras.
+/// How well photos fit their neighbors with their own camera and with other cameras.
 class CameraFits {
   public:
     explicit CameraFits(const PoseRefinementInput& in)
-        // Uses more neighbors than were measured, in case the nearest ones are misplaced as well.
+        // More neighbors than were measured are used, in case the nearest ones are misplaced as well.
         : in_(in), near_(photo_pairs(in.photos, in.samples, in.discs, 8)) {}
 
-    /// The best fit over a few neighbors of the camera: the fractions of their corners that match the photo's
-    /// pixels within `near` and `far_away` of the camera's prediction.
+    /// The best fit to one of a few neighbors of the camera: the fractions of the neighbor's corners that
+    /// match the photo's pixels within `near` and within `far_away` of the position predicted by the camera.
     Eigen::Array2d of(std::uint32_t pixels, std::uint32_t camera) {
         const auto [known, is_new] = fits_.emplace(std::pair(pixels, camera), Eigen::Array2d::Zero());
         int tried = 0;
@@ -95,11 +96,11 @@ class CameraFits {
 /// Two photos with each other's cameras.
 struct Swap {
     std::uint32_t a, b;
-    double fit_a, fit_b;  ///< fit of each with the other's camera
+    double fit_a, fit_b;  ///< fit of each photo with the other's camera
     double least() const { return std::min(fit_a, fit_b); }
 };
 
-/// Photos with bad pairs, the largest fraction first.
+/// Photos with bad pairs, those with the largest fraction of bad pairs first.
 std::vector<std::uint32_t> suspects(const PoseRefinementInput& in, std::span<const PairRecord> pairs) {
     const std::vector<Counts> counts = count_pairs(in, pairs, std::vector<bool>(in.photos.size()));
     std::vector<std::uint32_t> out;

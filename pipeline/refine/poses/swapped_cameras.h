@@ -9,14 +9,15 @@ namespace vantage {
 
 /// Photos with wrong cameras.
 struct MisplacedPhotos {
-    std::vector<std::string> warnings;  ///< one line per swapped pair, and per other photo
-    bool swapped = false;               ///< whether any two photos are swapped
+    std::vector<std::string> warnings;  ///< one line per swapped pair, and per other misplaced photo
+    bool swapped = false;               ///< whether any two cameras are swapped
 };
 
-/// Suspects are photos in pairs whose photos contradict each other, or whose displacement exceeds 0.3 % of
-/// the longer side: at most 12, those with the largest fraction of such pairs. Two suspects are swapped if
-/// each fits its neighbors with the other's camera, and at least twice as well as with its own. Other photos
-/// are reported if they contradict all photos except swapped ones. Throws Error(damaged).
+/// A pair is bad if its photos contradict each other or if its displacement exceeds 0.3 % of the longer side.
+/// Suspects are the photos with the largest fraction of bad pairs, at most 12. The cameras of two suspects
+/// are swapped if each photo fits its neighbors with the other's camera, and at least twice as well as with
+/// its own. Other photos are reported if they contradict all photos except those with swapped cameras. Throws
+/// Error(damaged).
 MisplacedPhotos misplaced_photos(const PoseRefinementInput& input,
                                  std::span<const package::PairRecord> pairs);
 

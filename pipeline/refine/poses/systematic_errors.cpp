@@ -20,13 +20,13 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 using package::PairRecord;
 
-constexpr double min_pixels = 1;         ///< minimum error of a lens
-constexpr double min_apart = 0.5;        ///< px between photos, from a common motion
+constexpr double min_pixels = 1;         ///< minimum error of a lens, px
+constexpr double min_apart = 0.5;        ///< minimum displacement between photos due to a common motion, px
 constexpr double min_sigmas = 3;         ///< minimum size of any error, in standard errors
 constexpr double common_explains = 0.5;  ///< largest remaining fraction of the cost of held-out cells
 constexpr double lens_explains = 0.75;
 constexpr double pose_prior = 0.5, lens_prior = 1e-3;  ///< 1/px^2
-constexpr double weak = 0.03;   ///< prior of the common motion, relative to its best-determined unknown
+constexpr double weak = 0.03;   ///< prior of the common motion, relative to the best-determined unknown
 constexpr int max_groups = 12;  ///< maximum number of photo groups held out by the jackknife
 constexpr int iterations = 15;
 constexpr double converged_step = 1e-4;  ///< px
@@ -34,7 +34,7 @@ constexpr double converged_step = 1e-4;  ///< px
 /// The unknowns of a fit.
 struct Model {
     bool poses = false, lenses = true, frame = true;
-    std::vector<bool> moving{};  ///< with `poses`: the photos whose cameras move; empty: all
+    std::vector<bool> moving{};  ///< if `poses`, the photos whose cameras move; empty: all
     std::optional<std::uint32_t> without_focal{}, without_rows{};  ///< of a lens
 };
 const Model poses_only{.poses = true, .lenses = false, .frame = false};
@@ -43,7 +43,7 @@ const Model poses_only{.poses = true, .lenses = false, .frame = false};
 using Used = std::function<bool(const PairCells&, const CellDisplacement&)>;
 bool any_cell(const PairCells&, const CellDisplacement&) { return true; }
 
-/// Robust fits of all unknowns in px: six per pose, three per lens, seven of the common motion.
+/// Robust fits of all unknowns, in px: six per pose, three per lens, and seven for the common motion.
 class SystematicFit {
   public:
     SystematicFit(const CellDisplacements& cells, std::vector<std::uint32_t> lens)
@@ -53,7 +53,7 @@ class SystematicFit {
     std::uint32_t lenses() const { return lenses_; }
     int lens_at(std::uint32_t lens) const { return int(6 * lens_.size() + 3 * lens); }
 
-    /// Least squares with Cauchy weights at 1 px, from `x` if it is not empty.
+    /// Least squares with Cauchy weights at 1 px, starting at `x` if that is not empty.
     VectorXd solve(const Model& model, const Used& used, VectorXd x = {}) const {
         if (x.size() == 0) x = VectorXd::Zero(frame_at() + frame_size);
         for (int i = 0; i < iterations; ++i) {
@@ -64,7 +64,8 @@ class SystematicFit {
         }
         return x;
     }
-    /// Visits the cells held out of the fit, one half after the other, with their residual displacement.
+    /// Holds one half of the cells and then the other out of the fit, and visits the held-out cells with
+    /// their residual displacement.
     template <class Visit>
     void each_held_out(const Model& model, const Used& used, const Visit& visit) const {
         for (const bool half : {false, true}) {
@@ -87,10 +88,10 @@ class SystematicFit {
     }
 
   private:
-    static constexpr int frame_size = 7, per_cell = 25;  ///< unknowns: 2 poses, 2 lenses, the common motion
+    static constexpr int frame_size = 7, per_cell = 25;  ///< unknowns; a cell has 2 poses and 2 lenses
     using Jacobian = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, per_cell>;
     using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, per_cell, per_cell>;
-    /// The unknowns of a pair: their columns in a cell, and among all.
+    /// The columns of a pair's unknowns: among the unknowns of a cell, and among all unknowns.
     struct Columns {
         std::vector<int> of_cell, of_all;
     };
@@ -122,8 +123,8 @@ class SystematicFit {
         for (int i = 0; i < j.cols(); ++i) out -= j.col(i) * x[columns.of_all[std::size_t(i)]];
         return out;
     }
-    /// Prior weight that pulls each unknown to 0. That of the common motion is strong enough to keep motions
-    /// along the surface, which pairs do not determine, at 0.
+    /// Weights of the priors that pull each unknown toward 0. The prior of the common motion is strong enough
+    /// to keep motions along the surface at 0, because pairs of photos do not determine them.
     VectorXd priors(const VectorXd& diagonal) const {
         VectorXd out = VectorXd::Constant(diagonal.size(), pose_prior);
         out.tail(out.size() - lens_at(0)).setConstant(lens_prior);
@@ -166,7 +167,7 @@ class SystematicFit {
     std::uint32_t lenses_;
 };
 
-/// The errors of one scene.
+/// The search for the systematic errors of one scene.
 class ErrorSearch {
   public:
     ErrorSearch(const PoseRefinementInput& in, const CellDisplacements& cells)
@@ -191,8 +192,8 @@ class ErrorSearch {
             if (fit_.lens(i) == lens) out.push_back(i);
         return out;
     }
-    /// The fits that each exclude one group of photos. Computed on first use, because most scenes show no
-    /// error.
+    /// The fits that each exclude one group of photos. They are computed on first use, because most scenes
+    /// show no error.
     const std::vector<VectorXd>& fits_without_groups() {
         if (!without_.empty()) return without_;
         without_.resize(groups_);
@@ -204,7 +205,8 @@ class ErrorSearch {
         });
         return without_;
     }
-    /// Jackknife over the groups of photos, except groups that contain all of `photos`.
+    /// The standard error from a jackknife over the groups of photos, except for groups that contain all of
+    /// `photos`.
     double uncertainty(const std::function<double(const VectorXd&)>& distance,
                        std::span<const std::uint32_t> photos = {}) {
         std::vector<double> distances;
@@ -215,7 +217,7 @@ class ErrorSearch {
         }
         return jackknife_error(distances);
     }
-    /// Whether a lens's unknowns indicate an error.
+    /// Whether these unknowns of a lens indicate an error.
     bool is_found(std::uint32_t lens, int at, int count, const Model& without) {
         const double value = all_.segment(at, count).norm();
         const auto distance = [&](const VectorXd& x) { return (x - all_).segment(at, count).norm(); };
@@ -240,7 +242,7 @@ class ErrorSearch {
         if (is_found(lens, at, 1, {.without_focal = lens})) {
             out.focal = all_[at] / (std::hypot(photo.width, photo.height) / 2);
             out.words = fmt::format(
-                "the displacement grows with the distance from the middle of the picture, by {0:.1f} %: the "
+                "the displacement grows with the distance from the center of the picture, by {0:.1f} %: the "
                 "focal length is likely {0:.1f} % too {1}",
                 100 * std::abs(out.focal), out.focal < 0 ? "long" : "short");
         }
@@ -254,7 +256,7 @@ class ErrorSearch {
         if (!out.words.empty()) out.words = name_of(out.photos) + ": " + out.words;
         return out;
     }
-    /// Median distance in px between two common motions: between photos, or of the visible surface.
+    /// Median distance in px between two common motions, measured between photos or on the visible surface.
     double motion(Eigen::Matrix<double, 2, 7> CellDisplacement::*of, const VectorXd& a,
                   const VectorXd& b) const {
         std::vector<double> moved;
@@ -277,8 +279,8 @@ class ErrorSearch {
         out.common_motion = size(&CellDisplacement::seen);
         out.uncertainty = error(&CellDisplacement::seen);
         out.words = fmt::format(
-            "all cameras together are displaced by at least {:.2f} px from the mesh, or the mesh from them, "
-            "which displaces photos by {:.2f} px (standard error {:.2f}) from each other",
+            "all cameras together are displaced by at least {:.2f} px from the mesh, or the mesh from the "
+            "cameras, which displaces photos from each other by {:.2f} px (standard error {:.2f})",
             out.common_motion, apart, apart_error);
     }
 

@@ -11,33 +11,34 @@ namespace vantage {
 
 /// An error of a lens that poses would hide.
 struct LensError {
-    std::vector<std::uint32_t> photos;  ///< taken with it
+    std::vector<std::uint32_t> photos;  ///< taken with this lens
     double focal = 0;                   ///< ratio of true to given focal length, minus 1; 0: no error found
     Eigen::Vector2d rows{0, 0};  ///< px to the right and down, from the first row to the last; 0: none found
     std::string words{};         ///< empty: no error found
 };
 
-/// Errors that many pairs of photos show in the same way.
+/// Errors that show in the same way in many pairs of photos.
 struct SystematicErrors {
-    std::vector<LensError> lenses;  ///< only those found
-    /// The smallest motion that makes the cameras, composed with it, fit the mesh. Identity: no error found.
+    std::vector<LensError> lenses;  ///< only lenses with an error
+    /// The smallest motion that makes the cameras fit the mesh when they are composed with it; the identity
+    /// if no error was found.
     Similarity common{};
     double common_motion = 0;  ///< the common motion in px, median
-    double uncertainty = 0;    ///< its standard error, px
+    double uncertainty = 0;    ///< standard error of the common motion, px
     std::string words{};       ///< describes the common motion
 };
 
-/// Fits, robustly and jointly, a motion of all cameras and, per lens, the focal length and a rolling shutter
-/// to the displacements of the pairs' cells. An error is found if its displacement is at least three times
-/// its standard error (jackknife over photos) and at least 1 px (a lens), or 0.5 px between photos (all
-/// cameras); if it reduces the displacement of held-out cells; and, for lenses, if poses alone do not explain
-/// the displacements better. A displaced mesh appears as a motion of all cameras; other errors of the mesh
-/// cannot be explained by few parameters.
+/// Fits a motion of all cameras and, for each lens, the focal length and a rolling shutter to the
+/// displacements of the pairs' cells, robustly and jointly. An error counts as found only if its displacement
+/// is at least three times its standard error (jackknife over photos) and at least 1 px for a lens, or 0.5 px
+/// between photos for all cameras. It must also reduce the displacement of held-out cells, and for a lens,
+/// poses alone must not explain the displacements better. A displaced mesh appears as a motion of all
+/// cameras; other errors in the mesh cannot be explained by few parameters.
 SystematicErrors systematic_errors(const PoseRefinementInput& in, const CellDisplacements& cells);
 
-/// The displacement of cells if the cameras of `photos` move individually: the median without the motions and
-/// with them, in px, over pairs with one of the photos. Half of the cells, as on a checkerboard, are held out
-/// of the fit, one half after the other. Both values are 0 without cells.
+/// The median displacement of cells, in px, before and after the cameras of `photos` move individually, over
+/// the pairs that contain one of these photos. The cells are divided like the squares of a checkerboard: one
+/// half and then the other is held out of the fit. Both values are 0 if there are no cells.
 struct LeftByPoses {
     double before, after;
 };

@@ -170,7 +170,7 @@ TEST_F(SyntheticPoseRefinementAtLength, DegenerateInputsAreReportedAndLeftAlone)
     const Eigen::Matrix3d about = Eigen::AngleAxisd(3.14159, Eigen::Vector3d::UnitY()).toRotationMatrix();
     Pose& turned = apart.photos[1].camera.cam_from_world;
     turned = {about * turned.R, about * turned.t};
-    expect(apart, "no two photos share enough surface");
+    expect(apart, "no two photos see enough of the same surface");
 
     SceneInput other = whole;  // a different building of the same size
     s.seed = 77;
