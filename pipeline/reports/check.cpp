@@ -52,23 +52,26 @@ void check_model(const PackageReader& reader, Issues& out) {
 void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std::uint32_t i, Issues& out) {
     const bool without_pixels = p.flags & (package::photo_held_out | package::photo_skipped);
     if (without_pixels != (p.levels == 0))
-        add(out, Finding::level_flag_mismatch, fmt::format("{}: flags and levels disagree", p.name));
+        add(out, Finding::level_flag_mismatch,
+            fmt::format("{}: the flags contradict the number of levels", p.name));
     if (without_pixels) return;
     const auto uvs = reader.records<std::array<float, 2>>(Type::coordinates, i, false);
     for (const auto& uv : uvs) {
         const bool marked = uv[0] == -1 && uv[1] == -1;
         if (!marked && !(uv[0] >= 0 && uv[0] <= 1 && uv[1] >= 0 && uv[1] <= 1)) {
             add(out, Finding::coordinate_range,
-                fmt::format("{}: a texture coordinate is outside the photo and not marked", p.name));
+                fmt::format("{}: a texture coordinate is outside the photo, but not marked as unseen",
+                            p.name));
             break;
         }
     }
-    // The player does not need it.
+    // The player does not need this chunk.
     if (!reader.find(Type::samples, i))
         add(out, Finding::chunk_length, fmt::format("{}: SAMP is missing", p.name));
 }
 
-/// Depth is positive or +inf, and a texel of the weight map is valid exactly if its depth is finite.
+/// Checks that depth is positive or +inf, and that a texel of the weight map is valid if and only if its
+/// depth is finite.
 void check_weight_meaning(const PackageReader& reader, std::uint32_t i, std::uint32_t level, Issues& out) {
     const package::PhotoRecord& p = reader.photos()[i];
     const Level size = level_size(int(p.width), int(p.height), int(level));
@@ -87,7 +90,7 @@ void check_weight_meaning(const PackageReader& reader, std::uint32_t i, std::uin
             std::memcpy(&z, d.data() + t, 4);
             if (!(z > 0) || (std::isfinite(z) != (std::to_integer<int>(m[t + 3]) > 0))) {
                 add(out, Finding::weight_depth_mismatch,
-                    describe(*weight_maps, reader) + fmt::format(": tile {} disagrees with the depth", b));
+                    describe(*weight_maps, reader) + fmt::format(": tile {} contradicts the depth", b));
                 return;
             }
         }
@@ -98,14 +101,15 @@ void check_states(const PackageReader& reader, Issues& out) {
     const auto photos = reader.photos();
     const auto states = reader.records<package::PhotoState>(Type::states);
     if (states.size() != photos.size())
-        return add(out, Finding::chunk_length, "STAT: does not have one entry per photo");
+        return add(out, Finding::chunk_length,
+                   "STAT: the number of entries differs from the number of photos");
     for (std::size_t i = 0; i < photos.size(); ++i)
         if (!sealed(states[i], photos[i]))
             add(out, Finding::state_record_mismatch,
                 fmt::format("STAT: the entry of {} does not match its record", photos[i].name));
 }
 
-/// The error's message without the package's path.
+/// The error message without the path of the package.
 std::string text_of(const Error& e, const std::filesystem::path& file) {
     std::string text = e.what();
     if (text.starts_with(file.string() + ": ")) text.erase(0, file.string().size() + 2);
@@ -148,7 +152,7 @@ void check_against(const PackageReader& reader, const CheckDepth& depth, Issues&
     InputFiles others;
     for (const auto& [list, files] :
          {std::pair("compared", &others.compared), std::pair("points", &others.points)}) {
-        if (!std::filesystem::is_directory(depth.against)) break;  // discover() will say so
+        if (!std::filesystem::is_directory(depth.against)) break;  // discover() reports this
         const std::vector<std::string> names = names_listed(reader, list);
         for (const std::filesystem::path& file : files_below(depth.against, 2))
             if (std::ranges::count(names, utf8_name(file.filename().string())) > 0) files->push_back(file);
@@ -163,7 +167,7 @@ void check_against(const PackageReader& reader, const CheckDepth& depth, Issues&
         add(out, finding_of(change.kind), change.text);
 }
 
-/// The box around all vertices and the bounds of the scene, in the input's coordinates.
+/// The box that encloses all vertices and the bounds of the scene, in the input's coordinates.
 Eigen::AlignedBox3d whole_box(const PackageReader& reader) {
     const package::SceneRecord& scene = reader.scene();
     const Eigen::Map<const Eigen::Vector3d> origin(scene.origin);
@@ -175,7 +179,7 @@ Eigen::AlignedBox3d whole_box(const PackageReader& reader) {
     return box;
 }
 
-/// The story beside the package, if there is one.
+/// Checks the story beside the package, if there is one.
 void check_story(const PackageReader& reader, Issues& out) {
     const std::filesystem::path file = story_file_of(reader.path());
     std::error_code error;

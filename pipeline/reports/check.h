@@ -18,19 +18,19 @@ struct Issue {
     const FindingRow& row() const { return finding_row(finding); }
 };
 
-/// The exit code for all issues: the first of unreadable, damaged, stale and incomplete that occurs; ok if
-/// there are none.
+/// The exit code for a list of issues: the first of unreadable, damaged, stale and incomplete that occurs, or
+/// ok if there are no issues.
 Exit worst(const std::vector<Issue>& issues);
 
-/// The extent of a check.
+/// How much a check covers.
 struct CheckDepth {
-    bool deep = false;                    ///< also verify every tile's checksum and the weight maps' meaning
-    std::filesystem::path against{};      ///< compare with this input folder, unless empty
+    bool deep = false;  ///< also verify the checksum of every tile, and the weight maps against the depth
+    std::filesystem::path against{};      ///< the input folder to compare with; empty: none
     IdentityCache* identities = nullptr;  ///< checksums of input files; null: the user's default cache
 };
 
-/// Checks structure, checksums of chunks without tiles, contents and completeness. A package that cannot be
-/// opened is also an issue. Throws Error(storage).
+/// Checks the structure of a package, the checksums of chunks without tiles, the contents and the
+/// completeness. A package that cannot be opened is also reported as an issue. Throws Error(storage).
 std::vector<Issue> check_package(const std::filesystem::path& file, const CheckDepth& depth);
 
 }  // namespace vantage

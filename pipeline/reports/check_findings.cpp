@@ -8,14 +8,14 @@
 namespace vantage {
 namespace {
 
-/// Identifiers are stable: scripts match them.
+/// Identifiers are stable, because scripts match them.
 constexpr std::array table{
     FindingRow{Finding::cannot_open, "cannot-open", Severity::error, Exit::input,
                "the file cannot be opened or mapped"},
     FindingRow{Finding::not_a_package, "not-a-package", Severity::error, Exit::damaged,
-               "the file is not a Vantage package, or ends within the header"},
+               "the file is not a Vantage package or ends within the header"},
     FindingRow{Finding::unfinished_package, "unfinished-package", Severity::error, Exit::damaged,
-               "the file is a shard to be merged, or its preparation was interrupted"},
+               "the file is a shard that must be merged, or its preparation was interrupted"},
     FindingRow{Finding::header_checksum, "header-checksum", Severity::error, Exit::damaged,
                "the header does not match its checksum"},
     FindingRow{Finding::format_version, "format-version", Severity::error, Exit::input,
@@ -23,7 +23,7 @@ constexpr std::array table{
     FindingRow{Finding::truncated, "truncated", Severity::error, Exit::damaged,
                "the file size differs from that in the header"},
     FindingRow{Finding::damaged_directory, "damaged-directory", Severity::error, Exit::damaged,
-               "the directory does not match its checksum, or points outside the file"},
+               "the directory does not match its checksum or points outside the file"},
     FindingRow{Finding::chunk_missing, "chunk-missing", Severity::error, Exit::damaged,
                "a required chunk is missing"},
     FindingRow{Finding::chunk_checksum, "chunk-checksum", Severity::error, Exit::damaged,
@@ -31,25 +31,26 @@ constexpr std::array table{
     FindingRow{Finding::tile_checksum, "tile-checksum", Severity::error, Exit::damaged,
                "a tile does not match its checksum (only with --deep)"},
     FindingRow{Finding::invalid_record, "invalid-record", Severity::error, Exit::damaged,
-               "a record of the scene or of a photo is out of range, or the number of records is wrong"},
+               "a value in a scene or photo record is out of range, or the number of records is wrong"},
     FindingRow{Finding::invalid_meta, "invalid-meta", Severity::error, Exit::damaged,
                "META cannot be parsed or lacks an entry"},
     FindingRow{Finding::misshapen, "misshapen", Severity::error, Exit::damaged,
-               "a chunk contradicts the records: it is missing, has the wrong size or an index out of range"},
+               "a chunk contradicts the records: it is missing, has the wrong size, or contains an index out "
+               "of range"},
     FindingRow{Finding::non_finite_position, "non-finite-position", Severity::error, Exit::damaged,
                "a vertex position is NaN or infinite"},
     FindingRow{Finding::normal_length, "normal-length", Severity::error, Exit::damaged,
-               "a vertex normal does not have unit length within 0.001"},
+               "the length of a vertex normal differs from 1 by more than 0.001"},
     FindingRow{Finding::level_flag_mismatch, "level-flag-mismatch", Severity::error, Exit::damaged,
                "a photo's flags contradict its number of pyramid levels"},
     FindingRow{Finding::coordinate_range, "coordinate-range", Severity::error, Exit::damaged,
-               "a texture coordinate is outside [0,1] and not marked as unseen"},
+               "a texture coordinate is outside [0,1] but not marked as unseen"},
     FindingRow{Finding::chunk_length, "chunk-length", Severity::error, Exit::damaged,
                "a chunk does not have the expected number of entries"},
     FindingRow{Finding::weight_depth_mismatch, "weight-depth-mismatch", Severity::error, Exit::damaged,
                "a weight map contradicts the depth at the same texel (only with --deep)"},
     FindingRow{Finding::state_record_mismatch, "state-record-mismatch", Severity::error, Exit::damaged,
-               "an entry of STAT does not match its own checksum or that of the photo's record"},
+               "an entry in STAT does not match its own checksum or that of the photo's record"},
     FindingRow{Finding::input_unreadable, "input-unreadable", Severity::error, Exit::input,
                "the input folder or a file in it cannot be read (only with --against)"},
     FindingRow{Finding::input_changed, "input-changed", Severity::warning, Exit::stale,
@@ -61,18 +62,19 @@ constexpr std::array table{
     FindingRow{Finding::photo_skipped, "photo-skipped", Severity::warning, Exit::incomplete,
                "a photo was skipped when the package was prepared"},
     FindingRow{Finding::story_unreadable, "story-unreadable", Severity::error, Exit::input,
-               "the story beside the package cannot be read, or breaks a rule of its format"},
+               "the story beside the package cannot be read or breaks a rule of its format"},
     FindingRow{Finding::story_reference, "story-reference", Severity::warning, Exit::incomplete,
                "the story names a note or a tour that does not exist, or stops at a note without a view"},
     FindingRow{Finding::story_picture, "story-picture", Severity::warning, Exit::incomplete,
-               "a picture of the story does not exist, or is not a PNG or JPEG file"},
+               "a picture in the story does not exist or is not a PNG or JPEG file"},
     FindingRow{Finding::story_anchor, "story-anchor", Severity::warning, Exit::incomplete,
-               "an anchor of the story is outside the model by more than a tenth of its diagonal"},
+               "an anchor in the story is outside the model by more than a tenth of the model's diagonal"},
     FindingRow{Finding::story_unknown_key, "story-unknown-key", Severity::warning, Exit::incomplete,
-               "the story has a key that is ignored"},
+               "the story contains an unknown key, which is ignored"},
 };
 static_assert(table.size() == std::size_t(Finding::story_unknown_key) + 1);
-static_assert(std::ranges::is_sorted(table, {}, &FindingRow::finding), "rows are in the order of Finding");
+static_assert(std::ranges::is_sorted(table, {}, &FindingRow::finding),
+              "the rows are not in the order of Finding");
 
 }  // namespace
 

@@ -50,23 +50,23 @@ const char* severity_name(Severity severity);
 /// A row of the table of findings.
 struct FindingRow {
     Finding finding;
-    const char* id;  ///< stable, for scripts: kebab-case
+    const char* id;  ///< in kebab-case; stable, for scripts
     Severity severity;
     Exit kind;  ///< one of the exit codes input (unreadable), damaged, stale and incomplete
     const char* meaning;
 };
-/// In the order of Finding.
+/// The rows are in the order of Finding.
 std::span<const FindingRow> finding_table();
 const FindingRow& finding_row(Finding finding);
 Finding finding_of(Defect defect);
 
-/// "unreadable", "damaged", "stale", "incomplete".
+/// "unreadable", "damaged", "stale" or "incomplete".
 const char* kind_name(Exit kind);
-/// The same for a finding; "inputs unreadable", "story unreadable" or "story incomplete" if it does not
-/// concern the package itself.
+/// The kind of a finding. For findings that do not concern the package itself: "inputs unreadable", "story
+/// unreadable" or "story incomplete".
 const char* kind_name(const FindingRow& row);
 
-/// The row as a line of the table in docs/check-findings.md.
+/// The row as a line in the table of docs/check-findings.md.
 std::string markdown_row(const FindingRow& row);
 
 }  // namespace vantage

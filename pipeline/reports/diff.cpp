@@ -49,13 +49,14 @@ json keyed(const json& value) {
     return out;
 }
 
-/// Lists the values that differ, one per line, each named by its path.
+/// Lists the values that differ, one per line, each with its path.
 void diff_values(const char* of, const std::string& what, const json& a, const json& b, Differences& out) {
     if (a == b) return;
     const json x = keyed(a), y = keyed(b);
     if (!x.is_object() || !y.is_object()) {
         if (x.is_object() || y.is_object())
-            out.push_back({of, what, x.is_object() ? "only in the first" : "only in the second"});
+            out.push_back(
+                {of, what, x.is_object() ? "only in the first package" : "only in the second package"});
         else
             out.push_back({of, what, brief(x) + " vs. " + brief(y)});
         return;
@@ -67,7 +68,7 @@ void diff_values(const char* of, const std::string& what, const json& a, const j
                     out);
 }
 
-/// Lists at most `listed` differences of one kind; counts the others.
+/// Lists at most `listed` differences of one kind and counts the others.
 void diff_json(const char* of, const json& a, const json& b, Differences& out, const std::string& what = "") {
     constexpr std::size_t listed = 12;
     Differences found;
@@ -118,7 +119,7 @@ void diff_model(const PackageReader& a, const PackageReader& b, Differences& out
             out.push_back({"model", row.name, "different"});
 }
 
-/// Differences between byte texels, or between depths relative to the depth.
+/// The differences between texels of bytes, or between depths (relative to the depth).
 struct Texels {
     std::size_t tiles = 0, differing = 0;
     double largest = 0, total = 0;
@@ -137,7 +138,7 @@ void compare_bytes(std::span<const std::byte> a, std::span<const std::byte> b, T
         out.add(std::abs(std::to_integer<int>(a[i]) - std::to_integer<int>(b[i])));
 }
 
-/// Seen vs. unseen counts as 100 %.
+/// If only one of them is seen, the difference is 100 %.
 void compare_depths(std::span<const std::byte> a, std::span<const std::byte> b, Texels& out) {
     for (std::size_t i = 0; i + 4 <= a.size(); i += 4) {
         float x, y;
@@ -148,7 +149,7 @@ void compare_depths(std::span<const std::byte> a, std::span<const std::byte> b, 
     }
 }
 
-/// Empty if all tiles are the same.
+/// Returns an empty text if all tiles are the same.
 std::string compare_tiles(const PackageReader& a, const DirectoryEntry& of_a, const PackageReader& b,
                           const DirectoryEntry& of_b, const Level& level) {
     Texels t;
@@ -182,8 +183,8 @@ std::string compare_coordinates(const PackageReader& a, const PackageReader& b, 
         else
             farthest = std::max(farthest, std::hypot(double(x[v][0] - y[v][0]) * photo.width,
                                                      double(x[v][1] - y[v][1]) * photo.height));
-    return fmt::format("{} vertices visible in only one, the others at most {:.3g} px apart", visibility,
-                       farthest);
+    return fmt::format("{} vertices are visible in only one package; the others are at most {:.3g} px apart",
+                       visibility, farthest);
 }
 
 std::string compare_visible(const PackageReader& a, const PackageReader& b, std::uint32_t i,
@@ -192,7 +193,7 @@ std::string compare_visible(const PackageReader& a, const PackageReader& b, std:
     if (x.size() != y.size()) return "of a different model";
     int bits = 0;
     for (std::size_t w = 0; w < x.size(); ++w) bits += std::popcount(x[w] ^ y[w]);
-    return fmt::format("visibility of {} triangles differs", bits);
+    return fmt::format("the visibility of {} triangles differs", bits);
 }
 
 std::string compare_thumbnails(const PackageReader& a, const PackageReader& b, std::uint32_t i,
@@ -208,12 +209,13 @@ std::string compare_thumbnails(const PackageReader& a, const PackageReader& b, s
     return fmt::format("by at most {:.0f} of 255", t.largest);
 }
 
-/// Compares the finest level that differs; coarser levels follow from it. Empty if the content is the same.
+/// Compares the finest level that differs, because coarser levels are derived from it. Returns an empty text
+/// if the content is the same.
 std::string compare_chunk(const PackageReader& a, const PackageReader& b, Type type, std::uint32_t level,
                           std::uint32_t i, std::uint32_t j) {
     const PhotoRecord& photo = a.photos()[i];
     const DirectoryEntry *x = a.find(type, i, level), *y = b.find(type, j, level);
-    if (!x || !y) return "present in only one";
+    if (!x || !y) return "present in only one package";
     if (type == Type::thumbnail) return compare_thumbnails(a, b, i, j);
     if (a.blocks(*x) > 0 || b.blocks(*y) > 0) {
         const Level size = level_size(int(photo.width), int(photo.height), int(level));
@@ -232,7 +234,7 @@ void diff_photo(const PackageReader& a, const PackageReader& b, std::uint32_t i,
                 Differences& out) {
     const PhotoRecord &p = a.photos()[i], &q = b.photos()[j];
     if (p.source_checksum != q.source_checksum)
-        out.push_back({p.name, "file", "different file of the same name"});
+        out.push_back({p.name, "file", "a different file with the same name"});
     if (p.flags != q.flags)
         out.push_back({p.name, "state", fmt::format("flags {} vs. {}", p.flags, q.flags)});
     if (std::memcmp(&p.fx, &q.fx, offsetof(PhotoRecord, corrected_direction) - offsetof(PhotoRecord, fx)) !=

@@ -26,7 +26,7 @@ using package::DirectoryEntry;
 using package::PhotoRecord;
 using package::Type;
 
-constexpr int longest = 800;  ///< px of a picture on the page
+constexpr int longest = 800;  ///< maximum longer side of a picture on the page, px
 
 /// Appended to page_style.
 constexpr const char* diff_style = R"(
@@ -63,7 +63,7 @@ struct Pair {
     std::vector<std::byte> a, b;
 };
 
-/// The opaque color of RGBA8 texels, or one of their channels (a weight map) as gray.
+/// The color of RGBA8 texels without their alpha, or one channel (a weight map) as gray.
 std::vector<std::uint8_t> shown(std::span<const std::byte> texels, std::optional<std::size_t> weights) {
     std::vector<std::uint8_t> out(texels.size(), 255);
     for (std::size_t p = 0; p < texels.size(); p += 4)
@@ -72,7 +72,7 @@ std::vector<std::uint8_t> shown(std::span<const std::byte> texels, std::optional
     return out;
 }
 
-/// The pixels of both packages, if the chunks have the same size and differ.
+/// The pixels of both packages; empty unless the chunks have the same size and differ.
 std::optional<Pair> differing(const PackageReader& a, const PackageReader& b, std::uint32_t i,
                               std::uint32_t j, Type type, std::uint32_t level) {
     const PhotoRecord& p = a.photos()[i];
@@ -83,7 +83,7 @@ std::optional<Pair> differing(const PackageReader& a, const PackageReader& b, st
     return Pair{size, join_tiles(a, *x, size), join_tiles(b, *y, size)};
 }
 
-/// Picture files and their captions.
+/// The picture files and their captions.
 using Pictures = std::vector<std::pair<std::string, std::string>>;
 
 std::string count_of(std::size_t count, const char* what) {
@@ -93,10 +93,10 @@ std::string count_of(std::size_t count, const char* what) {
 void write_compared(std::ostream& out, const PackageReader& a, const PackageReader& b) {
     const Column columns[] = {{"", ""},
                               {"package", "the file, as named on the command line"},
-                              {"size", "of the file, in MB (1000000 bytes)", true},
-                              {"photos", "with and without pixels", true},
-                              {"vertices", "of the mesh, or of the stand-in for points", true},
-                              {"triangles", "of the same", true}};
+                              {"size", "size of the file, in MB (1000000 bytes)", true},
+                              {"photos", "number of photos, with and without pixels", true},
+                              {"vertices", "number in the mesh, or in the stand-in for points", true},
+                              {"triangles", "number in the mesh, or in the stand-in for points", true}};
     out << explained_table(columns);
     for (const auto& [letter, package] : {std::pair{'A', &a}, std::pair{'B', &b}})
         out << fmt::format(
@@ -108,12 +108,13 @@ void write_compared(std::ostream& out, const PackageReader& a, const PackageRead
 
 void write_differences(std::ostream& out, const std::vector<Difference>& all) {
     const Column columns[] = {
-        {"in", "a photo, or the part of the package: settings, inputs, model"},
+        {"in", "the photo, or the part of the package: settings, inputs or model"},
         {"what",
-         "the setting, or the data made from the photo. Tiles: its pixels; weight maps: its blending weight; "
-         "coordinates: the positions of vertices in it"},
+         "the setting, or the data made from the photo. Tiles: pixels; weight maps: blending weight; "
+         "coordinates: positions of vertices in the photo"},
         {"difference",
-         "A vs. B. Levels are those of the photo's pyramid: 0 is full size, each further one half of it"}};
+         "A vs. B. Levels are those of the photo's pyramid: level 0 is full size, and each further level is "
+         "half the size of the one before"}};
     out << "<h2>Differences</h2>\n" << explained_table(columns);
     for (const Difference& d : all)
         out << "<tr><td>" << escaped(d.of) << "<td>" << escaped(d.what) << "<td>" << escaped(d.text)
@@ -124,12 +125,11 @@ void write_differences(std::ostream& out, const std::vector<Difference>& all) {
 void write_pictures(std::ostream& out, const Pictures& pictures) {
     out << "<h2>Pictures</h2>\n";
     if (pictures.empty()) {
-        out << "<p>None: no photo and no weight map differs at the size shown here, " << longest
-            << " px.</p>\n";
+        out << "<p>None: no photo or weight map differs at the size shown here, " << longest << " px.</p>\n";
         return;
     }
     out << "<p>Left: A. Middle: B. Right: the difference, multiplied by " << shown_gain
-        << "; black where they are equal.</p>\n";
+        << "; black means equal.</p>\n";
     for (const auto& [caption, file] : pictures)
         out << "<figure><figcaption>" << escaped(caption) << "</figcaption><img loading=lazy src=\""
             << escaped(file) << "\" alt=\"" << escaped(caption) << "\"></figure>\n";

@@ -39,16 +39,15 @@ struct PhotoFiles {
     fs::path photo, weight_maps, depth;
     Product photo_format;
 };
-/// The contents to extract, and their destination.
+/// What to extract, and where to write it.
 struct Extraction {
     const PackageReader& reader;
     fs::path folder;
     bool undistorted;
-    std::vector<std::string>
-        stems;  ///< per photo: its files' name, in a folder of its image set if there are several
+    std::vector<std::string> stems;  ///< file names per photo, without extension
 
-    /// The lens of the written photo: none if the photo is undistorted, on request or because COLMAP has no
-    /// such lens.
+    /// The lens of the extracted photo. There is none if the photo is undistorted, on request or because
+    /// COLMAP has no such lens.
     Lens lens(std::uint32_t photo) const {
         const Lens lens = lens_of(reader, photo);
         return undistorted || !has_colmap_model(lens) ? Lens{} : lens;
@@ -61,14 +60,16 @@ struct Extraction {
         return {folder / photos_name / (stem + (own ? ".jpg" : ".png")), folder / "weights" / (stem + ".png"),
                 folder / "depth" / (stem + ".exr"), own ? Product::jpeg : Product::png};
     }
-    /// The first line of the camera files: a folder holds either original or undistorted photos.
+    /// The first line of the camera files. It differs, because a folder holds either original or undistorted
+    /// photos.
     std::string comment() const {
         return undistorted ? "# Cameras of the extracted photos, undistorted\n"
                            : "# Cameras of the extracted photos, as taken\n";
     }
 };
 
-/// Per photo, the name of its files, in a folder of its image set if there are several.
+/// For each photo, the name of its files without extension, including a folder for the image set if there are
+/// several.
 std::vector<std::string> stems_of(const PackageReader& reader, const std::vector<ImageSet>& image_sets) {
     std::vector<std::string> stems = reader.photo_stems();
     if (image_sets.size() > 1)
@@ -92,7 +93,7 @@ void write_mesh(const PackageReader& reader, const fs::path& file) {
                      .colors = colors});
 }
 
-/// Writes points node by node, coarse before fine.
+/// Writes the points node by node, from coarse to fine.
 void write_points(const PackageReader& reader, const PointCloud& cloud, const fs::path& file) {
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(reader.scene().origin);
     const package::DirectoryEntry& chunk = *reader.find(Type::points);
@@ -108,7 +109,7 @@ void write_points(const PackageReader& reader, const PointCloud& cloud, const fs
     });
 }
 
-/// The photo's own JPEG, with a comment that identifies it as our output.
+/// The photo's own JPEG, with a comment that identifies it as extracted.
 void write_jpeg(const PackageReader& reader, const package::DirectoryEntry& tiles, const Level& level,
                 const fs::path& file) {
     const auto jpeg = holds_level(reader, tiles, level) ? own_jpeg(reader, tiles) : std::nullopt;
@@ -153,8 +154,8 @@ void write_photo(const Extraction& to, std::uint32_t i) {
     image(Type::depth, weight_map_level, files.depth, 1, Sample::f32);
 }
 
-/// The cameras of all photos in the folder, in the input's coordinates: those just written and those of
-/// earlier calls.
+/// The cameras of all photos in the folder, in the input's coordinates: those written by this call and by
+/// earlier ones.
 std::vector<NamedCamera> extracted_cameras(const Extraction& to) {
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(to.reader.scene().origin);
     std::vector<NamedCamera> out;
@@ -168,16 +169,16 @@ std::vector<NamedCamera> extracted_cameras(const Extraction& to) {
     return out;
 }
 
-/// Throws if the folder's photos are of the other kind (original or undistorted), because the cameras would
-/// not match.
+/// Throws if the folder holds photos of the other kind (original or undistorted), because the cameras would
+/// not match them.
 void expect_same_way(const Extraction& to) {
     const fs::path file = to.folder / cameras_name / colmap_text_files[0];
     std::ifstream in(file);
     for (std::string line; std::getline(in, line) && line.starts_with("#");)
         if (line.starts_with("# Cameras of the extracted photos") && line + "\n" != to.comment())
-            throw Error(Exit::usage,
-                        fmt::format("{}: holds photos {}, expected a different folder", to.folder.string(),
-                                    to.undistorted ? "as taken" : "without their distortion"));
+            throw Error(Exit::usage, fmt::format("{}: already holds photos {}, expected a different folder",
+                                                 to.folder.string(),
+                                                 to.undistorted ? "as taken" : "without their distortion"));
 }
 
 void expect_replaceable(const Extraction& to, const std::vector<std::uint32_t>& wanted, bool force) {
@@ -208,7 +209,7 @@ Extracted extract(const fs::path& package, const fs::path& folder, const std::ve
         const auto i = reader.photo_index(n);
         if (!i) throw Error(Exit::usage, package.string() + ": has no photo " + n);
         if (photos[*i].levels == 0)
-            throw Error(Exit::usage, package.string() + ": has no pixels of " + photos[*i].name +
+            throw Error(Exit::usage, package.string() + ": has no pixels for " + photos[*i].name +
                                          ", which was held out or could not be read");
         if (!std::ranges::count(wanted, *i)) wanted.push_back(*i);
     }
@@ -220,7 +221,7 @@ Extracted extract(const fs::path& package, const fs::path& folder, const std::ve
     if (!wanted.empty()) expect_same_way(to);
     expect_replaceable(to, wanted, force);
     for (const std::uint32_t i : wanted) write_photo(to, i);
-    // The comment distinguishes them from inputs written by synth, which are never replaced.
+    // The comment distinguishes extracted photos from inputs written by synth, which are never replaced.
     if (!wanted.empty()) write_colmap_text(folder / cameras_name, extracted_cameras(to), to.comment());
     Extracted out{.photos = wanted.size()};
     if (!points_only(reader.scene())) {

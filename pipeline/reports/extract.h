@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// The numbers of extracted elements; 0 for those that the package lacks.
+/// The numbers of extracted elements; 0 for elements that the package does not have.
 struct Extracted {
     std::size_t photos = 0, vertices = 0, triangles = 0, points = 0;
 };
@@ -15,11 +15,12 @@ struct Extracted {
 /// weights/NAME.png (angle, depth, border, transient masking at half size, of the pinhole camera),
 /// depth/NAME.exr (likewise; linear z, +inf: unseen), mesh.ply and points.ply (input coordinates, doubles),
 /// and the cameras of these photos as COLMAP text in sparse/ (poses as refined, input coordinates, doubles).
-/// Photos whose lens COLMAP cannot express are undistorted. NAME has no extension, unless other photos share
-/// the name, and includes a folder of the image set if there are several. Extracts the photos in `names`, or
-/// all if it is empty; photos without pixels are omitted. Replaces only pictures, meshes and cameras that it
-/// may have written; with `force`, any file except inputs of the package. The mesh is that of the package,
-/// whose large triangles are divided, see subdivide_large_triangles(). Throws Error.
+/// Photos whose lens COLMAP cannot express are undistorted. NAME has no extension, unless other photos have
+/// the same name, and includes a folder for the image set if there are several. Extracts the photos in
+/// `names`, or all photos if `names` is empty; photos without pixels are omitted. Replaces only pictures,
+/// meshes and cameras that an earlier call may have written; with `force`, replaces any file except inputs of
+/// the package. The mesh is that of the package, in which large triangles are divided, see
+/// subdivide_large_triangles(). Throws Error.
 Extracted extract(const std::filesystem::path& package, const std::filesystem::path& folder,
                   const std::vector<std::string>& names, bool undistorted = false, bool force = false);
 

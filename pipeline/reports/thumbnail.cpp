@@ -9,7 +9,7 @@ namespace vantage {
 RgbaImage thumbnail(const PackageReader& package, int longest) {
     const std::uint32_t photo = first_photo(package);
     if (photo >= package.photos().size())
-        throw Error(Exit::input, package.path().string() + ": has no photo for a thumbnail");
+        throw Error(Exit::input, package.path().string() + ": has no photo with a thumbnail");
     const package::PhotoRecord& p = package.photos()[photo];
     RgbaImage image = blank_image(int(p.thumbnail_width), int(p.thumbnail_height));
     if (image.rgba.empty() || !read_thumbnail(package, photo, std::as_writable_bytes(std::span(image.rgba))))

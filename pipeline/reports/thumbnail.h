@@ -4,9 +4,9 @@
 
 namespace vantage {
 
-/// The photo with which the player opens, or the nearest one with a thumbnail, as a picture of at most
-/// `longest` px on the longer side, but never larger than the thumbnail in the package. Throws Error(input)
-/// if there is no photo, Error(damaged) if its thumbnail is damaged.
+/// A picture of the photo with which the player opens, or of the nearest photo with a thumbnail. Its longer
+/// side has at most `longest` px, but the picture is never larger than the thumbnail in the package. Throws
+/// Error(input) if there is no photo, and Error(damaged) if the thumbnail is damaged.
 RgbaImage thumbnail(const PackageReader& package, int longest);
 
 }  // namespace vantage

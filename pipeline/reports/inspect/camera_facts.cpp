@@ -13,21 +13,21 @@ namespace {
 using Unit = CameraSet::Unit;
 using Numbers = std::array<double, 4 + std::tuple_size_v<decltype(Lens::p)>>;
 
-/// The angle in radians from the axis, at most `widest`, of the ray that the lens images at `radius` (in
-/// focal lengths) in a direction; negative for a negative radius.
+/// The angle in radians, at most `widest`, between the optical axis and the ray that the lens images at
+/// `radius` (in focal lengths) in a direction. Negative for a negative radius.
 double angle_at(const Lens& lens, double widest, const Eigen::Vector2d& direction, double radius) {
     if (radius < 0) return -angle_at(lens, widest, -direction, -radius);
     double low = 0, high = widest;
     for (int i = 0; i < 60; ++i) {
         const double middle = (low + high) / 2;
-        // Also true for NaN, where the equation has no solution.
+        // The condition also holds for NaN, where the equation has no solution.
         const bool beyond = !(distort(lens, direction * std::tan(middle)).dot(direction) < radius);
         (beyond ? high : low) = middle;
     }
     return low;
 }
 
-/// The field of view of a camera whose photo size is unknown, if the unit determines it; else NaN.
+/// The field of view of a camera whose photo size is unknown, if the unit determines it, otherwise NaN.
 double field_of_view(const CameraSet::Entry& entry, int axis) {
     if (entry.unit == Unit::pixels) return field_of_view(entry.camera, axis);
     Camera camera = entry.camera;
@@ -49,7 +49,7 @@ bool is_valid(const Camera& camera) {
            camera.intrinsics.fx > 0 && camera.intrinsics.fy > 0;
 }
 
-/// Photo size, unit and lens model.
+/// The photo size, unit and lens model, by which cameras are grouped.
 using Kind = std::tuple<int, int, Unit, LensModel>;
 
 Kind kind_of(const CameraSet::Entry& entry) {

@@ -13,7 +13,7 @@ namespace vantage {
 /// Cameras of one photo size and lens model.
 struct LensFacts {
     std::size_t cameras = 0;
-    std::size_t calibrations = 0;  ///< number of different intrinsics and lenses among them
+    std::size_t calibrations = 0;  ///< number of different combinations of intrinsics and lens
     int width = 0, height = 0;     ///< px; 0 if not in the camera file
     CameraSet::Unit unit{};        ///< unit of the focal lengths
     LensModel model{};
@@ -32,15 +32,15 @@ struct CameraFacts {
     std::vector<LensFacts> lenses;  ///< lenses with the most cameras first
 };
 
-/// Ignores numbers that are not finite, and focal lengths that are not positive.
+/// Facts about these cameras. Non-finite numbers and focal lengths that are not positive are ignored.
 CameraFacts camera_facts(std::span<const CameraSet::Entry> cameras);
 
-/// "px", "photo width" or "longer side".
+/// The name of the unit: "px", "photo width" or "longer side".
 const char* name(CameraSet::Unit unit);
 
 /// The angle of view in degrees, including the lens: between the left and right edges of the frame (`axis` 0)
-/// or the top and bottom edges (1), along the line through the principal point. If the lens's valid range
-/// ends inside the frame, so does the angle. NaN without the frame's size.
+/// or the top and bottom edges (1), along the line through the principal point. If the valid range of the
+/// lens ends inside the frame, the angle ends there, too. NaN if the size of the frame is unknown.
 double field_of_view(const Camera& camera, int axis);
 
 }  // namespace vantage

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Null if it is empty.
+/// The path as text; null if it is empty.
 json json_of(const std::filesystem::path& path) {
     return path.empty() ? json() : json(utf8_name(path.string()));
 }

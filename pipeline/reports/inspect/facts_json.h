@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// The facts for programs; docs/inspect.md lists the keys, all of which are always present.
+/// The facts in a form for programs. docs/inspect.md lists the keys; all of them are always present.
 nlohmann::json facts_json(const InputFacts& facts);
 
 }  // namespace vantage

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t max_names = 5, max_lines = 8;
 
-/// Lines under a label, which is printed once.
+/// Labeled lines; a label that repeats is printed only once.
 class Lines {
   public:
     template <class... Args>
@@ -42,7 +42,7 @@ std::string corner(const Eigen::Vector3d& p) {
     return fmt::format("({:.7g}, {:.7g}, {:.7g})", p.x(), p.y(), p.z());
 }
 
-/// "0.5", or "0.5 to 0.7" if these differ as printed.
+/// "0.5", or "0.5 to 0.7" if the limits differ when printed.
 std::string in_words(const Range& range, int digits) {
     const std::string low = fmt::format("{:.{}g}", range.low, digits),
                       high = fmt::format("{:.{}g}", range.high, digits);
@@ -72,7 +72,7 @@ void add_shape(const ShapeFacts& shape, const std::vector<std::filesystem::path>
     out.add(label, "{}", has);
 }
 
-/// Across and down.
+/// A pair of ranges: across and down.
 std::string in_words(const Range& x, const Range& y, int digits, std::string_view unit) {
     const std::string across = in_words(x, digits), down = in_words(y, digits);
     if (y.empty() || across == down) return fmt::format("{} {}", across, unit);
@@ -208,7 +208,7 @@ void add_warnings(const InputFacts& facts, Lines& out) {
     if (shown < facts.warnings.size()) out.add("warning", "and {} more", facts.warnings.size() - shown);
 }
 
-/// One line per reason.
+/// Adds one line per reason.
 void add_skipped(const std::vector<UnusablePhoto>& skipped, Lines& out) {
     std::map<std::string, std::vector<std::string>> by_reason;
     for (const UnusablePhoto& photo : skipped) by_reason[photo.why].push_back(photo.photo);

@@ -6,10 +6,11 @@
 
 namespace vantage {
 
-/// A file's format by its extension: "JPEG" for .jpg, "PLY" for .ply; empty without extension.
+/// The format of a file according to its extension: "JPEG" for .jpg, "PLY" for .ply; empty if there is no
+/// extension.
 std::string format_of(const std::filesystem::path& file);
 
-/// The total length of files in bytes; unknown lengths count as 0.
+/// The length of a file in bytes, or the total length of several; unknown lengths count as 0.
 std::uint64_t length_of(const std::filesystem::path& file);
 std::uint64_t length_of(const std::vector<std::filesystem::path>& files);
 

@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs a step; its failure becomes the input's error, or a warning if there is already one.
+/// Runs a step. If it fails, its error becomes the error of the input, or a warning if the input already has
+/// an error.
 template <class Step>
 void attempt(InputFacts& facts, const Step& step) {
     try {
@@ -50,7 +51,7 @@ void add_scene(const SceneInput& scene, InputFacts& facts) {
             {scene.image_sets[b], std::size_t(std::ranges::count(scene.photos, b, &PhotoInput::image_set))});
 }
 
-/// Plans like the beginning of prepare(), with the same results.
+/// Makes the same plan as the beginning of prepare().
 void add_plan(SceneInput scene, const PrepareSettings& settings, const fs::path& out,
               std::chrono::steady_clock::time_point start, InputFacts& facts) {
     expect_usable(scene, settings);
@@ -90,7 +91,7 @@ void add_points(InputFacts& facts) {
     facts.points = shape_facts(all);
 }
 
-/// Adds the parts of an incomplete input, each separately.
+/// Adds the parts of an incomplete input, reading each part separately.
 void add_parts(InputFacts& facts) {
     InputFiles& files = facts.files;
     if (!files.mesh.empty())

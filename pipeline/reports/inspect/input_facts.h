@@ -19,13 +19,13 @@
 
 namespace vantage {
 
-/// The facts about an input that are known before it is prepared. Parts are missing if the input lacks them
-/// or they cannot be read.
+/// The facts about an input that are known before it is prepared. A part is missing here if the input does
+/// not have it or if it cannot be read.
 struct InputFacts {
     InputFiles files;
-    std::optional<ShapeFacts> mesh{}, points{};  ///< points: all clouds together
+    std::optional<ShapeFacts> mesh{}, points{};  ///< `points`: all clouds together
     std::string camera_format{};                 ///< display name
-    std::optional<CameraFacts> cameras{};  ///< lenses and positions: of usable photos, if there is a scene
+    std::optional<CameraFacts> cameras{};        ///< those of usable photos, if there is a scene
     std::optional<PhotoFacts> photos{};
     std::vector<std::string> warnings{};
 
@@ -36,13 +36,13 @@ struct InputFacts {
             std::size_t photos;
         };
         std::size_t photos = 0;            ///< usable photos
-        std::vector<ImageSet> image_sets;  ///< if there are several
+        std::vector<ImageSet> image_sets;  ///< empty if there is only one
         std::optional<ScaleFacts> scale;
     };
     std::optional<Scene> scene{};
-    std::vector<UnusablePhoto> skipped{};  ///< without a scene: photos that cannot be read
+    std::vector<UnusablePhoto> skipped{};  ///< if there is no scene, the photos that cannot be read
 
-    /// Present only if the scene can be prepared, or is misplaced.
+    /// Present only if the scene can be prepared, or if the mesh is misplaced.
     struct Plan {
         std::vector<std::string> not_seeing;  ///< names of photos that do not see the mesh
         std::vector<EffectDecision> effects;  ///< effects that depend on all photos are undecided
@@ -50,15 +50,16 @@ struct InputFacts {
     };
     std::optional<Plan> plan{};
 
-    std::optional<Error> error{};  ///< the error with which `prepare` would end
+    std::optional<Error> error{};  ///< the error with which `prepare` would fail
 
-    /// The exit code of `prepare`: that of the error, Exit::incomplete if photos are skipped, or Exit::ok.
+    /// The exit code that `prepare` would have: the code of the error, Exit::incomplete if photos are
+    /// skipped, or Exit::ok.
     Exit exit() const;
 };
 
 /// Inspects an input without preparing it: reads the mesh, the cameras and the photos' headers, and writes
-/// nothing. `settings` are those of a preparation that began at `start` and would write the package `out`.
-/// Errors of the input are part of the result.
+/// nothing. `settings`, `out` and `start` are the settings, the package and the start time of the preparation
+/// that is assumed. Errors in the input are part of the result.
 InputFacts input_facts(const FoundInput& found, const PrepareSettings& settings,
                        const std::filesystem::path& out, std::chrono::steady_clock::time_point start);
 

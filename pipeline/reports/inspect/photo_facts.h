@@ -18,7 +18,7 @@ struct PhotoGroup {
     std::uint64_t bytes = 0;  ///< of the files
 };
 
-/// The photos in a folder, whether they have a camera or not.
+/// The photos in a folder, regardless of whether they have a camera.
 struct PhotoFacts {
     std::vector<PhotoGroup> groups;  ///< groups with the most photos first
     std::vector<UnusablePhoto> unreadable;

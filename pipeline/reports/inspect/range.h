@@ -5,7 +5,8 @@
 
 namespace vantage {
 
-/// The smallest and the largest of some values; empty, with low > high, if there are none.
+/// The smallest and the largest of a number of values. The range is empty (low > high) if there are no
+/// values.
 struct Range {
     double low = std::numeric_limits<double>::infinity(), high = -low;
 

@@ -8,8 +8,8 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t examined = 5000;           ///< vertices per photo, about
-constexpr double nearest = 0.1, farthest = 500;  ///< m, of typical photos
+constexpr std::size_t examined = 5000;           ///< approximate number of vertices per photo
+constexpr double nearest = 0.1, farthest = 500;  ///< distances of typical photos, m
 
 /// Depths of a sample of the vertices that are in the frame and face the camera.
 std::vector<double> depths_in(const PhotoInput& photo, const Mesh& shape) {

@@ -8,21 +8,21 @@
 
 namespace vantage {
 
-/// The size of the model relative to the cameras. No unit is read from any input format, so lengths are in
-/// units of the input.
+/// The size of the model relative to the cameras. Vantage does not read a unit from any input format, so
+/// lengths are in the input's own unit.
 struct ScaleFacts {
-    Range distance;       ///< per photo: median depth of the vertices in the frame that face the camera
-    double typical = 0;   ///< median of these
-    double in_model = 0;  ///< `typical`, relative to the diagonal of the model's box
-    double pixel = 0;     ///< width of a pixel at that depth, median over the photos
+    Range distance;  ///< per photo, the median depth of vertices that are in the frame and face the camera
+    double typical = 0;   ///< median of these depths
+    double in_model = 0;  ///< `typical` divided by the diagonal of the model's box
+    double pixel = 0;     ///< median over the photos of the width of a pixel at the photo's depth
 };
 
-/// The scale of the scene's mesh, or of its points if there is no mesh. `diagonal`: the length of the
-/// diagonal of its box without strays (base/values/main_box.h). Returns std::nullopt if no photo sees any of
-/// it.
+/// The scale of the scene's mesh, or of the points if there is no mesh. `diagonal`: the length of the
+/// diagonal of the bounding box without strays (base/values/main_box.h). Returns std::nullopt if no photo
+/// sees any vertex.
 std::optional<ScaleFacts> scale_facts(const SceneInput& scene, double diagonal);
 
-/// Units ("m", "cm", "mm") in which `distance` is a typical distance for photos: 0.1 to 500 m.
+/// The units ("m", "cm", "mm") with which `distance` would be typical for photos, that is, from 0.1 to 500 m.
 std::vector<std::string> plausible_units(double distance);
 
 }  // namespace vantage

@@ -11,7 +11,7 @@ namespace vantage {
 /// The contents of a mesh or a cloud.
 struct ShapeFacts {
     std::size_t vertices = 0, triangles = 0;
-    Eigen::Vector3d low, high;        ///< box in input units, without strays
+    Eigen::Vector3d low, high;        ///< bounding box in input units, without strays
     std::size_t strays = 0;           ///< vertices far from all others (base/values/main_box.h)
     bool colors = false;              ///< of vertices
     std::vector<std::string> fields;  ///< scalar fields, UTF-8

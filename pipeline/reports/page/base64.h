@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// Base64 as in RFC 4648: padded, without line breaks.
+/// Encodes bytes in Base64 (RFC 4648), with padding and without line breaks.
 std::string base64(std::string_view bytes);
 
 }  // namespace vantage

@@ -11,7 +11,7 @@
 namespace vantage {
 namespace {
 
-/// A gray card as exposed in this photo, next to the same card in the mean photo.
+/// A gray card as this photo exposes it, next to the same card in the mean photo.
 std::string card(const std::array<double, 3>& ln_gain) {
     std::string channels;
     for (const double g : ln_gain)
@@ -26,7 +26,7 @@ std::string card(const std::array<double, 3>& ln_gain) {
 std::string row(const package::PhotoRecord& photo, const ColorFit& fit, std::size_t i) {
     const auto& g = fit.ln_gain[i];
     if (fit.samples[i] == 0)
-        return fmt::format("<tr><td>{}<td colspan=6>too little surface shared with other photos</tr>\n",
+        return fmt::format("<tr><td>{}<td colspan=6>other photos see too little of the same surface</tr>\n",
                            escaped(photo.name));
     const double stops = -(g[0] + g[1] + g[2]) / 3 / std::log(2.0);
     return fmt::format(
@@ -36,7 +36,7 @@ std::string row(const package::PhotoRecord& photo, const ColorFit& fit, std::siz
         percent(fit.photo_before[i]), percent(fit.photo_after[i]), fit.samples[i]);
 }
 
-/// Relative illumination from the center to the corner, one line per lens.
+/// The relative illumination from the center to the corner, with one line per lens.
 std::string vignetting_curves(const ColorFit& fit) {
     constexpr int width = 320, height = 130;
     std::string lines;
@@ -70,9 +70,10 @@ std::string colors_part(std::span<const package::PhotoRecord> photos, const Colo
         {"gray card", "left: a gray card in this photo; right: the same card in the mean photo"},
         {"stops", "exposure relative to the mean photo; +1: twice as bright", true},
         {"gains (red, green, blue)", "factors on linear light that match the mean photo", true},
-        {"difference", "from other photos of the same surface: median of linear light, in percent", true},
-        {"after gains", "the same when the gains are applied", true},
-        {"shared discs", "samples of the surface that it shares with other photos", true}};
+        {"difference", "difference from other photos of the same surface: median in linear light, in percent",
+         true},
+        {"after gains", "the same difference after the gains are applied", true},
+        {"shared discs", "number of surface samples that other photos see as well", true}};
     out += explained_table(columns);
     for (std::size_t i = 0; i < photos.size(); ++i)
         if (photos[i].levels) out += row(photos[i], r.fit, i);

@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// HTML: the color differences between photos and the gains that correct them, per photo, and the lenses'
-/// vignetting.
+/// HTML about the color differences between photos, the gains that correct them (per photo), and the
+/// vignetting of the lenses.
 std::string colors_part(std::span<const package::PhotoRecord> photos, const ColorRefinement& refinement);
 
 }  // namespace vantage

@@ -24,10 +24,10 @@ const std::array<CoverageClass, 5> coverage_classes{{{"no photo", {196, 48, 40}}
 
 namespace {
 
-/// The world axis that points up, and its sign.
+/// The world axis along which up points, and the sign of up.
 struct UpAxis {
     int axis = 2;   ///< 0, 1, 2: x, y, z
-    int sign = +1;  ///< -1: the axis points down
+    int sign = +1;  ///< -1 if the axis points down
 };
 
 UpAxis up_axis(const Eigen::Vector3d& up) {
@@ -54,9 +54,9 @@ struct Geometry {
     }
 };
 
-/// Parallel projection of the model along an axis, seen from its positive side.
+/// A parallel projection of the model along an axis, seen from the positive side.
 struct ParallelView {
-    Eigen::Matrix3f axes;  ///< rows: right, down and forward in the picture, each an axis of the world
+    Eigen::Matrix3f axes;  ///< rows: the world axes that point right, down and forward in the picture
     Eigen::Vector3f center;
     float scale;
     int width, height;
@@ -70,7 +70,7 @@ struct ParallelView {
 ParallelView look_along(int axis, const UpAxis& up, const Eigen::Vector3f& low, const Eigen::Vector3f& high,
                         int size) {
     const Eigen::Vector3f forward = -Eigen::Vector3f::Unit(axis);
-    // Seen from above or below, the preceding axis is at the top: y for z.
+    // In views from above or below, the preceding axis points to the top of the picture: y if z is up.
     const Eigen::Vector3f down = axis == up.axis ? (-Eigen::Vector3f::Unit((axis + 2) % 3)).eval()
                                                  : (-float(up.sign) * Eigen::Vector3f::Unit(up.axis)).eval();
     ParallelView p{{}, (low + high) / 2, 1, 0, 0};
@@ -82,7 +82,7 @@ ParallelView look_along(int axis, const UpAxis& up, const Eigen::Vector3f& low, 
     return p;
 }
 
-/// A side of the model; above and below come last.
+/// A side of the model. The sides above and below come last.
 struct Side {
     int axis;
     bool opposite;
@@ -101,7 +101,7 @@ std::vector<Side> sides(const UpAxis& up) {
     return out;
 }
 
-/// The nearest triangle of each pixel, and the farthest, which is visible in the opposite view.
+/// The nearest triangle at each pixel, and the farthest one, which is visible in the opposite view.
 struct Canvas {
     static constexpr std::uint32_t nothing = ~0u;
     struct Pixel {
@@ -119,7 +119,7 @@ struct Canvas {
         if (z < p.nearest) p.nearest = z, p.first = number;
         if (z > p.farthest) p.farthest = z, p.last = number;
     }
-    /// Adds a canvas of the same view whose triangles have higher numbers.
+    /// Merges a canvas of the same view whose triangles have higher numbers.
     void add(const Canvas& others) {
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             Pixel& p = pixels[i];
@@ -163,7 +163,7 @@ std::array<std::uint8_t, 3> shaded(unsigned photos, const std::array<Eigen::Vect
     return color;
 }
 
-/// The opposite view is mirrored left to right.
+/// In the opposite view, left and right are exchanged.
 RgbaImage picture(const Canvas& canvas, bool opposite, const Geometry& g, const std::vector<unsigned>& photos,
                   int axis) {
     RgbaImage image{canvas.width, canvas.height, std::vector<std::uint8_t>(canvas.pixels.size() * 4, 255),
@@ -227,7 +227,7 @@ std::array<ParallelView, 3> views(const Geometry& g, const UpAxis& up, int size)
             look_along(2, up, low, high, size)};
 }
 
-/// Draws all triangles in all views, divided among the cores.
+/// Draws all triangles in all views, divided among the cores of the CPU.
 std::vector<Canvas> draw(const Geometry& g, const std::array<ParallelView, 3>& views) {
     const std::size_t triangles = g.indices.size() / 3;
     const std::size_t shares = std::clamp(std::thread::hardware_concurrency(), 1u, 8u);

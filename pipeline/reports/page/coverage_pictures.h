@@ -8,12 +8,12 @@
 
 namespace vantage {
 
-/// The number of photos that see each triangle, at least in part.
+/// For each triangle, the number of photos that see it at least in part.
 std::vector<unsigned> photos_per_triangle(const PackageReader& package);
 
-/// The fractions of the model's surface that 0, 1, 2, 3 or 4, and 5 or more photos see.
+/// The fractions of the model's surface that are seen by 0, 1, 2, 3 to 4, and 5 or more photos.
 std::array<double, 5> covered_area(const PackageReader& package, const std::vector<unsigned>& photos);
-/// Name and sRGB color of one of these five classes.
+/// The name and sRGB color of one of these five classes.
 struct CoverageClass {
     const char* name;
     std::array<std::uint8_t, 3> color;
@@ -21,12 +21,12 @@ struct CoverageClass {
 extern const std::array<CoverageClass, 5> coverage_classes;
 
 struct CoveragePicture {
-    std::string from;  ///< the side from which it is seen: "+x", "-x", ..., "above (+z)", "below (-z)"
+    std::string from;  ///< the side from which the model is seen: "+x", "-x", ..., "above (+z)", "below (-z)"
     RgbaImage image;
 };
-/// The model seen along its axes from all six sides, upright, in parallel projection, colored
-/// by the number of photos that see it; `size` is the longer side in pixels. The views from above and below
-/// come last.
+/// Pictures of the upright model from all six sides, in parallel projection along its axes, colored by the
+/// number of photos that see the surface. `size` is the longer side of a picture in pixels. The views from
+/// above and below come last.
 std::vector<CoveragePicture> coverage_pictures(const PackageReader& package,
                                                const std::vector<unsigned>& photos, int size);
 

@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// An <img> element with the picture embedded as JPEG, blended over gray. Throws Error(storage) if it cannot
-/// be encoded.
+/// An <img> element with the picture embedded as JPEG, blended over gray. Throws Error(storage) if the
+/// picture cannot be encoded.
 std::string embedded_picture(const RgbaImage& picture, const std::string& description);
 
 }  // namespace vantage

@@ -17,9 +17,10 @@ using package::PhotoRecord;
 
 constexpr std::size_t max_maps = 12;
 constexpr double cell_side = 22,
-                 arrow_length = 10;  ///< CSS px: side of a cell, length of a displacement of 1 px
+                 arrow_length = 10;  ///< CSS px: side of a cell, length of the arrow for 1 px
 
-/// Arrows for each part of a photo, from its predicted position in another photo to the position found there.
+/// An arrow for each part of a photo, from its predicted position in another photo to the position where it
+/// was found.
 std::string map(const PairRecord& p) {
     std::string arrows;
     for (int row = 0; row < package::pair_rows; ++row)
@@ -47,8 +48,9 @@ std::string maps(std::span<const PhotoRecord> photos, std::vector<PairRecord> pa
     std::ranges::stable_sort(pairs, std::greater{}, &PairRecord::median);
     pairs.resize(std::min(pairs.size(), max_maps));
     std::string out =
-        "<p>The pairs that disagree most. Arrows run from the predicted position of each part of the first "
-        "photo in the second to the found one, magnified ten times; red: more than 1.5 px.</p>\n<div "
+        "<p>The pairs that disagree most. Each arrow runs from the position where a part of the first photo "
+        "is expected in the second to where it was found, magnified ten times. Red: more than 1.5 "
+        "px.</p>\n<div "
         "class=grid>\n";
     for (const PairRecord& p : pairs)
         out += fmt::format(
@@ -80,13 +82,14 @@ std::string pose_refinement_part(std::span<const PhotoRecord> photos, const Pose
     const Column columns[] = {
         {"photo", ""},
         {"displacement",
-         "distance of corners in other photos from the cameras' prediction, before any camera is "
-         "moved: median, "
+         "distance of corners in other photos from the position predicted by the cameras, before any camera "
+         "is moved: median, "
          "px of the photo",
          true},
         {"camera moved by", "median motion of the photo's content, in px", true},
         {"held-out corners",
-         "displacement of corners held out of the correction, before and after it: median, px", true}};
+         "displacement of corners held out of the correction, before and after the correction: median, px",
+         true}};
     out += explained_table(columns);
     for (std::size_t i = 0; i < photos.size(); ++i)
         if (photos[i].levels) out += photo_row(photos[i], r, i);

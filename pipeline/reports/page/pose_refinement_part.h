@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// HTML: the displacements between photos of the same surface, per photo and for the worst pairs as maps, and
-/// the cameras that were moved.
+/// HTML about the displacements between photos of the same surface (for each photo, and as maps for the worst
+/// pairs) and the cameras that were moved.
 std::string pose_refinement_part(std::span<const package::PhotoRecord> photos,
                                  const PoseRefinement& pose_refinement);
 

@@ -9,16 +9,16 @@
 
 namespace vantage {
 
-/// Data about the run that made a package.
+/// Data about the run that wrote a package.
 struct ReportRun {
     PrepareResult prepared;
     std::vector<Trace::Span> spans;
     double seconds = 0, memory_mb = 0;
 };
 
-/// Writes a self-contained HTML page about a package: completeness, warnings, effects with their evidence,
-/// coverage of the model, each photo with its weight maps, and for a run the stages and their times. Throws
-/// Error(storage), and Error(damaged) if META cannot be parsed.
+/// Writes a self-contained HTML page about a package. The page shows completeness, warnings, effects with
+/// their evidence, coverage of the model, and each photo with its weight maps; if `run` is given, also the
+/// stages and their times. Throws Error(storage), or Error(damaged) if META cannot be parsed.
 void write_report(const std::filesystem::path& file, const PackageReader& package,
                   const std::optional<ReportRun>& run);
 

@@ -6,17 +6,17 @@
 
 namespace vantage {
 
-/// The run as an SVG timeline: one lane per thread, one color per stage, with a legend; names and times are
-/// shown as tooltips.
+/// The run as an SVG timeline with a legend: one lane per thread and one color per stage. Tooltips show names
+/// and times.
 std::string timeline(const std::vector<Trace::Span>& spans);
 
 /// The time spent in a stage.
 struct StageTime {
     std::string stage;
     std::size_t count;
-    double total, median, longest;  ///< s, of one span
+    double total, median, longest;  ///< seconds; `median` and `longest` are for one span
 };
-/// Longest total first.
+/// The stages, sorted by total time, the longest first.
 std::vector<StageTime> stage_times(const std::vector<Trace::Span>& spans);
 
 }  // namespace vantage

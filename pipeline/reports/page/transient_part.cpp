@@ -18,7 +18,7 @@ std::string transient_part(std::span<const package::PhotoRecord> photos, const T
     std::string out =
         "<h2>Transient masking</h2>\n<p>" + sentence(c.decision.evidence) +
         (c.decision.on
-             ? " Other photos are shown there; below, these parts have the color of \"contradicted\"."
+             ? " Other photos are shown in these places, which have the color of \"contradicted\" below."
              : " No photo is masked.") +
         "</p>\n";
     std::vector<std::size_t> order(photos.size());
@@ -28,7 +28,7 @@ std::string transient_part(std::span<const package::PhotoRecord> photos, const T
     if (order.empty()) return out;
     const Column columns[] = {
         {"photo", ""},
-        {"contradicted", "fraction of the visible surface on which the other photos agree on something else",
+        {"contradicted", "fraction of the visible surface where the other photos agree on a different color",
          true}};
     out += explained_table(columns);
     for (std::size_t n = 0; n < std::min(order.size(), max_rows); ++n)

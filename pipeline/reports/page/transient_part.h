@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// HTML: the photos with content that others contradict, worst first.
+/// HTML about the photos with content that others contradict, the worst first.
 std::string transient_part(std::span<const package::PhotoRecord> photos, const TransientMasks& transients);
 
 }  // namespace vantage

@@ -10,15 +10,17 @@ namespace vantage {
 // From Okabe and Ito's palette, which color-blind readers can tell apart.
 const std::array<WeightColor, 6> weight_colors{{
     {"full weight",
-     "seen from the front, at the finest resolution of all photos, away from edges",
+     "the surface is seen from the front, at the finest resolution of all photos, away from edges",
      {255, 255, 255}},
     {"at a slant", "the surface is turned away from the camera", {0, 114, 178}},
-    {"from afar", "other photos are nearer, or have a longer lens, and show finer detail", {0, 158, 115}},
+    {"from afar",
+     "other photos show finer detail, because they are nearer or have a longer lens",
+     {0, 158, 115}},
     {"near an edge",
-     "close to the photo's own edge, or to an outline behind which the surface is hidden",
+     "the surface is close to the edge of the photo, or to an outline behind which it is hidden",
      {230, 159, 0}},
-    {"contradicted", "other photos agree on something else there, and are shown instead", {194, 24, 91}},
-    {"nothing seen", "no surface of the model", {200, 200, 200}},
+    {"contradicted", "other photos agree on a different color there, and are shown instead", {194, 24, 91}},
+    {"nothing seen", "the photo shows no surface of the model", {200, 200, 200}},
 }};
 
 namespace {
@@ -37,7 +39,7 @@ std::array<std::uint8_t, 3> mixed(Color color, double share) {
     return out;
 }
 
-/// `fullest`: the depth code of the finest density of the scene.
+/// `fullest`: the depth code of the finest density in the scene.
 std::array<std::uint8_t, 3> shown(const std::uint8_t* weight_maps, double fullest) {
     if (weight_maps[0] == 0 && weight_maps[1] == 0 && weight_maps[2] == 0 && weight_maps[3] == 0)
         return weight_colors[nothing].color;
