@@ -39,7 +39,7 @@ Bytes segment_of(const Cells& cells, const Chunk& chunk, uint64_t mcu_row, uint6
     return slice(cell, at, number_at<uint16_t>(cell, 2 * (mcu_row % cells.rows)));
 }
 
-// The first and last unit that a range touches, with a margin for chroma interpolation.
+// The first and last unit touched by a range, with a margin for chroma interpolation.
 std::pair<uint64_t, uint64_t> touched(uint64_t begin, uint64_t length, uint64_t margin, uint64_t end,
                                       uint64_t unit) {
     return {(begin - std::min(begin, margin)) / unit, (std::min(begin + length + margin, end) - 1) / unit};
@@ -70,7 +70,7 @@ Buffer decode_cells(const Chunk& chunk, Size level, Area area) {
 
 int median(int a, int b, int c) { return std::max(std::min(a, b), std::min(std::max(a, b), c)); }
 
-// Replaces folded differences with values.
+// Replaces folded differences with the values themselves.
 void unfold(std::vector<int>& values, uint64_t width, int modulus) {
     for (size_t i = 0; i < values.size(); ++i) {
         const bool has_left = i % width > 0, has_above = i >= width;

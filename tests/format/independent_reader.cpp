@@ -1,8 +1,8 @@
 // independent_reader COMPACT RAW
 //
-// Reads two packages of one scene with code written only from scene/package/FORMAT.md, sharing no line with
-// the project, to prove that the document is sufficient. RAW is COMPACT after `vantage repack COMPACT -o RAW
-// --tiles raw`, so it must contain the decoded chunks of COMPACT byte for byte.
+// Reads two packages of one scene with code that was written only from scene/package/FORMAT.md and shares no
+// line with the project. This proves that the document is sufficient. RAW is the output of `vantage repack
+// COMPACT -o RAW --tiles raw`, so it must contain the decoded chunks of COMPACT byte for byte.
 
 #include <algorithm>
 #include <cstdint>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr uint64_t tile_size = 256, own_size = 248, border = 4;
 
-// The part of a tile that lies in its level.
+// The part of a tile that lies inside its level.
 Area part_of(uint64_t tile, Size level) {
     const uint64_t columns = divided_up(level.w, own_size), x = tile % columns * own_size,
                    y = tile / columns * own_size;
@@ -40,13 +40,13 @@ Buffer decode_tile(const Entry& entry, const Chunk& chunk, Size level, uint64_t 
     std::map<uint64_t, Buffer> parts;
     Buffer texels;
     for (uint64_t i = 0; i < tile_size * tile_size; ++i) {
-        // Texels outside the level repeat the edge. The border is subtracted last, so that nothing is
+        // Texels outside the level repeat its edge. The border is subtracted last, so that no value becomes
         // negative.
         const uint64_t right = area.x + area.w - 1, bottom = area.y + area.h - 1;
         const uint64_t x = std::clamp(left + i % tile_size, area.x + border, right + border) - border;
         const uint64_t y = std::clamp(top + i / tile_size, area.y + border, bottom + border) - border;
-        // Raw borders repeat the neighbors exactly. In form 2 they are thus the neighbors' texels, not the
-        // block's.
+        // Raw borders repeat the texels of the neighbors exactly. In form 2, they are therefore the
+        // neighbors' texels and not those of the block.
         const uint64_t owner = entry.form == 2 ? y / own_size * columns + x / own_size : tile;
         const Area part = part_of(owner, level);
         if (!parts.contains(owner)) parts[owner] = decode_area(entry, chunk, level, owner, part);
@@ -81,7 +81,7 @@ void compare_thumbnail(const Entry& compact, const Entry& raw, Bytes photos, Tal
     const Size size = size_in_photo_record(photos, compact.photo, 208);
     const Chunk chunk = open_chunk(compact);
     require(compact.form == 2 && chunk.blocks.size() == 1, "not one JPEG");
-    require(expected.size() == 4 * size.w * size.h, "a raw thumbnail has a wrong size");
+    require(expected.size() == 4 * size.w * size.h, "a raw thumbnail has the wrong size");
     compare(decode_jpeg_block(chunk.shared, chunk.blocks[0], {0, 0, size.w, size.h}), expected, tally);
 }
 

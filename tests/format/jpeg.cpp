@@ -68,7 +68,7 @@ void fail(j_common_ptr info) { std::longjmp(static_cast<JpegDecoder*>(info->clie
 
 void count_warning(j_common_ptr info, int level) { info->err->num_warnings += level < 0; }
 
-// Owns no resources, because longjmp runs no destructors.
+// This function owns no resources, because longjmp runs no destructors.
 bool decode_rows(JpegDecoder& decoder, Bytes file, Size size, uint8_t* rgb) {
     jpeg_decompress_struct& info = decoder.info;
     if (setjmp(decoder.failed)) return false;

@@ -1,7 +1,7 @@
 #pragma once
 #include "package_bytes.h"
 
-// JPEG files assembled from parts of chunks.
+// JPEG files that are assembled from parts of chunks.
 namespace independent {
 
 struct Size {
@@ -20,10 +20,10 @@ struct JpegHeader {
 
 JpegHeader read_jpeg_header(Bytes bytes);
 
-// Copies a JPEG header, replacing the size.
+// Copies a JPEG header and replaces its size.
 Buffer with_size(Bytes shared, const JpegHeader& header, Size size);
 
-// Decodes an area of a JPEG to RGBA.
+// Decodes an area in a JPEG to RGBA.
 Buffer decode_jpeg(Bytes file, Size size, Area area);
 
 }  // namespace independent

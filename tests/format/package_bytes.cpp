@@ -33,7 +33,7 @@ uint64_t checksum(Bytes bytes) { return XXH3_64bits(bytes.data(), bytes.size());
 Bytes map_file(const char* path) {
     const int file = open(path, O_RDONLY);
     struct stat status = {};
-    require(file >= 0 && fstat(file, &status) == 0 && status.st_size > 0, "cannot be read, or is empty");
+    require(file >= 0 && fstat(file, &status) == 0 && status.st_size > 0, "cannot be read or is empty");
     const auto size = static_cast<size_t>(status.st_size);
     const void* data = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
     close(file);
@@ -127,7 +127,7 @@ Buffer read_content(const Entry& entry) {
     require(entry.form <= 1 && head.size() == entry.bytes.size(), "a chunk should have no blocks");
     if (entry.form == 0) return Buffer(head.begin(), head.end());
     const auto length = number_at<uint64_t>(head, 0);
-    // Checked before memory is allocated for it.
+    // The length is checked before memory is allocated for the content.
     require(length / 32 <= head.size(), "a chunk's content is too long");
     Buffer content = unzip(head.subspan(8), length, true);
     require(content.size() == length, "a chunk's content does not have its stated length");

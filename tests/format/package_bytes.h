@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-// A package as in the first part of scene/package/FORMAT.md: header, directory, chunks.
+// A package as described in the first part of scene/package/FORMAT.md: header, directory and chunks.
 namespace independent {
 
 using Bytes = std::span<const uint8_t>;
@@ -42,15 +42,15 @@ struct Chunk {
     std::vector<Bytes> blocks;
 };
 
-// Reads header and directory. The file stays mapped until the program ends.
+// Reads the header and the directory. The file stays mapped until the program ends.
 Package read_package(const char* path);
 
 const Entry& chunk_of(const Package& package, const std::string& type, uint32_t photo, uint32_t level);
 
-// Splits a chunk into head and blocks, and verifies the checksums.
+// Splits a chunk into its head and its blocks, and verifies the checksums.
 Chunk open_chunk(const Entry& entry);
 
-// The content of a zstd frame, at most `most` bytes; `padded`: zeros may follow it.
+// The content of a zstd frame, at most `most` bytes. `padded`: zeros may follow the frame.
 Buffer unzip(Bytes bytes, uint64_t most, bool padded);
 
 // The content of a chunk without blocks.

@@ -16,7 +16,7 @@ using namespace vantage::stored_colors;
 
 namespace {
 
-/// False if no encoder is installed.
+/// Returns false if no encoder is installed.
 bool write_heic(const fs::path& file, const std::vector<std::uint8_t>& rgb, const std::string& icc) {
     heif_context* context = heif_context_alloc();
     heif_encoder* encoder = nullptr;
@@ -86,7 +86,7 @@ TEST_F(ColorProfiles, AreFoundInHeicFiles) {
 
 TEST_F(ColorProfiles, ThatOfSrgbLeavesEveryByte) {
     const auto bytes = colors<std::uint8_t>(3);
-    // As in Hewlett-Packard's profile, the most common one.
+    // The table is like the one in Hewlett-Packard's profile, which is the most common.
     std::vector<cmsUInt16Number> table;
     for (int i = 0; i < 1024; ++i)
         table.push_back(
@@ -120,7 +120,7 @@ TEST_F(ColorProfiles, LinearLightCalledSrgbIsConverted) {
 }
 
 TEST_F(ColorProfiles, SixteenBitsAreRoundedAfterwards) {
-    // Dark tones in linear light: with 8 bits, the first two would be 0 and 13.
+    // Dark tones in linear light. With 8 bits, the first two would become 0 and 13.
     RgbSpace linear = adobe_rgb;
     linear.gamma = 1;
     std::vector<std::uint16_t> ramp;

@@ -1,4 +1,4 @@
-// Photos of all sizes and formats: whole, truncated, and mislabeled.
+// Photos of all sizes and formats, intact, truncated or mislabeled.
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
@@ -48,7 +48,7 @@ class HardPhotos : public TemporaryFolder {
         for (auto& v : out) v = std::uint8_t(random());
         return out;
     }
-    /// The decoder's error without the file's path; "" if it accepts the photo.
+    /// The decoder's error without the path of the file; "" if the decoder accepts the photo.
     static std::string rejection(const fs::path& file, PhotoSize expected) {
         try {
             const RgbaImage p = read_photo(file, expected);
@@ -79,7 +79,7 @@ TEST_F(HardPhotos, TruncatedAtEveryPercentIsRejectedOrWhole) {
         for (int percent = 0; percent < 100; ++percent) {
             const fs::path cut =
                 put(std::string("cut-") + name, bytes.substr(0, bytes.size() * std::size_t(percent) / 100));
-            // Accepted only if all pixels are intact.
+            // The photo may be accepted only if all pixels are intact.
             EXPECT_TRUE(!rejection(cut, {64, 48}).empty() || read_photo(cut, {64, 48}).rgba == truth.rgba)
                 << name << " at " << percent << " %";
         }
@@ -117,7 +117,7 @@ TEST_F(HardPhotos, FlippedBitsInAColorProfileNeverCrash) {
 
 TEST_F(HardPhotos, SizeMismatchIsRejectedBeforeAllocating) {
     std::string bytes = slurp(write("p.jpg", 64, 48, 3, noise(64, 48, 3)));
-    // The frame header: marker, length, precision, height, width.
+    // The frame header consists of the marker, length, precision, height and width.
     const std::size_t at = bytes.find("\xff\xc0");
     ASSERT_NE(at, std::string::npos);
     for (std::size_t i = 5; i < 9; i += 2) bytes[at + i] = char(0xfd), bytes[at + i + 1] = char(0xe8);
@@ -186,7 +186,7 @@ TEST_F(HardPhotos, SinglePixelsRowsAndColumnsHaveAPyramid) {
     }
 }
 
-// 100,000 pixels wide: beyond the limits of JPEG and of textures, but not of tiles.
+// 100,000 pixels wide exceeds the limits of JPEG and of textures, but not those of tiles.
 TEST_F(HardPhotos, PreparesPhotosWiderThanAnyTexture) {
     SynthSpec spec = spec_named("tiny");
     spec.photos.count = 1;

@@ -39,10 +39,11 @@ class Photos : public TemporaryFolder {
     }
 };
 
-/// A camera raw file (DNG) of a single color, given in linear sRGB, from a sensor with a Bayer pattern.
+/// Writes a camera raw file (DNG) from a sensor with a Bayer pattern. It has a single color, which is given
+/// in linear sRGB.
 void write_dng(const fs::path& file, int width, int height, const std::array<double, 3>& light) {
     constexpr float black = 256, white = 16383;
-    // From XYZ to the sensor, whose primaries are those of sRGB.
+    // The matrix from XYZ to the colors of the sensor, whose primaries are those of sRGB.
     const std::array<float, 9> matrix{3.2404542f, -1.5371385f, -0.4985314f, -0.9692660f, 1.8760108f,
                                       0.0415560f, 0.0556434f,  -0.2040259f, 1.0572252f};
     TIFF* dng = TIFFOpen(file.c_str(), "w");
@@ -106,7 +107,7 @@ TEST_F(Photos, GraySixteenBitsAndAlpha) {
     EXPECT_EQ(pixel(read_photo(write<u8>("t.tif", 3, 2, {9, 8, 7}), size), 2, 1), (Pixel{9, 8, 7, 255}));
 }
 
-/// A TIFF with one strip or tile of 16 x 16 pixels, all samples of which have this value.
+/// Writes a TIFF with one strip or tile of 16 x 16 pixels. All its samples have the value `sample`.
 void write_tiff(const fs::path& file, std::initializer_list<std::pair<int, int>> tags, int samples,
                 std::uint16_t sample, bool tiled = false) {
     TIFF* tiff = TIFFOpen(file.c_str(), "w");
@@ -170,7 +171,7 @@ TEST_F(Photos, TiffsThatWouldBeReadWronglyAreRejected) {
     };
     write_tiff(dir / "t.tif", {{TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_SEPARATED}}, 4, 0x4040, true);
     EXPECT_EQ(flaw(), "its CMYK colors are in tiles, expected strips, or RGB");
-    // The directory comes first, as some programs write it; some pixels are missing.
+    // The directory comes first, as in the files of some programs, and some pixels are missing.
     std::string bytes("II*\0\x08\0\0\0\x09\0", 10);
     const auto entry = [&](int tag, std::uint32_t value) {
         for (const std::uint32_t word : {std::uint32_t(tag) | 4u << 16, 1u, value})
@@ -188,7 +189,7 @@ TEST_F(Photos, TiffsThatWouldBeReadWronglyAreRejected) {
 }
 
 TEST_F(Photos, AdobeCmykIsInverted) {
-    // Adobe stores CMYK inverted: 255 is no ink.
+    // Adobe stores CMYK inverted, so that 255 means no ink.
     const std::vector<unsigned char> cmyk{255, 128, 0, 255, 255, 128, 0, 255};
     unsigned char* bytes = nullptr;
     unsigned long size = 0;
@@ -219,7 +220,7 @@ TEST_F(Photos, CameraRawIsDevelopedToSrgb) {
 }
 
 TEST_F(Photos, AreRotatedOnlyIfTheCameraExpectsIt) {
-    // Positions of the first stored pixel in EXIF orientations 5 to 8.
+    // The positions of the first stored pixel in EXIF orientations 5 to 8.
     const std::pair<int, std::array<int, 2>> where[] = {{5, {0, 0}}, {6, {1, 0}}, {7, {1, 2}}, {8, {0, 2}}};
     for (const auto& [orientation, at] : where) {
         const fs::path file = write<std::uint8_t>("o.tif", 3, 2, {200, 200, 200}, orientation);

@@ -1,4 +1,4 @@
-// Color profiles with tables, as for scanners and presses, and unusable profiles.
+// Color profiles with tables, like those of scanners and printing presses, and unusable profiles.
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
@@ -15,7 +15,7 @@ using namespace vantage::stored_colors;
 
 namespace {
 
-/// A JPEG of side * side pixels with inverted inks.
+/// A CMYK JPEG of side * side pixels with inverted inks.
 std::string cmyk_jpeg(const std::vector<std::uint8_t>& inks) {
     unsigned char* bytes = nullptr;
     unsigned long length = 0;
@@ -27,8 +27,8 @@ std::string cmyk_jpeg(const std::vector<std::uint8_t>& inks) {
     return jpeg;
 }
 
-/// A JPEG with a profile in segments of 60000 bytes; `claimed`: the stated number of segments, if it is
-/// wrong.
+/// Adds a profile to a JPEG, in segments of 60000 bytes. `claimed`: the number of segments that the JPEG
+/// states, if that is wrong.
 std::string with_profile(std::string jpeg, const std::string& icc, std::size_t claimed = 0) {
     constexpr std::size_t most = 60000;
     const std::size_t count = (icc.size() + most - 1) / most;
@@ -42,8 +42,8 @@ std::string with_profile(std::string jpeg, const std::string& icc, std::size_t c
     return jpeg.insert(2, segments);
 }
 
-/// A profile with a table of colors, as for scanners and presses: `lab_of` maps values in [0, 1]
-/// to CIE L*a*b* relative to D50.
+/// A profile with a table of colors, like those of scanners and printing presses. `lab_of` maps values in [0,
+/// 1] to CIE L*a*b* relative to D50.
 std::string table_profile(cmsColorSpaceSignature space, cmsProfileClassSignature device, int points,
                           cmsSAMPLER16 lab_of) {
     cmsHPROFILE profile = cmsCreateProfilePlaceholder(nullptr);
@@ -67,7 +67,7 @@ std::string table_profile(cmsColorSpaceSignature space, cmsProfileClassSignature
 
 /// Converts linear sRGB to L*a*b* in 16 bits.
 void write_lab(const Eigen::Vector3d& light, cmsUInt16Number* out) {
-    // From sRGB to XYZ relative to D50 (Lindbloom).
+    // The matrix from sRGB to XYZ relative to D50 (Lindbloom).
     Eigen::Matrix3d to_xyz;
     to_xyz << 0.4360747, 0.3850649, 0.1430804, 0.2225045, 0.7168786, 0.0606169, 0.0139322, 0.0971045,
         0.7141733;
@@ -78,14 +78,15 @@ void write_lab(const Eigen::Vector3d& light, cmsUInt16Number* out) {
     cmsFloat2LabEncoded(out, &lab);
 }
 
-/// A scanner that swaps red and green, and whose black has a fiftieth of white's light.
+/// A scanner that swaps red and green. Its black is a fiftieth as bright as its white.
 cmsInt32Number scanner(const cmsUInt16Number in[], cmsUInt16Number out[], void*) {
     const auto light = [&](int c) { return 0.02 + 0.98 * std::pow(in[c] / 65535.0, 2.2); };
     write_lab({light(1), light(0), light(2)}, out);
     return TRUE;
 }
 
-/// A press with weak inks: each absorbs nine tenths of one primary, black of all three.
+/// A printing press with weak inks. Each color ink absorbs nine tenths of one primary, and black absorbs nine
+/// tenths of all three.
 cmsInt32Number press(const cmsUInt16Number in[], cmsUInt16Number out[], void*) {
     const auto left = [&](int ink) { return 1 - 0.9 * in[ink] / 65535.0; };
     write_lab({left(0) * left(3), left(1) * left(3), left(2) * left(3)}, out);
@@ -154,7 +155,7 @@ TEST_F(ColorProfiles, WhatCannotBeUsedIsNamedAndTakenAsSrgb) {
         expect_flaw(with(inks), without, "it is not for RGB");
     }
     const std::string jpeg = slurp(dir / "without-f.jpg"), cmyk = cmyk_jpeg(colors<std::uint8_t>(4));
-    // The first of two segments.
+    // The file holds only the first of two segments.
     expect_flaw(put("part.jpg", with_profile(jpeg, adobe, 2)), dir / "without-f.jpg", "it is damaged");
     expect_flaw(put("rgb.jpg", with_profile(cmyk, adobe)), put("cmyk.jpg", cmyk), "it is not for CMYK");
 }

@@ -1,4 +1,4 @@
-// Packages of photos with color profiles.
+// Packages made from photos with color profiles.
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ class ProfiledPhotos : public TemporaryFolder {
         copy_scene(spec, dir / "srgb");
         fs::remove_all(dir / "srgb" / "truth");
     }
-    /// A copy of the scan with the same colors in this color space: two photos of 16 bits, and a JPEG.
+    /// A copy of the scan with the same colors in this color space: two 16-bit photos and a JPEG.
     fs::path copied_to(const RgbSpace& space) const {
         const fs::path scan = dir / space.name;
         fs::copy(dir / "srgb", scan, fs::copy_options::recursive);
@@ -109,7 +109,7 @@ TEST_F(ProfiledPhotos, MakeThePackageOfTheSamePhotosInSrgb) {
 }
 
 TEST_F(ProfiledPhotos, MasksKeepTheirThreshold) {
-    // Half of the mask is dark as stored, but bright if converted with its profile.
+    // Half of the mask is dark as stored, but bright when it is converted with the profile.
     std::vector<float> values;
     for (int i = 0; i < size_.width * size_.height; ++i)
         values.push_back(i < size_.width * size_.height / 2 ? 100 / 255.0f : 1.0f);

@@ -21,7 +21,8 @@ constexpr PhotoSize size{side, side};
 template <class T>
 constexpr double top = double(std::numeric_limits<T>::max());
 
-/// Values of side * side colors that cover the whole cube of `channels`, including its corners.
+/// The values of side * side colors that cover the whole color cube with `channels` dimensions, including its
+/// corners.
 template <class T>
 std::vector<T> colors(int channels) {
     std::vector<T> out;
@@ -34,7 +35,7 @@ std::vector<T> colors(int channels) {
 
 class ColorProfiles : public TemporaryFolder {
   protected:
-    /// Writes side * side pixels.
+    /// Writes a picture with rows of `side` pixels.
     template <class T>
     fs::path write(const char* name, int channels, const std::vector<T>& pixels, const std::string& icc = {},
                    int orientation = 1) {

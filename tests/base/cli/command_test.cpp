@@ -1,4 +1,4 @@
-// Command lines: accepted and refused arguments, error messages, manual pages and shell completion.
+// Command lines: accepted and rejected arguments, error messages, manual pages and shell completion.
 #include "base/cli/command.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ Answer run(const Command& command, const Words& arguments) {
     return {code, out, testing::internal::GetCapturedStderr()};
 }
 
-/// The first line of the error message for refused arguments.
+/// The first line of the error message for rejected arguments.
 std::string refusal(const Command& command, const Words& arguments) {
     const Answer a = run(command, arguments);
     EXPECT_EQ(a.code, int(Exit::usage));
@@ -177,7 +177,7 @@ TEST(CommandLine, VerbsAreSelectedByTheFirstArgument) {
     c.action([] { return 8; });
     EXPECT_EQ(run(c, {"chapel"}).code, 8);
     EXPECT_EQ(file, "chapel");
-    EXPECT_THROW(c.run({"chekc"}), Error) << "not taken for a file";
+    EXPECT_THROW(c.run({"chekc"}), Error) << "not treated as a file";
     EXPECT_EQ(run(c, {"help", "check"}).out, run(c, {"check", "--help"}).out);
 }
 

@@ -14,7 +14,7 @@ using namespace vantage;
 
 namespace {
 
-/// Limits the size of files: writing beyond it fails, as on a full disk.
+/// Limits the size of files, so that writing more fails, as on a full disk.
 class SizeLimit {
   public:
     explicit SizeLimit(rlim_t bytes) : handler_(::signal(SIGXFSZ, SIG_IGN)) {
@@ -42,7 +42,8 @@ class ReplaceFile : public TemporaryFolder {
 
 TEST_F(ReplaceFile, KeepsTheOldFileIfTheDiskIsFull) {
     replace_file(file, "old");
-    // Larger than a stream's buffer, hence written immediately; and smaller, hence written by flushing.
+    // The first size exceeds the buffer of a stream, so the data is written immediately. The second is
+    // smaller, so the data is written when the stream is flushed.
     for (const std::size_t size : {std::size_t(1) << 20, std::size_t(6000)}) {
         const SizeLimit limit(4096);
         EXPECT_THROW(replace_file(file, std::string(size, 'x')), Error) << size;

@@ -10,7 +10,7 @@ namespace {
 using Indices = std::vector<std::size_t>;
 
 TEST(PhotoNames, AreMeantAsPeopleCallThem) {
-    // Decomposed Unicode, as macOS stores it.
+    // The first name is in decomposed Unicode, as on macOS.
     const std::array<std::string_view, 4> names{
         "Kapelle Su\xcc\x88"
         "d.jpg",

@@ -12,7 +12,7 @@ using namespace vantage;
 
 namespace {
 
-/// The system language if the environment has only these language variables.
+/// The system language if the environment has no other language variables.
 std::string language_in(const std::map<std::string, std::string>& variables) {
     for (const char* name : {"LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"}) ::unsetenv(name);
     for (const auto& [name, value] : variables) ::setenv(name.c_str(), value.c_str(), 1);

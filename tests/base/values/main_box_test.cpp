@@ -10,7 +10,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// Computed from the definition, using sorted coordinates and distances.
+/// The strays, computed from their definition with sorted coordinates and distances.
 std::vector<std::uint32_t> strays_by_definition(const Points& points) {
     const std::size_t n = points.size(), most = std::min(std::max<std::size_t>(3, n / 100), n / 4);
     Eigen::Vector3d median;
@@ -38,8 +38,8 @@ TEST(MainBox, FindsTheStraysOfItsDefinition) {
     std::size_t with_strays = 0, without = 0;
     for (int round = 0; round < 3000; ++round) {
         const auto n = std::size_t(1 + 400 * std::pow(uniform(random), 3));
-        // Distributions range from a cluster at one end to clusters at both ends; up to twice as many
-        // vertices are far away as may be treated as strays.
+        // The distributions range from a cluster at one end to clusters at both ends. The number of vertices
+        // far away is up to twice the number that may be treated as strays.
         const double skew = 4 * uniform(random), far = std::pow(10.0, 3 * uniform(random));
         Points points;
         for (std::size_t i = 0; i < n; ++i)

@@ -1,4 +1,4 @@
-// Alignment of a real scan's mesh after random transformations, and refusal of a mesh unrelated to the
+// Aligns the mesh of a real scan after random transformations, and refuses a mesh that is unrelated to the
 // photos.
 #include "pipeline/align/alignment.h"
 

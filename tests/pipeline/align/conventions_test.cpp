@@ -1,4 +1,5 @@
-// Cameras and meshes of real scans in different export conventions, which must be identified from the photos.
+// Cameras and meshes of real scans in different export conventions. The conventions must be identified from
+// the photos.
 #include "pipeline/align/conventions.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ using Eigen::Vector3d;
 
 constexpr const char* scans[] = {"sceaux-small", "fountain-P11"};
 
-/// Implemented independently of the program.
+/// A matrix that exchanges and flips axes, implemented independently of the program.
 Matrix3d axes(int x, int y, int z) {
     Matrix3d m = Matrix3d::Zero();
     int row = 0;
@@ -35,14 +36,14 @@ Matrix3d axes(int x, int y, int z) {
     return m;
 }
 
-/// Rotates the mesh by `R` and leaves the cameras.
+/// Rotates the mesh by `R` and leaves the cameras unchanged.
 void turn_mesh(SceneInput& scene, const Matrix3d& R) {
     for (Vector3d& p : scene.mesh.positions) p = R * p;
 }
 
 /// The agreement of the second-best convention, as a fraction of the best.
 double margin(std::vector<ConventionTrial> trials) {
-    if (trials.size() < 2) return 0;  // the first pair of photos settled it
+    if (trials.size() < 2) return 0;  // the first pair of photos was decisive
     std::ranges::sort(trials, std::greater{}, &ConventionTrial::agreement);
     return trials[1].agreement / trials[0].agreement;
 }
@@ -55,7 +56,8 @@ struct Change {
 const Similarity chunk{
     Eigen::AngleAxisd(2.1, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix(), {30, -400, 7}, 3.7};
 
-/// The reader has applied the camera file's transform to the cameras, but the mesh was exported without it.
+/// The reader has applied the transform in the camera file to the cameras, but the mesh was exported without
+/// this transform.
 void export_before_transform(SceneInput& scene) {
     scene.transform = chunk;
     for (PhotoInput& p : scene.photos)
@@ -87,7 +89,7 @@ const Change changes[] = {{"as-read", [](SceneInput&) {}},
                                }
                            }}};
 
-/// A vertex in the camera's frame, which does not change if camera and mesh are rotated together.
+/// A vertex in the camera's frame. It does not change if camera and mesh are rotated together.
 Vector3d seen(const SceneInput& scene, std::size_t photo, std::size_t vertex) {
     const Pose& q = scene.photos[photo].camera.cam_from_world;
     return q.R * scene.mesh.positions[vertex] + q.t;
@@ -157,8 +159,8 @@ TEST(Conventions, AMeshBesideWhatPhotosShowStopsTheRun) {
     Vector3d eye = Vector3d::Zero();
     for (const PhotoInput& p : right.photos)
         eye += p.camera.cam_from_world.center() / double(right.photos.size());
-    // Meshes scaled to another unit, about the cameras' target and about zero; and moved towards the cameras
-    // and sideways.
+    // The mesh is scaled to another unit, about the cameras' target or about zero, or it is moved toward the
+    // cameras or sideways.
     const std::function<Vector3d(const Vector3d&)> changes[] = {
         [&](const Vector3d& p) -> Vector3d { return box.center() + 0.1 * (p - box.center()); },
         [&](const Vector3d& p) -> Vector3d { return box.center() + 0.001 * (p - box.center()); },
@@ -255,10 +257,10 @@ TEST(Conventions, NamesOfNoConventionAreRefused) {
     EXPECT_EQ(wanted_conventions({"no-transform", "mesh-turned"}), "no-transform,mesh-turned");
 }
 
-/// Photos as taken by a lens with tangential distortion.
+/// Photos taken with a lens that has tangential distortion.
 class TangentialPhotos : public TemporaryFolder {
   protected:
-    /// Photos reduced to 1000 px and distorted with OpenCV's p1 and p2.
+    /// Reduces the photos to 1000 px and distorts them with OpenCV's p1 and p2.
     void distort_photos(SceneInput& scene, double p1, double p2) const {
         for (PhotoInput& p : scene.photos) {
             Intrinsics& k = p.camera.intrinsics;
@@ -276,8 +278,8 @@ class TangentialPhotos : public TemporaryFolder {
     }
 
   private:
-    /// For each pixel of the distorted photo, its position in the pinhole photo (OpenCV's convention, centers
-    /// at integers).
+    /// For each pixel of the distorted photo, its position in the pinhole photo. As in OpenCV, pixel centers
+    /// are at integers.
     static cv::Mat pinhole_pixels(const Intrinsics& k, const std::vector<double>& lens) {
         std::vector<cv::Point2f> all, out;
         for (int y = 0; y < k.height; ++y)

@@ -23,7 +23,7 @@ class UpsideDown : public TemporaryFolder {
     void turn(PhotoInput& photo) const { store(photo, 3); }
 
     /// Stores a photo's pixels for this EXIF orientation, so that it is displayed as before. The camera's
-    /// principal point stays where it is relative to the middle.
+    /// principal point keeps its offset from the center of the photo.
     void store(PhotoInput& photo, int orientation) const {
         const RgbaImage from = read_photo(photo.file, photo.decoded);
         const bool swaps = orientation >= 5;
@@ -41,7 +41,7 @@ class UpsideDown : public TemporaryFolder {
     }
 
   private:
-    /// The displayed position of a stored pixel (Exif 2.3, 4.6.4).
+    /// The position at which a stored pixel is displayed (Exif 2.3, 4.6.4).
     static std::pair<int, int> displayed(int x, int y, int w, int h, int orientation) {
         const int right = w - 1 - x, below = h - 1 - y;
         const std::pair<int, int> at[] = {{x, y}, {right, y}, {right, below}, {x, below},
@@ -72,7 +72,7 @@ TEST_F(UpsideDown, NeighborsTell) {
     expect_found(all);
 }
 
-/// A photo with EXIF orientation 2 or 4, whose camera other programs have fitted to the photo as displayed.
+/// A photo with EXIF orientation 2 or 4. Other programs have fitted its camera to the photo as displayed.
 TEST_F(UpsideDown, AMirroredPhotoIsFound) {
     VANTAGE_DATASET(scan, "sceaux-small");
     for (const int orientation : {2, 4}) {
@@ -83,7 +83,7 @@ TEST_F(UpsideDown, AMirroredPhotoIsFound) {
     }
 }
 
-/// The camera has no size, so it may belong to the photo as stored or as displayed.
+/// The camera does not state a size, so it may belong to the photo as stored or as displayed.
 TEST_F(UpsideDown, APhotoTurnedBy90DegreesIsFoundAndTurned) {
     VANTAGE_DATASET(scan, "sceaux-small");
     for (const int orientation : {5, 6, 7, 8}) {

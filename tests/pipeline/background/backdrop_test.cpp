@@ -20,7 +20,7 @@ double quantile(std::vector<double> values, double share) {
     return values.at(std::size_t(share * double(values.size() - 1)));
 }
 
-/// Errors of the backdrop in directions that at least three photos show, for each part of the yard.
+/// Errors of the backdrop for each part of the yard, in directions that at least three photos show.
 struct ByContent {
     std::vector<double> ground, hill;  ///< relative error of the distance
     std::vector<double> sky;           ///< distance
@@ -51,7 +51,7 @@ double degrees_from_down(const Eigen::Vector3d& direction) {
     return std::acos(std::clamp(-direction.z(), -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
-/// Discs of a wall through the origin, 4 by 4 units.
+/// Discs on a wall through the origin, 4 by 4 units in size.
 std::vector<SurfaceDisc> wall(const Eigen::Vector3f& normal, int count) {
     const Eigen::Vector3f across = normal.cross(Eigen::Vector3f::UnitZ());
     std::vector<SurfaceDisc> out;
@@ -61,7 +61,7 @@ std::vector<SurfaceDisc> wall(const Eigen::Vector3f& normal, int count) {
     return out;
 }
 
-/// Two walls on a narrow floor, which has a twentieth of all discs. All surfaces are rough.
+/// Two walls on a narrow floor. The floor has a twentieth of all discs, and all surfaces are rough.
 std::vector<SurfaceDisc> house(double floor, double roughness) {
     std::vector<SurfaceDisc> out = wall(Eigen::Vector3f::UnitY(), 300);
     const std::vector<SurfaceDisc> other = wall(Eigen::Vector3f::UnitX(), 270);
@@ -84,7 +84,7 @@ struct Depths {
     std::vector<float> inverse;
 };
 
-/// Directions within 45 degrees of the x axis, with these inverse distances plus noise.
+/// Directions within 45 degrees of the x axis, with inverse distances from `inverse` plus noise.
 Depths depths_of(const Eigen::Vector3d& center,
                  const std::function<double(const Eigen::Vector3d& ray)>& inverse) {
     Depths out;
@@ -134,7 +134,7 @@ TEST(GroundPlane, ContinuesTheFloorOfAMeshWithWalls) {
     const auto ground = find_ground(views, mesh);
     ASSERT_TRUE(ground);
     EXPECT_LT(degrees_from_down(ground->normal), 0.3);
-    EXPECT_NEAR(ground->height, -0.06, 0.01) << "though photos agree best at 0";
+    EXPECT_NEAR(ground->height, -0.06, 0.01) << "even though the photos agree best at 0";
 }
 
 TEST(GroundPlane, IsNotTheTableOnWhichTheMeshStands) {
@@ -179,13 +179,13 @@ TEST(Backdrop, DepthByDirectionIsThatOfTheYard) {
     ASSERT_GT(found.hill.size(), 100u);
     ASSERT_GT(found.sky.size(), 300u);
     std::printf(
-        "ground: %zu directions, off by %.3f, 90 %% by less than %.3f; hill: %zu, %.3f, %.3f; sky: %zu\n",
+        "ground: %zu directions, median error %.3f, 90 %% below %.3f; hill: %zu, %.3f, %.3f; sky: %zu\n",
         found.ground.size(), quantile(found.ground, 0.5), quantile(found.ground, 0.9), found.hill.size(),
         quantile(found.hill, 0.5), quantile(found.hill, 0.9), found.sky.size());
     EXPECT_LT(quantile(found.ground, 0.5), 0.02);
     EXPECT_LT(quantile(found.ground, 0.9), 0.1);
     EXPECT_LT(quantile(found.hill, 0.5), 0.15);
-    EXPECT_GT(quantile(found.sky, 0.3), 100) << "from cameras at most 10 apart, as good as infinite";
+    EXPECT_GT(quantile(found.sky, 0.3), 100) << "practically infinite for cameras at most 10 apart";
 }
 
 TEST(Backdrop, ContainsTheCamerasAndLeavesTheMeshInSight) {
@@ -201,7 +201,7 @@ TEST(Backdrop, ContainsTheCamerasAndLeavesTheMeshInSight) {
     for (const Eigen::Vector3f& p : b.positions) ASSERT_TRUE(p.allFinite());
     for (const auto& [i, j, k] : b.sphere.triangles) {
         const auto &u = b.sphere.directions[i], &v = b.sphere.directions[j], &w = b.sphere.directions[k];
-        ASSERT_LT(u.dot(v.cross(w)), 0) << "as the player expects, which draws only the inside";
+        ASSERT_LT(u.dot(v.cross(w)), 0) << "the player draws only the inside";
     }
 }
 
@@ -225,7 +225,7 @@ TEST(CalmColors, AreWhatMostPhotosShow) {
         right += (c - Eigen::Array3f(0.2f, 0.4f, 0.6f)).abs().maxCoeff() < 0.1f;
     }
     EXPECT_GT(double(right), 0.9 * double(colors.size()))
-        << "all but the area seen only by the photo with leaves";
+        << "everything except the area that only the photo with leaves sees";
 }
 
 TEST(CalmColors, OfTheSkyHaveNothingOfTheHillBelow) {

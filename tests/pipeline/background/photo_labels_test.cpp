@@ -11,7 +11,7 @@ using namespace vantage;
 
 namespace {
 
-/// Photos of the yard, each brighter or darker by up to a seventh.
+/// Photos of the yard that are brighter or darker by up to a seventh each.
 std::vector<CoarseView> unevenly_exposed() {
     std::vector<CoarseView> views = yard::photos();
     for (CoarseView& v : views) {
@@ -46,7 +46,7 @@ TEST(Sky, OfTheYardIsInfinitelyFar) {
             ++sky, far += is_far;
     }
     EXPECT_GT(double(far), 0.97 * double(sky));
-    EXPECT_LT(double(hill_far), 0.02 * double(hill)) << "its outline against the sky";
+    EXPECT_LT(double(hill_far), 0.02 * double(hill)) << "except along the outline against the sky";
 }
 
 TEST(Sky, IsNotSeenInAWallAround) {
@@ -104,7 +104,7 @@ TEST(PhotoLabels, ThereAreNoneWherePhotosShowNothing) {
         if (std::ranges::count(views, ViewSample::open, kind) > 0) continue;
         ASSERT_EQ(paint.view[d], BackdropPaint::none);
         if (std::ranges::count(views, ViewSample::nothing, kind) == std::ptrdiff_t(views.size())) {
-            ASSERT_LT(paint.trust[d], 0.7f) << "the minimum where one photo shows it";
+            ASSERT_LT(paint.trust[d], 0.7f) << "the minimum if only one photo shows it";
         }
     }
 }

@@ -1,6 +1,6 @@
-// Detection of a mesh's sky triangles. The ground truth is a ray-traced house: brick with a window that
-// mirrors the sky, a white tower beside it, a pond in front of it, and above the roof a membrane that exists
-// only in the mesh.
+// Detection of a mesh's sky triangles. The ground truth is a ray-traced brick house with a window that
+// mirrors the sky. A white tower stands beside the house, a pond lies in front of it, and above the roof is a
+// membrane that exists only in the mesh.
 #include "pipeline/background/sky_triangles.h"
 
 #include <gtest/gtest.h>
@@ -39,8 +39,8 @@ struct House {
                  {3.2, 5, 0, 5, 0, true, [white](const auto&, const auto&, int) { return white; }},
                  {-2, 2, 3, 4.6, 0.5, false, {}}};
     }
-    /// The nearest intersection of a ray with the mesh, or with the world: distance, infinite for the sky,
-    /// and part.
+    /// The nearest intersection of a ray with the mesh or with the world: the distance, which is infinite for
+    /// the sky, and the part.
     std::pair<double, const HousePart*> meets(const Eigen::Vector3d& eye, const Eigen::Vector3d& ray,
                                               bool mesh) const {
         std::pair<double, const HousePart*> out{std::numeric_limits<double>::infinity(), nullptr};
@@ -91,7 +91,7 @@ struct House {
     }
 };
 
-/// The parts in squares of 0.1 units, and the ground in front of the house.
+/// The parts divided into squares of 0.1 units, and the ground in front of the house.
 struct HouseMesh {
     std::vector<Eigen::Vector3f> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;

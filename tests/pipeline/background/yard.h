@@ -8,8 +8,9 @@
 
 #include "pipeline/background/coarse_view.h"
 
-/// A yard with known depth around a sphere of radius 1.5, which is the only object with a mesh: level ground,
-/// a hill in the shape of a cylinder of radius 25 and height 6, and a sky. z points up.
+/// A yard with known depth around a sphere of radius 1.5, which is the only object with a mesh. The yard has
+/// level ground, a hill in the shape of a cylinder with radius 25 and height 6, and a sky. The z axis points
+/// up.
 namespace vantage::yard {
 
 constexpr double hill_radius = 25, hill_height = 6;
@@ -25,7 +26,7 @@ inline double distance(const Eigen::Vector3d& eye, const Eigen::Vector3d& direct
     return eye.z() + hill * direction.z() < hill_height ? hill : std::numeric_limits<double>::infinity();
 }
 
-/// A smooth pattern without repetition over a few units.
+/// A smooth pattern that does not repeat within a few units.
 inline double texture(double x, double y) {
     return 0.5 + 0.2 * std::sin(1.7 * x + 0.6 * std::sin(2.3 * y)) +
            0.2 * std::sin(2.1 * y + 0.9 * std::sin(1.3 * x)) + 0.1 * std::sin(5.1 * x - 4.3 * y);

@@ -1,4 +1,4 @@
-// Settings from presets and configuration files, overridden by the command line.
+// Settings from presets and configuration files, which the command line overrides.
 #include <gtest/gtest.h>
 
 #include <filesystem>

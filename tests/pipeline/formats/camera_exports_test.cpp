@@ -23,7 +23,7 @@ Eigen::Matrix3d random_rotation(std::mt19937& random) {
         .toRotationMatrix();
 }
 
-/// Cameras in all directions, each with its own lens, two of them portrait.
+/// Cameras that look in all directions, each with its own lens; two of them are in portrait format.
 std::vector<Photo> some_photos() {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> one(-1, 1);

@@ -1,4 +1,4 @@
-// Camera files as users have them: with unused cameras, without cameras, or with other contents.
+// Camera files like those of users: with unused cameras, without cameras, or with other contents.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class CameraReaders : public TemporaryFolder {
                        ", \"frames\": [{\"file_path\": \"a.jpg\", "
                        "\"transform_matrix\": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}]}");
     }
-    /// Expects an error of this type whose message contains these words.
+    /// Expects an error of type E whose message contains `words`.
     template <class E = Error>
     static void expect_error(const fs::path& cameras, const std::string& words) {
         try {
@@ -144,7 +144,7 @@ TEST_F(CameraReaders, OutputOfOtherProgramsIsNotTakenForBundler) {
 }
 
 TEST_F(CameraReaders, TransformsTakeTheFocalLengthThatIsGiven) {
-    const double right = std::numbers::pi / 2;  // a focal length of half the photo's side
+    const double right = std::numbers::pi / 2;  // the focal length is half the photo's side
     struct Case {
         std::string keys;
         CameraSet::Unit unit;

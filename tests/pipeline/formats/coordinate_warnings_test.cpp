@@ -1,4 +1,4 @@
-// Warnings about rounded coordinates far from zero and about stray vertices, and no false alarms.
+// Warnings about rounded coordinates far from zero and about stray vertices, without false alarms.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace {
 constexpr int grid_side = 40;
 const Eigen::Vector3d utm(500000, 5400000, 120);
 
-/// A surface of side x side vertices, 4 m wide, with random height and spacing.
+/// A surface of side x side vertices that is 4 m wide and has random height and spacing.
 Mesh surface(const Eigen::Vector3d& at, double spacing = 0.1, double jitter = 0.03) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-jitter, jitter);
@@ -131,7 +131,7 @@ TEST_F(CoordinateWarnings, StraysDoNotHideRounding) {
                 ElementsAre(HasSubstr("vertex 1600"), HasSubstr("coordinates are rounded (x in steps of")));
 }
 
-// Real scans have a dense object in large surroundings, which are not strays.
+// Real scans have a dense object in large surroundings. The surroundings are not strays.
 TEST_F(CoordinateWarnings, BackgroundAreNotStrays) {
     Mesh m = surface({0, 0, 0}, 0.001, 0.0003);
     const auto n = std::uint32_t(m.positions.size());

@@ -16,24 +16,24 @@ struct Photo {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
 };
 
-/// Files as other programs write them, according to the descriptions of their formats. No code is shared with
-/// the readers.
+/// Files like those that other programs write, according to the descriptions of the formats. They share no
+/// code with the readers.
 std::string colmap_cameras(const std::vector<Photo>& photos);
 std::string colmap_images(const std::vector<Photo>& photos);
-/// `chunk_R`, `chunk_t`, `chunk_scale`: from the chunk's frame to the world.
+/// `chunk_R`, `chunk_t` and `chunk_scale` transform the chunk's frame to the world.
 std::string metashape(const std::vector<Photo>& photos, const Eigen::Matrix3d& chunk_R,
                       const Eigen::Vector3d& chunk_t, double chunk_scale);
-/// The sidecar of one photo; `as_attributes`: the syntax of other versions.
+/// The sidecar file of one photo. `as_attributes`: the syntax of other versions.
 std::string realitycapture_xmp(const Photo& photo, bool as_attributes);
-/// Rotations as yaw, pitch and roll.
+/// Rotations are written as yaw, pitch and roll.
 std::string realitycapture_csv(const std::vector<Photo>& photos);
 std::string meshroom(const std::vector<Photo>& photos);
 std::string openmvg(const std::vector<Photo>& photos);
 std::string opensfm(const std::vector<Photo>& photos);
-/// `applied`, `applied_t`: rotation and translation that the program applied to the world.
+/// `applied` and `applied_t`: the rotation and translation that the program applied to the world.
 std::string transforms(const std::vector<Photo>& photos, const Eigen::Matrix3d& applied,
                        const Eigen::Vector3d& applied_t);
-/// Camera axes with y up and x to the left.
+/// In the camera axes, y points up and x to the left.
 std::string blocks_exchange(const std::vector<Photo>& photos);
 
 }  // namespace vantage::exported

@@ -29,7 +29,7 @@ class CameraExports : public TemporaryFolder {
         }
         put("mesh.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     }
-    /// Reads the folder as prepare does, and compares the cameras with the ground truth.
+    /// Reads the folder as prepare does and compares the cameras with the ground truth.
     void expect_cameras(const std::vector<Photo>& photos, const std::string& format) {
         const SceneInput scene = read_scene(discover(dir));
         EXPECT_EQ(scene.camera_format, format);

@@ -1,4 +1,4 @@
-// FBX files as meshes, in text and binary.
+// Meshes from FBX files, both text and binary.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 namespace {
 
-/// The name of an object and its class, which text and binary files join differently.
+/// The name and the class of an object. Text and binary files join them differently.
 struct ObjectName {
     std::string name, of;
 };
@@ -123,7 +123,7 @@ Node model(std::int64_t id, const std::string& kind, Nodes properties) {
             {id, ObjectName{"part", "Model"}, kind},
             {{"Version", {232}}, {"Properties70", {}, std::move(properties)}}};
 }
-/// A layer element with a value per polygon corner.
+/// A layer element with one value per polygon corner.
 Node layer(const std::string& kind, const std::string& list, Reals values) {
     return {"LayerElement" + kind,
             {0},
@@ -141,7 +141,7 @@ Node layer_list(const std::string& kind) {
 }
 constexpr std::int64_t parent = 2001, child = 2002, geometry = 1001;
 
-/// A file with a geometry below a child model below a parent model.
+/// A file in which a parent model has a child model, which has a geometry.
 Nodes file_of(Node shape, Nodes of_parent, Nodes of_child,
               Nodes settings = {number_property("UnitScaleFactor", 100)}) {
     const auto connects = [](std::int64_t a, std::int64_t b) { return Node{"C", {"OO", a, b}}; };
@@ -188,7 +188,7 @@ class FbxMesh : public TemporaryFolder {
         warnings.clear();
         return read_mesh(dir / "mesh.fbx", warnings);
     }
-    /// The mesh, which must be the same from the text and the binary file.
+    /// The mesh read from a text and from a binary file; both must give the same mesh.
     Mesh read(const Nodes& file) {
         const Mesh text = read(text_of(file)), binary = read(binary_of(file));
         EXPECT_EQ(text.positions, binary.positions);
@@ -255,7 +255,7 @@ TEST_F(FbxMesh, UnitAndAxesAreNotConverted) {
 }
 
 TEST_F(FbxMesh, PolygonsAreTriangulatedWithinTheirOutline) {
-    // An L of six corners; a triangle fan about its first corner would leave the outline.
+    // An L with six corners. A triangle fan about the first corner would extend outside the outline.
     const Mesh mesh = read(file_of(
         shape_of({2, 0, 0, 2, 1, 0, 1, 1, 0, 1, 2, 0, 0, 2, 0, 0, 0, 0}, {0, 1, 2, 3, 4, ~5}), {}, {}));
     ASSERT_EQ(mesh.triangles.size(), 4u);

@@ -27,7 +27,7 @@ class Las : public TemporaryFolder {
     static void put(std::string& bytes, std::size_t at, const T& value) {
         std::memcpy(&bytes[at], &value, sizeof value);
     }
-    /// Points along a line far from zero, in records with `extra` bytes at their end.
+    /// Points along a line far from zero, in records that end with `extra` additional bytes.
     static std::string file(const Format& f, int points, int version = 2, std::uint16_t red = 0xff00,
                             int extra = 0) {
         const std::size_t header = version >= 4 ? 375 : 227, gap = 54;  // a record between header and points

@@ -1,4 +1,4 @@
-// Meshes from other programs, valid and invalid.
+// Valid and invalid meshes from other programs.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -65,7 +65,7 @@ const char* const survey_ply =
     "500000.125 5000000.0625 100 0.5 255 0 0 128 7\n500001.125 5000000.0625 100 0.25 0 255 0 255 8\n"
     "500000.125 5000001.0625 100 0.125 0 0 255 255 -9\n3 0 1 2\n";
 
-/// The same mesh in binary; if `big`, in big-endian byte order.
+/// The mesh of survey_ply in binary; if `big`, in big-endian byte order.
 std::string survey_binary(bool big) {
     std::string s = survey_ply;
     s.replace(s.find("ascii"), 5, big ? "binary_big_endian" : "binary_little_endian");
@@ -126,7 +126,7 @@ TEST_F(Import, TruncatedPlyOrImpossibleCountsAreRejected) {
 }
 
 TEST_F(Import, PlyWithTwoElementsOfVerticesIsRejected) {
-    // The first has normals, the second more vertices.
+    // The first element has normals, the second has more vertices.
     put("two.ply",
         "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
         "property float nx\nproperty float ny\nproperty float nz\nelement vertex 3\nproperty float x\n"

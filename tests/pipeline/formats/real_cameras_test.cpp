@@ -190,7 +190,8 @@ TEST_F(RealCameras, BlocksExchangeLooksDownFromTheAir) {
     EXPECT_THROW(read_cameras(file("blocksexchange/StOriJimmy-libBATools/README.excerpt.xml")), Error);
 }
 
-/// The residuals of a MatchMover file's markers: computed here, and as stored in the file.
+/// The residuals of the markers in a MatchMover file: `ours` are computed here, and `own` are stored in the
+/// file.
 struct Residuals {
     std::vector<double> ours, own;
 };

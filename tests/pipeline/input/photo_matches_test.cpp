@@ -8,7 +8,8 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-/// Matches cameras, "group:photo", to photos of folder "/s"; several candidates are joined by |.
+/// Matches cameras, written as "group:photo", to the photos of folder "/s". If there are several candidates,
+/// they are joined by |.
 Names matched(const Names& cameras, const Names& photos) {
     std::vector<CameraSet::Entry> entries;
     for (const std::string& name : cameras) {
@@ -29,7 +30,7 @@ Names matched(const Names& cameras, const Names& photos) {
 TEST(PhotoMatches, GroupsThatAreFoldersTellEqualNamesApart) {
     const Names photos{"1/A.jpg", "1/B.jpg", "2/A.jpg", "2/B.jpg"};
     EXPECT_EQ(matched({"1:A", "2:A", "1:B"}, photos), (Names{"1/A.jpg", "2/A.jpg", "1/B.jpg"}));
-    EXPECT_EQ(matched({"2:A"}, photos), Names{"2/A.jpg"}) << "the other has no pose";
+    EXPECT_EQ(matched({"2:A"}, photos), Names{"2/A.jpg"}) << "the other camera has no pose";
     EXPECT_EQ(matched({"site/2:A"}, photos), Names{"2/A.jpg"}) << "nested";
     EXPECT_EQ(matched({"Flight 1:A", "Flight 2:B"}, {"1/A.jpg", "1/B.jpg"}), (Names{"1/A.jpg", "1/B.jpg"}));
 }
@@ -39,7 +40,7 @@ TEST(PhotoMatches, NamesThatFitSeveralPhotosAreNotGuessed) {
     EXPECT_EQ(matched({":A", ":B"}, photos), (Names{"1/A.jpg|2/A.jpg", "2/B.jpg"}));
     EXPECT_EQ(matched({"Flight 1:A.jpg", "Flight 2:A.jpg"}, photos),
               (Names{"1/A.jpg|2/A.jpg", "1/A.jpg|2/A.jpg"}));
-    EXPECT_EQ(matched({":A", ":2/A"}, photos), (Names{"1/A.jpg", "2/A.jpg"})) << "only one is left";
+    EXPECT_EQ(matched({":A", ":2/A"}, photos), (Names{"1/A.jpg", "2/A.jpg"})) << "only one photo is left";
 }
 
 }  // namespace

@@ -23,13 +23,13 @@ Mesh box(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
     return m;
 }
 
-/// The distance in closed form; negative inside.
+/// The distance to the box in closed form; negative inside.
 double distance_to_box(const Eigen::Vector3d& p, const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
     const Eigen::Vector3d outside = (low - p).cwiseMax(p - high);
     return outside.cwiseMax(0).norm() + std::min(outside.maxCoeff(), 0.0);
 }
 
-/// Points around the box, some of them nearest to its faces, others to its edges and corners.
+/// Points around the box. For some, the nearest part of the box is a face; for others, an edge or a corner.
 Mesh around(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> anywhere(-0.8, 1.8);
@@ -67,13 +67,13 @@ TEST(Deviation, FromABoxIsItsClosedForm) {
     }
 }
 
-/// Where several triangles meet, some may face away from a point outside.
+/// Where several triangles meet, some of them may face away from a point outside.
 TEST(Deviation, OfAPointBesideABladeIsOutside) {
     Mesh blade, points;  // a thin spike along +x with its tip at the origin
     constexpr double half = 0.05;
     blade.positions = {{0, 0, 0}, {1, -half, -half}, {1, half, -half}, {1, half, half}, {1, -half, half}};
     blade.triangles = {{0, 3, 2}, {0, 4, 3}, {0, 1, 4}, {1, 2, 3}, {1, 3, 4}};
-    // One side is a fan of many triangles, which must not outweigh the other sides.
+    // One side is a fan of many triangles, but it must not outweigh the other sides.
     constexpr std::uint32_t parts = 20;
     for (std::uint32_t i = 1; i < parts; ++i)
         blade.positions.emplace_back(1, half - 2 * half * i / parts, -half);
@@ -113,14 +113,14 @@ TEST(Deviation, IsThatOfTheNearestOfAllTriangles) {
         soup.positions.insert(soup.positions.end(), {a, a + anywhere(), a + 0.1 * anywhere()});
         soup.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
     }
-    // A triangle without area counts as its longest edge.
+    // A triangle without area is treated as its longest edge.
     soup.positions.insert(soup.positions.end(), {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}});
     soup.triangles.push_back({600, 601, 602});
     for (int i = 0; i < 200; ++i) points.positions.push_back(3 * anywhere());
     const std::vector<float> found = deviation(points, soup);
     for (std::size_t i = 0; i < found.size(); ++i) {
-        // Samples of each triangle, including its corners, are never nearer than the surface, and almost as
-        // near.
+        // Samples of the triangles, including their corners, are never nearer than the surface, but the
+        // nearest sample is almost as near.
         double sampled = 1e9;
         constexpr int steps = 60;
         for (const auto& t : soup.triangles)

@@ -22,7 +22,7 @@ Mesh random_cloud(std::size_t points, double size, const Eigen::Vector3d& at) {
     std::uniform_real_distribution<double> share(-0.5, 0.5);
     Mesh cloud;
     for (std::size_t i = 0; i < points; ++i) {
-        // A wavy surface, so that cells are occupied as in a scan.
+        // The surface is wavy, so that cells are occupied as in a scan.
         const double x = share(random), y = share(random), z = 0.2 * std::sin(9 * x) * std::cos(7 * y);
         cloud.positions.push_back(at + size * Eigen::Vector3d(x, y, z));
     }
@@ -34,8 +34,8 @@ Eigen::AlignedBox3d cube_of(const PointNode& n) {
     return {low, low + Eigen::Vector3d::Constant(double(n.size))};
 }
 
-/// Invariants of every tree: each point is in exactly one node, within that node's cube, and its stored
-/// position is within the guaranteed error; nodes lie within their parents and within the blocks.
+/// Checks the invariants of every tree. Each point is in exactly one node and within that node's cube, and
+/// its stored position is within the guaranteed error. Nodes lie within their parents and within the blocks.
 void expect_valid(const PointTree& tree, const Mesh& cloud, const Eigen::Vector3d& origin) {
     std::vector<int> times(cloud.positions.size(), 0);
     std::uint32_t next = 1;
@@ -109,7 +109,7 @@ TEST(PointTree, CoarseNodesSpreadTheirPointsEvenly) {
     const PointNode& root = tree.nodes.front();
     ASSERT_GT(tree.nodes.size(), 10u);
     ASSERT_NE(root.child_octants, 0);
-    // The root has at most one point per cell, and one near every point of the cloud.
+    // The root has at most one point per cell, and it has a point near every point of the cloud.
     std::set<std::array<int, 3>> cells;
     for (std::uint32_t i = 0; i < root.count; ++i) {
         const Eigen::Vector3d p =

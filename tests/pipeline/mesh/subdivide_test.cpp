@@ -10,7 +10,7 @@ using namespace vantage;
 
 namespace {
 
-/// A closed box of 12 triangles with edges of `size`.
+/// A closed box that consists of 12 triangles; `size` is the length of its edges.
 Mesh box(const Eigen::Vector3d& size) {
     Mesh m;
     VertexField height{"height", {}};

@@ -1,5 +1,5 @@
-// Lens models compared with other implementations: OpenCV's where available, otherwise the equations in long
-// double or their inverse.
+// Compares lens models with other implementations: with OpenCV where it has the model, otherwise with the
+// equations in long double or their inverse.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using Real = long double;
 using Coefficients = std::array<double, 12>;
 constexpr double focal = 3000;  // pixels, of a frame of 4000 x 3000
 
-/// Directions spread over the frame, within the lens's range.
+/// Directions that are spread over the frame and lie within the lens's range.
 std::vector<Eigen::Vector2d> directions(const Lens& lens) {
     const double range = lens_range(lens);
     std::vector<Eigen::Vector2d> out;
@@ -37,7 +37,7 @@ double worst(const Lens& lens, const std::function<Eigen::Vector2d(const Eigen::
     return most;
 }
 
-/// Realistic coefficients: several percent of distortion at the corner.
+/// Realistic coefficients, with a distortion of several percent at the corner.
 Coefficients coefficients(std::mt19937& random, std::initializer_list<double> sizes) {
     std::uniform_real_distribution<double> one(-1, 1);
     Coefficients p{};
@@ -63,7 +63,7 @@ struct Ld {
 Ld times(const Ld& a, Real s) { return {a.x * s, a.y * s}; }
 Eigen::Vector2d rounded(const Ld& a) { return {double(a.x), double(a.y)}; }
 
-/// The position in the equidistant projection.
+/// The position of a direction in the equidistant projection.
 Ld equidistant(const Eigen::Vector2d& q) {
     const Ld a{q.x(), q.y()};
     const Real r = std::sqrt(a.r2());
@@ -84,7 +84,7 @@ Ld tangential(const Ld& a, double p1, double p2) {
 
 constexpr int trials = 50;
 
-/// Expects errors below a millionth of a pixel, and records the worst error of a test.
+/// Expects errors below a millionth of a pixel, and records the largest error in a test.
 class Exact {
   public:
     ~Exact() {
@@ -169,7 +169,7 @@ TEST(LensModels, AriaEqualsItsEquation) {
             random, {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.002, 0.002, 0.002, 0.001, 0.002, 0.001});
         const auto truth = [&](const Eigen::Vector2d& q) {
             const Ld e = equidistant(q), d = times(e, radial({p[0], p[1], p[2], p[3], p[4], p[5]}, e.r2()));
-            // Its p0 and p1 are OpenCV's p2 and p1.
+            // The model's p0 and p1 are OpenCV's p2 and p1.
             const Ld t = tangential(d, p[7], p[6]);
             const Real r2 = d.r2();
             return rounded({d.x + t.x + Real(p[8]) * r2 + Real(p[9]) * r2 * r2,
@@ -194,7 +194,7 @@ TEST(LensModels, UnifiedEqualsItsEquation) {
     }
 }
 
-/// The worst error, in pixels, of directions that are distorted and undistorted again.
+/// The largest error, in pixels, when directions are distorted and undistorted again.
 double worst_return(const Lens& lens, const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& back) {
     double most = 0;
     for (const Eigen::Vector2d& q : directions(lens))
@@ -223,7 +223,7 @@ TEST(LensModels, MatchMoverComesBackByItsEquation) {
 }
 
 TEST(LensModels, RangeEndsWhereAModelHasNoImage) {
-    // The photo's radius folds back at 1 / sqrt(k), and x' + k x'^3 at 1 / sqrt(-3 k).
+    // The radius in the photo folds back at 1 / sqrt(k), and x' + k x'^3 folds back at 1 / sqrt(-3 k).
     EXPECT_NEAR(lens_range({LensModel::division, {0.25}}), 1, 1e-3);
     EXPECT_TRUE(std::isinf(lens_range({LensModel::division, {-0.25}})));
     EXPECT_NEAR(lens_range({LensModel::matchmover, {-1.0 / 3}}), 2.0 / 3, 1e-3);

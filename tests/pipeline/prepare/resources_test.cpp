@@ -13,7 +13,7 @@ using namespace vantage;
 
 namespace {
 
-/// Each test has its own cache, without stored speeds of this machine.
+/// Each test has its own cache, which contains no stored speed of this machine.
 class Estimate : public TemporaryFolder {
   protected:
     void SetUp() override {
@@ -33,7 +33,7 @@ class Estimate : public TemporaryFolder {
     std::optional<std::string> cache_;
 };
 
-/// Photos of 6 MP in files of 24 MP.
+/// Photos that are reduced to 6 MP from files of 24 MP.
 SceneInput reduced(std::size_t photos, const char* file) {
     SceneInput scene;
     scene.photos.resize(photos);
@@ -69,7 +69,7 @@ TEST_F(Estimate, GrowsWithPhotosTrianglesAndPixels) {
 TEST_F(Estimate, CountsTheBytesThatGoToADisk) {
     const SceneInput scene = reduced(4, "a.jpg");
     const auto with = [&](std::uint64_t bytes) { return expected_seconds(scene, {}, {}, 1, bytes).photos; };
-    EXPECT_EQ(with(1000000), with(0)) << "written while photos are decoded";
+    EXPECT_EQ(with(1000000), with(0)) << "the package is written while photos are decoded";
     EXPECT_GT(with(10000000000), 10) << "10 GB at 1 GB/s";
     EXPECT_LT(with(10000000000), 100) << "at 0.1 GB/s";
 }
@@ -82,7 +82,7 @@ TEST_F(Estimate, CountsTheBytesOfFilesWithoutCompression) {
         return double(photo_memory(reduced(1, file.c_str()), {}, true));
     };
     const double jpeg = memory("a.jpg", 8'000'000), tiff = memory("a.tif", 144'000'000);
-    EXPECT_NEAR(tiff - jpeg, 2 * 144e6 - 24e6, 1e6) << "the file, and its values of 16 bits";
+    EXPECT_NEAR(tiff - jpeg, 2 * 144e6 - 24e6, 1e6) << "the file, and its 16-bit values";
     EXPECT_EQ(memory("b.jpg", 10'000'000), jpeg);
 }
 

@@ -21,13 +21,13 @@ double degrees_between(const Vector3d& a, const Vector3d& b) {
     return std::acos(std::clamp(a.dot(b), -1.0, 1.0)) / degree;
 }
 
-/// The camera rolled clockwise about its axis, from the photographer's point of view.
+/// The camera, rolled about its axis, clockwise from the photographer's point of view.
 Pose rolled(const Pose& pose, double degrees) {
     const Eigen::Matrix3d R = Eigen::AngleAxisd(-degrees * degree, Vector3d::UnitZ()).toRotationMatrix();
     return {R * pose.R, R * pose.t};
 }
 
-/// Cameras on an arc in front of a facade, level within about a degree and tilted up.
+/// Cameras on an arc in front of a facade, level to within about a degree and tilted upward.
 std::vector<Pose> photographer(int count, double arc, double tilt, unsigned seed = 1) {
     std::mt19937 random(seed);
     std::normal_distribution<double> roll(0, 1);
@@ -45,7 +45,7 @@ std::vector<Pose> in_frame(std::vector<Pose> poses, const Eigen::Matrix3d& R) {
     return poses;
 }
 
-/// Discs of a vertical wall with this normal.
+/// Discs on a vertical wall with this normal.
 std::vector<SurfaceDisc> standing(const Vector3f& normal, int count) {
     const Vector3f across = Vector3f::UnitZ().cross(normal);
     std::vector<SurfaceDisc> out;
@@ -77,7 +77,7 @@ TEST(UpDirection, IsTheNearestAxisIfTheErrorAllowsIt) {
     EXPECT_EQ(up_direction(in_frame(photographer(10, 90, 15), down), {}), -Vector3d::UnitZ());
     const Eigen::Matrix3d tipped = Eigen::AngleAxisd(8 * degree, Vector3d::UnitY()).toRotationMatrix();
     const Vector3d up = up_direction(in_frame(photographer(40, 180, 15), tipped), {});
-    EXPECT_LT(degrees_between(up, tipped * Vector3d::UnitZ()), 1) << "not an axis 8 degrees away";
+    EXPECT_LT(degrees_between(up, tipped * Vector3d::UnitZ()), 1) << "not the axis, which is 8 degrees away";
 }
 
 TEST(UpDirection, CountsCamerasOnTheirSidesByTheirColumns) {
@@ -122,7 +122,7 @@ TEST(UpDirection, IsFiniteForFewCamerasAndThoseThatLookDown) {
     EXPECT_LT(degrees_between(up_direction(one, {}), Vector3d::UnitZ()), 10);
     const std::vector<Pose> same(5, one[0]);
     EXPECT_NEAR(up_direction(same, {}).norm(), 1, 1e-9);
-    // Strips of aerial photos, flown in alternating directions.
+    // Strips of aerial photos, which are flown in alternating directions.
     std::vector<Pose> strips;
     for (int i = 0; i < 10; ++i) {
         Pose down{Vector3d(1, -1, -1).asDiagonal(), {0, 0, 0}};

@@ -17,8 +17,8 @@ inline SceneInput scene_with_cameras(const std::filesystem::path& folder,
     return read_scene(files);
 }
 
-/// Per photo, the median distance in pixels between projections by the package's camera and by the true
-/// camera, over all visible vertices of the model.
+/// For each photo, the median distance in pixels between the projections by the package's camera and by the
+/// true camera, over all visible vertices of the model.
 inline std::vector<double> camera_errors(const PackageReader& package, const SceneInput& truth) {
     const auto vertices = package.records<Eigen::Vector3f>(package::Type::positions);
     const auto indices = package.records<std::uint32_t>(package::Type::indices);

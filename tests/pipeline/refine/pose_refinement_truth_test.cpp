@@ -25,8 +25,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Ten photos of a small building with exact cameras, of which each test disturbs one aspect. Each prints
-/// its row of the table in docs/records/measurements-2026-11.md.
+/// Ten photos of a small building with exact cameras. Each test introduces one error and prints its row of
+/// the table in docs/records/measurements-2026-11.md.
 class PoseRefinementTruthAtLength : public TemporaryFolder {
   protected:
     const fs::path scene = dir / "scene", file = dir / "scene.vantage";
@@ -42,7 +42,7 @@ class PoseRefinementTruthAtLength : public TemporaryFolder {
         copy_scene(spec(), scene);
         exact = scene_with_cameras(scene, scene / "truth" / "sparse");
     }
-    /// The scene's surface with finely subdivided walls.
+    /// The scene's surface, with finely subdivided walls.
     static Mesh fine_mesh() {
         SynthSpec s = spec();
         s.building.max_edge = 0.25;
@@ -50,7 +50,7 @@ class PoseRefinementTruthAtLength : public TemporaryFolder {
     }
     struct Registered {
         PoseRefinement pose_refinement;
-        std::vector<double> moved, off;  ///< per camera: distance from the given and from the true camera, px
+        std::vector<double> moved, off;  ///< per camera: distance from the given and the true camera, px
         const std::string& evidence() const { return pose_refinement.decision.evidence; }
         bool says(const std::string& words) const { return evidence().find(words) != std::string::npos; }
         std::string warnings() const {
@@ -71,13 +71,13 @@ class PoseRefinementTruthAtLength : public TemporaryFolder {
         const PackageReader package(file);
         Registered out{done.agreement->pose_refinement, camera_errors(package, input),
                        camera_errors(package, exact)};
-        std::printf("%s: moved by at most %.2f px, then off by at most %.2f px; %s\n%s", what.c_str(),
+        std::printf("%s: moved by at most %.2f px, then wrong by at most %.2f px; %s\n%s", what.c_str(),
                     out.most_moved(), quantile(out.off, 1), out.evidence().c_str(), out.warnings().c_str());
         return out;
     }
 };
 
-/// Per vertex, the first vertex at the same position.
+/// For each vertex, the first vertex at the same position.
 std::vector<std::uint32_t> welded(const Mesh& mesh) {
     std::map<std::array<long, 3>, std::uint32_t> first;
     std::vector<std::uint32_t> out;
@@ -88,7 +88,7 @@ std::vector<std::uint32_t> welded(const Mesh& mesh) {
     return out;
 }
 
-/// Laplacian smoothing: each vertex moves halfway to the mean of its neighbors, repeatedly.
+/// Laplacian smoothing: `times` times, each vertex moves halfway to the mean of its neighbors.
 Mesh smoothed(Mesh mesh, int times) {
     const std::vector<std::uint32_t> at = welded(mesh);
     std::vector<std::set<std::uint32_t>> neighbors(at.size());
@@ -108,7 +108,7 @@ Mesh smoothed(Mesh mesh, int times) {
     return mesh;
 }
 
-/// With exact cameras, all disagreement of the photos is due to the mesh.
+/// With exact cameras, any disagreement between photos is due to the mesh.
 TEST_F(PoseRefinementTruthAtLength, MeshErrorsMoveNoCamera) {
     const Mesh mesh = fine_mesh();
     Eigen::AlignedBox3d box;
@@ -152,7 +152,7 @@ TEST_F(PoseRefinementTruthAtLength, MeshErrorsMoveNoCamera) {
     }
 }
 
-/// A camera at the end of the row, where few photos overlap, and one in the middle.
+/// The wrong camera is at the end of the row, where few photos overlap, or in the middle.
 TEST_F(PoseRefinementTruthAtLength, OneWrongCameraReturnsAndTheOthersStay) {
     for (const std::size_t wrong : {std::size_t(0), std::size_t(4)}) {
         SceneInput input = exact;
@@ -169,8 +169,8 @@ TEST_F(PoseRefinementTruthAtLength, OneWrongCameraReturnsAndTheOthersStay) {
     }
 }
 
-/// Cameras and mesh are not aligned. Photos cannot reveal which of them is wrong, so the survey's frame is
-/// kept.
+/// The cameras and the mesh are not aligned. Photos cannot reveal whether the cameras or the mesh are wrong,
+/// so the frame of the survey is kept.
 TEST_F(PoseRefinementTruthAtLength, CamerasOffTogetherAreFoundAndSaid) {
     const double off = 0.08;  // m away from the facade: 5 px in the median photo
     SceneInput input = exact;
@@ -193,7 +193,7 @@ TEST_F(PoseRefinementTruthAtLength, CamerasOffTogetherAreFoundAndSaid) {
     EXPECT_EQ(nothing.most_moved(), 0);
 }
 
-/// The photo as a rolling shutter takes it while the camera moves sideways.
+/// Writes the photo that a rolling shutter takes while the camera moves sideways.
 void roll(const fs::path& from, const fs::path& to, const Intrinsics& k, double pixels) {
     const RgbaImage image = read_photo(from, {k.width, k.height});
     std::vector<std::uint8_t> rgb;
@@ -211,7 +211,7 @@ void roll(const fs::path& from, const fs::path& to, const Intrinsics& k, double 
     image_files().write(to, k.width, k.height, 3, Sample::u8, std::as_bytes(std::span(rgb)));
 }
 
-/// Also if pose refinement is forced, which skips leave-one-out validation.
+/// This must hold even if pose refinement is forced, which skips leave-one-out validation.
 TEST_F(PoseRefinementTruthAtLength, RollingShutterIsNamedAndNotHiddenInPoses) {
     constexpr double pixels = 3.5;
     SceneInput input = exact;

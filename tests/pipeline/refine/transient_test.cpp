@@ -10,8 +10,8 @@ namespace {
 
 constexpr int width = 48, height = 32, cx = width / 2, cy = height / 2;
 
-/// A photo of a gray plane, always from the same position; within `radius` texels of the middle it shows
-/// `light`.
+/// A photo of a gray plane, always taken from the same position. Within `radius` texels of its center, the
+/// photo shows `light`.
 TransientView view(float light = 0.2f, int radius = 0) {
     CoarsePhoto photo;
     photo.k = {width, height, 40, 40, cx, cy};
@@ -27,7 +27,7 @@ int weight_in_the_middle(const TransientView& photo, std::vector<TransientView> 
     std::vector<const TransientView*> pointers;
     for (const TransientView& o : others) pointers.push_back(&o);
     const TransientMap map = transient_of(photo, pointers);
-    EXPECT_EQ(map.weight.at(0), 255) << "the rest is equal in all photos";
+    EXPECT_EQ(map.weight.at(0), 255) << "the rest is the same in all photos";
     return map.weight.at(std::size_t(cy) * width + cx);
 }
 
@@ -40,7 +40,7 @@ TEST(TransientMasks, ColorInOnePhotoOnlyIsContradicted) {
 TEST(TransientMasks, ColorThatOneOtherPhotoShowsIsKept) {
     EXPECT_EQ(weight_in_the_middle(view(0.9f, 6), {view(), view(), view(), view(0.8f, 6)}), 255);
     EXPECT_EQ(weight_in_the_middle(view(0.9f, 6), {view(), view(), view(), view(0.02f, 6)}), 0)
-        << "another color does not confirm it";
+        << "a different color does not confirm the first one";
 }
 
 TEST(TransientMasks, TwoOthersThatDifferContradictNothing) {

@@ -6,7 +6,7 @@ using namespace vantage;
 
 namespace {
 
-/// The validation of photos with these gains in dB, and with seams of 1 before and `seams` after.
+/// The validation of photos with these gains in dB; seams are 1 without the effect and `seams` with it.
 Judgment validated(const std::vector<double>& gains, double seams = 1) {
     std::vector<ValidatedPhoto> photos;
     for (const double g : gains)
@@ -21,7 +21,7 @@ TEST(Verdict, SummarizesGainErrorAndWorstPhoto) {
     const Judgment j = validated({0.1, 0.3, -0.1, 0.5});
     EXPECT_NEAR(j.gain, 0.2, 1e-9);
     EXPECT_NEAR(j.error, 0.1291, 1e-4) << "standard error of the mean";
-    EXPECT_NEAR(j.noise, 0.0354, 1e-4) << "the loss of 0.1, once up and once down, among 4 photos";
+    EXPECT_NEAR(j.noise, 0.0354, 1e-4) << "as if the loss of 0.1 occurred once up and once down in 4 photos";
     EXPECT_EQ(j.worse, 1);
     EXPECT_EQ(j.worst_photo, "photo2");
     EXPECT_NEAR(j.worst, -0.1, 1e-9);
@@ -30,8 +30,10 @@ TEST(Verdict, SummarizesGainErrorAndWorstPhoto) {
 TEST(Verdict, ClearGainCallsForAnEffect) {
     EXPECT_TRUE(is_called_for(validated({0.2, 0.3, 0.25})));
     EXPECT_FALSE(is_called_for(validated({1, -0.4, 0.1}))) << "within the error";
-    EXPECT_TRUE(is_called_for(validated({4, 1, 0, 0.01, -0.01, 0}))) << "few photos gain, none loses";
-    EXPECT_FALSE(is_called_for(validated({2, 0.3, -0.4, -0.4, -0.4, -0.4}))) << "one gains, most lose";
+    EXPECT_TRUE(is_called_for(validated({4, 1, 0, 0.01, -0.01, 0})))
+        << "a few photos gain, and none loses much";
+    EXPECT_FALSE(is_called_for(validated({2, 0.3, -0.4, -0.4, -0.4, -0.4})))
+        << "one photo gains, and most lose";
     EXPECT_FALSE(is_called_for(validated({0, 0, 0})));
     EXPECT_FALSE(is_called_for(validated({-0.2, -0.3, -0.25})));
 }

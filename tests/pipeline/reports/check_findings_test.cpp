@@ -1,4 +1,4 @@
-// The findings of vantage check: their identifiers and their page in docs/.
+// The findings of vantage check: their identifiers, and their page in docs/.
 #include "pipeline/reports/check_findings.h"
 
 #include <gtest/gtest.h>

@@ -29,7 +29,7 @@ TEST(WeightMaps, DepthHasTwelveStepsPerOctave) {
 
 TEST(MaskPyramid, AveragesOnlyValidTexels) {
     const float inf = std::numeric_limits<float>::infinity();
-    // 3x2: one 2x2 block with a hole, and an odd column without surface.
+    // A map of 3x2 texels: one 2x2 block with a hole, and an odd column without a surface.
     WeightMapLevel fine{3, 2, std::vector<std::uint8_t>(24, 0), {1, 5, inf, 3, inf, inf}};
     const std::uint8_t angle[] = {10, 20, 0, 33, 0, 0};
     for (std::size_t i = 0; i < 6; ++i) {
@@ -40,7 +40,7 @@ TEST(MaskPyramid, AveragesOnlyValidTexels) {
     ASSERT_EQ(coarse.width, 2);
     ASSERT_EQ(coarse.height, 1);
     EXPECT_EQ(coarse.z[0], 5) << "the farthest depth is kept";
-    EXPECT_EQ(int(coarse.weights[0]), 21) << "mean of the three valid texels";
+    EXPECT_EQ(int(coarse.weights[0]), 21) << "the mean of the three valid texels";
     EXPECT_EQ(int(coarse.weights[3]), 255);
     EXPECT_EQ(coarse.z[1], inf);
     EXPECT_EQ(int(coarse.weights[7]), 0);

@@ -35,7 +35,7 @@ TEST(Synth, CamerasLookAtTheBuildingFromTheFront) {
     for (const NamedCamera& photo : place_cameras(spec)) {
         const Pose& pose = photo.camera.cam_from_world;
         EXPECT_NEAR(pose.R.determinant(), 1, 1e-12);
-        EXPECT_GT(-pose.R(1, 2), 0.9) << "the photo's top is up";
+        EXPECT_GT(-pose.R(1, 2), 0.9) << "the top of the photo points up";
         const auto hit = rays.first_hit(pose.center(), pose.direction());
         ASSERT_TRUE(hit);
         const auto& v = model.mesh.triangles[hit->triangle];

@@ -1,4 +1,4 @@
-// Jump flooding compared with the exact transform on the depth borders of real photos; prints one row per
+// Compares jump flooding with the exact transform on the depth borders of real photos, and prints one row per
 // variant.
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ namespace {
 
 struct Borders {
     int width, height;
-    float full_width;  ///< width of the border weight's ramp, in map pixels
+    float full_width;  ///< width of the ramp of the border weight, in map pixels
     std::vector<std::uint8_t> pixels;
 };
 
@@ -81,9 +81,10 @@ void compare_on(const char* set) {
     const gl::HeadlessContext context(gl::Debug::on);
     const std::vector<Borders> all = borders_of(input);
     const Accuracy a = measure(all);
-    std::printf("%-12s wrong %.5f %%, worst %.3f px, worst in the border weight %d/255, %.0f ms per photo\n",
-                set, 100 * double(a.wrong) / double(a.pixels), a.worst, a.worst_weight,
-                1000 * a.seconds / double(all.size()));
+    std::printf(
+        "%-12s %.5f %% wrong, largest error %.3f px, in the border weight %d/255, %.0f ms per photo\n", set,
+        100 * double(a.wrong) / double(a.pixels), a.worst, a.worst_weight,
+        1000 * a.seconds / double(all.size()));
     EXPECT_LT(double(a.wrong), 0.01 * double(a.pixels));
     EXPECT_LE(a.worst_weight, 2);
 }

@@ -1,4 +1,4 @@
-// The software rasterizer, compared with closed forms, OpenGL and ray casting.
+// Compares the software rasterizer with closed forms, OpenGL and ray casting.
 #include "pipeline/visibility/rasterize.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ PhotoProjection projected(std::span<const Eigen::Vector3f> positions, const Intr
     return project_model(positions, map_intrinsics(photo), pose, depth_range(positions, pose).x());
 }
 
-/// A square of two triangles with its center at depth `z`, rotated about the x axis by `turn`.
+/// A square made of two triangles. Its center is at depth `z`, and it is rotated about the x axis by `turn`.
 struct Square {
     std::vector<Eigen::Vector3f> positions, normals;
     std::vector<std::uint32_t> indices{0, 1, 2, 0, 2, 3};
@@ -94,7 +94,7 @@ TEST_F(Rasterize, PlaneReachingBehindTheCameraIsClipped) {
 }
 
 TEST_F(Rasterize, AdjacentTrianglesLeaveNoGaps) {
-    // A fan of slivers around the center, covering the whole frame.
+    // A fan of slivers around the center covers the whole frame.
     std::vector<Eigen::Vector3f> positions{{0, 0, 5}};
     std::vector<std::uint32_t> indices;
     constexpr std::uint32_t parts = 997;
@@ -135,8 +135,8 @@ TEST_F(Rasterize, AgreesWithOpenGl) {
 }
 
 TEST_F(Rasterize, VertexVisibilityMatchesRayCasting) {
-    // Triangles of all sizes around the camera, some of which cross its plane. Random, so that hardly any
-    // vertex is marginally visible.
+    // Triangles of all sizes surround the camera, and some of them cross its plane. They are random, so that
+    // hardly any vertex is a borderline case.
     std::mt19937 random(7);
     std::uniform_real_distribution<float> unit(-1, 1);
     std::vector<Eigen::Vector3f> positions;
@@ -150,7 +150,7 @@ TEST_F(Rasterize, VertexVisibilityMatchesRayCasting) {
         }
     }
     const RayScene rays(positions, indices);
-    // Includes a frame with several vertices per pixel.
+    // The second frame has several vertices per pixel.
     for (const Intrinsics& k : {camera, Intrinsics{32, 24, 24, 24, 15.3, 12.6}}) {
         const auto found = vertex_coordinates(projected(positions, k, Pose{}), indices, k);
         std::size_t seen = 0, hidden = 0, differ = 0;
@@ -175,8 +175,8 @@ TEST_F(Rasterize, VertexVisibilityMatchesRayCasting) {
 }
 
 TEST_F(Rasterize, VisibilityTakesNoMoreWorkPerTriangleFromFarAway) {
-    // Two wavy sheets, one behind the other, that fill the frame, and from 5 and 20 times the distance, where
-    // hundreds of triangles share a pixel; upright and diagonal.
+    // Two wavy sheets, one behind the other, upright and diagonal. They fill the frame, or are seen from 5
+    // and 20 times the distance, where hundreds of triangles share a pixel.
     constexpr std::uint32_t side = 250;
     for (const double turn : {0.0, 0.7})
         for (const double tilt : {0.0, 1.3})
@@ -211,7 +211,7 @@ TEST_F(Rasterize, VisibilityTakesNoMoreWorkPerTriangleFromFarAway) {
 }
 
 TEST_F(Rasterize, CurvedSurfaceDoesNotOccludeItself) {
-    // A finely tessellated sphere: vertices facing the camera are visible, the others are not.
+    // A finely tessellated sphere: vertices that face the camera are visible, and the others are not.
     constexpr int rings = 180, sectors = 360;
     std::vector<Eigen::Vector3f> positions;
     std::vector<std::uint32_t> indices;
@@ -234,7 +234,7 @@ TEST_F(Rasterize, CurvedSurfaceDoesNotOccludeItself) {
     for (std::size_t v = 0; v < positions.size(); ++v) {
         const Eigen::Vector3f n = positions[v] - Eigen::Vector3f(0, 0, 5);
         const float facing = -n.dot(positions[v].normalized());
-        // Near the horizon, facets deviate from the sphere by the slope of an edge.
+        // Near the horizon, the slope of the facets differs from that of the sphere.
         if (std::abs(facing) > 0.02f) differ += (facing > 0) != (found[v].x() >= 0);
     }
     EXPECT_EQ(differ, 0u) << "of " << positions.size();

@@ -15,7 +15,7 @@ using package::SampleRecord;
 
 namespace {
 
-/// Synthetic photos of one surface, as samples of every disc.
+/// Synthetic photos of one surface, represented by samples of all discs.
 struct SyntheticPhotos {
     std::vector<std::vector<SampleRecord>> photos;
     std::vector<std::array<double, 3>> gain;  ///< true gain per photo and channel
@@ -32,7 +32,7 @@ struct PhotoOptions {
     double noise = 0.02, outliers = 0;
 };
 
-/// Vignetting of a different form than the fitted one.
+/// Vignetting whose form differs from the one that is fitted.
 double light_at(double r, double lost) { return 1 / std::pow(1 + (1 / std::sqrt(1 - lost) - 1) * r * r, 2); }
 
 SyntheticPhotos make(const PhotoOptions& w, unsigned seed = 1) {
@@ -115,7 +115,7 @@ TEST(ColorFit, EachLensHasItsOwnVignetting) {
 }
 
 TEST(ColorFit, TwoPhotosDoNotDetermineTheVignetting) {
-    // A bright center in two photos may be the object; in three it is attributed to the lens.
+    // A bright center in two photos may be part of the object; in three photos, it is attributed to the lens.
     SyntheticPhotos made = make({.photos = 6, .stops = 0});
     const SyntheticPhotos shining = make({.photos = 3, .stops = 0, .vignetting = 0.4});
     std::vector<std::uint32_t> lens(6, 0);
@@ -129,7 +129,7 @@ TEST(ColorFit, TwoPhotosDoNotDetermineTheVignetting) {
 }
 
 TEST(ColorFit, NegligibleVignettingIsDropped) {
-    // A corner that loses a tenth of the light, with little and with much noise.
+    // A corner loses a tenth of the light, with little and with much noise.
     for (const double noise : {0.02, 1.0}) {
         const SyntheticPhotos made = make({.share = 0.8, .stops = 0, .vignetting = 0.1, .noise = noise});
         const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
@@ -192,7 +192,7 @@ TEST(ColorAgreement, IsEnabledOnlyIfPhotosDisagree) {
     const auto agreeing = refine(make({.stops = 0, .noise = 0.005}), {});
     EXPECT_FALSE(agreeing.exposure.on) << agreeing.exposure.evidence;
     EXPECT_FALSE(agreeing.vignetting.on);
-    // Disagreement that gains do not explain.
+    // Gains do not explain this disagreement.
     const auto noisy = refine(make({.stops = 0, .noise = 0.1}), {});
     EXPECT_FALSE(noisy.exposure.on) << noisy.exposure.evidence;
     const SyntheticPhotos exposed = make({.vignetting = 0.3});
@@ -210,7 +210,8 @@ TEST(ColorAgreement, IsEnabledOnlyIfPhotosDisagree) {
 }
 
 TEST(SurfaceDiscs, AreSpreadHalfByAreaAndHalfByTriangles) {
-    // One large triangle with nearly all the area, and 999 tiny ones: each gets half of the discs.
+    // One large triangle has nearly all the area, and 999 tiny triangles have the rest. The large one gets
+    // half of the discs, and the tiny ones together get the other half.
     std::vector<Eigen::Vector3f> positions{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}};
     std::vector<std::uint32_t> indices{0, 1, 2};
     for (int i = 0; i < 999; ++i) {
@@ -241,7 +242,7 @@ TEST(SurfaceDiscs, AreSpreadHalfByAreaAndHalfByTriangles) {
 }
 
 TEST(SurfaceDiscs, AreSampledOnlyWhereClearlyVisible) {
-    // A wall at z = 10, whose left half is occluded by a nearer surface; colors encode the position.
+    // A wall at z = 10. A nearer surface occludes its left half, and colors encode the position.
     const Intrinsics k{800, 600, 800, 800, 400, 300};
     PhotoGeometry geometry{400, 300, std::vector<float>(400 * 300, 10), {}, {}};
     for (std::size_t i = 0; i < geometry.z.size(); ++i)

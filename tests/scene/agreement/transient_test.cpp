@@ -48,7 +48,8 @@ TEST(TransientWeights, TilesGetTheWeightsOfTheirLevel) {
 }
 
 TEST(TransientPartners, WithoutAPhotoAreThoseOfTheSceneWithoutIt) {
-    // More photos than the maximum number of partners, some of them tied in their number of shared discs.
+    // There are more photos than the maximum number of partners, and some of them are tied in the number of
+    // discs that they share.
     constexpr std::size_t photos = 36, discs = 600;
     std::mt19937 random(7);
     std::vector<package::PhotoRecord> records(photos, package::PhotoRecord{});

@@ -59,7 +59,7 @@ Bytes decoded(std::span<const std::byte> jpeg, int width, int height) {
     return out;
 }
 
-/// A rectangle of a decoded photo, row by row.
+/// A rectangle from a decoded photo, row by row.
 Bytes cut(const Bytes& whole, int width, const PixelRect& part) {
     Bytes out;
     for (int y = part.top; y < part.bottom; ++y) {
@@ -79,7 +79,7 @@ TEST(JpegCells, EveryPartHasThePixelsOfTheWholePhoto) {
                           {TJSAMP_411, 0},
                           {TJSAMP_GRAY, 0},
                           {TJSAMP_420, TJFLAG_PROGRESSIVE}};
-    // Widths in MCUs that are divisible, that are prime, and that are less than one.
+    // The widths in MCUs include a composite number, a prime, and less than one.
     const std::pair<int, int> sizes[] = {{320, 300}, {497, 263}, {5, 3}, {1072, 40}};
     for (const Kind& kind : kinds)
         for (const auto& [width, height] : sizes) {

@@ -41,7 +41,7 @@ TEST(BytePlanes, OneValueTakesHardlyAnySpace) {
     EXPECT_LT(encode_planes(Bytes(256 * 256 * 4, std::byte(200)), 256, 256).size(), 64u);
 }
 
-/// Depths from the smallest to the largest float, and infinity for the background.
+/// The depths range from the smallest to the largest float, and include infinity for the background.
 TEST(DepthValues, AreKeptToATenthOfTheSlackOfVisibility) {
     EXPECT_LE(depth_error, 0.1 * double(vantage::shader::depth_slack));
     std::mt19937 random(1);
@@ -90,7 +90,7 @@ TEST(Codecs, RefuseWhatIsNotTheirs) {
     EXPECT_FALSE(decode_depth(coded, 8, 7, out));
     EXPECT_FALSE(decode_planes(coded, 8, 8, out));
     EXPECT_FALSE(decode_planes({}, 8, 8, out));
-    // A large frame does not fit, and no memory is allocated for it.
+    // A large frame does not fit, and no memory must be allocated for it.
     const Bytes large = compress(Bytes(std::size_t(1) << 26), 1);
     EXPECT_FALSE(decompress(large, out));
     EXPECT_FALSE(decode_planes(large, 8, 8, out));

@@ -13,7 +13,7 @@ namespace vantage {
 
 namespace {
 
-/// A cache shared by several processes. The test has no threads when it starts them.
+/// A cache that is shared by several processes. When the test starts the processes, it has no threads.
 class RemoteCacheOfProcessesAtLength : public RemoteTest {
   protected:
     const std::string content = content_of(100 * block + 50);
@@ -24,7 +24,8 @@ class RemoteCacheOfProcessesAtLength : public RemoteTest {
         write(dir / "served" / "scan.vantage", content);
     }
 
-    /// Reads random ranges, each of which it retains while reading. Returns the number of wrong ones.
+    /// Reads random ranges and retains each of them while reading. Returns the number of ranges with wrong
+    /// bytes.
     int read_at_random(const std::string& url, unsigned seed) {
         RemoteFile file(url, options);
         std::mt19937 random(seed);
@@ -39,7 +40,7 @@ class RemoteCacheOfProcessesAtLength : public RemoteTest {
     }
 };
 
-/// Starts a process that runs a function and exits with its result.
+/// Starts a process that runs a function and exits with the function's result.
 pid_t start(const std::function<int()>& f) {
     const pid_t child = ::fork();
     if (child != 0) return child;

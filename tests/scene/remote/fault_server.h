@@ -19,7 +19,7 @@
 
 namespace vantage {
 
-/// Bytes that vary with position, so that a shifted or missing range is noticed.
+/// Bytes that depend on their position, so that a shifted or missing range is noticed.
 inline std::string content_of(std::uint64_t size, std::uint64_t seed = 1) {
     std::string bytes(size, '\0');
     std::uint64_t x = seed * 0x9e3779b97f4a7c15u;
@@ -30,7 +30,7 @@ inline std::string content_of(std::uint64_t size, std::uint64_t seed = 1) {
     return bytes;
 }
 
-/// A free port below the range that the system assigns from, different in each process.
+/// A free port below the range from which the system assigns ports. Each process gets a different one.
 inline int free_port() {
     static int next = int(::getpid()) * 16;
     for (;;) {
@@ -46,13 +46,13 @@ inline int free_port() {
     }
 }
 
-/// A client's request, and the connection to answer on.
+/// A client's request, and the connection for the response.
 struct Asked {
     int fd = -1;
     int number = 0;       ///< index of the request
     std::string headers;  ///< including the request line
     ByteRange range;      ///< empty if the request has none
-    /// False if the client has closed the connection.
+    /// Returns false if the client has closed the connection.
     bool send(const std::string& bytes) const {
         for (std::size_t at = 0; at < bytes.size();) {
             const ssize_t n = ::send(fd, bytes.data() + at, bytes.size() - at, MSG_NOSIGNAL);
@@ -70,10 +70,10 @@ struct Asked {
     bool has(const std::string& text) const { return headers.find(text) != std::string::npos; }
 };
 
-/// A server on 127.0.0.1 whose answers the test writes byte by byte.
+/// A server on 127.0.0.1 whose responses are written byte by byte by the test.
 class FaultServer {
   public:
-    /// Answers one request; returns whether to keep the connection.
+    /// Responds to one request and returns whether to keep the connection.
     using Handler = std::function<bool(const Asked&)>;
 
     explicit FaultServer(Handler handler) : handler_(std::move(handler)) {
@@ -151,7 +151,7 @@ class FaultServer {
     std::thread acceptor_;
 };
 
-/// The headers of a correct answer; each part can be replaced by a wrong one.
+/// The headers of a correct response. Each part can be replaced with a wrong one.
 struct Reply {
     std::string status = "206 Partial Content";
     std::string content_range{}, content_length{};
@@ -175,7 +175,7 @@ inline std::string body_of(const Asked& asked, const std::string& content) {
     const ByteRange range = clipped(asked, content);
     return content.substr(range.begin, range.size());
 }
-/// Gives the correct answer.
+/// Sends the correct response.
 inline bool answer_well(const Asked& asked, const std::string& content) {
     return asked.send(Reply(clipped(asked, content), content.size()).text() + body_of(asked, content));
 }

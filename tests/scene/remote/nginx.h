@@ -17,13 +17,13 @@
 
 namespace vantage {
 
-/// nginx on 127.0.0.1 that serves a folder until the object is destroyed. Its own files are in another
-/// folder.
+/// An nginx server on 127.0.0.1 that serves a folder until the object is destroyed. nginx keeps its own files
+/// in another folder.
 class Nginx {
   public:
     static bool installed() { return !program().empty(); }
 
-    /// `settings`: directives of the location, such as `limit_rate 1m;`.
+    /// `settings`: directives for the location, such as `limit_rate 1m;`.
     Nginx(const std::filesystem::path& own, const std::filesystem::path& served,
           const std::string& settings = "", const std::string& server_settings = "", bool tls = false)
         : own_(own), port_(free_port()), tls_(tls) {

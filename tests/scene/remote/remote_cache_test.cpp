@@ -13,12 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A server that can be switched off, and whose file can be replaced.
+/// A server that can be switched off and whose file can be replaced.
 class RemoteCache : public RemoteTest {
   protected:
     std::string content = content_of(100 * block + 50);
     std::string etag = "\"one\"";
-    std::string status;  ///< of an error response; empty: answers correctly
+    std::string status;  ///< status of an error response; empty: responses are correct
     std::atomic<bool> reachable = true;
 
     FaultServer server{[this](const Asked& asked) {
@@ -38,7 +38,7 @@ class RemoteCache : public RemoteTest {
         content = content_of(content.size(), 2);
         etag = "\"two\"";
     }
-    /// The file's folder in the cache.
+    /// The folder of the file in the cache.
     fs::path folder_of_scan() { return open().path().parent_path(); }
     void fetch_all() {
         RemoteFile file = open();
@@ -290,7 +290,7 @@ TEST_F(RemoteCache, RangeLargerThanTheLimitIsFetchedAndFreedLater) {
     RemoteFile file = open();
     ASSERT_TRUE(fetch(file, {block, 51 * block}));
     EXPECT_TRUE(same(file, {0, 51 * block}, content));
-    // The thread that received the range may hold it slightly longer than the fetch lasts.
+    // The thread that receives a range may hold the range slightly longer than the fetch lasts.
     std::uint64_t next = 60;
     do ASSERT_TRUE(fetch(file, {next * block, (next + 1) * block}));
     while (cache_on_disk() > options.cache_bytes && ++next < 80);

@@ -13,7 +13,7 @@ class RemoteFaults : public RemoteTest {
   protected:
     const std::string content = content_of(40 * block + 123);
 
-    /// The error from opening the file, without the URL that it begins with.
+    /// The error from opening the file, without the URL at its beginning.
     std::string opening_error(const Handler& handler) {
         FaultServer server(handler);
         const std::string error = error_of([&] { RemoteFile(server.url(), options); });
@@ -31,7 +31,7 @@ class RemoteFaults : public RemoteTest {
         EXPECT_FALSE(file.present(range));
         return error.substr(std::min(error.size(), server.url().size() + 2));
     }
-    /// A handler that changes one part of a correct answer.
+    /// A handler that changes one part of a correct response.
     Handler changed(const std::function<void(Reply&, const Asked&)>& change) {
         return [this, change](const Asked& asked) {
             Reply reply(clipped(asked, content), content.size());
@@ -213,7 +213,7 @@ TEST_F(RemoteFaults, CutConnectionIsContinuedWhereItWasCut) {
     FaultServer server([&](const Asked& asked) {
         if (asked.number == 0) return answer_well(asked, content);
         asked_for.push_back(asked.range);
-        // More disconnections than retries: each attempt delivers one block.
+        // There are more disconnections than retries, but each attempt delivers one block.
         const std::string body = body_of(asked, content).substr(0, block + 1000);
         asked.send(Reply(asked.range, content.size()).text() + body);
         return body.size() == asked.range.size();

@@ -16,7 +16,7 @@ class RemoteFileFetches : public RemoteTest {
     const std::string content = content_of(200 * block + 777);
 };
 
-/// Fetches from nginx, which serves `content` as /scan.vantage.
+/// Tests that fetch from nginx, which serves `content` as /scan.vantage.
 class RemoteFileAtLength : public RemoteFileFetches {
   protected:
     void SetUp() override {
@@ -25,14 +25,14 @@ class RemoteFileAtLength : public RemoteFileFetches {
         write(dir / "served" / "scan.vantage", content);
     }
 
-    /// The number of answered requests in nginx's log.
+    /// The number of requests in nginx's log.
     std::size_t logged() const {
         const std::string log = slurp(dir / "nginx" / "access.log");
         return std::size_t(std::ranges::count(log, '\n'));
     }
 };
 
-/// Reads random ranges and returns the number of wrong ones.
+/// Reads random ranges and returns the number of ranges with wrong bytes.
 int read_at_random(RemoteFile& file, const std::string& content, unsigned seed, int times) {
     std::mt19937_64 random(seed);
     int wrong = 0;
@@ -52,7 +52,7 @@ int read_at_random(RemoteFile& file, const std::string& content, unsigned seed, 
     return wrong;
 }
 
-/// Calls f(0) to f(7), each in its own thread.
+/// Calls f(0) to f(7), each on its own thread.
 void in_eight_threads(const std::function<void(unsigned)>& f) {
     std::vector<std::jthread> threads;
     for (unsigned i = 0; i < 8; ++i) threads.emplace_back(f, i);

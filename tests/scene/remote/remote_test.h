@@ -16,7 +16,7 @@
 
 namespace vantage {
 
-/// A test with its own cache and short timeouts.
+/// A test that has its own cache and short timeouts.
 class RemoteTest : public TemporaryFolder {
   protected:
     void SetUp() override {
@@ -33,8 +33,8 @@ class RemoteTest : public TemporaryFolder {
     static constexpr std::uint64_t block = 64 << 10;
     RemoteOptions options;
 
-    /// The message of the error that `f` throws, which must have this code and be one line; empty if it
-    /// throws none.
+    /// The message of the error that `f` throws; empty if `f` throws none. The error must have this code, and
+    /// its message must be a single line.
     static std::string error_of(const std::function<void()>& f, Exit code = Exit::input) {
         try {
             f();
@@ -51,7 +51,7 @@ class RemoteTest : public TemporaryFolder {
         const auto bytes = file.bytes().subspan(range.begin, range.size());
         return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
     }
-    /// True if the bytes are those of the original.
+    /// Whether the bytes are those of the original.
     static ::testing::AssertionResult same(const RemoteFile& file, ByteRange range,
                                            const std::string& original) {
         for (std::uint64_t at = range.begin; at < range.end; ++at)

@@ -48,7 +48,7 @@ TEST_F(SceneFile, IsReadBackAsItWasWritten) {
         EXPECT_EQ(read[i].shown, objects[i].shown);
         EXPECT_EQ(read[i].opacity, objects[i].opacity);
     }
-    // Packages are stored relative to the folder, so that it can be moved.
+    // Packages are stored relative to the folder, so that the folder can be moved.
     EXPECT_NE(scene_file_text(objects, dir).find("packages/nave.vantage"), std::string::npos);
     EXPECT_EQ(scene_file_text(objects, dir).find(dir.string()), std::string::npos);
 }

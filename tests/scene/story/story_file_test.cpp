@@ -34,7 +34,7 @@ class StoryFile : public TemporaryFolder {
   protected:
     const std::filesystem::path file = dir / "chapel.story.json";
     void write(const std::string& text) const { std::ofstream(file, std::ios::binary) << text; }
-    /// The message after the file's name, or "accepted".
+    /// The part of the error message after the file name, or "accepted".
     std::string error_of(const std::string& text) const {
         write(text);
         try {
@@ -48,7 +48,7 @@ class StoryFile : public TemporaryFolder {
         }
         return "accepted";
     }
-    /// The error for a story with the format and these keys.
+    /// The error for a story that consists of the format and these keys.
     std::string error_with(const std::string& keys) const {
         return error_of(R"({"format": "vantage-story-1", )" + keys + "}");
     }

@@ -1,4 +1,4 @@
-// Metashape's XML as found in users' projects.
+// Metashape's XML as it occurs in users' projects.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -1,4 +1,4 @@
-// glTF and GLB files as meshes.
+// Meshes from glTF and GLB files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ Eigen::Vector3d turned(const Eigen::Vector3d& p, const Eigen::Vector3d& axis, do
     const double a = degrees * std::numbers::pi / 180;
     return p * std::cos(a) + axis.cross(p) * std::sin(a) + axis * axis.dot(p) * (1 - std::cos(a));
 }
-/// The same rotation as a member of a node.
+/// The rotation of turned() as a member of a node.
 std::string rotation(const Eigen::Vector3d& axis, double degrees) {
     const double half = degrees * std::numbers::pi / 360;
     std::ostringstream out;
@@ -65,7 +65,7 @@ class GltfMesh : public TemporaryFolder {
         }
         return "none";
     }
-    /// A file with the tetrahedron's mesh, without a node.
+    /// A file with the mesh of the tetrahedron, but without a node.
     static GltfFile mesh_of(const Floats& positions, const std::string& more = "") {
         GltfFile file;
         const std::string attributes = "\"attributes\": {\"POSITION\": " + file.add(positions) + more + "}";
@@ -158,7 +158,7 @@ TEST_F(GltfMesh, ReadsItsBufferFromTheFileAndFromFilesBesideIt) {
 }
 
 TEST_F(GltfMesh, SeamsAreClosedAndEdgesStaySharp) {
-    // A square of two triangles that share no vertices, as at a texture seam.
+    // A square made of two triangles that share no vertices, as at a texture seam.
     const Floats square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     Floats normals(6, {0, 0, 1});
     for (const bool sharp : {false, true}) {
@@ -180,7 +180,7 @@ TEST_F(GltfMesh, ColorsAreLinearLightAndOpaque) {
     GltfFile file;
     file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(four_corners) +
                   ", \"COLOR_0\": " + file.add(bytes) + "}, \"indices\": " + file.add(tetrahedron));
-    // As sRGB, 0.2158605 is 128 / 255, and 0.0030353 is 10 / 255.
+    // In sRGB, 0.2158605 is 128 / 255, and 0.0030353 is 10 / 255.
     const Floats numbers{{0.2158605f, 0, 1}, {0.0030353f, 1, 1}, {2, -1, 0}, {NAN, 1, 1}};
     file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(four_corners) +
                   ", \"COLOR_0\": " + file.add(numbers) + "}, \"indices\": " + file.add(tetrahedron));

@@ -35,7 +35,7 @@ class Mtl : public TemporaryFolder {
     std::vector<std::filesystem::path> files;
 };
 
-/// A roof of two slopes that meet at the edge between vertices 1 and 2.
+/// A roof with two slopes that meet at the edge between vertices 1 and 2.
 const std::string roof =
     "v 0 0 1\nv 0 2 1\nv 1 0 0\nv -1 0 0\nusemtl tiles\nf 1 3 2\nusemtl skylight\nf 1 2 4\n";
 
@@ -66,7 +66,7 @@ TEST_F(Mtl, NamesMayHaveNumberSigns) {
     EXPECT_EQ(std::ranges::count_if(m.colors, [](const auto& c) { return c[3] == 77; }), 3)
         << "the corners of one triangle";
     EXPECT_TRUE(warnings.empty()) << warnings.front();
-    // A name may consist of a color only, and may be followed by a comment.
+    // A name may consist only of a color, and a comment may follow it.
     const auto known =
         materials("newmtl #FF0000\nd 0.5\nnewmtl #00FF00\nd 1\nnewmtl oak # of the door\nd 0.25\n");
     EXPECT_EQ(material_named(known, "#FF0000").value()[3], 128);

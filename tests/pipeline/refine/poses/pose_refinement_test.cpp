@@ -25,7 +25,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Rotates and moves each camera randomly, each by `pixels` at `distance`.
+/// Rotates and moves each camera in random directions, which displaces points at `distance` by about `pixels`
+/// in total.
 void disturb(SceneInput& scene, double pixels, double distance) {
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
@@ -83,7 +84,7 @@ TEST_F(SyntheticPoseRefinementAtLength, RecoversPerturbedCameras) {
     const auto done = prepare_as(given);
     EXPECT_TRUE(pose_refinement(done).decision.on) << pose_refinement(done).decision.evidence;
     const auto off = camera_errors(PackageReader(file), truth());
-    // The mean of all errors remains, since it is indistinguishable from a shift of the survey's frame.
+    // The mean of all errors remains, since it cannot be distinguished from a shift of the survey's frame.
     EXPECT_LT(median(off), 0.3 * pixels) << pose_refinement(done).decision.evidence;
     EXPECT_LT(worst(off), 0.4 * pixels);
     EXPECT_GT(median(camera_errors(PackageReader(file), given)), 0.4 * pixels);
@@ -100,7 +101,8 @@ TEST_F(SyntheticPoseRefinement, AccurateCamerasStayUnchanged) {
 TEST_F(SyntheticPoseRefinement, PairShiftsMatchTheCameraError) {
     copy_scene(spec(), scene);
     SceneInput input = truth();
-    // One photo rotated about its vertical axis: its content is 3 px off horizontally.
+    // The camera of one photo is rotated about its vertical axis, so that the photo's content is 3 px off
+    // horizontally.
     Camera& camera = input.photos[4].camera;
     camera.cam_from_world.R =
         Eigen::AngleAxisd(3 / camera.intrinsics.fx, Eigen::Vector3d::UnitY()).toRotationMatrix() *
@@ -114,7 +116,7 @@ TEST_F(SyntheticPoseRefinement, PairShiftsMatchTheCameraError) {
     for (const package::PairRecord& p : pose_refinement(done).pairs) {
         const bool with = p.a == 4 || p.b == 4;
         with_it += with;
-        // A rotation moves the picture's edges slightly more than its center.
+        // A rotation moves the edges of the picture slightly more than the center.
         EXPECT_NEAR(std::hypot(p.shift[0], p.shift[1]), with ? 3.2 : 0, with ? 0.5 : 0.2)
             << p.a << ' ' << p.b;
         EXPECT_NEAR(std::abs(p.shift[1]), 0, 0.4);
@@ -206,7 +208,7 @@ TEST_F(SyntheticPoseRefinement, IdenticalPhotosStayInPlace) {
     EXPECT_LT(worst(camera_errors(PackageReader(file), input)), 0.02);
 }
 
-/// On a flat surface, cameras could drift along it undetected.
+/// If the surface is flat, cameras could drift along it undetected.
 TEST_F(SyntheticPoseRefinement, FlatSurfaceIsNotRegistered) {
     SynthSpec s = spec();
     s.photos.count = 3;
@@ -227,7 +229,7 @@ TEST_F(SyntheticPoseRefinement, FlatSurfaceIsNotRegistered) {
     expect_unchanged(input);
 }
 
-/// Only pairs with changed photos are measured again, with the same result.
+/// Only pairs with changed photos are measured again, and the result is the same.
 TEST_F(SyntheticPoseRefinementAtLength, ReusesPairsThatWereMeasured) {
     SynthSpec s = spec();
     s.error.pixels = 3;
@@ -240,7 +242,7 @@ TEST_F(SyntheticPoseRefinementAtLength, ReusesPairsThatWereMeasured) {
     const auto again = prepare(input, bare, file, [](const Progress&) {});
     for (const auto& stage : again.stages) EXPECT_EQ(stage.made, 0u);
     prepare(input, {}, file, [](const Progress&) {});
-    EXPECT_TRUE(slurp(file) == fresh) << "exposure forced on and back to automatic";
+    EXPECT_TRUE(slurp(file) == fresh) << "exposure was forced on, then automatic again";
 
     bare.effects = {{Effect::pose_refinement, EffectChoice::off}};
     prepare(input, bare, file, [](const Progress&) {});
@@ -257,7 +259,7 @@ TEST(RealPoseRefinementAtLength, StaysOffOnAccurateScenes) {
         const PoseRefinement& r = done.agreement->pose_refinement;
         EXPECT_FALSE(r.decision.on) << r.decision.evidence;
         EXPECT_TRUE(r.warnings.empty()) << r.warnings.front();
-        // Measured by dense optical flow: 0.42 and 0.61 px.
+        // Dense optical flow measures 0.42 and 0.61 px.
         EXPECT_NEAR(median_displacement(r.pairs), 0.5, 0.15) << name;
         fs::remove(file);
     }
@@ -280,7 +282,8 @@ TEST(RealPoseRefinement, NamesAWrongFocalLength) {
     fs::remove(file);
 }
 
-/// Swaps neighboring and distant photos; no other photo is reported, and no camera is moved.
+/// Swaps the cameras of neighboring and of distant photos. No other photo must be reported, and no camera may
+/// move.
 TEST(RealPoseRefinementAtLength, NamesSwappedCamerasAndNoOthers) {
     for (const char* name : {"sceaux-small", "fountain-P11"}) {
         VANTAGE_DATASET(dataset, name);
@@ -305,8 +308,8 @@ TEST(RealPoseRefinementAtLength, NamesSwappedCamerasAndNoOthers) {
     }
 }
 
-/// Corrects cameras that are 3 px off, up to the position of the whole frame on the model, which photos do
-/// not determine.
+/// Corrects cameras that are 3 px off, except for the position of the whole frame on the model, which photos
+/// do not determine.
 TEST(RealPoseRefinementAtLength, RecoversPerturbedCameras) {
     VANTAGE_DATASET(dataset, "fountain-P11");
     SceneInput input = read_scene(discover(dataset));

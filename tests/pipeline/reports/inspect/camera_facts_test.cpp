@@ -32,9 +32,10 @@ TEST(FieldOfView, OfAnEquidistantFisheyeIsProportionalToTheFrame) {
 }
 
 TEST(FieldOfView, EndsWhereTheLensDoes) {
-    // x (1 - x^2 / 3) has its maximum 2/3 at 1: directions beyond 45 degrees have no image.
+    // x (1 - x^2 / 3) has its maximum, 2/3, at x = 1, so directions beyond 45 degrees have no image.
     EXPECT_NEAR(field_of_view(camera_with(LensModel::opencv, {-1 / 3.0}), 0), 90, 1e-3);
-    // Radius r' in the photo corresponds to r = r' / (1 + k r'^2), at most 1 / (2 sqrt(k)), here 1.
+    // The radius r' in the photo corresponds to r = r' / (1 + k r'^2), which is at most 1 / (2 sqrt(k)), here
+    // 1.
     EXPECT_NEAR(field_of_view(camera_with(LensModel::division, {0.25}), 0), 2 * std::atan(0.8) / degree,
                 1e-3);
 }

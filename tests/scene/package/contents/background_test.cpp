@@ -16,7 +16,7 @@ using package::Type;
 
 namespace {
 
-/// A tetrahedron around the origin that no photo shows.
+/// A tetrahedron around the origin, which no photo shows.
 BackgroundContent tetrahedron() {
     BackgroundContent s;
     s.positions = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};

@@ -1,4 +1,4 @@
-// Lens tables against the models' equations in double precision.
+// Compares lens tables with the equations of the models in double precision.
 #include "scene/package/contents/lens_table.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ struct Case {
     Lens lens;
 };
 
-/// Lenses of each model, with typical and stronger distortion.
+/// Lenses of every model, with typical and stronger distortion.
 std::vector<Case> cases() {
     const Intrinsics telephone{4640, 2610, 3500, 3500, 2330, 1290}, wide{4000, 3000, 2000, 2000, 2010, 1480},
         fisheye{4000, 4000, 1300, 1300, 2000, 2000}, small{240, 180, 200, 200, 120, 90};
@@ -42,7 +42,7 @@ std::vector<Case> cases() {
     };
 }
 
-/// The pixel position from the model's equation.
+/// The pixel position computed with the model's equation.
 Eigen::Vector2d exact(const Case& c, const Eigen::Vector2d& pixel) {
     const Intrinsics& k = c.camera;
     const Eigen::Vector2d d = distort(c.lens, {(pixel.x() - k.cx) / k.fx, (pixel.y() - k.cy) / k.fy});
@@ -65,7 +65,8 @@ TEST(LensTables, AreWithinAFiftiethOfAPixelOfEveryModel) {
             worst = std::max(worst, (photo_pixel(table, pixel) - exact(c, pixel)).norm());
             moved = std::max(moved, (exact(c, pixel) - pixel).norm());
         }
-        std::printf("%-28s moves up to %6.1f px, to within %.5f px\n", c.what, moved, worst);
+        std::printf("%-28s moves pixels by up to %6.1f px, with an error of at most %.5f px\n", c.what, moved,
+                    worst);
         EXPECT_LE(worst, 0.02) << c.what;
         EXPECT_GE(moved, 1) << c.what;
     }
@@ -142,7 +143,7 @@ TEST(LensTables, OfAbsurdLensesAreFinite) {
 }
 
 TEST(PinholeImages, AreSampledOnceWhereTheLensImages) {
-    // A photo of a smooth function, whose value at the exact position is the reference.
+    // A photo of a smooth function. The function's value at the exact position is the reference.
     const Case c{"barrel", {400, 300, 300, 300, 205, 148}, {LensModel::opencv, {-0.15, 0.02}}};
     const auto value = [](const Eigen::Vector2d& p) {
         return 128 + 60 * std::sin(p.x() / 9) + 50 * std::cos(p.y() / 7);
