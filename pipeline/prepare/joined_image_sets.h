@@ -23,8 +23,8 @@ ColorRefinement joined(std::vector<ColorRefinement> image_sets, std::span<const 
 TransientMasks joined(std::vector<TransientMasks> image_sets, std::span<const package::PhotoRecord> photos,
                       std::span<const std::string> names);
 
-/// The effects that are on for each image set: those of its own decisions and, for the first image set, also
-/// the background.
+/// The effects that are on for each image set: those from its own decisions and, for the first image set,
+/// also the background.
 std::vector<EffectSet> effects_of_image_sets(std::span<const EffectDecision> decisions,
                                              std::size_t image_sets);
 

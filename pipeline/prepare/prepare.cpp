@@ -161,7 +161,7 @@ void record_skipped(const SceneInput& scene, const PhotoTables& photos, PrepareR
             ++usable;
     std::ranges::sort(result.skipped, {}, &UnusablePhoto::photo);
     if (usable == 0 && !has_points_only(scene))
-        throw Error(Exit::input, scene.files.photos.string() + ": no photo can be used; the first: " +
+        throw Error(Exit::input, scene.files.photos.string() + ": no photo can be used; first problem: " +
                                      result.skipped.front().photo + ": " + result.skipped.front().why);
 }
 

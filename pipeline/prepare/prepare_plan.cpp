@@ -18,7 +18,8 @@
 namespace vantage {
 namespace {
 
-/// RMS distance from their mean of the vertices inside the model's bounds; it is invariant under rotation.
+/// The RMS distance of the vertices inside the model's bounds from their mean. It is invariant under
+/// rotation.
 double spread(const Mesh& mesh, const package::SceneRecord& model) {
     const Eigen::AlignedBox3d bounds(Eigen::Map<const Eigen::Vector3d>(model.bounds_min),
                                      Eigen::Map<const Eigen::Vector3d>(model.bounds_max));
@@ -54,14 +55,15 @@ package::SceneRecord scene_record(const PackedModel& model, const SceneInput& sc
     return record;
 }
 
-/// The name of the file, or of its folder if the file has the mesh's own name.
+/// The name of the field. It contains the name of the reference file, or of its folder if the file has the
+/// same name as the mesh.
 std::string name_of_deviation(const std::filesystem::path& from, const std::filesystem::path& mesh) {
     const bool same = from.filename() == mesh.filename() && from.has_parent_path();
     const std::filesystem::path folder = std::filesystem::absolute(from).parent_path();
     return "deviation-from-" + (same ? folder.filename() : from.stem()).string();
 }
 
-/// Adds one field per reference mesh; frees the reference meshes.
+/// Adds one field per reference mesh and frees the reference meshes.
 void add_deviations(SceneInput& scene, Trace* trace) {
     for (std::size_t i = 0; i < scene.compared.size(); ++i) {
         const Traced traced(trace, "deviation");

@@ -73,7 +73,7 @@ constexpr double seconds_per_swept = 0.03;
 /// Maximum memory for the background, in bytes: views, depths by direction, the costs of depths, and
 /// messages.
 constexpr std::uint64_t background_memory = 50'000'000;
-/// Shorter runs are too short to measure the speed.
+/// Runs shorter than this, in seconds, are too short to measure the speed.
 constexpr double shortest_run = 0.5;
 
 /// Seconds that one thread needs for a photo.

@@ -151,7 +151,7 @@ void frame(FirstView& view, const Vector3d& eye, const Vector3d& up, std::span<c
     }
 }
 
-/// Gives the view the frame of the photo.
+/// Sets the view to the frame of the photo.
 void frame_as(FirstView& view, const package::PhotoRecord& photo) {
     const Pose pose = cam_from_origin(photo);
     view.target = pose.center() + seen_distance(photo) * pose.direction();

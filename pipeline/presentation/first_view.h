@@ -14,7 +14,7 @@ namespace vantage {
 /// nearby photos, and a typical distance. The view is turned and zoomed so that the model fills three
 /// quarters of the frame's height or width. Inside a model, the view is that of the photo.
 struct FirstView {
-    std::uint64_t photo = 0;  ///< the photo whose viewpoint it is; the number of photos if none has pixels
+    std::uint64_t photo = 0;  ///< photo that provides the viewpoint; the number of photos if none has pixels
     Eigen::Vector3d target{0, 0, 0};  ///< at the center of the frame; relative to the origin
     double fov = 45;                  ///< vertical, degrees
     double aspect = 1;                ///< ratio of width to height of the part that is framed

@@ -28,7 +28,7 @@ constexpr std::size_t max_compared = 32;  ///< maximum number of cameras whose p
 constexpr double error_of_surface = 0.7 * radians, farthest_surface = 15 * radians;
 constexpr double least_upright = 0.2;  ///< fraction of the discs on walls and floors
 constexpr double unsure = 5 * radians, turn_by = 10 * radians;
-constexpr double clearly_more = 0.25;  ///< additional fraction of the discs
+constexpr double clearly_more = 0.25;  ///< minimum increase of the fraction of discs on walls and floors
 /// Weight of `held` per disc. If all walls are parallel, `held` determines which direction parallel to them
 /// is up.
 constexpr double held_weight = 0.002;
@@ -124,7 +124,8 @@ Upright upright_near(std::span<const SurfaceDisc> discs, const Vector3d& held) {
     const auto usable = [](const SurfaceDisc& d) { return d.normal.squaredNorm() > 0; };
     const auto all = double(std::ranges::count_if(discs, usable));
     Upright out{held, 0};
-    // The sines of angles that decrease from round to round; within them, a disc counts as wall or floor.
+    // Sines of the angles within which a disc counts as wall or floor. The angles decrease from round to
+    // round.
     for (const double near : {0.3, 0.2, 0.15, 0.1, 0.1, 0.07, 0.07, 0.07}) {
         Eigen::Matrix3d scatter = -held_weight * all * held * held.transpose();
         double upright = 0;

@@ -8,9 +8,9 @@
 
 namespace vantage {
 
-/// The unit up direction. It is estimated from the cameras, corrected with the surface if that has walls and
-/// floors, and replaced by the nearest coordinate axis if that axis is within the error. Without poses, it is
-/// +z.
+/// The unit up direction. It is estimated from the cameras, corrected using the surface if the surface has
+/// walls and floors, and replaced by the nearest coordinate axis if that axis is within the error. Without
+/// poses, it is +z.
 Eigen::Vector3d up_direction(std::span<const Pose> poses, std::span<const SurfaceDisc> discs);
 
 /// A unit direction and its standard error in radians.

@@ -71,7 +71,7 @@ SquareMeans square_means(std::span<const std::array<float, 3>> colors, int width
 CoarsePhoto every_second_texel(const CoarsePhoto& photo) {
     CoarsePhoto out;
     const Intrinsics& k = photo.k;
-    // The first texel's ray stays the same.
+    // The ray of the first texel stays the same.
     out.k = {(k.width + 1) / 2, (k.height + 1) / 2, k.fx / 2, k.fy / 2, (k.cx + 0.5) / 2, (k.cy + 0.5) / 2};
     out.pose = photo.pose;
     out.focal = photo.focal;

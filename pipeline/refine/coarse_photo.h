@@ -33,7 +33,7 @@ SquareMeans square_means(std::span<const std::array<float, 3>> colors, int width
 struct CoarsePhoto {
     struct Texel {
         float linear[3];  ///< light as exposed; NaN where the photo has no opaque pixel
-        float smooth[3];  ///< mean of `linear` over 9 x 9 texels, where they show the model; for seams
+        float smooth[3];  ///< mean of `linear` over those of 9 x 9 texels that show the model; for seams
         float z;          ///< +inf where the photo does not see the model
         float weight;     ///< the product of the lumigraph's factors for frame and borders
     };

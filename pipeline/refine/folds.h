@@ -32,7 +32,7 @@ struct FoldsInput {
 /// A held-out photo and the photos from which it is predicted.
 struct Fold {
     std::uint32_t photo;
-    std::vector<std::uint32_t> others;  ///< up to max_others that see most of the same surface, ascending
+    std::vector<std::uint32_t> others;  ///< up to max_others with the most surface in common, ascending
 };
 
 /// Cross-validation: photos spread over the scene are held out of all estimates one at a time. Photos are
@@ -55,7 +55,7 @@ class Folds {
         const CoarsePhoto& target;  ///< every second texel of the fold's photo, which suffices
         const Folds& folds;
 
-        /// The sightings in the other photos of the surface at the photo's pixels. Cached for some folds.
+        /// How the other photos see the surface at the photo's pixels. The result is cached for some folds.
         std::shared_ptr<const Sightings> sightings() const;
         /// Computes the sightings with other poses, one per photo of the scene; `own` is the pose of the
         /// fold's photo.

@@ -13,7 +13,7 @@ namespace vantage {
 /// The view of a photo for transient masking, with its colors as exposed.
 TransientView transient_view(const CoarsePhoto& photo);
 
-/// Photos as exposed, created on demand.
+/// Views of photos as exposed, created on demand.
 using TransientViews = LruCache<TransientView>;
 inline constexpr std::size_t cached_views = 16;  ///< number cached at once, both as exposed and as corrected
 

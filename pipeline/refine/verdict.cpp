@@ -9,7 +9,7 @@ namespace vantage {
 namespace {
 
 constexpr double max_loss = 0.75;    ///< largest permitted loss of any photo, dB
-constexpr double negligible = 0.01;  ///< largest mean gain that counts as none, dB
+constexpr double negligible = 0.01;  ///< mean gains up to this are negligible, dB
 constexpr double fewer_seams = 0.9;  ///< maximum ratio of the seams with the effect to those without
 
 }  // namespace

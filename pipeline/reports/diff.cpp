@@ -138,7 +138,7 @@ void compare_bytes(std::span<const std::byte> a, std::span<const std::byte> b, T
         out.add(std::abs(std::to_integer<int>(a[i]) - std::to_integer<int>(b[i])));
 }
 
-/// If only one of them is seen, the difference is 100 %.
+/// If only one of two depths is finite, their difference is 100 %.
 void compare_depths(std::span<const std::byte> a, std::span<const std::byte> b, Texels& out) {
     for (std::size_t i = 0; i + 4 <= a.size(); i += 4) {
         float x, y;

@@ -38,7 +38,7 @@ Measured lens(const SceneInput& scene) {
     return {largest, evidence};
 }
 
-/// A triangle in a photo: its longest edge in px, and its area in square px, 0 outside the photo.
+/// A triangle in a photo: its longest edge in px, and its area in square px (0 outside the photo).
 struct Footprint {
     double edge = 0, area = 0;
 };
@@ -208,7 +208,7 @@ Measured raw_length(const SceneInput& scene) {
     // Coarser levels add a third; weight maps and depth, with twice the bytes per texel, begin at half size.
     const double raw = pixels * 4 * (1 + 1 / 3.0) * 1.5;
     return {raw / bytes,
-            fmt::format("raw, {:.1f} MB of photos{} become {:.1f} MB of tiles, weight maps and depth",
+            fmt::format("stored raw, {:.1f} MB of photos{} become {:.1f} MB of tiles, weight maps and depth",
                         bytes / 1e6, reduced ? " at this size" : "", raw / 1e6)};
 }
 

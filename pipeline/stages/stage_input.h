@@ -49,7 +49,7 @@ std::vector<std::uint8_t> validity(const RgbaImage& level);
 /// Projects the model into the photo and selects the triangles that may reach into its frame.
 PhotoView view_of(const GeometryContext& context, const PosedPhoto& photo);
 
-/// A level of the pyramid of a photo with its lens distortion, for the stages that do not use the model.
+/// A level of a photo's pyramid, with the photo's lens distortion, for the stages that do not use the model.
 /// These stages are called for each level, from the finest to the coarsest, and write their chunks.
 struct LevelInput {
     PackageWriter& writer;

@@ -16,7 +16,7 @@
 namespace vantage {
 namespace {
 
-constexpr double min_pixels = 6;  ///< foreshortened radius in a photo
+constexpr double min_pixels = 6;  ///< minimum foreshortened radius in a photo
 constexpr double min_cosine = 0.2;
 
 /// Sample points on the unit disc: its center and three rings, each point representing about the same area.
@@ -101,7 +101,8 @@ class DiscSampler {
         Eigen::Vector3f center, along, across;
         float slack;  ///< tolerance of the depth test, scene units
         std::size_t level;
-        Eigen::Matrix<float, 2, 3> displaced;  ///< px by the lens: at the center, change along and across
+        /// Displacement by the lens, px: at the center, and how it changes along and across the disc.
+        Eigen::Matrix<float, 2, 3> displaced;
     };
     /// Displacement by the lens; NaN beyond its valid range.
     Eigen::Vector2d displacement(const Eigen::Vector3d& p) const {

@@ -123,7 +123,7 @@ RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint3
             codec::encode_jpeg(cut_inner_part({texels, size}, tile), part.width(), part.height(), quality);
         decoded.resize(4 * std::size_t(part.width()) * std::size_t(part.height()));
         if (!codec::decode_jpeg(jpeg, part.width(), part.height(), decoded))
-            throw std::logic_error("libjpeg-turbo cannot read what it wrote");
+            throw std::logic_error("libjpeg-turbo cannot read a JPEG that it wrote");
         copy_content(decoded, part, size, tile, std::as_writable_bytes(std::span(out.rgba)));
     }
     return out;

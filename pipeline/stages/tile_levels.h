@@ -30,7 +30,7 @@ struct LevelTexels {
 void write_tiles(PackageWriter& writer, package::Type type, std::uint32_t photo, std::uint32_t level,
                  const LevelTexels& of, int quality = color_quality);
 
-/// A level of color as it is read back after write_tiles(), with the errors of JPEG if it is stored as JPEG.
+/// A level of color as it is read back after write_tiles(), with compression errors if it is stored as JPEG.
 /// Results computed from it equal those computed later from the package.
 RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint32_t level,
                     const RgbaImage& image, int quality);

@@ -13,8 +13,8 @@ using Profile = std::vector<Vector2d>;  ///< x: outward, across the path; y: out
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// An opening in a wall: arched, rising from `sill` to `spring`, where its arch starts, or round, with its
-/// center at the height `spring`.
+/// An opening in a wall. It is either arched, rising from `sill` to `spring`, where the arch starts, or
+/// round, with its center at the height `spring`.
 struct Opening {
     double x, sill, spring, radius;
     bool round = false;

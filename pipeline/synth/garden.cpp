@@ -73,8 +73,8 @@ void railings(ModelBuilder& b, const SynthSpec& spec) {
         }
 }
 
-/// Its triangles are smaller than those of the model, and each vertex stores the fraction of the sky that is
-/// visible.
+/// The content of photos of a chapel. Its triangles are smaller than those of the model, and each vertex
+/// stores the fraction of the sky that is visible.
 SynthModel build_chapel_world(SynthSpec spec) {
     spec.building.max_edge = 0.12;
     ModelBuilder b{build_model(spec), 0};

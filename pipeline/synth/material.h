@@ -35,8 +35,8 @@ Eigen::Vector3f albedo(Material material, const Eigen::Vector3d& point, const Ei
 Eigen::Vector3f infrared_albedo(Material material, const Eigen::Vector3d& point,
                                 const Eigen::Vector3d& normal);
 
-/// The coordinates of a point on a surface with this normal, across and up; coordinates in the ground plane
-/// if |normal.z| exceeds `level`.
+/// The coordinates, across and up, of a point on a surface with this normal, or the coordinates in the ground
+/// plane if |normal.z| exceeds `level`.
 Eigen::Vector2d across_and_up(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double level);
 
 /// Light from a cloudy sky at infinity; `direction` has length 1.

@@ -33,7 +33,7 @@ struct SynthSpec {
         double radius = 13;          ///< radius of the arc in front of the facade
         double arc = 100;            ///< angle of the arc
         double low = 1.7, high = 5;  ///< camera heights, alternating
-        int samples = 3;             ///< number per pixel, in x and in y each
+        int samples = 3;             ///< rays per pixel along x, and along y
     } photos;
     struct Infrared {
         int count = 0;  ///< number of infrared photos, in a separate image set; 0: none

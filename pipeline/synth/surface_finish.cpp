@@ -29,8 +29,8 @@ double slope(const SurfacePoint& at, const Height& height) {
 /// One of the stones of a wall or a pavement.
 struct Stone {
     double id;    ///< [0, 1), random
-    double tilt;  ///< height of its face in meters, because stones are slightly uneven
-    double edge;  ///< distance to its nearest edge, in meters
+    double tilt;  ///< height of the stone's face in meters; stones are slightly uneven
+    double edge;  ///< distance to the stone's nearest edge, in meters
 };
 
 /// The stone at a point; stones of different widths lie in rows of `height`.

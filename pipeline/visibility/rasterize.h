@@ -8,7 +8,7 @@
 namespace vantage {
 
 /// The maps of render_geometry, computed on the CPU; several times faster than software OpenGL. `normals` are
-/// unit vectors, one per vertex; `indices` as in render_geometry.
+/// unit vectors, one per vertex; `indices` are as in render_geometry.
 PhotoGeometry rasterize_geometry(const PhotoProjection& projection, std::span<const Eigen::Vector3f> normals,
                                  std::span<const std::uint32_t> indices);
 

@@ -33,8 +33,7 @@ struct PairCells {
     std::vector<CellDisplacement> cells;
 };
 
-/// The cells of all trusted pairs. Cells are included only if there is one smooth surface around their
-/// center.
+/// The cells of all trusted pairs. Only cells with one smooth surface around their center are included.
 struct CellDisplacements {
     std::vector<PairCells> pairs;
     MotionFrame frame;

@@ -55,8 +55,8 @@ std::vector<std::uint32_t> odd_photos(const PoseRefinementInput& in, std::span<c
     return odd;
 }
 
-/// Overlapping photos: first the pair that sees most of the same surface, then repeatedly the photo that sees
-/// most of the surface seen by those already chosen.
+/// Overlapping photos: first the pair with the most surface in common, then, repeatedly, the photo with the
+/// most surface in common with those already chosen.
 std::vector<std::uint32_t> overlapping(std::span<const PairRecord> pairs, std::size_t count) {
     std::vector<std::uint32_t> out;
     const auto is_in = [&](std::uint32_t photo) { return std::ranges::count(out, photo) > 0; };
@@ -179,9 +179,10 @@ class PoseChoice {
         constexpr double hopeless = 0.85;
         const LeftByPoses left = left_by_poses(in_, cells_, photos);
         if (!(left.before > 0) || left.after < hopeless * left.before) return true;
-        reject(fmt::format(
-            "{} would leave an error of {:.2f} of {:.2f} px, so the mesh or the lens is the likely cause", of,
-            left.after, left.before));
+        reject(
+            fmt::format("{} would leave {:.2f} px of the displacement of {:.2f} px, so the mesh or the lens "
+                        "is the likely cause",
+                        of, left.after, left.before));
         return false;
     }
 

@@ -164,7 +164,7 @@ PoseRefinement register_photos(const PoseRefinementInput& in, EffectChoice choic
     }
     if (flat) {
         out.decision.on = false;
-        out.decision.evidence += "; no camera was moved, because a flat surface does not determine them";
+        out.decision.evidence += "; no camera was moved, because a flat surface does not determine the poses";
         return out;
     }
     choose_poses(in, cells, errors, out);

@@ -59,9 +59,9 @@ inline constexpr double min_outlier = 0.75, outlier_ratio = 2;
 double disagreement(const PoseRefinementInput& input, std::span<const package::PairRecord> pairs,
                     std::string* found = nullptr);
 
-/// Unless pose refinement is off, matches each photo with the two photos that see most of the same surface,
-/// at 800 px on the longer side. If they disagree, decides which cameras move; see choose_poses. Throws
-/// Error(damaged).
+/// Unless pose refinement is off, matches each photo with the two photos that have the most surface in common
+/// with it, at 800 px on the longer side. If they disagree, decides which cameras move; see choose_poses.
+/// Throws Error(damaged).
 PoseRefinement register_photos(const PoseRefinementInput& input, EffectChoice choice);
 
 }  // namespace vantage

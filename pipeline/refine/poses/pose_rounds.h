@@ -54,7 +54,7 @@ class PoseRounds {
     /// matches, returns the pose in `poses`.
     Pose resection(const PoseSolution* solution, std::span<const Pose> poses, std::uint32_t photo) const;
     const std::vector<Pose>& given() const { return given_; }
-    /// Median distance, in px, between positions of a photo's content with two poses of its camera.
+    /// Median distance, in px, by which a photo's content moves between two poses of its camera.
     double motion(const PoseSolution& solution, std::span<const Pose> a, std::span<const Pose> b,
                   std::uint32_t photo) const;
 

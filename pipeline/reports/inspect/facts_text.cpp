@@ -197,7 +197,7 @@ void add_effects(const std::vector<EffectDecision>& effects, std::size_t photos,
         else
             out.add("effects", "{:<18} {:<4} {}", row.option, d.on ? "on" : "off", d.evidence);
     if (photos > 0)
-        out.add("effects", "{} are decided from the photos' pixels, when they are prepared",
+        out.add("effects", "{} are decided from the photos' pixels during preparation",
                 fmt::join(open, ", "));
 }
 

@@ -69,7 +69,7 @@ std::string colors_part(std::span<const package::PhotoRecord> photos, const Colo
         {"photo", ""},
         {"gray card", "left: a gray card in this photo; right: the same card in the mean photo"},
         {"stops", "exposure relative to the mean photo; +1: twice as bright", true},
-        {"gains (red, green, blue)", "factors on linear light that match the mean photo", true},
+        {"gains (red, green, blue)", "factors on linear light that match the photo to the mean photo", true},
         {"difference", "difference from other photos of the same surface: median in linear light, in percent",
          true},
         {"after gains", "the same difference after the gains are applied", true},

@@ -31,7 +31,7 @@ Octagon extreme_points(const std::vector<Eigen::Vector2f>& points) {
     return out;
 }
 
-/// 1 for points strictly inside.
+/// Sets `inside` to 1 for the points strictly inside the octagon.
 VANTAGE_SIMD void find_inside(const Octagon& octagon, const float* points, std::size_t count,
                               std::uint8_t* inside) {
     std::fill_n(inside, count, std::uint8_t(1));

@@ -28,7 +28,7 @@ std::pair<int, int> bins(Int low, Int high, int count) {
 
 /// A small triangle after setup, relative to its first corner.
 struct SmallTriangle {
-    int x, y;                      ///< of the first corner
+    int x, y;                      ///< position of the first corner
     int left, right, top, bottom;  ///< bounds of the positions that the triangle may hide
     float bx, by, cx, cy, area;
     float slack;  ///< keeps rounding from opening gaps between triangles
