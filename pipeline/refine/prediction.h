@@ -38,7 +38,7 @@ cv::Mat own_color(const CoarsePhoto& photo);
 struct ValidationScore {
     std::size_t pixels = 0;  ///< number of scored pixels; if 0, the other values are 0
     double psnr = 0;         ///< PSNR in dB, after the best gain per channel
-    double ssim = 0;         ///< SSIM of luminance, after these gains
+    double ssim = 0;         ///< SSIM of luminance, after the same gains
     double seams = 0;        ///< see predict
 };
 

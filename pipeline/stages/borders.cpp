@@ -35,7 +35,7 @@ VANTAGE_SIMD void find_in_row(const float* above, const float* here, const float
 }
 
 VANTAGE_SIMD void border_row(const float* distance, int width, int edge, float scale, std::uint8_t* out) {
-    constexpr float mixed = 1;  // px: pixels next to a border mix the colors of both sides
+    constexpr float mixed = 1;  // px; pixels next to a border mix the colors of both sides
     for (int x = 0; x < width; ++x) {
         const float outline = float(std::min(edge, std::min(x, width - 1 - x))) + 0.5f;
         const float code = std::min(distance[x] - mixed, outline) * scale;

@@ -186,7 +186,7 @@ TEST_F(HardPhotos, SinglePixelsRowsAndColumnsHaveAPyramid) {
     }
 }
 
-// 100,000 pixels wide exceeds the limits of JPEG and of textures, but not those of tiles.
+// A width of 100,000 pixels exceeds the limits of JPEG and of textures, but not that of tiles.
 TEST_F(HardPhotos, PreparesPhotosWiderThanAnyTexture) {
     SynthSpec spec = spec_named("tiny");
     spec.photos.count = 1;

@@ -7,8 +7,8 @@
 namespace vantage {
 
 /// The convex hull of the visible vertices in a photo [P, 2.3.3]: the unit direction through its centroid and
-/// its area as a fraction of the photo. If no vertex is visible, these are the optical axis and 0; for
-/// collinear points, the direction of their mean and 0.
+/// its area as a fraction of the photo. If no vertex is visible, the direction is the optical axis and the
+/// area is 0. For collinear points, the direction is that of their mean and the area is 0.
 struct FootprintHull {
     Eigen::Vector3d direction;
     double area = 0;

@@ -90,7 +90,7 @@ TEST(Codecs, RefuseWhatIsNotTheirs) {
     EXPECT_FALSE(decode_depth(coded, 8, 7, out));
     EXPECT_FALSE(decode_planes(coded, 8, 8, out));
     EXPECT_FALSE(decode_planes({}, 8, 8, out));
-    // A large frame does not fit, and no memory must be allocated for it.
+    // A large frame does not fit, and no memory may be allocated for it.
     const Bytes large = compress(Bytes(std::size_t(1) << 26), 1);
     EXPECT_FALSE(decompress(large, out));
     EXPECT_FALSE(decode_planes(large, 8, 8, out));

@@ -282,7 +282,7 @@ TEST(RealPoseRefinement, NamesAWrongFocalLength) {
     fs::remove(file);
 }
 
-/// Swaps the cameras of neighboring and of distant photos. No other photo must be reported, and no camera may
+/// Swaps the cameras of neighboring and of distant photos. No other photo may be reported, and no camera may
 /// move.
 TEST(RealPoseRefinementAtLength, NamesSwappedCamerasAndNoOthers) {
     for (const char* name : {"sceaux-small", "fountain-P11"}) {
