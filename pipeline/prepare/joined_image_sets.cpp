@@ -57,8 +57,8 @@ EffectDecision joined(std::span<const EffectDecision> decisions, std::span<const
     out = {out.effect, false, out.forced, 0, {}};
     for (std::size_t b = 0; b < decisions.size(); ++b) {
         const EffectDecision& d = decisions[b];
-        // The maximum over the image sets for which the effect is on, or over all of them if it is off for
-        // all.
+        // The maximum over the image sets for which the effect is on, or over all image sets if the effect is
+        // off for all of them.
         if (d.on == out.on ? d.measured > out.measured : d.on) out.measured = d.measured;
         out.on |= d.on;
         out.evidence += (b ? "; " : "") + names[b] + ": " + d.evidence;

@@ -18,12 +18,12 @@ std::vector<Pose> given_poses(const SceneInput& scene, const Eigen::Vector3d& or
 /// The poses given to `prepare`, as stored in a package.
 std::vector<Pose> given_poses(const PackageReader& package);
 
-/// For each photo, the XXH3-64 of the inputs to its pose refinement: tiles, camera, model, given pose,
+/// For each photo, the XXH3-64 hash of the inputs to its pose refinement: tiles, camera, model, given pose,
 /// renderer and image set.
 std::vector<std::uint64_t> pose_refinement_fingerprints(std::span<const package::PhotoState> states,
                                                         std::span<const package::PhotoRecord> photos,
                                                         std::span<const Pose> given, bool opengl);
-/// XXH3-64 of all fingerprints, the choice and whether the result is validated.
+/// The XXH3-64 hash of all fingerprints, of the choice, and of whether the result is validated.
 std::uint64_t pose_refinement_key(std::span<const std::uint64_t> fingerprints, EffectChoice choice,
                                   bool validate);
 

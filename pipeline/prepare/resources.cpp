@@ -88,7 +88,7 @@ double photo_seconds(const PhotoInput& photo, const package::SceneRecord& model)
 }
 
 /// Bytes of a photo's file per pixel, counted twice, because decoding a large file that is not a JPEG needs
-/// as much again.
+/// the same amount again.
 double file_bytes(const PhotoInput& photo) {
     std::error_code error;
     const auto bytes = fs::file_size(photo.file, error);
@@ -144,7 +144,8 @@ std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& 
     double most = 0;
     for (const PhotoInput& photo : scene.photos) {
         // Bytes per pixel: 6 for RGBA and its pyramid, plus the file; 12 for a copy and the source position
-        // of each pixel; 4 for a mask. Maps, distances and weight maps take 28 at a quarter of the pixels.
+        // of each pixel; 4 for a mask. Maps, distances and weight maps take 28 bytes for each of a quarter of
+        // the pixels.
         const double texels =
             6 + file_bytes(photo) + (photo.camera.lens.distorts() ? 12 : 0) + (photo.mask.empty() ? 0 : 4);
         constexpr double maps = 7;

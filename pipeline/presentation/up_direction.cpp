@@ -49,7 +49,7 @@ Level level_axis(const Pose& pose, const Vector3d& up) {
     return {x, headlong ? outlier : upright};
 }
 
-/// The misfit of an up direction. The sum stops when it reaches `enough`.
+/// The misfit of an up direction, a sum over the cameras. Summation stops when the sum reaches `enough`.
 double misfit(std::span<const Pose> poses, const Vector3d& up,
               double enough = std::numeric_limits<double>::infinity()) {
     double sum = 0;

@@ -20,8 +20,8 @@ EffectDecision decide_exposure(const ColorFit& fit, EffectChoice wanted) {
         return decide(Effect::exposure, wanted, 0, "no two photos see enough of the same surface");
     const bool helps = fit.after <= (1 - min_improvement) * fit.before;
     return decide(Effect::exposure, wanted, helps ? fit.before : 0,
-                  fmt::format("the photos' colors of the same surface differ by {:.1f} % (median), and with "
-                              "gains by {:.1f} %",
+                  fmt::format("colors of the same surface differ between photos by {:.1f} % (median), or by "
+                              "{:.1f} % after gains",
                               percent(fit.before), percent(fit.after)));
 }
 

@@ -20,7 +20,7 @@ struct Alternative {
 /// A photo predicted from the others.
 struct Prediction {
     cv::Mat color;     ///< 32FC3, sRGB codes 0 to 255, R G B; NaN where no other photo sees the surface
-    double seams = 0;  ///< gray levels, see predict
+    double seams = 0;  ///< in gray levels, see predict()
 };
 
 /// Blends the sightings as shaders/blend.frag does for the lumigraph.

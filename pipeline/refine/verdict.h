@@ -29,7 +29,8 @@ inline constexpr int min_validated_photos = 3;
 
 /// Whether an effect is worthwhile. Either held-out photos must gain by more than twice the noise or twice
 /// the standard error of the mean, or they must not lose more than that error while seams decrease by a
-/// tenth. In addition, no photo may lose more than 0.75 dB. False for fewer than three photos.
+/// tenth. In addition, no photo may lose more than 0.75 dB. Returns false if there are fewer than three
+/// photos.
 bool is_called_for(const Judgment& judgment);
 
 /// Validates an effect that is on: adds the judgment and its sentence to the decision, and turns the effect

@@ -12,8 +12,8 @@ namespace vantage {
 std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effect, EffectChoice>& choices);
 
 /// Whether inspect() turns the effect `transparency` on. The answer is needed earlier, when the model is
-/// packed. Unless forced, false for a mesh whose triangles are all invisible: programs that do not use alpha
-/// write 0.
+/// packed. Unless the effect is forced, this is false for a mesh whose triangles are all invisible, because
+/// programs that do not use alpha write 0.
 bool has_transparency(const Mesh& mesh, const std::map<Effect, EffectChoice>& choices);
 
 /// The finest sampling of the surface by any photo, in pixels per unit: the maximum of sqrt(fx fy) / z over a

@@ -21,7 +21,7 @@ struct ProjectedVertex {
     float inverse;  ///< 1/z
 };
 
-/// The model projected into a photo's map. The owner of `positions` must outlive it.
+/// The model projected into a photo's map. The owner of `positions` must outlive the projection.
 struct PhotoProjection {
     std::span<const Eigen::Vector3f> positions;
     Intrinsics intrinsics;  ///< of the map

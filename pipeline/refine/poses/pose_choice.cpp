@@ -73,7 +73,7 @@ std::vector<std::uint32_t> overlapping(std::span<const PairRecord> pairs, std::s
     return out;
 }
 
-/// The input as if all photos except `photos` had no pixels. `records` and `samples` store the data of the
+/// A copy of the input in which only `photos` have pixels. `records` and `samples` store the data of the
 /// result.
 PoseRefinementInput input_of(const PoseRefinementInput& in, std::span<const std::uint32_t> photos,
                              std::vector<package::PhotoRecord>& records,

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// Another photo, with its camera relative to that of the target.
+/// Another photo, with its camera focal length relative to that of the target.
 struct Projector {
     const CoarsePhoto& photo;
     std::uint32_t index;
@@ -22,7 +22,7 @@ struct Projector {
     Vector3f t, center;  ///< the center in the target's camera space
     float fx, fy, cx, cy;
     float radius_scale;  ///< factor from squared texels to the squared vignetting radius
-    float focal;         ///< relative to that of the target
+    float focal;         ///< focal length relative to that of the target
 
     Projector(const OtherPhoto& other, const CoarsePhoto& target, const Pose& pose)
         : photo(*other.photo),

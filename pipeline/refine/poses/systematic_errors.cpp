@@ -88,7 +88,7 @@ class SystematicFit {
     }
 
   private:
-    static constexpr int frame_size = 7, per_cell = 25;  ///< unknowns; a cell has 2 poses and 2 lenses
+    static constexpr int frame_size = 7, per_cell = 25;  ///< unknowns; a cell involves 2 poses and 2 lenses
     using Jacobian = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, per_cell>;
     using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, per_cell, per_cell>;
     /// The columns of a pair's unknowns: among the unknowns of a cell, and among all unknowns.

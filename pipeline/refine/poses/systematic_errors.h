@@ -9,12 +9,12 @@
 
 namespace vantage {
 
-/// An error of a lens that poses would hide.
+/// A lens error that new poses would hide.
 struct LensError {
     std::vector<std::uint32_t> photos;  ///< taken with this lens
     double focal = 0;                   ///< ratio of true to given focal length, minus 1; 0: no error found
-    Eigen::Vector2d rows{0, 0};  ///< px to the right and down, from the first row to the last; 0: none found
-    std::string words{};         ///< empty: no error found
+    Eigen::Vector2d rows{0, 0};         ///< displacement from the first row to the last, px; 0: none found
+    std::string words{};                ///< empty: no error found
 };
 
 /// Errors that show in the same way in many pairs of photos.
@@ -23,7 +23,7 @@ struct SystematicErrors {
     /// The smallest motion that makes the cameras fit the mesh when they are composed with it; the identity
     /// if no error was found.
     Similarity common{};
-    double common_motion = 0;  ///< the common motion in px, median
+    double common_motion = 0;  ///< median of the common motion, px
     double uncertainty = 0;    ///< standard error of the common motion, px
     std::string words{};       ///< describes the common motion
 };
