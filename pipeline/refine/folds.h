@@ -57,7 +57,7 @@ class Folds {
 
         /// How the other photos see the surface at the photo's pixels. The result is cached for some folds.
         std::shared_ptr<const Sightings> sightings() const;
-        /// Computes the sightings with other poses, one per photo of the scene; `own` is the pose of the
+        /// Computes these sightings with other poses, one per photo of the scene; `own` is the pose of the
         /// fold's photo.
         Sightings sightings(std::span<const Pose> poses, const Pose& own) const;
     };

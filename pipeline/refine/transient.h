@@ -24,8 +24,8 @@ std::vector<TransientMap> transient_maps(const TransientViews& uncorrected, cons
                                          const TransientPartners& partners, unsigned threads);
 
 /// Validates transient masks on held-out photos, which influence neither weight maps nor gains.
-/// `uncorrected` has the photos at the folds' levels. `fits` holds, for each fold, the colors fitted without
-/// the fold's photo. `gains_on` and `vignetting_on`: whether to blend with gains and with vignetting
+/// `uncorrected` holds the photos at the folds' levels. `fits` holds, for each fold, the colors fitted
+/// without the fold's photo. `gains_on` and `vignetting_on`: whether to blend with gains and with vignetting
 /// correction.
 Judgment validate_transients(const Folds& folds, const TransientViews& uncorrected,
                              const TransientPartners& partners, std::span<const PhotoColors> fits,

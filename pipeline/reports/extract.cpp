@@ -60,8 +60,7 @@ struct Extraction {
         return {folder / photos_name / (stem + (own ? ".jpg" : ".png")), folder / "weights" / (stem + ".png"),
                 folder / "depth" / (stem + ".exr"), own ? Product::jpeg : Product::png};
     }
-    /// The first line of the camera files. It differs, because a folder holds either original or undistorted
-    /// photos.
+    /// The first line of the camera files. It states whether the folder holds original or undistorted photos.
     std::string comment() const {
         return undistorted ? "# Cameras of the extracted photos, undistorted\n"
                            : "# Cameras of the extracted photos, as taken\n";

@@ -167,7 +167,7 @@ std::string outcome(const PoseSolution& s) {
         quantile(by, 0.5), quantile(uncertainty, 0.5), s.before, s.after);
 }
 
-/// The choice in progress.
+/// Tries solutions one after another and keeps the best one.
 class PoseChoice {
   public:
     PoseChoice(const PoseRefinementInput& in, const CellDisplacements& cells, PoseRefinement& out)

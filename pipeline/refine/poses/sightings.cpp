@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// Another photo, with its camera focal length relative to that of the target.
+/// Another photo, with its camera relative to that of the target.
 struct Projector {
     const CoarsePhoto& photo;
     std::uint32_t index;

@@ -38,7 +38,8 @@ struct OtherPhoto {
 /// coordinates per fragment, using the same visibility test and weights. Only the target's camera and depth
 /// are read.
 Sightings sightings(const CoarsePhoto& target, std::span<const OtherPhoto> others);
-/// Does so with a pose of the target that differs from the pose from which its depth was rendered.
+/// Projects the surface with a pose of the target that differs from the pose from which the target's depth
+/// was rendered.
 Sightings sightings(const CoarsePhoto& target, const Pose& pose, std::span<const OtherPhoto> others);
 
 }  // namespace vantage

@@ -58,8 +58,8 @@ struct InputFacts {
 };
 
 /// Inspects an input without preparing it: reads the mesh, the cameras and the photos' headers, and writes
-/// nothing. `settings`, `out` and `start` are the settings, the package and the start time of the preparation
-/// that is assumed. Errors in the input are part of the result.
+/// nothing. `settings`, `out` and `start`: the settings, the package and the start time that the preparation
+/// would have. Errors in the input are part of the result.
 InputFacts input_facts(const FoundInput& found, const PrepareSettings& settings,
                        const std::filesystem::path& out, std::chrono::steady_clock::time_point start);
 

@@ -14,7 +14,7 @@ struct ScaleFacts {
     Range distance;  ///< per photo, the median depth of vertices that are in the frame and face the camera
     double typical = 0;   ///< median of these depths
     double in_model = 0;  ///< `typical` divided by the diagonal of the model's box
-    double pixel = 0;     ///< median over the photos of the width of a pixel at the photo's depth
+    double pixel = 0;     ///< width of a pixel at the photo's median depth; median over the photos
 };
 
 /// The scale of the scene's mesh, or of the points if there is no mesh. `diagonal`: the length of the

@@ -70,7 +70,7 @@ std::string colors_part(std::span<const package::PhotoRecord> photos, const Colo
         {"gray card", "left: a gray card in this photo; right: the same card in the mean photo"},
         {"stops", "exposure relative to the mean photo; +1: twice as bright", true},
         {"gains (red, green, blue)", "factors on linear light that match the photo to the mean photo", true},
-        {"difference", "difference from other photos of the same surface: median in linear light, in percent",
+        {"difference", "median difference in linear light from other photos of the same surface, in percent",
          true},
         {"after gains", "the same difference after the gains are applied", true},
         {"shared discs", "number of surface samples that other photos see as well", true}};

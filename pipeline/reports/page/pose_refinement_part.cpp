@@ -82,13 +82,12 @@ std::string pose_refinement_part(std::span<const PhotoRecord> photos, const Pose
     const Column columns[] = {
         {"photo", ""},
         {"displacement",
-         "distance of corners in other photos from the position predicted by the cameras, before any camera "
-         "is moved: median, "
-         "px of the photo",
+         "median distance of corners in other photos from the position predicted by the cameras, before any "
+         "camera is moved, in px of the photo",
          true},
         {"camera moved by", "median motion of the photo's content, in px", true},
         {"held-out corners",
-         "displacement of corners held out of the correction, before and after the correction: median, px",
+         "median displacement of corners held out of the correction, before and after the correction, in px",
          true}};
     out += explained_table(columns);
     for (std::size_t i = 0; i < photos.size(); ++i)
