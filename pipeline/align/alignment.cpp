@@ -25,11 +25,12 @@ using Eigen::Vector3d;
 using Points = std::vector<FeaturePoint>;
 
 constexpr std::size_t least_points = 200, starts = 24;
-constexpr std::size_t quick_points = 600;  ///< points in the trial fits; the final fit uses all
-/// Minimum agreement relative to that of the cameras alone, and to the next best alignment's. A wall shifted
-/// along its own plane agrees almost as well: only its relief distinguishes the two.
+constexpr std::size_t quick_points = 600;  ///< number of points in the trial fits
+/// The minimum agreement, relative to that of the cameras alone and to that of the next best alignment. A
+/// wall that is shifted along its own plane agrees almost as well: only its relief reveals the shift.
 constexpr double least_share = 0.5, clearly = 1.05;
-/// Fractions of a photo's longer side: epipolar error of a matched feature, uncertainty of the alignment.
+/// Limits, as fractions of a photo's longer side, of the epipolar error of a matched feature and of the
+/// uncertainty of the alignment.
 constexpr double max_epipolar = 0.003, max_uncertain = 0.0005;
 
 /// A surface, and the frame in which motions of points toward it are expressed.
@@ -99,7 +100,7 @@ std::vector<Camera> cameras_in_mesh(const SceneInput& scene, const Similarity& s
     return out;
 }
 
-/// The median motion of the mesh's vertices in the photos between two alignments, px.
+/// The median distance in px by which the mesh's vertices move in the photos from one alignment to another.
 double motion_in_photos(const SceneInput& scene, const Similarity& a, const Similarity& b) {
     const std::vector<Camera> in_a = cameras_in_mesh(scene, a), in_b = cameras_in_mesh(scene, b);
     const std::vector<Vector3d>& vertices = scene.mesh.positions;
@@ -134,7 +135,7 @@ class Aligner {
         // Features are accurate to about half a pixel of the reduced photo.
         points_ = feature_points(features_, cameras_, 0.5 * longer_side(cameras_.front()) / how.long_side);
         if (points_.size() < least_points)
-            fail(fmt::format("the photos share {} features that can be triangulated, expected {} or more",
+            fail(fmt::format("the photos share {} features that can be triangulated, expected at least {}",
                              points_.size(), least_points));
         const std::size_t step = std::max<std::size_t>(1, points_.size() / quick_points);
         for (std::size_t i = 0; i < points_.size(); i += step) quick_.push_back(points_[i]);
@@ -151,7 +152,7 @@ class Aligner {
                             best.trial.defined, best.trial.features, px(best.trial.median)));
         const double next = next_best(all, best);
         if (next * clearly > best.trial.agreement)
-            fail(fmt::format("two alignments agree with the photos, {:.2f} and {:.2f} of 1",
+            fail(fmt::format("two alignments agree with the photos: {:.2f} and {:.2f} on a scale from 0 to 1",
                              best.trial.agreement, next));
         Alignment out{best.s,
                       best.trial.features,
@@ -181,7 +182,7 @@ class Aligner {
         return trial_of("", surface_errors(features_, cameras_in_mesh(scene_, s), rays_));
     }
 
-    /// The fits from each start in `begin`, best first.
+    /// The fits from all starting poses in `begin`, best first.
     std::vector<Candidate> fitted_from(const std::vector<Similarity>& begin) const {
         std::vector<Candidate> out(begin.size());
         for_each_photo(begin.size(), 0, [&](std::size_t i) {
@@ -239,7 +240,7 @@ class Aligner {
             scale.push_back(w.scale / s.scale - 1);
             move.push_back((w(middle) - frame_.middle).norm());
         }
-        // At least two are needed for an estimate.
+        // An estimate needs at least two fits.
         const double unknown = std::numeric_limits<double>::infinity();
         const auto error = [&](const std::vector<double>& d) {
             return d.size() < 2 ? unknown : jackknife_error(d);
@@ -261,7 +262,7 @@ class Aligner {
 
 Alignment align(const SceneInput& scene) {
     if (scene.mesh.triangles.empty() || scene.photos.size() < 2)
-        throw Error(Exit::input, "align: expected a mesh with triangles and two photos or more");
+        throw Error(Exit::input, "align: expected a mesh with triangles and at least two photos");
     return Aligner(scene).aligned();
 }
 

@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// The pose of a mesh, found from its cameras' photos.
+/// The pose of a mesh relative to the cameras, found from their photos.
 struct Alignment {
     Similarity mesh_from_cameras;
     std::size_t features;  ///< shared features that agree with the cameras
@@ -15,16 +15,16 @@ struct Alignment {
     double agreement;      ///< see ConventionTrial
     double median;         ///< median error of the features on the mesh, px
     double next;           ///< agreement of the next best alignment with a different pose
-    /// Standard errors from a jackknife over the photos: of the mesh's projection in px, and of the
-    /// similarity's rotation and scale.
+    /// Standard errors of the mesh's projection in px and of the similarity's rotation and scale, from a
+    /// jackknife over the photos.
     double pixels, degrees, scale;  ///< the error of the scale is relative
-    double move;                    ///< standard error of the mesh's center, units of the mesh
+    double move;                    ///< standard error of the mesh's center, in units of the mesh
 };
 
-/// Aligns the mesh with the cameras: features that photos share are triangulated, transformed to the surface
-/// from start_poses(), and fitted to it point-to-plane, each with its own uncertainty. Throws
-/// Error(misplaced) if the photos share too few features, if no alignment agrees with them, if two different
-/// ones do, or if the uncertainty exceeds 0.05 % of a photo's longer side.
+/// Aligns the mesh with the cameras: triangulates the features that photos share, brings them close to the
+/// surface with start_poses(), and fits them to it point-to-plane, each feature with its own uncertainty.
+/// Throws Error(misplaced) if the photos share too few features, if no alignment agrees with them, if two
+/// different alignments do, or if the uncertainty exceeds 0.05 % of a photo's longer side.
 Alignment align(const SceneInput& scene);
 
 }  // namespace vantage

@@ -52,8 +52,8 @@ std::optional<Camera> transposed(Camera camera, const Similarity&) {
 
 constexpr Convention table[] = {
     {"camera-y-up", "the cameras look along -z, with y up", false, looking_backward},
-    {"transposed", "rotations are the other way around", false, transposed},
-    {"swapped-tangential", "the lens's two tangential coefficients are exchanged", false, swapped_tangential},
+    {"transposed", "the rotations are inverted", false, transposed},
+    {"swapped-tangential", "the lens's two tangential coefficients are swapped", false, swapped_tangential},
     {"no-transform", "the mesh is in the frame before the camera file's own transform", true,
      without_transform},
     {"mesh-turned", "the mesh is turned by 180 degrees about x: (x, -y, -z)", true,
@@ -62,7 +62,7 @@ constexpr Convention table[] = {
      [](Camera c, const Similarity&) { return turned(c, rows(x, z, -y)); }},
     {"mesh-z-up", "the mesh has z up where the cameras have y: (x, -z, y)", true,
      [](Camera c, const Similarity&) { return turned(c, rows(x, -z, y)); }},
-    {"mesh-xy-swapped", "the mesh is turned as by nerfstudio: (y, x, -z)", true,
+    {"mesh-xy-swapped", "the mesh has the axes of nerfstudio: (y, x, -z)", true,
      [](Camera c, const Similarity&) { return turned(c, rows(y, x, -z)); }}};
 
 }  // namespace

@@ -8,19 +8,19 @@
 namespace vantage {
 
 /// A known deviation of camera files or meshes from the definition of their format, caused by a program or an
-/// export setting. Undone by changing all cameras.
+/// export setting. It is undone by changing all cameras.
 struct Convention {
     const char* name;     ///< value of --convention
     const char* meaning;  ///< in messages: "the mesh is turned by 180 degrees about x"
-    bool of_mesh;         ///< moves all cameras together: only the mesh shows whether it applies
+    bool of_mesh;         ///< moves all cameras together, so only the mesh shows whether it applies
     std::optional<Camera> (*apply)(Camera camera,
                                    const Similarity& transform);  ///< empty if nothing changes
 };
 
 std::span<const Convention> convention_table();
 
-/// The conventions in the table. The result is empty if the camera has no such transform or no tangential
-/// terms.
+/// Two of the conventions in the table. The result is empty if the file has no transform of its own, or if
+/// the lens has no tangential terms.
 std::optional<Camera> without_transform(Camera camera, const Similarity& transform);
 std::optional<Camera> swapped_tangential(Camera camera, const Similarity&);
 

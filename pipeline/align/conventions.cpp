@@ -23,13 +23,13 @@ constexpr double half = 0.001;
 /// Matched features with a larger epipolar error do not show the same point; a mesh with larger errors does
 /// not fit.
 constexpr double far_off = 0.005, misfit = 0.005;
-/// Fewer features, or a lower agreement, are inconclusive.
+/// Fewer features or a lower agreement are inconclusive.
 constexpr std::size_t enough = 60;
 constexpr double some_agreement = 0.15;
-/// The largest median error of a mesh that fits, relative to the median epipolar error; typically the ratio
-/// is 2.
+/// The largest median error of a mesh that fits, relative to the median epipolar error; the typical ratio is
+/// 2.
 constexpr double some_times = 4;
-/// Minimum agreement relative to that of the cameras as read, and to that of every other convention.
+/// The minimum agreement, relative to that of the cameras as read and to that of every other convention.
 constexpr double clear_ratio = 2;
 
 const Convention& convention(std::string_view name) {
@@ -80,7 +80,7 @@ bool shows_features(const ConventionTrial& t) {
 /// Whether many features lie on the mesh, even if most belong to the background.
 bool shows_many(const ConventionTrial& t) { return t.defined >= enough && t.agreement >= 2 * some_agreement; }
 
-/// The trial whose agreement clearly exceeds that of all others; else the first.
+/// The trial whose agreement clearly exceeds that of all others; otherwise the first trial.
 const ConventionTrial& best_of(std::span<const ConventionTrial> trials) {
     const ConventionTrial& best = *std::ranges::max_element(trials, {}, &ConventionTrial::agreement);
     const bool clear = std::ranges::all_of(trials, [&](const ConventionTrial& t) {
@@ -99,8 +99,8 @@ std::vector<std::string> mesh_conventions() {
     return out;
 }
 
-/// Tangential terms move features by a few pixels only: both orders agree with the photos, one of them
-/// better. The number of features that move closer to their epipolar lines decides.
+/// Tangential terms move features by only a few pixels, so both orders of the terms agree with the photos,
+/// one of them better. The number of features that move closer to their epipolar lines decides.
 void settle_tangential(const SceneInput& scene, std::span<const SharedFeature> features,
                        ConventionTrials& trials) {
     constexpr double max_nearer = 0.6;
@@ -120,7 +120,7 @@ void settle_tangential(const SceneInput& scene, std::span<const SharedFeature> f
         trials.chosen = swapped;
 }
 
-/// The scene's mesh for rays, built on first use.
+/// The scene's mesh for ray casting, built on first use.
 class MeshOnDemand {
   public:
     explicit MeshOnDemand(const Mesh& mesh) : mesh_(mesh) {}
@@ -169,8 +169,8 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
     return out;
 }
 
-/// Whether the format leaves the order of tangential terms open, because other programs export it with their
-/// own order, and exchanging the terms would move features by a noticeable fraction of a pixel.
+/// Whether the order of the tangential terms is uncertain, because programs that export this format use
+/// different orders, and whether swapping the terms would move features by a noticeable fraction of a pixel.
 bool has_open_terms(const SceneInput& scene) {
     constexpr double noticeable = 0.5;
     if (!scene.camera_format.starts_with("COLMAP") && scene.camera_format != "transforms.json") return false;
@@ -185,8 +185,8 @@ bool has_open_terms(const SceneInput& scene) {
     });
 }
 
-/// Whether a few pairs of photos show that everything is as read: many features agree with cameras and mesh
-/// far better than under any other convention.
+/// Tests on a few pairs of photos whether the conventions are as read: many features then agree so well with
+/// the cameras and the mesh that no other convention can be right. Empty if these pairs are inconclusive.
 std::optional<ConventionTrials> as_read_by_pairs(const SceneInput& scene, std::size_t pairs,
                                                  const FeatureSettings& how, MeshOnDemand& mesh) {
     constexpr std::size_t nearest[] = {0};
@@ -218,13 +218,13 @@ double in_pixels(double share, const SceneInput& scene) {
     return share * longer_side(scene.photos.front().camera);
 }
 
-/// The flaw found in the cameras; empty if more features agree with them than by chance. If the object was
-/// moved or turned, only a seventh of the features may lie on it.
+/// The flaw found in the cameras; empty if more features agree with them than would by chance. If the object
+/// was moved or turned, only a seventh of the features may lie on it.
 std::string said_of_cameras(const ConventionTrials& trials) {
     if (10 * trials.agreeing >= trials.shared) return {};
     return fmt::format(
         "cameras and photos do not agree: {} of {} features that photos share lie near their epipolar lines, "
-        "no more than by chance; are photos turned or exchanged, or camera positions rounded?",
+        "no more than expected by chance; are photos turned or swapped, or are camera positions rounded?",
         trials.agreeing, trials.shared);
 }
 
@@ -234,9 +234,8 @@ std::string said_of_mesh(const ConventionTrials& trials, const SceneInput& scene
     const ConventionTrial& t = trials.mesh[trials.chosen_of_mesh];
     if (t.median <= trials.expected || shows_many(t)) return {};
     return fmt::format(
-        "{}: shows features {:.1f} px from their place in the photos (median), expected at most {:.1f}; if "
-        "it "
-        "is moved or turned and not just coarse, 'vantage align' finds its pose",
+        "{}: shows features {:.1f} px from their places in the photos (median), expected at most {:.1f}; if "
+        "it is moved or turned, not just coarse, 'vantage align' finds its pose",
         utf8_name(scene.files.mesh.filename().string()), in_pixels(t.median, scene),
         in_pixels(trials.expected, scene));
 }
@@ -244,11 +243,11 @@ std::string said_of_mesh(const ConventionTrials& trials, const SceneInput& scene
 [[noreturn]] void fail_as_misfit(const SceneInput& scene, const ConventionTrial& t) {
     const std::string found =
         t.defined < enough
-            ? fmt::format("of {} features that photos share, it is behind {}", t.features, t.defined)
+            ? fmt::format("of {} features that photos share, only {} lie on the mesh", t.features, t.defined)
             : fmt::format("its points project {:.1f} px from the photos' features (median of {})",
                           in_pixels(t.median, scene), t.defined);
     throw Error(Exit::misplaced,
-                fmt::format("{}: the mesh does not fit these cameras: {}, also if it is turned; 'vantage "
+                fmt::format("{}: the mesh does not fit these cameras, even if it is turned: {}; 'vantage "
                             "align' finds its pose, --convention as-read accepts it unchanged",
                             scene.files.mesh.string(), found));
 }
@@ -321,7 +320,7 @@ ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted,
     apply_conventions(scene, trials.chosen);
     for (const std::string& name : parts(trials.chosen))
         scene.warnings.push_back(
-            fmt::format("the photos agree only if {}: taken so; --convention as-read does not",
+            fmt::format("the photos agree only if {}, which is assumed; --convention as-read assumes nothing",
                         convention(name).meaning));
     return trials;
 }
@@ -330,8 +329,8 @@ std::string fit_of(const ConventionTrials& trials, const SceneInput& scene) {
     if (!trials.not_validated.empty()) return "not judged: " + trials.not_validated;
     if (trials.mesh.empty()) return {};
     const ConventionTrial& t = trials.mesh[trials.chosen_of_mesh];
-    return fmt::format("the mesh shows {} of {} features where photos do, to {:.1f} px (median)", t.defined,
-                       t.features, in_pixels(t.median, scene));
+    return fmt::format("the mesh shows {} of {} features where the photos do (median error {:.1f} px)",
+                       t.defined, t.features, in_pixels(t.median, scene));
 }
 
 }  // namespace vantage

@@ -14,22 +14,23 @@ namespace vantage {
 inline constexpr double no_error = std::numeric_limits<double>::infinity();
 
 /// The epipolar distance of each feature in photo b, as a fraction of b's longer side. Measures how well two
-/// cameras agree with their photos. `cameras`: one per photo.
+/// cameras agree with their photos. `cameras` has one camera per photo.
 std::vector<double> epipolar_errors(std::span<const SharedFeature> features, std::span<const Camera> cameras);
 
 /// The features whose epipolar error is at most `most`.
 std::vector<SharedFeature> agreeing_features(std::span<const SharedFeature> features,
                                              std::span<const Camera> cameras, double most);
 
-/// The features with measurable parallax: in photo b, they are at least `least`, a fraction of its longer
-/// side, from the image of photo a's ray at infinity. Other features agree with a mesh at any distance.
+/// The features with measurable parallax: their distance in photo b from the point at infinity on photo a's
+/// ray is at least `least`, as a fraction of b's longer side. Other features agree with a mesh at any
+/// distance.
 std::vector<SharedFeature> features_with_parallax(std::span<const SharedFeature> features,
                                                   std::span<const Camera> cameras, double least);
 
 /// A mesh for ray casting in input coordinates of any magnitude.
 struct CastMesh {
     MainBox box;
-    Eigen::Vector3d origin;  ///< of the single-precision coordinates: the center of the bounding box
+    Eigen::Vector3d origin;  ///< origin of the single-precision coordinates: the center of the bounding box
     RayScene rays;
 };
 /// The mesh must have triangles.

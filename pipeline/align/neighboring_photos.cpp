@@ -10,7 +10,8 @@ namespace {
 
 const double least_cosine = std::cos(50 * std::numbers::pi / 180);
 
-/// Cameras closer than this, relative to the median distance, share a viewpoint: bursts, duplicate photos.
+/// Cameras that are closer than this, relative to the median distance, share a viewpoint, as in bursts and
+/// duplicate photos.
 constexpr double same_place = 0.005;
 
 /// The other photos in the photo's image set with a similar viewing direction, nearest first.

@@ -13,7 +13,7 @@ constexpr std::size_t max_tried = 300, fewest_agreeing = 30;
 constexpr double near_line = 0.002;  ///< epipolar error, as a fraction of the longer side
 constexpr double clearly_more = 2;
 
-/// The rotation or reflection of an EXIF orientation, about the photo's center (Exif 2.3, 4.6.4).
+/// The rotation or reflection about the photo's center that an EXIF orientation describes (Exif 2.3, 4.6.4).
 Eigen::Matrix2d turn_of(int orientation) {
     const bool swaps = orientation >= 5;
     const double x = orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7 ? -1 : 1,
@@ -23,7 +23,7 @@ Eigen::Matrix2d turn_of(int orientation) {
     return out;
 }
 
-/// The features, with the pixels of the photos in `which` turned by their open turn.
+/// The features after the photos in `which` have been turned by their `open_turn`.
 std::vector<SharedFeature> turned(std::vector<SharedFeature> features, std::span<const PhotoInput> photos,
                                   const std::vector<bool>& which) {
     const auto turn = [&](std::uint32_t photo, Eigen::Vector2d& pixel) {
@@ -36,7 +36,7 @@ std::vector<SharedFeature> turned(std::vector<SharedFeature> features, std::span
     return features;
 }
 
-/// Tests turns of photos by the features that they share.
+/// Tests turns of photos using the features that photos share.
 class Judge {
   public:
     Judge(std::span<const PhotoInput> photos, std::vector<SharedFeature> features)
@@ -48,7 +48,7 @@ class Judge {
     bool agree_only(const std::vector<bool>& which, const std::vector<bool>& without) const {
         return agree_only(features_, which, without);
     }
-    /// The same for the features of one photo.
+    /// Like agree_only(), but only with the features of one photo.
     bool agree_only(std::uint32_t photo, const std::vector<bool>& which,
                     const std::vector<bool>& without) const {
         std::vector<SharedFeature> own;

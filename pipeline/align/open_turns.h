@@ -9,17 +9,17 @@ namespace vantage {
 /// Photos whose EXIF orientation does not settle the orientation of their pixels relative to the cameras:
 /// another program turned the pixels and kept the tag, or the cameras refer to the displayed photos.
 struct OpenTurns {
-    std::vector<std::uint32_t> found;    ///< must be turned by PhotoInput::open_turn
-    std::vector<std::uint32_t> unknown;  ///< the features are inconclusive
+    std::vector<std::uint32_t> found;    ///< photos that must be turned by PhotoInput::open_turn
+    std::vector<std::uint32_t> unknown;  ///< photos whose features are inconclusive
 };
 
-/// Decides from the features that such photos share with their neighbors: these lie near the epipolar lines
-/// either only if the photo is turned, or only if it is not. At most 300 photos are tried. Empty if there is
-/// no such photo.
+/// Decides from the features that such photos share with their neighbors: they lie near the epipolar lines
+/// either only if the photo is turned or only if it is not. Tests at most 300 photos. Both lists are empty if
+/// no orientation is in doubt.
 OpenTurns find_open_turns(std::span<const PhotoInput> photos, const FeatureSettings& how);
 
-/// Gives the camera the size of the photo turned by 90 degrees about its center; read_photo() then turns the
-/// pixels, because of the size.
+/// Gives the camera the size of the photo turned by 90 degrees about its center; because of this size,
+/// read_photo() then turns the pixels.
 void take_as_displayed(PhotoInput& photo);
 
 }  // namespace vantage

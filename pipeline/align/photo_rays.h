@@ -9,13 +9,13 @@
 
 namespace vantage {
 
-/// The longer side of a camera's photo, px.
+/// The longer side of a camera's photo, in px.
 double longer_side(const Camera& camera);
 
 /// Rays of the original photos, including the lens; caches the valid ranges of the lenses. Not thread-safe.
 class PhotoRays {
   public:
-    /// `cameras`, by photo, must outlive this object.
+    /// `cameras` has one camera per photo and must outlive this object.
     explicit PhotoRays(std::span<const Camera> cameras) : cameras_(cameras) {}
 
     /// Normalized pinhole coordinates of a pixel; empty beyond the lens's valid range.

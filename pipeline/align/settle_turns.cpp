@@ -16,13 +16,14 @@ namespace {
 
 constexpr std::size_t max_names = 20;  ///< in a warning
 
-/// The orientation of a photo that lacks a needed EXIF orientation.
+/// The wrong orientation of a photo that must be turned by `orientation`.
 const char* lies(int orientation) {
     if (orientation == 3) return "upside down";
     return orientation == 6 || orientation == 8 ? "turned by 90 degrees" : "mirrored";
 }
 
-/// One warning for all photos of one EXIF orientation; `found`: whether they are known to be wrong.
+/// Adds one warning for all photos that have the same EXIF orientation. `found`: whether the photos are known
+/// to be wrong.
 void warn_of_turns(SceneInput& scene, const std::vector<std::uint32_t>& photos, bool found) {
     std::map<std::pair<int, int>, std::vector<std::string>> names;  // by orientation and its open turn
     for (const std::uint32_t i : photos) {
@@ -31,13 +32,14 @@ void warn_of_turns(SceneInput& scene, const std::vector<std::uint32_t>& photos, 
     }
     for (const auto& [how, of] : names) {
         const auto [orientation, open] = how;
-        const char* taken = orientation == open ? "pixels are taken as stored" : "turned as the file states";
+        const char* taken =
+            orientation == open ? "the pixels are used as stored" : "turned as the file states";
         const char* but = !found                ? ""
-                          : orientation == open ? ", but the cameras are of the photos as displayed"
-                                                : ", but the pixels had been turned before";
+                          : orientation == open ? ", but the cameras refer to the photos as displayed"
+                                                : ", but the pixels had already been turned";
         scene.warnings.push_back(fmt::format(
-            "{}{} for the cameras, {}: {}; {}{} (EXIF orientation {})", found ? "" : "perhaps ", lies(open),
-            found ? "as neighboring photos show" : "neighboring photos are inconclusive",
+            "{}{} relative to the cameras, {}: {}; {}{} (EXIF orientation {})", found ? "" : "perhaps ",
+            lies(open), found ? "as neighboring photos show" : "neighboring photos are inconclusive",
             first_of(of, max_names), taken, but, orientation));
     }
 }

@@ -3,8 +3,9 @@
 
 namespace vantage {
 
-/// Turns photos by 90 degrees if the features shared with their neighbors show that they need it, although
-/// their size does not. Adds a warning about each group of photos with an ambiguous orientation.
+/// Turns photos by 90 degrees if the features that they share with their neighbors show that this is
+/// necessary, although their size does not. Adds a warning about each group of photos with an ambiguous
+/// orientation.
 void settle_turns(SceneInput& scene, unsigned threads);
 
 }  // namespace vantage

@@ -12,13 +12,13 @@
 namespace vantage {
 namespace {
 
-constexpr float ratio = 0.8f;      ///< largest ratio to the second best match
+constexpr float ratio = 0.8f;      ///< largest distance of the best match relative to the second best
 constexpr double contrast = 0.02;  ///< half of OpenCV's default: stone and plaster have little texture
 
 cv::Ptr<cv::SIFT> detector(int features) { return cv::SIFT::create(features, 3, contrast); }
 
-/// The offset of features from a blob's center, in pixels to the right and down: a quarter in OpenCV before
-/// 4.8, which doubles the image without regard to pixel centers.
+/// The offset of a feature from the center of its blob, in pixels to the right and down: a quarter in OpenCV
+/// before 4.8, which ignores pixel centers when it doubles the image.
 double shift_of_features() {
     constexpr int size = 64;
     cv::Mat blob(size, size, CV_8U);
@@ -57,7 +57,7 @@ Features find_features(const PhotoInput& photo, const FeatureSettings& how) {
     return out;
 }
 
-/// The best match of each feature, if it is much better than the second best; else -1.
+/// The best match of each feature if it is much better than the second best, otherwise -1.
 std::vector<int> best_matches(const Features& from, const Features& to) {
     std::vector<std::vector<cv::DMatch>> two;
     cv::BFMatcher(cv::NORM_L2).knnMatch(from.descriptors, to.descriptors, two, 2);

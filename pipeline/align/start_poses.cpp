@@ -18,9 +18,10 @@ using PointSet = std::vector<Vector3d>;
 
 constexpr std::size_t rotations = 600, used_points = 200;
 constexpr double scales[] = {0.5, 0.7, 1, 1.4, 2};  ///< relative to the ratio of sizes
-constexpr double overlap = 0.7;                     ///< fraction of the points assumed to be on the mesh
-constexpr int iterations[] = {8, 20, 40};           ///< of ICP, each on the best fifth of the previous starts
-constexpr int cells = 48;                           ///< cells of the grid along its longest side
+constexpr double overlap = 0.7;                     ///< assumed fraction of the points that are on the mesh
+constexpr int cells = 48;                           ///< number of cells along the longest side of the grid
+/// ICP iterations per round; each round continues with the best fifth of the poses.
+constexpr int iterations[] = {8, 20, 40};
 
 /// The i-th of n rotations spread evenly (super-Fibonacci spirals; Alexa 2022).
 Eigen::Matrix3d spread_rotation(std::size_t i, std::size_t n) {
@@ -74,7 +75,7 @@ PointSet on_surface(const Mesh& mesh, std::size_t count) {
     return out;
 }
 
-/// The nearest surface point to the center of each cell of a grid in and around the surface's box.
+/// For the center of each cell of a grid in and around the surface's box, the nearest point on the surface.
 class NearestGrid {
   public:
     NearestGrid(const PointSet& mesh, const NearestSurface& surface) {
@@ -110,7 +111,7 @@ class NearestGrid {
     PointSet nearest_;
 };
 
-/// A start and the mean distance of its points from the surface, in units of the points.
+/// A starting pose and the mean distance of the points from the surface, in the units of the points.
 struct Start {
     Similarity to_mesh;
     double distance = std::numeric_limits<double>::infinity();
@@ -133,7 +134,7 @@ Similarity fit(const PointSet& p, const PointSet& q, std::span<const std::size_t
     return out;
 }
 
-/// ICP on the fraction `overlap` of the points that is nearest to the surface.
+/// ICP on the fraction `overlap` of the points that are nearest to the surface.
 void improve(Start& start, const PointSet& points, const NearestGrid& surface, int times) {
     const auto used = std::size_t(overlap * double(points.size()));
     PointSet nearest(points.size());
@@ -148,7 +149,7 @@ void improve(Start& start, const PointSet& points, const NearestGrid& surface, i
                                  [&](std::size_t i) { return distance[i]; });
         double sum = 0;
         for (std::size_t i = 0; i < used; ++i) sum += distance[order[i]];
-        // Measured in the points' units, so that shrinking does not reduce it.
+        // The distance is in the points' units, so that shrinking does not reduce it.
         start.distance = sum / double(used) / start.to_mesh.scale;
         if (n == times) return;
         start.to_mesh = fit(points, nearest, std::span(order).first(used));
