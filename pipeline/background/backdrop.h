@@ -15,7 +15,7 @@ namespace vantage {
 struct BackdropDetail {
     int sphere = 5;       ///< level of the direction sphere
     int labels = 96;      ///< depths per direction
-    int refinements = 2;  ///< number of further subdivisions of the sphere, for edges
+    int refinements = 2;  ///< number of further subdivisions, for sharper edges
     bool sky = true;      ///< whether sky is distinguished from other distant background
 };
 /// Enough to validate the effect; too coarse for the outline of the sky.
@@ -30,12 +30,12 @@ struct Backdrop {
     std::vector<std::uint8_t> is_sky;  ///< per direction, see sky_directions
 };
 
-/// Estimates the background's depth by direction from the photos, see docs/method.md. Needs at least two
+/// Estimates the background's depth by direction from the photos; see docs/method.md. Needs at least two
 /// views with different centers.
 Backdrop estimate_backdrop(std::span<const CoarseView> views, const MeshPlanes& mesh,
                            const BackdropDetail& detail, unsigned threads);
 
-/// Whether the views allow estimate_backdrop.
+/// Whether the centers of the views differ, as estimate_backdrop() requires.
 bool have_parallax(std::span<const CoarseView> views);
 
 }  // namespace vantage

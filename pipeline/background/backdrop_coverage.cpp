@@ -11,8 +11,8 @@ namespace {
 struct Seen {
     enum : std::uint8_t {
         in_front = 1,  ///< of the camera
-        near = 2,      ///< in the photo, or next to it, and next to an open texel
-        left = 8,      ///< outside the photo, on this side
+        near = 2,      ///< inside the photo or close to it, and close to an open texel
+        left = 8,      ///< to the left of the photo
         right = 16,
         above = 32,
         below = 64,

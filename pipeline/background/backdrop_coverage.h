@@ -11,11 +11,11 @@ namespace vantage {
 /// Triangles per cluster of a backdrop: the 256 pieces of one coarser triangle.
 inline constexpr std::uint32_t backdrop_cluster = 256;
 
-/// The backdrop's clusters, as in CLUS; without culling by normals.
+/// The backdrop's clusters in the form of CLUS, but without culling by normals.
 std::vector<package::ClusterRecord> backdrop_clusters(const Backdrop& backdrop);
 
 /// A photo's coverage of each of the backdrop's clusters, as stored in COVR: the region of the photo that the
-/// mesh does not cover. `gaps`: of the view, see gaps_in().
+/// mesh does not cover. `gaps` is the result of gaps_in() for this view.
 std::vector<package::CoverageRecord> backdrop_coverage(const Backdrop& backdrop,
                                                        std::span<const package::ClusterRecord> clusters,
                                                        const CoarseView& view,

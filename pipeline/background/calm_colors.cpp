@@ -15,8 +15,8 @@ Side side_of(const Backdrop& b, std::size_t direction) {
     return b.sphere.directions[direction].dot(b.sky.down) < 0 ? Side::above : Side::below;
 }
 
-/// The color of a direction in its photo, square root of light, with weight 1; weight 0 where something
-/// occludes the sky.
+/// The color of a direction in its photo, as the square root of light, with weight 1. The weight is 0 if
+/// there is no such color or if something occludes the sky.
 Eigen::Array4f shown_color(const Backdrop& b, std::span<const CoarseView> views, const BackdropPaint& paint,
                            std::size_t direction) {
     Eigen::Array4f out = Eigen::Array4f::Zero();
@@ -30,8 +30,8 @@ Eigen::Array4f shown_color(const Backdrop& b, std::span<const CoarseView> views,
     return out;
 }
 
-/// Extrapolates known colors (weight 1) to directions without one (weight 0), from neighbor to neighbor,
-/// fading to their mean with the distance.
+/// Extrapolates known colors (weight 1) from neighbor to neighbor to directions whose color is unknown
+/// (weight 0). With increasing distance, they fade to the mean of the known colors.
 void continue_colors(const DirectionSphere& sphere, std::vector<Eigen::Array4f>& colors) {
     constexpr int smoothing = 32;          // rounds
     constexpr float from = 8, steps = 24;  // on the sphere, over which the color fades to the mean
@@ -89,7 +89,7 @@ std::vector<Eigen::Array3f> calm_colors(const Backdrop& backdrop, std::span<cons
             if (side_of(backdrop, v) == side) out[v] = known[v].head<3>();
         if (side == Side::sky) sky = std::move(known);
         if (side != Side::above || !backdrop.sky.any()) continue;
-        // Haze: unseen directions above the horizon soon take the sky's color.
+        // Haze: not far above the horizon, unseen directions take on the sky's color.
         for (std::size_t v = 0; v < n; ++v) {
             const float rise =
                 std::clamp(-backdrop.sphere.directions[v].dot(backdrop.sky.down) / lowest_alone, 0.0f, 1.0f);
@@ -104,7 +104,7 @@ std::vector<Eigen::Array3f> calm_colors(const Backdrop& backdrop, std::span<cons
     out.reserve(backdrop.positions.size());
     for (std::size_t v = n; v < backdrop.positions.size(); ++v) {
         auto [a, b] = backdrop.sphere.ends[v];
-        // Uses one end alone if the other is across the edge of the sky.
+        // Uses only one end if the other end is on the other side of the sky's outline.
         if (backdrop.is_sky[a] != backdrop.is_sky[v]) a = b;
         if (backdrop.is_sky[b] != backdrop.is_sky[v]) b = a;
         out.push_back((out[a] + out[b]) / 2);

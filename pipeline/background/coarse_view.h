@@ -27,22 +27,22 @@ struct CoarseView {
     std::uint32_t photo = 0;
     Intrinsics k;  ///< for this level
     Pose pose;     ///< relative to the origin
-    /// ln_of() of linear light at the exposure of the mean photo; NaN where the photo has no pixel or shows
-    /// the mesh.
+    /// ln_of() of linear light at the photos' mean exposure; NaN where the photo has no pixel or shows the
+    /// mesh.
     std::vector<Eigen::Array3f> ln;
     std::vector<float> z;              ///< depth of the mesh, +inf in open texels
-    std::size_t pixels = 0, open = 0;  ///< texels with a pixel, and those of them that do not show the mesh
+    std::size_t pixels = 0, open = 0;  ///< numbers of texels with a pixel, and of open texels
 
     bool is_open(std::size_t texel) const { return !std::isnan(ln[texel][0]); }
 };
 
-/// A position relative to the origin in the view's camera space.
+/// Transforms a position relative to the origin to the view's camera space.
 inline Eigen::Vector3f in_camera(const CoarseView& view, const Eigen::Vector3f& position) {
     return (view.pose.R * position.cast<double>() + view.pose.t).cast<float>();
 }
 
-/// Reads the photos listed in `of` at the finest level with at most 192 texels on the longer side. `colors`:
-/// gains and vignetting per photo of the scene. Throws Error(damaged).
+/// Reads the photos listed in `of` at the finest level with at most 192 texels on the longer side. `colors`
+/// contains the gains and vignetting of all photos of the scene. Throws Error(damaged).
 std::vector<CoarseView> read_coarse_views(const PackageReader& package,
                                           std::span<const package::PhotoRecord> photos,
                                           std::span<const std::uint32_t> of, const PhotoColors& colors,

@@ -15,10 +15,11 @@ namespace vantage {
 struct DirectionSphere {
     static constexpr std::uint32_t none = ~0u;
     std::vector<Eigen::Vector3f> directions;              ///< unit length
-    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise seen from the center;
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise as seen from the center;
                                                           ///< the four pieces of a triangle are consecutive
-    std::vector<std::array<std::uint32_t, 6>> neighbors;  ///< per direction; for twelve, the last is none
-    std::vector<std::array<std::uint32_t, 2>> ends;  ///< of the bisected edge; for the first 12, itself twice
+    std::vector<std::array<std::uint32_t, 6>> neighbors;  ///< twelve directions have five, then `none`
+    /// Ends of the bisected edge; the first 12 directions name themselves twice.
+    std::vector<std::array<std::uint32_t, 2>> ends;
 };
 
 /// `level`: number of subdivisions; the result has 20 * 4^level triangles.

@@ -82,7 +82,8 @@ EffectDecision validated(const BackgroundInput& in, const CoarseViews& some, con
     return d;
 }
 
-/// Marks the triangles whose corners all have a photo's label, and those with such a corner.
+/// Marks, for each photo, the triangles whose corners all have its label, and the triangles of which at least
+/// one corner has it.
 void mark_labels(const BackdropPaint& paint, std::span<const CoarseView> views, BackgroundContent& content) {
     const std::size_t words = package::visible_words(content.triangles.size());
     for (std::vector<std::uint64_t>& bits : content.visible) bits.assign(2 * words, 0);
@@ -138,7 +139,7 @@ std::vector<std::byte> chunk_of(const BackgroundInput& in, const Backdrop& backd
         std::vector<Eigen::Array3f> calm = calm_colors(backdrop, some.views, paint);
         return Painted{std::move(paint), std::move(calm)};
     });
-    // In batches, because there may be many photos.
+    // The photos are read in batches, because there may be many.
     std::vector<std::uint32_t> with_pixels;
     for (std::uint32_t i = 0; i < in.photos.size(); ++i)
         if (in.photos[i].levels) with_pixels.push_back(i);
@@ -174,8 +175,8 @@ Background find_background(const BackgroundInput& in) {
     const MeshPlanes mesh = mesh_planes(in.discs, some.views);
     Background out{first_decision(in, some.views), {}, shade_beside(some.views)};
     if (!out.decision.on) return out;
-    // Runs concurrently with the validation, except around objects: in most other scenes, the effect stays
-    // on.
+    // Runs concurrently with the validation, except for scans of objects: in most other scenes, the effect
+    // stays on after the validation.
     std::future<Backdrop> estimate =
         std::async(in.kind == KindOfScan::object ? std::launch::deferred : std::launch::async,
                    [&] { return estimate_backdrop(some.views, mesh, {}, in.threads); });

@@ -30,7 +30,8 @@ struct BackgroundInput {
     unsigned threads = 0;
 };
 
-/// The decision, and the content of SURR (scene/package/contents/background.h): empty if the effect is off.
+/// The decision and the content of SURR (scene/package/contents/background.h), which is empty if the effect
+/// is off.
 struct Background {
     EffectDecision decision;
     std::vector<std::byte> chunk;

@@ -19,10 +19,11 @@ constexpr float from_median = 4, most_from_median = 0.4f;
 constexpr float next_to_mesh = 1, mesh_reach = 3.25f;      ///< texels
 constexpr float next_to_frame = 0.5f, frame_reach = 6.5f;  ///< texels
 constexpr float coarser = 0.3f;                            ///< cost per halving of the resolution
-constexpr float not_sky = 0.5f;                            ///< cost if another view shows sky
+/// Cost of a view without sky where another shows sky.
+constexpr float not_sky = 0.5f;
 constexpr float seam = 0.02f, seam_contrast = 3;
 
-/// One view's sample of a direction; `cost` is `invalid` without one.
+/// One view's sample of a direction; `cost` is `invalid` if there is none.
 struct Shown {
     float cost = invalid;
     bool inside = false;                            ///< in the photo, but possibly behind the mesh
@@ -87,8 +88,8 @@ class Photos {
 
 using Labels = std::vector<std::uint8_t>;
 
-/// The cost of a seam between two views at a point; unknown colors are replaced by the mean of the known
-/// ones.
+/// The color difference of two views at a point, for the cost of a seam; a constant if one of the colors is
+/// unknown.
 float contrast(const std::vector<Shown>& at, std::uint8_t a, std::uint8_t b) {
     if (at[a].cost >= invalid || at[b].cost >= invalid) return most_from_median / 2;
     return (at[a].color - at[b].color).abs().mean();
@@ -134,8 +135,8 @@ class Cuts {
     using Graph = cv::detail::GCGraph<int>;
     static int units(float cost) { return int(std::lround(1000 * cost)); }
 
-    /// A pair's costs as terminal weights and one edge (Kolmogorov and Zabih 2004); if both are alpha, the
-    /// cost is 0.
+    /// Adds the costs of a pair of directions as terminal weights and one edge (Kolmogorov and Zabih 2004).
+    /// The cost is 0 if both directions take the label alpha.
     void add_edge(Graph& graph, std::uint32_t u, std::uint32_t v, std::uint8_t alpha) const {
         const int keep = units(cost(u, v, labels_[u], labels_[v])),
                   only_v = units(cost(u, v, labels_[u], alpha)),
@@ -155,8 +156,8 @@ class Cuts {
     std::vector<std::uint32_t> directions_;
 };
 
-/// Labels of the next subdivision: the cheaper label of the two ends; at seams, the cheapest of all
-/// neighbors.
+/// Labels of the next subdivision: the cheaper of the labels at the two ends of the bisected edge. At seams,
+/// the cheapest of all neighbors' labels.
 Labels refined(const Photos& photos, const DirectionSphere& sphere, const Labels& coarse, unsigned threads) {
     constexpr int rounds = 2;
     Labels out(sphere.directions.size(), none);
@@ -263,7 +264,8 @@ std::vector<Eigen::Array3f> refined(const std::vector<Eigen::Array3f>& coarse, c
     return out;
 }
 
-/// 0 in directions outside all photos, rising within some steps to 1 in directions inside at least three.
+/// 0 in directions that are in no photo, rising within a few steps to 1 in directions that are in at least
+/// three photos.
 std::vector<float> trust_of(const DirectionSphere& sphere, const std::vector<std::vector<Shown>>& shown) {
     constexpr float of_few[] = {0, 0.7f, 0.9f, 1};  // views
     constexpr int steps = 2;

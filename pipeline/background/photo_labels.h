@@ -8,16 +8,17 @@
 
 namespace vantage {
 
-/// The color source of each direction of a backdrop, see docs/method.md.
+/// The color source of each direction of a backdrop; see docs/method.md.
 struct BackdropPaint {
     static constexpr std::uint8_t none = 255;
-    std::vector<std::uint8_t> view;          ///< index of the view that shows it, or none
-    std::vector<Eigen::Array3f> correction;  ///< of that view's color, hides seams; square roots of light
-    std::vector<float> trust;                ///< 0 to 1: falls to 0 in unseen directions
+    std::vector<std::uint8_t> view;  ///< index of the view that shows the direction, or `none`
+    /// Added to that view's color to hide seams, in square roots of light.
+    std::vector<Eigen::Array3f> correction;
+    std::vector<float> trust;  ///< 0 to 1: falls to 0 in unseen directions
 };
 
 /// Chooses one view per direction by graph cuts (alpha expansion, Boykov et al. 2001; seams as in Agarwala et
-/// al. 2004), and smooth corrections that match colors across seams. At most 254 views.
+/// al. 2004), and smooth corrections that match colors across seams. There may be at most 254 views.
 BackdropPaint paint_backdrop(const Backdrop& backdrop, std::span<const CoarseView> views, unsigned threads);
 
 }  // namespace vantage

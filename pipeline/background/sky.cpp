@@ -12,9 +12,9 @@ namespace {
 constexpr float brightest = 130;     ///< minimum sRGB code of the brightest channel
 constexpr float steepest = 14;       ///< maximum difference between neighboring texels, codes
 constexpr float far_away = 20;       ///< distance in units of the cameras' spread
-constexpr double far_share = 0.1;    ///< minimum fraction of a connected region
+constexpr double far_share = 0.1;    ///< minimum fraction of distant directions in a connected region
 constexpr int smallest_part = 30;    ///< texels
-constexpr double least_share = 0.3;  ///< minimum fraction of the open texels above the horizon
+constexpr double least_share = 0.3;  ///< minimum fraction of sky in the open texels above the horizon
 
 /// The viewing direction of a texel, not normalized.
 Eigen::Vector3f ray_of(const CoarseView& v, int x, int y) {
@@ -32,7 +32,7 @@ cv::Mat1f brightness(const CoarseView& v) {
     return out;
 }
 
-/// Open texels above the horizon: 255 if they look like sky, else 1.
+/// For each texel, 0 unless it is open and above the horizon, then 255 if it looks like sky, otherwise 1.
 cv::Mat1b candidates(const CoarseView& v, const Eigen::Vector3f& down) {
     const cv::Mat1f light = brightness(v);
     cv::Mat1b out(v.k.height, v.k.width, uchar(0));
@@ -52,7 +52,7 @@ cv::Mat1b candidates(const CoarseView& v, const Eigen::Vector3f& down) {
     return out;
 }
 
-/// Number of directions per connected region of the view: all, and those far away.
+/// The number of directions in a connected region of the view, and the number of those that are far away.
 struct PartDirections {
     int all = 0, far = 0;
 };
@@ -74,7 +74,7 @@ std::vector<PartDirections> directions_in(const cv::Mat1i& parts, int count, con
     return out;
 }
 
-/// Keeps connected regions that are large and contain distant directions, dilated by a texel.
+/// Keeps connected regions that are large and contain distant directions, and dilates them by a texel.
 std::vector<std::uint8_t> far_parts(const cv::Mat1b& candidate, const CoarseView& v,
                                     const SweptDepths& depths, const DirectionSphere& sphere,
                                     const std::vector<float>& inverse) {

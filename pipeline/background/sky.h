@@ -26,15 +26,15 @@ struct Sky {
     }
 };
 
-/// Finds smooth, bright texels above the horizon that are connected to distant parts of the backdrop. A scene
-/// has no sky unless it fills a large fraction of the open texels there, see docs/method.md. `inverse`:
-/// inverse distances of the sphere's directions.
+/// Finds smooth, bright texels above the horizon that are connected to distant parts of the backdrop. Finds
+/// no sky unless these texels are a large fraction of the open texels above the horizon; see docs/method.md.
+/// `inverse` contains the inverse distances of the sphere's directions.
 Sky find_sky(std::span<const CoarseView> views, const SweptDepths& depths, const DirectionSphere& sphere,
              const std::vector<float>& inverse, const Eigen::Vector3d& down);
 
 /// For each direction, 1 if it is at infinity: at least half of the photos that cover it show sky there, or
 /// it is above the horizon, covered by fewer than two photos, and either high or hidden by the mesh in most
-/// photos. All 0 in a scene without sky.
+/// photos. All values are 0 in a scene without sky.
 std::vector<std::uint8_t> sky_directions(std::span<const CoarseView> views, const Sky& sky,
                                          const DirectionSphere& sphere, unsigned threads);
 

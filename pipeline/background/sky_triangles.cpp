@@ -20,8 +20,8 @@ constexpr int picture_side = 768;
 constexpr float least_light = 130;           ///< minimum of the brightest channel
 constexpr float largest_step = 5;            ///< maximum difference between neighboring texels
 constexpr float most_off = 20;               ///< maximum difference from the sky beside the mesh
-constexpr float saturated = 248;             ///< minimum of all channels at which the content is unknown
-constexpr int sky_reach = 97;                ///< texels, width of the neighborhood whose sky is compared
+constexpr float saturated = 248;             ///< minimum of all channels of an overexposed texel
+constexpr int sky_reach = 97;                ///< width in texels of the neighborhood whose sky is compared
 constexpr float least_rise = 0.03f;          ///< sine of the elevation
 constexpr float sure = 0.7f, likely = 0.4f;  ///< fractions of photos
 constexpr float least_photos = 2;
@@ -55,7 +55,7 @@ SkyPicture read_sky_picture(const PackageReader& package, const package::PhotoRe
 float brightest_of(const cv::Vec3f& c) { return std::max({c[0], c[1], c[2]}); }
 bool is_saturated(const cv::Vec3f& c) { return std::min({c[0], c[1], c[2]}) >= saturated; }
 
-/// The mean color of the sky around each texel, its weight in the fourth channel: 0 if none is near.
+/// The mean color of the sky around each texel, with its weight in the fourth channel: 0 if no sky is near.
 cv::Mat4f sky_around(const SkyPicture& p) {
     cv::Mat4f sums(p.codes.size(), cv::Vec4f::all(0));
     for (int y = 0; y < sums.rows; ++y)
@@ -66,7 +66,7 @@ cv::Mat4f sky_around(const SkyPicture& p) {
     return sums;
 }
 
-/// Texels that look like the sky around them, without an edge.
+/// Texels that look like the sky around them and are not at an edge.
 cv::Mat1b like_sky(const SkyPicture& p) {
     const cv::Mat4f around = sky_around(p);
     cv::Mat1b out(p.codes.size(), uchar(0));
@@ -123,15 +123,15 @@ std::vector<std::uint32_t> indices_of(std::span<const std::array<std::uint32_t, 
     return out;
 }
 
-/// The nearest triangle at each texel, as its position in `indices`; else TriangleMap::none.
+/// The nearest triangle at each texel, as its position in `indices`; TriangleMap::none without a triangle.
 std::vector<std::uint32_t> nearest_of(const PhotoProjection& projection,
                                       std::span<const std::uint32_t> indices) {
     const std::vector<float> no_values(projection.positions.size(), 0);
     return rasterize(projection, indices, no_values).triangles;
 }
 
-/// Keeps triangles that have no other part of the mesh behind them in any photo, because that part would show
-/// the photo's sky.
+/// Keeps triangles that have no other part of the mesh behind them in any photo, because that part would be
+/// colored with the photo's sky.
 std::vector<std::uint32_t> before_nothing(std::span<const Eigen::Vector3f> positions,
                                           std::span<const std::array<std::uint32_t, 3>> triangles,
                                           std::span<const SkyPicture> pictures,
@@ -167,7 +167,7 @@ std::vector<std::uint32_t> before_nothing(std::span<const Eigen::Vector3f> posit
     return hidden;
 }
 
-/// Keeps triangles connected by vertices to one above the threshold `sure`.
+/// Keeps triangles that are connected through shared vertices to a triangle above the threshold `sure`.
 std::vector<std::uint32_t> connected_to_sure(std::span<const std::array<std::uint32_t, 3>> triangles,
                                              const std::vector<std::uint32_t>& candidates,
                                              const std::vector<Votes>& votes, std::size_t vertices) {

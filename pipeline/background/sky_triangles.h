@@ -26,13 +26,14 @@ std::vector<SkyPicture> read_sky_pictures(const PackageReader& package,
                                           std::span<const CoarseView> views, const Sky& sky,
                                           unsigned threads);
 
-/// Marks texels of the mesh whose color continues that of the sky next to it: 1 for sky, connected to open
-/// sky without an edge; 2 for possible sky that is overexposed, as a white wall would be.
+/// Marks texels of the mesh whose color continues that of the sky next to it: 1 if they are connected to open
+/// sky without an edge; 2 if they are also overexposed, and so may show a white wall as well as sky.
 cv::Mat1b sky_on_mesh(const SkyPicture& picture);
 
-/// The triangles that the photos show as sky, ascending: a surface reconstructed from the sky, such as a
-/// membrane between roofs. Includes triangles that nearly all photos show as sky, and triangles connected to
-/// these that many photos show as sky, but none below the horizon or visible in only one photo.
+/// The triangles that the photos show as sky, in ascending order: a surface reconstructed from the sky, such
+/// as a membrane between roofs. These are triangles that most photos show as sky, and triangles connected to
+/// them that many photos show as sky. Triangles below the horizon or visible in only one photo are never
+/// included.
 std::vector<std::uint32_t> sky_triangles(std::span<const Eigen::Vector3f> positions,
                                          std::span<const std::array<std::uint32_t, 3>> triangles,
                                          std::span<const SkyPicture> pictures, const Eigen::Vector3f& down,

@@ -23,8 +23,8 @@
 namespace vantage {
 namespace {
 
-constexpr double worth_having = 0.01;   ///< fraction of a photo that is open
-constexpr double least_compared = 400;  ///< texels of all photos; the verdict is scaled down with fewer
+constexpr double worth_having = 0.01;   ///< minimum fraction of a photo's pixels that are open
+constexpr double least_compared = 400;  ///< texels in all photos; with fewer, the verdict is scaled down
 constexpr double same_enough = 25;      ///< dB, for a background that moves with the camera
 constexpr double plain_enough = 30;     ///< dB
 constexpr double close_codes = 25;      ///< maximum difference in each channel, sRGB codes
@@ -50,7 +50,7 @@ cv::Mat own_background(const CoarseView& view) {
     return out;
 }
 
-/// The weighted mean of colors, in square roots of light, as the player blends.
+/// The weighted mean of colors in square roots of light, as in the player.
 class Blend {
   public:
     void add(const Eigen::Array3f& linear, float weight) {
@@ -97,8 +97,8 @@ cv::Mat from_backdrop(const CoarseView& view, const Backdrop& backdrop, std::spa
     return out;
 }
 
-/// The view predicted as if the background moved with the camera, from the same pixels of the others,
-/// weighted toward the nearest; and as if it had one color.
+/// Two predictions of the view: as if the background moved with the camera, from the same pixels of the other
+/// views with the largest weights for the nearest; and as if the background had one color.
 std::array<cv::Mat, 2> without_geometry(const CoarseView& view, std::span<const CoarseView> others) {
     std::array<cv::Mat, 2> out{blank(view), blank(view)};
     const Eigen::Vector3d eye = view.pose.center();
@@ -122,7 +122,7 @@ std::array<cv::Mat, 2> without_geometry(const CoarseView& view, std::span<const 
     return out;
 }
 
-/// The views with color corrections found without photo `without`.
+/// The views other than photo `without`, with color corrections that were computed without it.
 std::vector<CoarseView> exposed_without(std::span<const CoarseView> views, std::uint32_t without,
                                         const PhotoColors& used, const PhotoColors& fitted) {
     std::vector<CoarseView> out;
@@ -139,8 +139,8 @@ std::vector<CoarseView> exposed_without(std::span<const CoarseView> views, std::
     return out;
 }
 
-/// Pixels at which a prediction is close to the photo, after the best gain per channel for the pixels of
-/// `where`.
+/// For each pixel in `where`, whether a prediction is close to the photo after applying the gain per channel
+/// that fits these pixels best.
 std::vector<bool> close_pixels(const cv::Mat& own, const cv::Mat& predicted,
                                const std::vector<cv::Point>& where) {
     cv::Vec3d both{}, squares{};
@@ -161,7 +161,8 @@ std::vector<bool> close_pixels(const cv::Mat& own, const cv::Mat& predicted,
     return out;
 }
 
-/// Number of pixels that one color does not explain, and the additional pixels that the backdrop explains.
+/// The number of pixels that one color does not explain, and how many more pixels the backdrop explains than
+/// one color does.
 struct Explained {
     double all = 0, by_backdrop = 0;
 };
@@ -178,7 +179,8 @@ Explained explained_by(const cv::Mat& backdrop, const cv::Mat& plain, const cv::
     return {double(where.size()) - by_plain, close(backdrop) - by_plain};
 }
 
-/// A photo's predictions: by the backdrop, by the same pixels of other photos, and by one color.
+/// The scores of a photo's predictions from the backdrop, from the same pixels of other photos, and from one
+/// color.
 struct Predicted {
     std::string name;
     ValidationScore backdrop, same, plain;

@@ -16,16 +16,18 @@ namespace vantage {
 /// The benefit of the background, from predictions of the open texels of held-out photos.
 struct BackgroundVerdict {
     Judgment gain;  ///< relative to a single color
-    /// Fraction of the compared pixels in photos that the same pixels of other photos predict to 25 dB, and
-    /// better than the backdrop does: the background moves with the camera, as behind a turntable.
+    /// The fraction of the compared pixels that belong to photos in which the background moves with the
+    /// camera, as behind a turntable: the same pixels of other photos predict such a photo to more than 25
+    /// dB, and better than the backdrop does.
     double with_camera = 0;
-    double plain = 0;  ///< fraction of the compared pixels in photos that one color predicts to 30 dB
+    /// Fraction of the compared pixels that belong to photos in which the background has one color.
+    double plain = 0;
     /// Of the pixels that one color does not predict within 25 codes, the fraction that the backdrop
     /// predicts; negative if it predicts fewer than the single color. Empty if fewer than three photos can be
     /// compared.
     std::optional<double> agreed{};
-    /// The reason against the effect; empty if it is worthwhile. Around an object, which may be moved between
-    /// series of photos or turned, more pixels must agree.
+    /// The reason for turning the effect off; empty if it is worthwhile. Around an object, which may be moved
+    /// between series of photos or turned, more pixels must agree.
     std::string objection(KindOfScan kind) const;
 };
 
@@ -33,7 +35,7 @@ struct BackgroundVerdict {
 struct SampledPhotos {
     std::span<const package::PhotoRecord> photos;
     Samples samples;
-    std::span<const std::uint32_t> lens;  ///< per photo, see lenses_of
+    std::span<const std::uint32_t> lens;  ///< index of each photo's lens; see lenses_of()
 };
 
 /// Holds out up to `most` views, one at a time; backdrop and gains are computed without the held-out view.

@@ -10,11 +10,11 @@ namespace {
 
 constexpr float jump = 0.1f;        ///< the largest cost of a step between neighbors
 constexpr float unit = jump / 255;  ///< unit of the stored messages, which are at most `jump`
-constexpr float slope = 0.6f;       ///< per inverse distance times the reach
-constexpr int sweeps = 4;           ///< passes through all directions, forward and backward
+constexpr float slope = 0.6f;       ///< cost of a step per unit of inverse distance times the reach
+constexpr int sweeps = 4;           ///< passes through all directions, alternately forward and backward
 
-/// For each lane and label, the minimum over all labels of their cost plus that of the step, minus the
-/// smallest cost. `cost`: the lanes of each label.
+/// In each lane, replaces the cost of each label with the minimum, over all labels, of their cost plus the
+/// cost of the step between the two, minus the lane's smallest cost. `cost` lists the lanes of each label.
 VANTAGE_SIMD void allow_steps(float* cost, std::size_t labels, float penalty) {
     Floats smallest, last, at;
     load(last, cost);

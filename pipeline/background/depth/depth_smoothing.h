@@ -9,8 +9,8 @@ namespace vantage {
 float step_cost(float difference, double reach);
 
 /// The inverse distance of each direction: the labels with the smallest sum of data costs and step costs
-/// between neighbors, by belief propagation (Felzenszwalb and Huttenlocher 2006), snapped to a plane if one
-/// is within a label. Unseen directions are extrapolated from their neighbors.
+/// between neighbors, by belief propagation (Felzenszwalb and Huttenlocher 2006), snapped to a plane that is
+/// within one label, if there is one. Unseen directions are extrapolated from their neighbors.
 std::vector<float> inverse_distances(const SweptDepths& depths, const DirectionSphere& sphere);
 
 }  // namespace vantage

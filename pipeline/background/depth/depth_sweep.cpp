@@ -29,7 +29,8 @@ float cost_at(const SweptDepths& d, const PlaceCost& cost, const PlaceCost::Sigh
     return cost(sights, inverse) + (inverse > d.most[direction] ? DepthPriors::inside : 0);
 }
 
-/// Averages over each direction and its neighbors, which have similar content and independent noise.
+/// Averages the costs of each direction with those of its neighbors, which have similar content and
+/// independent noise.
 void average(SweptDepths& d, const DirectionSphere& sphere) {
     const std::vector<std::uint32_t> at = positions_of(d);
     const auto n = std::size_t(d.labels);

@@ -11,11 +11,12 @@
 
 namespace vantage {
 
-/// Depths by direction, as inverse distances from a center: a label times `step` is added to the base, which
-/// is the ground or infinity.
+/// Depths by direction, as inverse distances from a center: the base, which is the ground or infinity, plus a
+/// label times `step`.
 struct SweptDepths {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< mean of the cameras, relative to the origin
-    double reach = 1;                                  ///< root mean square distance of the cameras from it
+    /// Root mean square distance of the cameras from the center.
+    double reach = 1;
     int labels = 0;
     float step = 0;
     std::vector<float> base;           ///< per direction
@@ -27,7 +28,8 @@ struct SweptDepths {
 
 /// Costs that do not come from photos, in units of ln(color).
 struct DepthPriors {
-    static constexpr float nearer = 0.2f;  ///< added toward the nearest label, to prefer the base
+    /// Added for the nearest label, less for others, to prefer the base.
+    static constexpr float nearer = 0.2f;
     static constexpr float not_base = 0.02f;
     static constexpr float inside = 2.0f;       ///< added if a camera is behind the backdrop
     static constexpr float on_a_plane = 0.04f;  ///< subtracted on walls
@@ -46,12 +48,12 @@ SweptDepths sweep_depths(std::span<const CoarseView> views, const DirectionSpher
 void prefer_planes(SweptDepths& depths, std::span<const CoarseView> views, const DirectionSphere& sphere,
                    std::span<const Plane> planes, unsigned threads);
 
-/// For each direction, the inverse distance of the ground if it is below the horizon, otherwise that of
-/// infinity.
+/// For each direction, the inverse distance of the ground if it is below the horizon, otherwise one that
+/// counts as infinity.
 std::vector<float> base_depths(const DirectionSphere& sphere, const Eigen::Vector3d& center, double reach,
                                const std::optional<Plane>& ground);
 
-/// The index of each direction in `shown`; none for directions that it does not contain.
+/// The index of each direction in `shown`; `none` for directions that are not in `shown`.
 std::vector<std::uint32_t> positions_of(const SweptDepths& depths);
 
 }  // namespace vantage

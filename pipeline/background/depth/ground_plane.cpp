@@ -12,14 +12,14 @@
 namespace vantage {
 namespace {
 
-constexpr float largest = 0.5f;  ///< difference of ln(color), mean of the channels; clamped
-constexpr int step = 6;          ///< distance between compared texels, along both sides
+constexpr float largest = 0.5f;  ///< limit on the difference of ln(color), the mean of the channels
+constexpr int step = 6;          ///< distance between compared texels, in both directions
 constexpr std::size_t max_comparisons = 300'000;
 constexpr int heights = 24;
 constexpr int max_rounds = 24;
 
-/// Agreement of the photos if their open texels lie on a plane: the sum of `largest` minus the difference,
-/// over all texels whose rays meet the plane and all other photos.
+/// The agreement of the photos if their open texels lie on a plane: the sum of `largest` minus the color
+/// difference, over all texels whose rays meet the plane and over all other photos.
 class PlaneAgreement {
   public:
     explicit PlaneAgreement(std::span<const CoarseView> views) : views_(views) {
@@ -82,7 +82,7 @@ class PlaneAgreement {
     std::vector<std::vector<Ray>> rays_;
 };
 
-/// Compass search over height, and over tilt unless it is known.
+/// Improves a plane by a compass search over its height, and over its tilt unless that is known.
 Plane refined(const PlaneAgreement& agreement, Plane plane, double value, double lowest,
               const Eigen::Vector3d& pivot, bool tilt_known) {
     const Eigen::Vector3d a = plane.normal.unitOrthogonal(), b = plane.normal.cross(a);
@@ -142,7 +142,8 @@ std::optional<Plane> find_ground(std::span<const CoarseView> views, const MeshPl
     };
     for (std::size_t i = 0; i < heights; ++i) values[i] = agreement(plane(i));
     const auto best = std::size_t(std::ranges::max_element(values) - values.begin());
-    // The floor of an object on a table ends nearby: photos then agree far better on another plane.
+    // The floor that belongs to an object on a table is the tabletop, which ends nearby; the photos then
+    // agree far better on another plane.
     if (mesh.floor && agreement(*mesh.floor) >= 0.5 * values[best]) return mesh.floor;
     // The peak must be inside the range: at its ends, a ground would be visible to hardly any photo, or to
     // all.

@@ -12,11 +12,12 @@ namespace {
 
 constexpr std::size_t max_planes = 3;
 constexpr int plane_tries = 300;
-constexpr std::size_t max_compared = 5000;                    ///< discs per trial
-constexpr double least_plane_share = 0.04, thickness = 0.01;  ///< of the mesh's extent
-constexpr float same_way = 0.9f;                              ///< cosine between normals
-constexpr double level = 0.966;                               ///< cosine between a floor's normal and down
-constexpr double least_floor = 0.004;                         ///< fraction of the discs
+constexpr std::size_t max_compared = 5000;  ///< discs per trial
+/// The thickness is relative to the mesh's extent.
+constexpr double least_plane_share = 0.04, thickness = 0.01;
+constexpr float same_way = 0.9f;       ///< cosine between normals
+constexpr double level = 0.966;        ///< cosine between a floor's normal and down
+constexpr double least_floor = 0.004;  ///< fraction of the discs
 
 using Disc = SurfaceDisc;
 
@@ -49,7 +50,7 @@ bool lies_on(const Disc& d, const Disc& seed, double thick) {
            std::abs(d.normal.dot(seed.normal)) > same_way;
 }
 
-/// The disc, among those tried, with the most other discs on its plane.
+/// The disc with the most other discs on its plane, among a number of random discs.
 const Disc& best_seed(const std::vector<const Disc*>& discs, double thick, std::mt19937_64& random) {
     // A sample is enough to compare the seeds.
     std::vector<Disc> sample;

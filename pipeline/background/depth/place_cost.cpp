@@ -11,7 +11,7 @@ namespace {
 constexpr float shown_once = 0.35f, shown_never = 0.4f;
 constexpr float hides = 1.0f;  ///< cost if the point would hide the mesh
 
-/// The cost of a point from its colors: mean difference from the median.
+/// The cost of a point: the mean difference of its colors from their median.
 float disagreement(const std::vector<Eigen::Array3f>& colors) {
     if (colors.empty()) return shown_never;
     if (colors.size() == 1) return shown_once;
@@ -47,7 +47,8 @@ void PlaceCost::aim(const Eigen::Vector3f& direction, float low, float high, Sig
     out.clear();
     for (const SweptView& v : views_) {
         const Eigen::Vector3f ray = v.R * direction;
-        // Linear in the inverse distance: if negative at both ends, then negative between them.
+        // These values are linear in the inverse distance: if one is negative at both ends, it is negative
+        // between them.
         const Eigen::Array<float, 5, 1> near_side = v.frame * (v.center * high + ray),
                                         far_side = v.frame * (v.center * low + ray);
         if (!(near_side < 0 && far_side < 0).any()) out.push_back({&v.view, v.center, ray});

@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// The photometric cost of a point of the backdrop, see docs/method.md. Points are given by a direction from
+/// The photometric cost of a point of the backdrop; see docs/method.md. Points are given by a direction from
 /// the center and an inverse distance.
 class PlaceCost {
   public:
@@ -37,7 +37,7 @@ class PlaceCost {
         const CoarseView& view;
         Eigen::Matrix3f R;
         Eigen::Vector3f center;            ///< in camera space
-        Eigen::Matrix<float, 5, 3> frame;  ///< its product with a point is all positive inside the photo
+        Eigen::Matrix<float, 5, 3> frame;  ///< its product with a point inside the photo is all positive
     };
     std::vector<SweptView> views_;
     std::vector<Eigen::Vector3f> eyes_;  ///< relative to the center

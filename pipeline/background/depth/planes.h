@@ -30,24 +30,24 @@ struct MeshPlanes {
     std::optional<Eigen::Vector3d> down;  ///< unit length; empty if the mesh has too few walls and floors
     std::optional<Plane> floor;           ///< the largest level plane below all cameras
 };
-/// Finds planes with RANSAC (Fischler and Bolles 1981); with `down`, the floor is level. Deterministic.
+/// Finds planes with RANSAC (Fischler and Bolles 1981). The floor is level if `down` is known. Deterministic.
 MeshPlanes mesh_planes(std::span<const SurfaceDisc> discs, std::span<const CoarseView> views);
 
 /// The height of the lowest camera, measured downward; -inf without views.
 double lowest_camera(std::span<const CoarseView> views, const Eigen::Vector3d& down);
 
-/// The down direction from the photos alone, and from the mesh with the photos as a fallback.
+/// The down direction, from the photos alone or from the mesh, with the photos as a fallback.
 Eigen::Vector3d down_direction(std::span<const CoarseView> views);
 Eigen::Vector3d down_direction(std::span<const CoarseView> views, const MeshPlanes& mesh);
 
-/// The plane of the mesh's floor, or else the plane below the cameras on which the photos' open texels agree
-/// best; empty if no plane stands out.
+/// The plane of the mesh's floor, otherwise the plane below the cameras on which the photos' open texels
+/// agree best; empty if no plane stands out.
 std::optional<Plane> find_ground(std::span<const CoarseView> views, const MeshPlanes& mesh);
 
 /// The planes on which background may lie.
 struct ScenePlanes {
     std::optional<Plane> ground;
-    std::vector<Plane> walls;  ///< walls of the mesh, or found beyond it
+    std::vector<Plane> walls;  ///< walls of the mesh and walls found beyond it
 };
 
 }  // namespace vantage

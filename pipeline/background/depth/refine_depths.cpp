@@ -34,7 +34,8 @@ class Refinement {
                            [&](std::size_t v) { most_[v] = cost_.innermost(fine.directions[v]); });
     }
 
-    /// The directions of the coarse sphere come first; each further one bisects an edge between two of them.
+    /// The directions of the coarse sphere come first; each further direction bisects an edge between two of
+    /// these.
     void interpolate(const std::vector<float>& inverse) {
         for (std::size_t v = 0; v < inverse.size(); ++v) over_[v] = std::max(0.0f, inverse[v] - base_[v]);
         for (std::size_t v = inverse.size(); v < base_.size(); ++v) {
