@@ -36,7 +36,7 @@ struct CoarseView {
     bool is_open(std::size_t texel) const { return !std::isnan(ln[texel][0]); }
 };
 
-/// Transforms a position relative to the origin to the view's camera space.
+/// Transforms a position relative to the origin into the view's camera space.
 inline Eigen::Vector3f in_camera(const CoarseView& view, const Eigen::Vector3f& position) {
     return (view.pose.R * position.cast<double>() + view.pose.t).cast<float>();
 }

@@ -22,9 +22,11 @@ struct AlignOptions {
 };
 
 void print(const Alignment& a) {
-    fmt::print(text_output(), "features {} shared by photos, {} of them on the mesh, to {:.1f} px (median)\n",
-               a.features, a.on_mesh, a.median);
-    fmt::print(text_output(), "agree    {:.2f} of 1; next best alignment {:.2f}\n", a.agreement, a.next);
+    fmt::print(text_output(),
+               "features {} shared by photos, {} of them on the mesh (median error {:.1f} px)\n", a.features,
+               a.on_mesh, a.median);
+    fmt::print(text_output(), "agree    {:.2f} on a scale from 0 to 1; next best alignment {:.2f}\n",
+               a.agreement, a.next);
     const Similarity& s = a.mesh_from_cameras;
     const Eigen::Matrix<double, 3, 4> m = matrix_of(s);
     for (int row = 0; row < 3; ++row)
@@ -80,7 +82,8 @@ void add_align(const Command& program) {
     c.notes(
         "Features that photos share are triangulated and fitted to the mesh, with rotation, translation and "
         "scale.\n"
-        "The scene file holds the similarity. The command fails if the photos do not determine it.\n"
+        "The resulting similarity transform is written to the scene file. The command fails if the photos do "
+        "not determine it.\n"
         "Examples:\n  vantage align scans/chapel -o chapel.toml\n"
         "  vantage prepare chapel.toml -o chapel\n"
         "  vantage align --mesh laser.ply --cameras sparse --photos images -o laser.toml");

@@ -29,8 +29,8 @@ struct Checked {
     double seconds;
 };
 
-/// The inputs of a package: the folder itself for a single package, else its subfolder with the package's
-/// name.
+/// The input folder of a package: the given folder itself for a single package, otherwise its subfolder with
+/// the package's name.
 fs::path inputs_of(const CheckOptions& o, const fs::path& file) {
     if (o.depth.against.empty() || o.files.size() == 1) return o.depth.against;
     return o.depth.against / file.stem();
@@ -110,12 +110,12 @@ void add_check(const Command& program) {
         "  vantage check collection/*.vantage --against scans --junit checks.xml   (collection/a.vantage "
         "against "
         "scans/a)\n"
-        "Exit code, the worst of all packages: 3 unreadable, 4 damaged, 5 stale, 9 incomplete, 0 none of "
+        "Exit code, that of the worst package: 3 unreadable, 4 damaged, 5 stale, 9 incomplete, 0 none of "
         "these.\nEach finding has a stable identifier.");
     c.list("FILES", o->files, "the packages, or their URLs").type("PACKAGE").required();
     c.flag("--deep", o->depth.deep, "read every tile");
     c.file("--against", o->depth.against,
-           "compare with the input folder; for several packages, with its subfolders of the same names")
+           "compare with this input folder or, for several packages, with its subfolders of the same names")
         .type("FOLDER");
     c.flag("--rehash", o->rehash, "detect changed inputs by content, not by size and timestamps");
     c.file("--junit", o->junit, "write a JUnit file for CI");

@@ -52,7 +52,7 @@ void add_diff(const Command& program) {
         "  vantage diff a.vantage b.vantage -o differences   (as a page, with pictures)\n"
         "Exit code: 0 identical, 10 different.");
     c.file("A", o->a, "a package").type("PACKAGE").required();
-    c.file("B", o->b, "the package to compare it with").type("PACKAGE").required();
+    c.file("B", o->b, "the package to compare A with").type("PACKAGE").required();
     c.file("-o,--output", o->folder, "folder for an HTML page of the differences, with pictures")
         .type("FOLDER");
     c.force(o->force);

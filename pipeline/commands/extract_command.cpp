@@ -20,11 +20,10 @@ void print(const Extracted& e, const std::string& folder) {
     if (e.photos)
         fmt::print(text_output(), "photos   {}/photos ({}), their cameras in sparse\n", folder, e.photos);
     if (e.triangles)
-        fmt::print(
-            text_output(),
-            "mesh     {}/mesh.ply ({} vertices, {} triangles: as prepared, the input's large triangles "
-            "divided)\n",
-            folder, e.vertices, e.triangles);
+        fmt::print(text_output(),
+                   "mesh     {}/mesh.ply ({} vertices, {} triangles: as prepared, with the input's large "
+                   "triangles divided)\n",
+                   folder, e.vertices, e.triangles);
     if (e.points) fmt::print(text_output(), "points   {}/points.ply ({})\n", folder, e.points);
     results().update({{"folder", folder},
                       {"photos", e.photos},
@@ -43,15 +42,14 @@ void add_extract(const Command& program) {
     c.notes(
         "Examples:\n  vantage extract chapel.vantage -o chapel-files\n"
         "  vantage extract chapel.vantage -o chapel-files --photo 0003\n"
-        "In the folder: photos/ as they were taken; sparse/, their cameras and lenses as COLMAP text, in "
-        "the\n"
-        "input's coordinates and with the poses as corrected; weights/ (RGBA: angle, depth, border, "
-        "transient masking) and\n"
-        "depth/ (EXR, along the optical axis), without lens distortion; mesh.ply and points.ply. The mesh "
-        "is that of the\n"
-        "package: triangles with edges longer than 1/64 of the model's diagonal have been divided, which "
-        "leaves the surface\n"
-        "as it is. COLMAP, or vantage prepare, reads the folder.");
+        "The folder contains photos/, as they were taken; sparse/, their cameras and lenses as COLMAP text, "
+        "in the\n"
+        "input's coordinates and with the corrected poses; weights/ (RGBA: angle, depth, border, transient "
+        "masking) and\n"
+        "depth/ (EXR, along the optical axis), both without lens distortion; mesh.ply and points.ply.\n"
+        "The mesh is that of the package: triangles with edges longer than 1/64 of the model's diagonal have "
+        "been\n"
+        "divided, which does not change the surface. COLMAP and 'vantage prepare' can read the folder.");
     c.file("FILE", o->file, "the package").type("PACKAGE").required();
     c.file("-o,--output", o->out, "folder to write into").type("FOLDER").required();
     c.list("--photo", o->photos, "only these photos").type("PHOTO").commas();

@@ -27,7 +27,7 @@ FoundInput find_anything(const InspectOptions& o) {
     }
 }
 
-/// Throws like find_input(), unless `anything` is set.
+/// Throws whatever find_input() throws, unless `anything` is set.
 InputFacts facts_of(const InspectOptions& o, bool anything) {
     const auto start = std::chrono::steady_clock::now();
     return input_facts(anything ? find_anything(o) : find_input(o.input, o.settings), o.settings,
@@ -52,8 +52,8 @@ int inspect_one(const InspectOptions& o) {
     return finish(facts);
 }
 
-/// Inspects each object of a scene file. Returns the exit code of the first error, else incomplete if photos
-/// of any object would be skipped.
+/// Inspects each object of a scene file. Returns the exit code of the first error; if there is none,
+/// `incomplete` if photos of any object would be skipped.
 int inspect_objects(const InspectOptions& o) {
     nlohmann::json all = nlohmann::json::array();
     int code = int(Exit::ok);
@@ -82,7 +82,7 @@ void add_inspect(const Command& program) {
         "Reads the mesh, the cameras and the headers of the photos, decodes no photo and writes nothing.\n"
         "Examples:\n  vantage inspect scans/chapel\n"
         "  vantage inspect --mesh m.ply --cameras bundle.out --photos images --json\n"
-        "Exit code: as 'vantage prepare' would end: 0 with all photos, 9 if photos would be skipped, or "
+        "Exit code, that of 'vantage prepare': 0 if it would use all photos, 9 if it would skip some, or "
         "that "
         "of\nthe error, which is printed after the other facts.");
     add_input_options(c, o->input, o->settings);

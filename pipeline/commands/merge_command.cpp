@@ -40,7 +40,7 @@ int run_merge(MergeOptions o) {
     if (o.remove)
         for (const std::string& share : o.shares) std::filesystem::remove(share);
     const std::uintmax_t bytes = std::filesystem::file_size(o.out);
-    fmt::print(text_output(), "package  {} ({:.1f} MB of {} shards)\n", o.out, double(bytes) / 1e6,
+    fmt::print(text_output(), "package  {} ({:.1f} MB from {} shards)\n", o.out, double(bytes) / 1e6,
                o.shares.size());
     results().update({{"package", o.out}, {"bytes", bytes}});
     return int(report_skipped(skipped_of(PackageReader(o.out))));

@@ -26,7 +26,8 @@ struct RefineOptions {
     std::vector<std::string> effects;
 };
 
-/// One choice for each effect that depends on all photos. Throws Error(usage) for others.
+/// One choice for each effect that depends on all photos. Throws Error(usage) if `texts` names any other
+/// effect.
 std::map<Effect, EffectChoice> refined_effects(const std::vector<std::string>& texts) {
     std::map<Effect, EffectChoice> choices;
     choose_effects(texts, choices);
@@ -39,7 +40,7 @@ std::map<Effect, EffectChoice> refined_effects(const std::vector<std::string>& t
     return choices;
 }
 
-/// FILE may be replaced by the same package, refined.
+/// The package to write. It may be FILE itself, which the refined package then replaces.
 std::filesystem::path refined_file(const RefineOptions& o) {
     const std::filesystem::path out = o.out.empty() ? o.file : o.out;
     std::error_code error;

@@ -49,8 +49,9 @@ void add_repack(const Command& program) {
     auto o = std::make_shared<RepackOptions>();
     const Command c = program.verb("repack", "Write a package with its tiles compressed or raw");
     c.notes(
-        "Needs only the package. It contains the photos' own JPEG only if 'vantage prepare' stored them;\n"
-        "raw tiles are compressed to JPEG of high quality.\n"
+        "Needs only the package. The result contains the photos' original JPEG data only if 'vantage "
+        "prepare'\n"
+        "stored it; raw tiles are compressed to high-quality JPEG.\n"
         "Examples:\n  vantage repack chapel.vantage -o small.vantage\n"
         "  vantage repack chapel.vantage -o chapel-raw.vantage --tiles raw");
     c.file("FILE", o->file, "the package").type("PACKAGE").required();

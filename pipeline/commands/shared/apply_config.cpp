@@ -18,7 +18,7 @@ std::string text(const fs::path& file, std::string_view key, const toml::node& v
     if (const auto* i = value.as_integer()) return std::to_string(i->get());
     if (const auto* d = value.as_floating_point()) return fmt::format("{}", d->get());
     if (const auto* b = value.as_boolean()) return b->get() ? "true" : "false";
-    throw Error(Exit::usage, fmt::format("{}: {}: expected a string, a number, a boolean or a list of them",
+    throw Error(Exit::usage, fmt::format("{}: {}: expected a string, a number, a boolean or a list of these",
                                          file.string(), key));
 }
 
@@ -42,7 +42,8 @@ void apply_config(const Command& command, const std::string& name) {
                     fmt::format("{}:{}: {}", file.string(), e.source().begin.line, e.description()));
     }
     for (const auto& [key, value] : table) {
-        if (key == "config") throw Error(Exit::usage, file.string() + ": config: not in a file of settings");
+        if (key == "config")
+            throw Error(Exit::usage, file.string() + ": config: not allowed in a file of settings");
         command.give(std::string(key.str()), texts(file, key.str(), value), file.string());
     }
 }

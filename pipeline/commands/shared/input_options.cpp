@@ -14,17 +14,19 @@ void add_scan_options(const Command& c, InputOptions& o, const std::string& more
 }
 
 void add_input_options(const Command& c, InputOptions& o, PrepareSettings& settings) {
-    add_scan_options(c, o, ", or a point cloud; or a scene file, NAME.toml, that lists several");
+    add_scan_options(c, o, ", or with a point cloud; or a scene file, NAME.toml, that lists several inputs");
     c.list(
          "--points", settings.points,
          "point cloud to show, with the mesh in the same coordinates or alone: PLY, LAS, OBJ, STL, OFF; may "
          "be repeated")
         .type("FILE");
-    c.file("--image-sets", settings.image_sets,
-           "photo sets that are shown one at a time: auto (by folders named visible, infrared, uvf, raking, "
-           "before, ...), folders (each is an image set), off, or a TOML file with the patterns of each "
-           "image set, such "
-           "as infrared = [\"ir/*\", \"*_nir.tif\"]")
+    c.file(
+         "--image-sets", settings.image_sets,
+         "grouping into image sets, which are shown one at a time: auto (by folders named visible, infrared, "
+         "uvf, raking, "
+         "before, ...), folders (each folder is an image set), off, or a TOML file with the patterns of each "
+         "image set, such "
+         "as infrared = [\"ir/*\", \"*_nir.tif\"]")
         .suggests({"auto", "folders", "off"});
 }
 
@@ -56,7 +58,7 @@ bool is_scene_of_objects(const InputOptions& o, const PrepareSettings& settings)
     if (!is_scene_file(o.input) || std::filesystem::is_directory(o.input)) return false;
     if (!o.mesh.empty() || !o.cameras.empty() || !o.photos.empty() || !settings.points.empty() ||
         !settings.deviation_from.empty())
-        throw Error(Exit::usage, o.input + ": a scene file names the inputs of its objects itself");
+        throw Error(Exit::usage, o.input + ": a scene file already names the inputs of its objects");
     return true;
 }
 

@@ -17,11 +17,12 @@ struct InputOptions {
 /// Adds INPUT, --mesh, --cameras and --photos to a command for one scan. `more` is appended to the help of
 /// INPUT.
 void add_scan_options(const Command& command, InputOptions& options, const std::string& more = {});
-/// Adds the same options for scans and scene files, and --points and --image-sets.
+/// Adds these options to a command for scans and scene files, and also --points and --image-sets.
 void add_input_options(const Command& command, InputOptions& options, PrepareSettings& settings);
 
 /// The parts of the input, as given or found in the folder. If a part is missing, `lacks` is Error(usage), or
-/// the error of search(). Throws Error(input) if the folder cannot be read, Error(usage) if nothing is given.
+/// the error of search(). Throws Error(input) if the folder cannot be read, and Error(usage) if nothing is
+/// given.
 FoundInput find_input(const InputOptions& options, const PrepareSettings& settings);
 
 /// Whether INPUT is a scene file. Throws Error(usage) if parts of the input are given as well.

@@ -6,10 +6,10 @@
 
 namespace vantage {
 
-/// Prepares each object of a scene file with `prepare_one`, which returns an exit code, into a package with
-/// the object's name in `folder`, and writes a scene file with the same name as `file` there that lists the
-/// packages. Stops at the first exit code other than ok and incomplete and returns it; otherwise returns
-/// incomplete if any object is incomplete, else ok. Throws Error.
+/// Prepares each object of a scene file into a package in `folder` that has the object's name. Then writes a
+/// scene file into `folder` that has the name of `file` and lists the packages. `prepare_one` returns an exit
+/// code: the first other than ok and incomplete ends the work and is returned; otherwise, the result is
+/// incomplete if any object is incomplete, and ok if all are complete. Throws Error.
 int prepare_scene(const std::filesystem::path& file, const std::filesystem::path& folder, bool force,
                   const std::function<int(const SceneObject& object)>& prepare_one);
 

@@ -6,7 +6,8 @@
 
 namespace vantage {
 
-/// Prints the photos that a package lacks, one per line. Returns `incomplete` if there are any, else `ok`.
+/// Prints the photos that a package lacks, one per line. Returns `incomplete` if there are any, otherwise
+/// `ok`.
 Exit report_skipped(const std::vector<UnusablePhoto>& skipped);
 
 }  // namespace vantage
