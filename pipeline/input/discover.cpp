@@ -39,8 +39,8 @@ bool is_given(const fs::path& file, const InputFiles& given) {
     return std::ranges::any_of(given.compared, is_file) || std::ranges::any_of(given.points, is_file);
 }
 
-/// The preferred mesh, never a file of --deviation-from or --points: formats with nodes last, mesh.* before
-/// other names, then the larger file.
+/// The preferred mesh, which is never a file of --deviation-from or --points: formats with nodes come last,
+/// mesh.* comes before other names, then larger files come first.
 fs::path find_mesh(const Files& files, const InputFiles& given) {
     using Rank = std::tuple<bool, bool, std::uintmax_t>;
     fs::path best;
@@ -63,7 +63,7 @@ Files find_clouds(const Files& files, const InputFiles& given) {
     return found;
 }
 
-/// Without a mesh, takes the largest cloud, unless one is given; notes unused clouds.
+/// Without a mesh, takes the largest cloud unless one is given. Notes the unused clouds.
 void take_clouds(const fs::path& folder, const Files& files, InputFiles& found) {
     const bool takes = found.mesh.empty() && found.points.empty();
     const Files clouds = find_clouds(files, found);
@@ -93,7 +93,7 @@ struct PhotoFolder {
     std::size_t matched = 0, folders = 0, by_name = 0, photos = 0;
     bool derived = false, named = false;
     std::ptrdiff_t from_cameras = 0;
-    /// A rank: the fit of the files, and whether the folder has a typical name.
+    /// A rank by the fit of the files and by whether the folder has a typical name.
     auto fit() const { return std::tuple(matched > 0 && !derived, matched, folders, by_name, named); }
     auto rank() const { return std::tuple_cat(fit(), std::tuple(-from_cameras, photos)); }
 };
@@ -121,7 +121,7 @@ PhotoFolder rated(const fs::path& path, const fs::path& root, const fs::path& ca
     return f;
 }
 
-/// Also notes other folders with an equal fit.
+/// Finds the photos' folder, and notes other folders that fit equally well.
 fs::path find_photos(const fs::path& root, const Files& files, const fs::path& cameras,
                      std::vector<std::string>& notes) {
     std::set<fs::path> folders;
@@ -150,7 +150,7 @@ fs::path find_photos(const fs::path& root, const Files& files, const fs::path& c
         if (f.matched > 0 && f.fit() == best.fit() && !is_same(f.path, best.path) &&
             !is_below(f.path, best.path) && !is_below(best.path, f.path))
             notes.push_back(in_root(f) + ": fits the cameras as well as " + in_root(best) +
-                            ", which is used; --photos names another");
+                            ", which is used; --photos selects another");
     return best.path;
 }
 

@@ -12,7 +12,7 @@ FileIdentity identify(const std::filesystem::path& file);
 /// Device, inode, length, mtime and ctime: changes whenever the file does. Empty if there is no such file.
 std::string stamp_of(const std::filesystem::path& file);
 
-/// A file and its stamp from before its first read.
+/// A file and its stamp, taken before the file is first read.
 struct StampedFile {
     std::filesystem::path file;
     std::string stamp{};  ///< empty: unknown

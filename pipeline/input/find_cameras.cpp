@@ -59,14 +59,14 @@ struct CameraChoice {
     const CameraFormat* format = nullptr;
     std::ptrdiff_t steps = 0, cameras = 0, matched = 0;
     std::string flaw = {};  ///< the reason that it has no cameras
-    /// Among files with the same photos, the one with fewer other cameras is preferred; copies are farther
-    /// away or have longer names.
+    /// Among files that match equally many photos, the one with fewer other cameras is preferred, then nearer
+    /// files and shorter names, because copies are farther away or have longer names.
     auto rank() const {
         return std::tuple(matched, matched ? -cameras : cameras, -steps, -std::ssize(path.native()));
     }
 };
 
-/// All camera files, by format. `near`: a folder; copies are farther from it.
+/// All camera files, by format. Copies are farther from the folder `near`.
 std::vector<CameraChoice> choices(std::span<const FormatFiles> all, const fs::path& near) {
     std::vector<CameraChoice> out;
     for (auto [format, files] : all) {

@@ -10,9 +10,9 @@ namespace vantage {
 /// The number of steps between two folders.
 std::ptrdiff_t distance(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Finds the cameras among the files of a scan, unless given; with one camera file per image set, also the
-/// photos' folder. The file that fits the most photos is taken, and the others are noted. Throws Error(input)
-/// if one of several cannot be read.
+/// Finds the cameras among the files of a scan unless they are given, and also the photos' folder if there is
+/// one camera file per image set. The file that fits the most photos is taken, and the others are noted.
+/// Throws Error(input) if one of several camera files cannot be read.
 void find_cameras(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files,
                   InputFiles& found);
 

@@ -20,7 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t max_cache_bytes = 16u << 20;  ///< about 150,000 files; a larger cache is emptied
-constexpr std::time_t timestamp_resolution = 2;        ///< s, of the coarsest file system in use (FAT)
+/// In seconds: the resolution of the coarsest file system in use (FAT)
+constexpr std::time_t timestamp_resolution = 2;
 
 /// Prefix for the stamp of a package that was found valid.
 const std::string valid_prefix = "valid:";
@@ -39,7 +40,7 @@ std::optional<std::pair<std::string, FileIdentity>> parsed(const std::string& li
     return std::pair(line.substr(0, stamp), id);
 }
 
-/// Whether the next modification is certain to change the timestamps; one immediately after the previous one
+/// Whether the next modification is certain to change the timestamps; one that immediately follows another
 /// may not.
 bool timestamps_are_reliable(const fs::path& file) {
     struct stat st {};
@@ -60,7 +61,7 @@ IdentityCache::IdentityCache(fs::path cache, bool rehash) : cache_(std::move(cac
         if (auto entry = parsed(line)) stored_.insert_or_assign(std::move(entry->first), entry->second);
 }
 
-// Whole lines in a single write, because several programs may append at once.
+// Writes whole lines with a single call, because several programs may append at the same time.
 IdentityCache::~IdentityCache() {
     if (cache_.empty() || added_.empty()) return;
     std::string lines;

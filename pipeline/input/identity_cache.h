@@ -12,7 +12,7 @@
 
 namespace vantage {
 
-/// $XDG_CACHE_HOME/vantage/identities, else ~/.cache/vantage/identities; empty if neither XDG_CACHE_HOME
+/// $XDG_CACHE_HOME/vantage/identities, otherwise ~/.cache/vantage/identities; empty if neither XDG_CACHE_HOME
 /// nor HOME is set.
 std::filesystem::path default_identity_cache();
 
@@ -21,7 +21,8 @@ std::filesystem::path default_identity_cache();
 /// Thread-safe.
 class IdentityCache {
   public:
-    /// `rehash`: ignore identities cached by earlier runs. An empty path: cache nothing between runs.
+    /// If `rehash` is set, identities cached by earlier runs are ignored. If the path is empty, nothing is
+    /// cached between runs.
     explicit IdentityCache(std::filesystem::path cache = default_identity_cache(), bool rehash = false);
     /// Appends the new identities to the cache file.
     ~IdentityCache();
@@ -30,9 +31,9 @@ class IdentityCache {
 
     /// The cached identity; empty if the file is not in the cache or has been modified since.
     std::optional<FileIdentity> known(const std::filesystem::path& file) const;
-    /// The cached identity, or that of the file's content, read in full. Throws Error(input).
+    /// The cached identity; if there is none, the file is read in full to compute it. Throws Error(input).
     FileIdentity of(const std::filesystem::path& file);
-    /// As above, but empty if the file cannot be read.
+    /// Like of(), but empty if the file cannot be read.
     std::optional<FileIdentity> try_of(const std::filesystem::path& file);
     /// Reads a file and caches its identity. Throws Error(input).
     std::pair<std::vector<std::byte>, FileIdentity> read(const std::filesystem::path& file);
@@ -51,8 +52,8 @@ class IdentityCache {
     std::filesystem::path cache_;
     bool rehash_;
     mutable std::mutex mutex_;
-    std::map<std::string, FileIdentity> stored_;  ///< identities by stamp: cached by earlier runs
-    std::map<std::string, FileIdentity> added_;   ///< identities by stamp: new in this run
+    std::map<std::string, FileIdentity> stored_;  ///< identities cached by earlier runs, by stamp
+    std::map<std::string, FileIdentity> added_;   ///< identities that are new in this run, by stamp
 };
 
 /// The identity of a photo's mask; all 0 if it has none. Throws Error(input).

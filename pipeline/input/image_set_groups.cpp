@@ -99,14 +99,13 @@ ImageSetGroups by_folder(std::span<const fs::path> photos, const std::string& ho
     ImageSetGroups out = one_image_set(photos.size());
     if (!known.empty())
         out.note = fmt::format(
-            "'{}' may be an image set, but '{}' is the name of none, so all photos are shown together; "
-            "--image-sets "
-            "folders makes each folder an image set, --image-sets FILE groups by file names",
+            "'{}' may be an image set, but '{}' is not the name of one, so all photos are shown together; "
+            "--image-sets folders makes each folder an image set, and --image-sets FILE groups by file names",
             known, unknown);
     return out;
 }
 
-/// The image sets that a file names, with their patterns.
+/// An image set that a file names, with its patterns.
 struct NamedPatterns {
     std::string name;
     std::vector<std::string> patterns;
@@ -168,14 +167,14 @@ ImageSetGroups by_file(std::span<const fs::path> photos, const std::string& file
             own = b;
             used[b] = true;
         }
-        if (!own) fail(file, path + " is in no image set, expected a pattern that it fits");
+        if (!own) fail(file, path + " is in no image set, expected a pattern that matches it");
         names.push_back(image_sets[*own].name);
     }
     for (std::size_t b = 0; b < image_sets.size(); ++b)
         if (!used[b])
             fail(file,
                  fmt::format(
-                     "the image set {} has no photo that can be used: none fits {}", image_sets[b].name,
+                     "the image set {} has no photo that can be used: none matches {}", image_sets[b].name,
                      image_sets[b].patterns.empty() ? "its empty list" : image_sets[b].patterns.front()));
     return grouped(names, file);
 }

@@ -35,8 +35,8 @@ struct ImageSetGroups {
 ///
 /// A pattern may contain * and ? and is matched against the whole path or, if it has no /, against the file's
 /// name. Image sets of visible light come first, then those with more photos. Throws Error(input) if the file
-/// cannot be read, an image set has no photo, or a photo has no image set or more than one; Error(usage) for
-/// more than 64 image sets or for a name that no folder may have.
+/// cannot be read, if an image set has no photo, or if a photo has no image set or more than one. Throws
+/// Error(usage) if there are more than 64 image sets, or if a name cannot be the name of a folder.
 ImageSetGroups group_image_sets(std::span<const std::filesystem::path> photos, const std::string& how);
 
 /// The folder in `path`, a path in `root`, whose photos form a separate image set; empty if there is none.

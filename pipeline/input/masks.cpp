@@ -19,7 +19,7 @@ fs::path Masks::of(const fs::path& photo) {
     return {};
 }
 
-/// The file or folder itself if it exists, else one with the same comparable_name().
+/// The file or folder itself if it exists, otherwise one with the same comparable_name().
 fs::path Masks::find(const fs::path& folder, const std::string& name) {
     std::error_code error;
     const auto [listed, is_new] = folders_.try_emplace(folder);

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In order of preference, for cameras whose file name has another extension.
+/// The extensions of photos, in order of preference for cameras whose file name has another extension.
 constexpr const char* extensions[] = {".jpg", ".jpeg", ".png",  ".tif",  ".tiff", ".webp", ".bmp", ".jp2",
                                       ".ppm", ".heic", ".heif", ".avif", ".exr",  ".hdr",  ".dng", ".cr2",
                                       ".cr3", ".nef",  ".arw",  ".raf",  ".orf",  ".rw2",  ".pef", ".srw",
@@ -44,7 +44,7 @@ std::string stem_of(const std::string& name) {
 
 struct Photo {
     std::vector<std::string> parts;  ///< parts of the whole path
-    std::size_t below = 0;           ///< number of them below the photos' folder
+    std::size_t below = 0;           ///< number of parts below the photos' folder
 };
 
 /// The number of equal parts at the end of two paths whose file names are known to match.
@@ -83,7 +83,7 @@ class Matches {
 
   private:
     using Index = std::multimap<std::string, std::size_t>;
-    /// Whether the name possibly refers to this photo.
+    /// Whether the name may refer to this photo.
     bool fits(std::size_t name, const Photo& photo) const {
         const std::vector<std::string>& parts = parts_[name];
         const std::size_t common = common_parts(parts, photo.parts);

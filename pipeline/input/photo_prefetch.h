@@ -16,11 +16,12 @@ namespace vantage {
 /// Reads and decodes photos ahead of time, on cores that are idle while one thread prepares the model.
 class PhotoPrefetch {
   public:
-    /// Starts decoding `photos`, indices into scene.photos, in order, on `threads` threads; 0 decodes none.
-    /// The scene and `trace` (may be null) must outlive this object, and the photos must not change.
+    /// Starts decoding the photos with the indices `photos` in scene.photos, in this order, on `threads`
+    /// threads. If `threads` is 0, no photo is decoded. The scene and `trace` (may be null) must outlive this
+    /// object, and the photos must not change.
     PhotoPrefetch(const SceneInput& scene, const std::vector<std::size_t>& photos, unsigned threads,
                   Trace* trace);
-    /// Cancels photos that have not started; waits for those being decoded.
+    /// Cancels the decoding of photos that has not started, and waits for photos that are being decoded.
     ~PhotoPrefetch() { next_ = photos_.size(); }
 
     /// Returns a photo, waiting for it if it is being decoded; nullopt if decoding has not started (it is
@@ -32,7 +33,7 @@ class PhotoPrefetch {
         std::size_t photo;
         FileIdentity identity;
         std::optional<RgbaImage> image;
-        std::atomic<bool> claimed = false;  ///< by a decoding thread, or by take() to prevent decoding
+        std::atomic<bool> claimed = false;  ///< set by a decoding thread, or by take() to prevent decoding
         std::promise<void> decoded;
     };
     void decode(Entry& entry, const PhotoInput& photo, Trace* trace);

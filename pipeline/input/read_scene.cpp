@@ -87,8 +87,8 @@ void fit_to_photo(PhotoInput& photo, CameraSet::Unit unit, SceneInput& scene) {
     k = k.scaled(size.width, size.height);
 }
 
-/// The names of files in a package: the file name; for files with equal names, their path in the photos'
-/// folder, joined by _, with leading underscores if that is still ambiguous.
+/// The names of files in a package: the file name or, for files with equal names, the path in the photos'
+/// folder, joined by _. If that is still ambiguous, underscores are put in front.
 std::map<fs::path, std::string> package_names(const fs::path& folder, const std::set<fs::path>& files) {
     std::map<std::string, int> count;
     for (const fs::path& file : files) ++count[utf8_name(file.filename().string())];
@@ -122,7 +122,7 @@ PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file,
 /// All cameras and their photos.
 struct FoundPhotos {
     CameraSet set;
-    std::vector<fs::path> files;       ///< empty for cameras without photo
+    std::vector<fs::path> files;       ///< empty for cameras without a photo
     std::vector<std::string> why_not;  ///< the reason for a missing photo, per camera
 };
 
@@ -159,7 +159,7 @@ void add_found(CameraFile&& cameras, const fs::path& folder, const std::vector<f
         found.why_not.push_back(matches[i].candidates.empty()
                                     ? without_photo
                                     : "may be " + alternatives(matches[i].candidates, folder) +
-                                          ": expected its folder in " + cameras.file.string());
+                                          ": expected the photo's folder in " + cameras.file.string());
         if (file.empty()) continue;
         if (const auto [other, is_new] = used.try_emplace(file, name_of(entries[i])); !is_new)
             throw Error(Exit::input, file.string() + ": has more than one camera, '" + other->second +
@@ -215,7 +215,7 @@ std::string said_of_colors(const PhotoInput& photo) {
     if (photo.linear) return "linear light: converted to sRGB; values above 1 are clipped";
     if (profile.converts) return name + ": converted to sRGB; colors outside sRGB are clipped";
     if (!profile.flaw.empty())
-        return name + ", which cannot be used because " + profile.flaw + ": taken as sRGB";
+        return name + ", which cannot be used because " + profile.flaw + ": treated as sRGB";
     return {};
 }
 
@@ -328,7 +328,7 @@ void read_clouds(SceneInput& scene) {
         return it == scene.skipped.end() ? std::string("none") : "'" + it->photo + "'";
     };
     throw Error(Exit::input, folder + ": no photo has a camera in " + cameras + "; the first photo is " +
-                                 first(without_camera) + ", the first camera's photo " +
+                                 first(without_camera) + ", and the first camera's photo is " +
                                  first(without_photo));
 }
 

@@ -18,8 +18,8 @@ struct PhotoInput {
     std::string name;  ///< file name; includes folders, joined by _, if names collide; UTF-8
     std::filesystem::path file;
     Camera camera;
-    PhotoSize decoded{};              ///< in the camera's orientation, before any reduction
-    std::filesystem::path mask{};     ///< image, black where the photo must not be shown; empty: none
+    PhotoSize decoded{};              ///< size in the camera's orientation, before any reduction
+    std::filesystem::path mask{};     ///< image, black where the photo must not be shown; may be empty
     bool linear = false;              ///< the file stores linear light
     ProfileUse profile{};             ///< use of the file's ICC profile
     std::vector<StampedFile> read{};  ///< photo and mask, stamped before the photo's header was read
@@ -65,17 +65,17 @@ struct UnusablePhoto {
 struct SceneInput {
     InputFiles files;
     std::string camera_format;           ///< display name: "COLMAP text", "Bundler", ...
-    std::string convention = "as-read";  ///< the conventions applied to all cameras, see apply_conventions()
-    Similarity transform{};  ///< the camera file's own, from its frame to the mesh's; default: none
+    std::string convention = "as-read";  ///< conventions applied to all cameras; see apply_conventions()
+    Similarity transform{};              ///< the camera file's own transform from its frame to the mesh's
     Mesh mesh;
     std::vector<Mesh> compared;          ///< the meshes of files.compared
     Mesh points;                         ///< all files.points joined; without triangles
     std::vector<PhotoInput> photos;      ///< sorted by name
-    std::vector<UnusablePhoto> skipped;  ///< sorted by name; found unusable before decoding
+    std::vector<UnusablePhoto> skipped;  ///< photos found unusable before decoding, sorted by name
     std::vector<std::string> warnings;
     std::vector<StampedFile> read{};  ///< meshes, cameras and skipped photos, stamped before they were read
     std::vector<std::string> image_sets{
-        ""};  ///< names, the default image set first; a single image set may have none
+        ""};  ///< names, the default image set first; a single image set may have no name
 };
 
 /// Whether there is a cloud and no mesh.

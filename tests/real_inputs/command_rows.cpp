@@ -114,7 +114,7 @@ std::vector<Row> command_rows() {
         {"image sets", "images/left and images/right", in_image_sets("left", "right"), Never{"image set "}},
         {"image sets", "left and right, --image-sets folders, prepared again", in_image_sets("left", "right"), Says{"nothing to do"}, Command{with("--image-sets folders ; ") + with("--image-sets folders")}},
         {"image sets", "left and right, --image-sets folders, then without", in_image_sets("left", "right"), Never{"nothing to do", "image set "}, Command{with("--image-sets folders ; ") + prepare_command}},
-        {"image sets", "images/infrared and images/extra", in_image_sets("extra", "infrared"), Says{"'infrared' may be an image set, but 'extra' is the name of none"}, Never{"image set  "}},
+        {"image sets", "images/infrared and images/extra", in_image_sets("extra", "infrared"), Says{"'infrared' may be an image set, but 'extra' is not the name of one"}, Never{"image set  "}},
         {"image sets", "infrared below other photos", [](Scan& s) { s.move("images/C.jpg", "images/infrared/C.jpg"); }, Says{"image set     photos (2)", "image set     infrared (1)"}},
         {"image sets", "visible and infrared, --image-sets off", in_image_sets("visible", "infrared"), Never{"image set "}, Command{with("--image-sets off")}},
         {"image sets", "visible and infrared, --effect image-sets=off", in_image_sets("visible", "infrared"), Says{"image-sets         off (forced)"}, Command{with("--effect image-sets=off ; vantage info {out}.vantage")}},

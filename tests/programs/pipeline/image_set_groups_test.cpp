@@ -67,7 +67,8 @@ TEST_F(ImageSetGroupsTest, UnknownFoldersAreOneImageSetUnlessAskedFor) {
     EXPECT_EQ(group_image_sets(Paths{"left/1.jpg", "right/1.jpg"}, "auto").note, "");
     const ImageSetGroups mixed = group_image_sets(Paths{"ir/1.jpg", "extra/1.jpg"}, "auto");
     EXPECT_EQ(mixed.names.size(), 1u);
-    EXPECT_EQ(mixed.note.find("'ir' may be an image set, but 'extra' is the name of none"), 0u) << mixed.note;
+    EXPECT_EQ(mixed.note.find("'ir' may be an image set, but 'extra' is not the name of one"), 0u)
+        << mixed.note;
     EXPECT_EQ(grouped({"left/1.jpg", "right/1.jpg", "right/2.jpg"}, "folders"),
               "right: right/1.jpg right/2.jpg; left: left/1.jpg");
     EXPECT_EQ(grouped({"ir/1.jpg", "rgb/1.jpg"}, "off"), ": ir/1.jpg rgb/1.jpg");
@@ -83,11 +84,11 @@ TEST_F(ImageSetGroupsTest, AFileGroupsByPatterns) {
 TEST_F(ImageSetGroupsTest, WhatIsWrongWithAFileIsOneLine) {
     const Paths photos{"1_vis.jpg", "1_ir.jpg"};
     EXPECT_EQ(grouped(photos, file("vis = \"*_vis.jpg\"\nir = \"*_ir.jpg\"\nuv = \"*_uv.jpg\"\n")),
-              "3, image_sets.toml: the image set uv has no photo that can be used: none fits *_uv.jpg");
+              "3, image_sets.toml: the image set uv has no photo that can be used: none matches *_uv.jpg");
     EXPECT_EQ(grouped(photos, file("ir = \"*_ir.jpg\"\nvis = \"1_*\"\n")),
               "3, image_sets.toml: 1_ir.jpg is in two image sets, ir and vis; expected one");
     EXPECT_EQ(grouped(photos, file("vis = \"*_vis.jpg\"\n")),
-              "3, image_sets.toml: 1_ir.jpg is in no image set, expected a pattern that it fits");
+              "3, image_sets.toml: 1_ir.jpg is in no image set, expected a pattern that matches it");
     EXPECT_EQ(grouped(photos, file("vis = 3\n")),
               "3, image_sets.toml: vis: expected a pattern such as \"*_ir.jpg\", or a list of them");
     EXPECT_EQ(grouped(photos, file("")),
