@@ -22,7 +22,7 @@ inline Pose from_meshlab(const Eigen::Matrix3d& R, const Eigen::Vector3d& minus_
     return from_bundler(R, R * minus_center);
 }
 
-/// From a camera-to-world rotation and the camera's center.
+/// The pose with this camera-to-world rotation and this camera center.
 inline Pose from_camera_to_world(const Eigen::Matrix3d& R, const Eigen::Vector3d& center) {
     return {R.transpose(), -R.transpose() * center};
 }
@@ -48,10 +48,11 @@ struct ColmapModel {
     LensModel lens;
     std::vector<int> distortion{};  ///< in the order of Lens::p; further coefficients are 0
 };
-/// In the order of COLMAP's model IDs.
+/// The models, in the order of their IDs in COLMAP.
 std::span<const ColmapModel> colmap_models();
 
-/// COLMAP uses the same convention. The quaternion (w, x, y, z) need not be normalized.
+/// The pose of an image in COLMAP, whose axes are those used here. The quaternion (w, x, y, z) need not be
+/// normalized.
 inline Pose from_colmap(double w, double x, double y, double z, const Eigen::Vector3d& t) {
     const double n = std::sqrt(w * w + x * x + y * y + z * z);
     w /= n, x /= n, y /= n, z /= n;

@@ -46,7 +46,7 @@ Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& war
         return std::ranges::binary_search(box.strays, std::uint32_t(i));
     };
     if (const std::size_t n = drop_points(cloud, stray))
-        warnings.push_back(name + ": " + std::to_string(n) + " points far from all others dropped");
+        warnings.push_back(name + ": " + std::to_string(n) + " points dropped that are far from all others");
     return cloud;
 }
 

@@ -30,7 +30,7 @@ std::string stray_warning(const Mesh& mesh, const MainBox& box) {
         others ? fmt::format("; {} more vertices lie far away", others) : "");
 }
 
-/// The least difference between distinct values; infinite if there is only one.
+/// The smallest difference between distinct values; infinite if there is only one value.
 double least_gap(std::vector<double> values) {
     std::ranges::sort(values);
     double least = std::numeric_limits<double>::infinity();
@@ -39,13 +39,13 @@ double least_gap(std::vector<double> values) {
     return least;
 }
 
-/// The step of single precision at the largest value, if all values are of single precision.
+/// The step of single precision at the largest value, if all values have single precision.
 std::optional<double> float_step(const std::vector<double>& values, double largest) {
     if (!std::ranges::all_of(values, [](double x) { return double(float(x)) == x; })) return {};
     return double(std::nextafter(float(largest), std::numeric_limits<float>::infinity())) - largest;
 }
 
-/// The largest power of ten, of at least `least`, of which all values are multiples.
+/// The largest power of ten that is at least `least` and of which all values are multiples.
 std::optional<double> decimal_step(const std::vector<double>& values, double least) {
     for (double step = 1000; step >= least; step /= 10) {
         const auto is_multiple = [&](double x) { return std::abs(x / step - std::round(x / step)) < 1e-5; };

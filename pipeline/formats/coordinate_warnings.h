@@ -6,11 +6,11 @@
 
 namespace vantage {
 
-/// One line each about vertices far from all others (base/values/main_box.h) and about coordinates that were
-/// rounded to few digits far from zero: to single precision or to a power of ten, in steps of more than
-/// 1/100,000 of the mesh's size. Empty for points and for valid meshes. Positions must be finite. Lines do
-/// not name the file. `rounding` is the largest error of a coordinate, if known: in that case it is reported
-/// if above 1/100,000 of the size, and steps are not searched for.
+/// Warnings of one line each about vertices far from all others (base/values/main_box.h) and about
+/// coordinates that were rounded to few digits far from zero: to single precision or to a power of ten, in
+/// steps of more than 1/100,000 of the mesh's size. Empty for points and for valid meshes. Positions must be
+/// finite. The lines do not name the file. `rounding` is the largest error of a coordinate, if known. It is
+/// then reported if it exceeds 1/100,000 of the size, and steps are not searched for.
 std::vector<std::string> coordinate_warnings(const Mesh& mesh, double rounding = 0);
 
 }  // namespace vantage

@@ -20,8 +20,8 @@ inline constexpr const char* colmap_text_files[] = {"cameras.txt", "images.txt",
 bool has_colmap_model(const Lens& lens);
 
 /// Writes the `colmap_text_files`, with one camera per photo and no points, in full double precision. Throws
-/// Error(storage), and Error(input) for a lens without a COLMAP model. `comment`: lines that begin with #,
-/// for the top of each file.
+/// Error(storage), and Error(input) for a lens without a COLMAP model. `comment` contains lines that begin
+/// with #, which are written at the top of each file.
 void write_colmap_text(const std::filesystem::path& folder, std::span<const NamedCamera> photos,
                        const std::string& comment = "");
 

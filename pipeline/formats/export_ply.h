@@ -15,7 +15,7 @@ struct PlyField {
     std::span<const float> values;  ///< one per vertex
 };
 
-/// `normals`, and `colors` unless empty, are as long as `positions`.
+/// `normals` is as long as `positions`, and so is `colors` unless it is empty.
 struct PlyMesh {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of the positions
     std::span<const Eigen::Vector3f> positions, normals;
@@ -24,9 +24,9 @@ struct PlyMesh {
     std::span<const std::array<std::uint8_t, 4>> colors{};
 };
 
-/// Writes a binary little-endian PLY file: `origin` + position in double precision, a float normal, red,
-/// green, blue and alpha if there are `colors`, and a float per field for each vertex, and the triangles.
-/// In names, characters other than printable ASCII become '_'. Throws Error(storage).
+/// Writes a binary little-endian PLY file with vertices and triangles. Each vertex has `origin` + position in
+/// double precision, a normal in single precision, red, green, blue and alpha if there are `colors`, and one
+/// float per field. In names, characters other than printable ASCII become '_'. Throws Error(storage).
 void write_ply(const std::filesystem::path& file, const PlyMesh& mesh);
 
 /// A colored point, in the coordinates of the input.

@@ -32,7 +32,7 @@ double numeral(const LocatedJson& value);
 double numeral(const LocatedJson& object, const char* key, double otherwise);
 /// The width or height of a photo.
 int photo_size(const LocatedJson& value);
-/// A list of numbers; throws unless there are `count`.
+/// A list of numbers; throws unless there are `count` of them.
 std::vector<double> numerals(const LocatedJson& list, std::size_t count);
 /// A number or a string that serves as an identifier.
 std::string identifier(const LocatedJson& value);

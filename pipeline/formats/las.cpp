@@ -105,8 +105,8 @@ void expect_points(const fs::path& file, const Header& h) {
     const std::uint64_t bytes = fs::file_size(file),
                         there = bytes > h.first ? (bytes - h.first) / h.record : 0;
     if (there < h.points)
-        throw wrong(file, "is cut off: its header counts " + std::to_string(h.points) + " points, " +
-                              std::to_string(there) + " are there");
+        throw wrong(file, "is cut off: its header counts " + std::to_string(h.points) +
+                              " points, but the file has " + std::to_string(there));
 }
 
 bool withheld(unsigned format, std::uint8_t flags) { return flags & (format < 6 ? 0x80 : 0x04); }
@@ -125,7 +125,7 @@ void take_colors(const std::vector<Rgb>& colors, std::uint16_t most, Mesh& out) 
         out.colors.push_back({byte_of(c[0] / white), byte_of(c[1] / white), byte_of(c[2] / white), 255});
 }
 
-/// Adds no grays if all intensities are 0.
+/// Adds the intensities as grays, unless all of them are 0.
 void take_intensities(const std::vector<std::uint16_t>& intensities, Mesh& out) {
     std::vector<std::uint16_t> sorted = intensities;
     const auto bright = sorted.begin() + std::ptrdiff_t(sorted.size() * 99 / 100);
@@ -138,7 +138,7 @@ void take_intensities(const std::vector<std::uint16_t>& intensities, Mesh& out) 
     }
 }
 
-/// The contents of the records, per point.
+/// The contents of the records, one per point.
 struct Points {
     Mesh mesh;
     std::vector<Rgb> colors;
@@ -185,7 +185,7 @@ Mesh read_las(const fs::path& file, std::vector<std::string>& warnings) {
     Points points = read_points(file, h);
     if (points.withheld > 0)
         warnings.push_back(file.filename().string() + ": " + std::to_string(points.withheld) +
-                           " points marked as withheld dropped");
+                           " points dropped that are marked as withheld");
     if (points.mesh.positions.empty()) throw wrong(file, "has no points that are not withheld");
     if (const std::uint16_t most = largest_of(points.colors); most > 0)
         take_colors(points.colors, most, points.mesh);

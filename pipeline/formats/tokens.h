@@ -73,7 +73,7 @@ class Tokens {
         if (!parse_number(w, value)) fail(what, std::string("'").append(w.substr(0, 40)) + "'");
         return value;
     }
-    /// Skips a line that starts with #; false if there is none.
+    /// Skips a line that starts with #; returns false if there is none.
     bool skip_comment() {
         skip_blanks(true);
         if (rest_.empty() || rest_.front() != '#') return false;

@@ -260,7 +260,7 @@ std::vector<Row> scan_rows() {
         {"meshes", "GLB that is truncated", with_mesh("mesh.glb", box_gltf().glb().substr(0, 700)), Exit::input, Says{"mesh.glb: is cut off: its header counts"}},
         {"meshes", "GLB beside a PLY", with_file("mesh.glb", box_gltf({.scale = 0.5}).glb())},
         {"meshes", "GLB placed by its node", [](Scan& s) { GltfFile box = box_gltf({.x = 8}); box.nodes = ""; box.add_node("\"mesh\": 0, \"scale\": [0.5, 0.5, 0.5], \"translation\": [-4, 0, 0]"); s.remove("mesh.ply"); s["mesh.glb"] = box.glb(); }, Holds{"A.jpg=red B.jpg=green C.jpg=blue; 1 x 1 x 1, area 6"}},
-        {"meshes", "FBX", with_mesh("mesh.fbx", box_fbx()), Says{"mesh.fbx: says that its unit is 1 cm; its coordinates are taken as written"}},
+        {"meshes", "FBX", with_mesh("mesh.fbx", box_fbx()), Says{"mesh.fbx: says that its unit is 1 cm; its coordinates are used as written"}},
         {"meshes", "FBX in capitals: MESH.FBX", with_mesh("MESH.FBX", box_fbx())},
         {"meshes", "FBX that is truncated", with_mesh("mesh.fbx", box_fbx().substr(0, 300)), Exit::input, Says{"mesh.fbx: "}},
         {"meshes", "an OBJ named mesh.fbx", with_mesh("mesh.fbx", box_obj()), Exit::input, Says{"mesh.fbx: cannot be read: "}},

@@ -23,7 +23,8 @@ const Orientation orientations[] = {
     {"XDownYRight", {0, 1, 0}, {1, 0, 0}}, {"XDownYLeft", {0, -1, 0}, {1, 0, 0}},
     {"XUpYRight", {0, 1, 0}, {-1, 0, 0}},  {"XUpYLeft", {0, -1, 0}, {-1, 0, 0}}};
 
-/// From the camera's axes to ours; x and y of the camera lie in the photo, z is right-handed.
+/// The rotation from the camera's axes to ours. The camera's x and y lie in the photo, and z completes a
+/// right-handed system.
 Eigen::Matrix3d axes_of(const XmlFile& file, pugi::xml_node group) {
     const pugi::xml_node orientation = group.child("CameraOrientation");
     if (!orientation) return Eigen::Matrix3d::Identity();
@@ -33,7 +34,7 @@ Eigen::Matrix3d axes_of(const XmlFile& file, pugi::xml_node group) {
         out << o.right.transpose(), o.down.transpose(), o.right.cross(o.down).transpose();
         return out;
     }
-    file.fail(orientation, "XRightYDown, or another of the eight",
+    file.fail(orientation, "XRightYDown or one of the seven other orientations",
               std::string("'") + orientation.child_value() + "'");
 }
 
@@ -44,7 +45,8 @@ double focal_of(const XmlFile& file, pugi::xml_node group, double side) {
     return mm / file.number(group, "PixelSize");
 }
 
-/// The principal point, given from the center of the first pixel, or in mm from the center of the sensor.
+/// The principal point, given in pixels from the center of the first pixel, or in mm from the center of the
+/// sensor.
 Eigen::Vector2d center_of(const XmlFile& file, pugi::xml_node group, const Intrinsics& k, double side) {
     const Eigen::Vector2d middle(k.width / 2.0, k.height / 2.0);
     if (const pugi::xml_node p = group.child("PrincipalPoint"))
@@ -56,7 +58,7 @@ Eigen::Vector2d center_of(const XmlFile& file, pugi::xml_node group, const Intri
     return middle + pixels * Eigen::Vector2d(file.number(p, "x"), file.number(p, "y"));
 }
 
-/// P1 and P2 are p2 and p1 of OpenCV.
+/// The camera of a group of photos. P1 and P2 are OpenCV's p2 and p1.
 Camera read_group(const XmlFile& file, pugi::xml_node group) {
     const std::string_view model = group.child_value("CameraModelType");
     if (!model.empty() && model != "Perspective")
@@ -80,7 +82,8 @@ Camera read_group(const XmlFile& file, pugi::xml_node group) {
     return c;
 }
 
-/// Rotation from world to the camera's axes. The metadata beside it holds the pose of the navigation device.
+/// The rotation from the world to the camera's axes. The metadata next to it describes the pose of the
+/// navigation device, not of the camera.
 Eigen::Matrix3d blocks_rotation(const XmlFile& file, pugi::xml_node rotation) {
     Eigen::Matrix3d R;
     if (!rotation.child("M_00"))
@@ -133,7 +136,7 @@ CameraSet read_blocks_exchange(const std::filesystem::path& path) {
     skipped.tell(set.warnings);
     if (const std::string system = geographic_system(root); !system.empty())
         set.warnings.push_back("positions are longitudes and latitudes (" + system +
-                               "): expected a local or projected system");
+                               "): expected a local or projected coordinate system");
     if (set.entries.empty()) skipped.fail(path);
     return set;
 }

@@ -49,7 +49,7 @@ bool begins_with(const fs::path& file, std::initializer_list<Texts> lists) {
     });
 }
 
-/// Whether a file begins with Bundler's name, or with two whole numbers, as before version 0.3. Other
+/// Whether a file begins with Bundler's name, or with two whole numbers, as in versions before 0.3. Other
 /// programs also write .out files.
 bool is_bundler(const fs::path& file) {
     if (lower_extension(file) != ".out") return false;
@@ -194,8 +194,8 @@ CameraSet read_cameras(const fs::path& path) {
     if (lower_extension(path) == ".rz3" || lower_extension(path) == ".rzi")
         throw Error(Exit::input,
                     path.string() +
-                        ": this format of REALVIZ has no public description; export .rzml instead, "
-                        "or " +
+                        ": this REALVIZ format has no public description: export .rzml instead, or "
+                        "use another program; " +
                         expected);
     throw Error(Exit::input, path.string() + ": not a known camera format; " + expected);
 }

@@ -10,7 +10,7 @@
 
 namespace vantage {
 
-/// Error(input) for a valid file in which no camera has a pose.
+/// The Error(input) that is thrown for a valid file in which no camera has a pose.
 class NoCamera : public Error {
   public:
     explicit NoCamera(const std::string& message) : Error(Exit::input, message) {}
@@ -31,13 +31,13 @@ struct CameraSet {
         std::string photo;  ///< name in the file, folders included
         Camera camera;
         Unit unit = Unit::pixels;
-        std::string group = {};  ///< a group of photos in the file, possibly their folder; empty: none
+        std::string group = {};  ///< a group of photos in the file, possibly their folder; may be empty
     };
     std::string format;  ///< display name: "COLMAP text", "Bundler", ...
     std::vector<Entry> entries;
     std::vector<std::string> warnings;
-    /// The file's own transform from its frame to the mesh's, already applied to `entries` (that of the first
-    /// entry, if they differ).
+    /// The file's own transform from its frame to the mesh's, already applied to `entries`; if the transforms
+    /// of the entries differ, that of the first.
     Similarity transform{};
 };
 
@@ -53,7 +53,7 @@ struct CameraFormat {
     bool one_per_photo = false;  ///< one file per photo: the folder is read
 };
 
-/// All formats; if several match, the first is read.
+/// All formats; a file is read in the first that matches.
 std::span<const CameraFormat> camera_formats();
 
 /// The formats for messages: "COLMAP folder (...), Bundler .out, ...".
@@ -73,8 +73,8 @@ CameraSet read_bundler(const std::filesystem::path& file);
 /// The list of photo names that read_bundler reads; empty if there is none.
 std::filesystem::path bundler_list(const std::filesystem::path& file);
 /// Reads the rasters of a MeshLab project. CenterPx is measured from the photo's upper left corner, as in
-/// programs that write projects with an off-center principal point (MeshLab itself uses it for the size
-/// only). A mesh with a transformation is an error, because the mesh is not read through the project.
+/// programs that write projects with an off-center principal point (MeshLab itself uses it only for the
+/// size). A mesh with a transformation is an error, because the mesh is not read through the project.
 CameraSet read_meshlab(const std::filesystem::path& file);
 /// Agisoft Metashape's cameras.xml, and that of PhotoScan before 1.0. Reads the chunk with the most poses.
 /// Skips cameras that are disabled, belong to a rig, lack a pose, or have a lens other than `frame`.
@@ -88,7 +88,8 @@ CameraSet read_realitycapture_csv(const std::filesystem::path& file);
 CameraSet read_meshroom(const std::filesystem::path& file);
 /// sfm_data.json.
 CameraSet read_openmvg(const std::filesystem::path& file);
-/// reconstruction.json of OpenSfM and OpenDroneMap; if it holds several reconstructions, the largest.
+/// reconstruction.json of OpenSfM and OpenDroneMap; if it contains several reconstructions, the largest is
+/// read.
 CameraSet read_opensfm(const std::filesystem::path& file);
 /// transforms.json of nerfstudio and instant-ngp.
 CameraSet read_transforms(const std::filesystem::path& file);

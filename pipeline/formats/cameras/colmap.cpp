@@ -97,7 +97,7 @@ class Bytes {
     std::size_t at_ = 0;
 };
 
-/// A camera in the list, or the reason that it is unusable.
+/// A camera in the list, or the reason why it is unusable.
 struct ListedCamera {
     Camera camera;
     std::string flaw{};
@@ -150,7 +150,7 @@ ListedCameras binary_cameras(const std::filesystem::path& file) {
         const auto model = in.read<std::int32_t>();
         if (model < 0 || std::size_t(model) >= std::size(models))
             throw Error(Exit::input, file.string() + ": camera model " + std::to_string(model) +
-                                         " is not known, or no perspective one");
+                                         " is unknown or not a perspective model");
         const auto width = in.read<std::uint64_t>(), height = in.read<std::uint64_t>();
         if (width > 1u << 20 || height > 1u << 20)
             throw Error(Exit::input,

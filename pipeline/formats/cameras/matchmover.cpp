@@ -13,7 +13,7 @@
 namespace vantage {
 namespace {
 
-/// Angles in degrees: camera to world, with z backward, is Rz Ry Rx.
+/// The camera-to-world rotation from angles in degrees, with z backward: Rz Ry Rx.
 Eigen::Matrix3d matchmover_rotation(const XmlFile& file, pugi::xml_node frame) {
     const pugi::xml_node r = frame.child("R");
     const auto turn = [&](const char* name, const Eigen::Vector3d& axis) {
@@ -24,7 +24,8 @@ Eigen::Matrix3d matchmover_rotation(const XmlFile& file, pugi::xml_node frame) {
         .toRotationMatrix();
 }
 
-/// The camera of a frame. Its values, if any, replace all those of the camera's description.
+/// The camera of a frame. If the frame has values of its own, they replace all values of the camera's
+/// description.
 Camera read_frame(const XmlFile& file, pugi::xml_node shot, pugi::xml_node frame) {
     Camera c;
     Intrinsics& k = c.intrinsics;
@@ -45,7 +46,7 @@ Camera read_frame(const XmlFile& file, pugi::xml_node shot, pugi::xml_node frame
     return c;
 }
 
-/// The file of a frame: @ is replaced by its number, each # of a run by one digit.
+/// The file of a frame: @ is replaced with the frame's number, and each # in a run with one of its digits.
 std::string photo_name(std::string pattern, long number) {
     std::string digits = std::to_string(number);
     std::size_t at = pattern.rfind('@'), length = 1;

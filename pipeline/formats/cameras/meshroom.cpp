@@ -19,8 +19,8 @@ Version version_of(const LocatedJson& root) {
     return {int(v[0]), int(v[1]), int(v[2])};
 }
 
-/// fx and fy. In pixels before 1.2.2; since then in millimeters, with a pixel ratio that was fx / fy before
-/// 1.2.5.
+/// fx and fy. They are in pixels before version 1.2.2, and since then in millimeters, with a pixel ratio that
+/// was fx / fy before version 1.2.5.
 std::array<double, 2> focal_of(const LocatedJson& i, const Version& version) {
     if (version < Version(1, 2, 0)) {
         const double f = numeral(i.at("pxFocalLength"));
@@ -44,7 +44,7 @@ std::vector<double> coefficients_of(const LocatedJson& i) {
     return numerals(list, list.items(max_cameras).size());
 }
 
-/// The lens of `distortionType`, or of `type` until 1.2.7.
+/// The lens of `distortionType`, or of `type` up to version 1.2.7.
 Lens lens_of(const LocatedJson& i) {
     if (i.has("undistortionType") && i.at("undistortionType").text(100) != "none")
         i.at("undistortionType").fail("none: such a lens is not supported");

@@ -21,12 +21,13 @@ Eigen::Matrix3d by_rows(const std::vector<double>& n, std::size_t columns) {
     return out;
 }
 
-/// From 16 numbers in row-major order; the scale is that of the matrix.
+/// The similarity of a matrix, which is given as 16 numbers in row-major order.
 Similarity from_matrix(const XmlFile& file, pugi::xml_node transform) {
     const std::vector<double> n = file.numbers(transform, 16);
     Similarity out{by_rows(n, 4), {n[3], n[7], n[11]}, 1};
     out.scale = std::cbrt(out.R.determinant());
-    if (!(out.scale > 0)) file.fail(transform, "a rotation and a scale", "a matrix with a mirror, or none");
+    if (!(out.scale > 0))
+        file.fail(transform, "a rotation and a scale", "a matrix with a reflection, or none");
     out.R /= out.scale;
     return out;
 }
@@ -68,13 +69,13 @@ Camera calibrated(const XmlFile& file, pugi::xml_node c, pugi::xml_node size) {
     return out;
 }
 
-/// A sensor: a camera without pose, or the reason that it is unusable.
+/// A sensor: a camera without a pose, or the reason why it is unusable.
 struct Sensor {
     Camera camera;
     std::string why_not{};
 };
 
-/// A sensor that was never calibrated: only the camera's nominal values, in millimeters.
+/// A sensor that was never calibrated: it has only the camera's nominal values, in millimeters.
 Sensor uncalibrated(const XmlFile& file, pugi::xml_node sensor) {
     const auto value = [&](const char* name, double otherwise) {
         const pugi::xml_node p = sensor.find_child_by_attribute("property", "name", name);
@@ -100,7 +101,7 @@ Sensor uncalibrated(const XmlFile& file, pugi::xml_node sensor) {
     return {out};
 }
 
-/// The reason that the lens of a sensor or a calibration is unusable; empty if it is usable.
+/// The reason why the lens of a sensor or a calibration is unusable; empty if it is usable.
 std::string flaw_of(pugi::xml_node lens) {
     const std::string type = lens.attribute("type").value();
     if (!type.empty() && type != "frame") return "has a lens of type '" + type + "', expected 'frame'";
@@ -108,7 +109,7 @@ std::string flaw_of(pugi::xml_node lens) {
     return {};
 }
 
-/// The <resolution> of the first of these that has one.
+/// The <resolution> of the first of these nodes that has one.
 pugi::xml_node size_of(std::initializer_list<pugi::xml_node> nodes) {
     for (const pugi::xml_node n : nodes)
         if (const pugi::xml_node size = n.child("resolution")) return size;

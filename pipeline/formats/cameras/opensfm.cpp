@@ -20,8 +20,8 @@ Lens opensfm_lens(const LocatedJson& c) {
     c.at("projection_type").fail("perspective, brown, radial, simple_radial, fisheye or fisheye_opencv");
 }
 
-/// A camera's lens and intrinsics, in units of the photo's larger side from its center, see
-/// https://opensfm.org/docs/geometry.html; there, the first row of pixels has its centers at y = 0.
+/// A camera's lens and intrinsics, in units of the photo's larger side, measured from the photo's center
+/// (https://opensfm.org/docs/geometry.html). In OpenSfM, the centers of the first row of pixels are at y = 0.
 Camera read_camera(const LocatedJson& c) {
     const auto either = [&](const char* key, const char* other) {
         return numeral(c.at(c.has(key) ? key : other));

@@ -15,7 +15,7 @@
 namespace vantage {
 namespace {
 
-/// A value of a frame, or else the common value of all frames.
+/// A value of a frame, otherwise the common value of all frames.
 std::optional<LocatedJson> value_of(const LocatedJson& frame, const LocatedJson& all, const char* key) {
     if (frame.has(key)) return frame.at(key);
     return all.has(key) ? std::optional(all.at(key)) : std::nullopt;
@@ -43,8 +43,7 @@ class Frames {
   public:
     explicit Frames(const LocatedJson& all) : all_(all) {
         if (all.has("applied_transform")) original_ = affine(all.at("applied_transform"));
-        if (std::abs(original_.determinant()) < 1e-9)
-            all.at("applied_transform").fail("a map that can be undone");
+        if (std::abs(original_.determinant()) < 1e-9) all.at("applied_transform").fail("an invertible map");
         original_ = original_.inverse().eval();
         if (numeral(all, "applied_scale", 1) != 1) all.at("applied_scale").fail("no scale, or 1");
     }
@@ -57,7 +56,8 @@ class Frames {
             from_camera_to_world(backward(m.topLeftCorner<3, 3>()), m.topRightCorner<3, 1>());
         return entry;
     }
-    /// The transform from the file's frame to the original one; the rotation and scale of the affine map.
+    /// The transform from the file's frame to the original one, with the rotation and scale of the affine
+    /// map.
     Similarity transform() const {
         const Eigen::Matrix3d m = original_.topLeftCorner<3, 3>();
         return {nearest_orthogonal(m), original_.topRightCorner<3, 1>(),

@@ -91,7 +91,8 @@ class Joiner {
             if (next_ == nodes_.size()) throw std::runtime_error("more nodes than the file has");
             return {parent.to_scene * nodes_[next_++], 0};
         }
-        // The root is added by assimp, whose later versions rotate and scale it, to Y up and meters.
+        // The root is added by assimp, whose later versions rotate and scale it to convert to Y up and
+        // meters.
         if (!node.mParent) return parent;
         const Eigen::Affine3d local = affine(node.mTransformation);
         return {
@@ -128,8 +129,8 @@ class Joiner {
         }
         out_.rounding = std::max(out_.rounding, at.rounding + half_step * reach(at.to_scene, largest));
     }
-    /// Transforms by the inverse transpose up to a factor (the cofactors), which exists even if the mesh is
-    /// flattened.
+    /// Transforms normals by the inverse transpose, up to a factor: the cofactor matrix, which exists even if
+    /// the transform flattens the mesh.
     void add_normals(const aiMesh& from, const Eigen::Matrix3d& m) {
         Eigen::Matrix3d cofactors;
         cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));

@@ -36,9 +36,9 @@ std::string json_of_glb(const fs::path& file) {
         fail(file, "is not a GLB file: expected glTF at its beginning");
     if (header.version != 2) fail(file, "glTF version " + std::to_string(header.version) + ", expected 2");
     if (header.length > fs::file_size(file) || header.chunk_length > header.length)
-        fail(file, "is cut off: its header counts " + std::to_string(header.length) + " bytes, " +
-                       std::to_string(fs::file_size(file)) + " are there");
-    if (header.chunk_type != std::array{'J', 'S', 'O', 'N'}) fail(file, "does not begin with its JSON");
+        fail(file, "is cut off: its header counts " + std::to_string(header.length) +
+                       " bytes, but the file has " + std::to_string(fs::file_size(file)));
+    if (header.chunk_type != std::array{'J', 'S', 'O', 'N'}) fail(file, "does not begin with a JSON chunk");
     const std::vector<std::byte> bytes = read_file(file, sizeof header + header.chunk_length);
     const auto* text = reinterpret_cast<const char*>(bytes.data());
     return {text + sizeof header, text + bytes.size()};
@@ -54,7 +54,8 @@ void check_extensions(const fs::path& file, const LocatedJson& root) {
         if (std::ranges::none_of(std::array{"KHR_draco_mesh_compression", "KHR_materials_", "KHR_texture_",
                                             "EXT_texture_", "KHR_lights_", "KHR_xmp"},
                                  is_of))
-            fail(file, "needs the glTF extension " + name + ", which is not supported; export it without");
+            fail(file,
+                 "needs the glTF extension " + name + ", which is not supported; export the file without it");
     }
 }
 

@@ -19,8 +19,8 @@ struct Gltf {
 /// know, or if a node has two parents.
 Gltf read_gltf(const std::filesystem::path& file);
 
-/// The file that a glTF in `folder` refers to: under the name as written, or else with percent-encoding (%20)
-/// decoded.
+/// The file that a glTF in `folder` refers to: under the name as written, otherwise under the name with
+/// percent-encoding (%20) decoded.
 std::filesystem::path gltf_file(const std::filesystem::path& folder, std::string_view uri);
 
 }  // namespace vantage

@@ -85,7 +85,7 @@ class MtlReader {
         std::array<double, 3> color{};
         for (double& c : color) {
             const auto share = take_share(rest);
-            if (!share) return warn("expected three numbers after Kd; the color is taken as white");
+            if (!share) return warn("expected three numbers after Kd; the color is assumed to be white");
             c = *share;
         }
         for (std::size_t c = 0; c < 3; ++c) (*at_)[c] = code(color[c]);
@@ -93,7 +93,7 @@ class MtlReader {
     void read_alpha(std::string_view rest, bool is_d) {
         if (is_d && rest.starts_with("-halo")) take_word(rest);
         const auto share = take_share(rest);
-        if (!share) return warn("expected a number from 0 to 1 as alpha; it is not used");
+        if (!share) return warn("expected a number from 0 to 1 as alpha; the value is ignored");
         if (!is_d && has_d_) return;
         has_d_ |= is_d;
         (*at_)[3] = code(is_d ? *share : 1 - *share);

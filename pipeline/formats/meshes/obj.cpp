@@ -52,7 +52,7 @@ struct Library {
 /// A mesh and its materials by name.
 struct ObjMesh {
     Mesh mesh;
-    std::vector<std::uint32_t> of_triangle;  ///< index of its material's name; beyond the last: none
+    std::vector<std::uint32_t> of_triangle;  ///< index in `names`; without a material, a larger number
     std::vector<std::string> names;          ///< names in the order of their first use
     std::vector<Library> libraries;
 };
@@ -126,8 +126,8 @@ class ObjReader {
         colored_ |= colored;
         for (std::size_t c = 0; c < 3; ++c) colors_[c].push_back(colored ? real(words[4 + c]) : no_color);
     }
-    /// The element of a corner's index, counted from 1 (possibly defined later), or back from the last of
-    /// `count`; `no_vertex`: none.
+    /// The element that a corner's index refers to: counted from 1 (the element may be defined later), or
+    /// backward from the last of `count`; `no_vertex` if there is none.
     std::uint32_t element(std::string_view index, std::size_t count) const {
         std::int64_t i = 0;
         if (!parse_number(index, i)) fail("the index of a corner", index);
@@ -193,8 +193,8 @@ fs::path file_called(const fs::path& folder, const fs::path& name) {
     return found.size() == 1 ? found[0] : fs::path();
 }
 
-/// The expected paths of a library, whose name may use backslashes for slashes: first the named path if it is
-/// below the OBJ's folder, then beside the OBJ.
+/// The expected paths of a library, whose name may use backslashes instead of slashes: first the path as
+/// named, if it is below the OBJ's folder, then the file of that name next to the OBJ.
 std::vector<fs::path> places_of(const fs::path& folder, std::string name) {
     std::ranges::replace(name, '\\', '/');
     const fs::path given = fs::path(name).lexically_normal();
@@ -274,8 +274,8 @@ std::string and_others(std::size_t count) {
     return count == 0 ? "" : " and " + std::to_string(count) + " others";
 }
 
-/// The colors of the mesh's materials, by index; for duplicate names, that of the first library. Adds the
-/// files read and the missing ones to `files`.
+/// The colors of the mesh's materials, by index; for a duplicate name, the color in the first library. Adds
+/// the files read and the missing ones to `files`.
 std::vector<MaterialColor> material_colors(const ObjMesh& obj, const fs::path& file,
                                            std::set<fs::path>& files, std::vector<std::string>& warnings) {
     std::map<std::string, MaterialColor> known;
@@ -290,12 +290,12 @@ std::vector<MaterialColor> material_colors(const ObjMesh& obj, const fs::path& f
     if (!missing.empty())
         warnings.push_back(name + ": its material file " + missing.front().substr(0, 80) +
                            and_others(missing.size() - 1) + (missing.size() > 1 ? " are" : " is") +
-                           " missing; faces of its materials are taken as opaque");
+                           " missing; faces that use its materials are treated as opaque");
     else if (const auto unknown = unknown_materials(obj, known); !files.empty() && !unknown.empty())
         warnings.push_back(files.begin()->filename().string() + and_others(files.size() - 1) +
                            (files.size() > 1 ? ": have" : ": has") + " no material '" +
                            unknown.front().substr(0, 80) + "'" + and_others(unknown.size() - 1) +
-                           ", which faces of " + name + " use; taken as opaque");
+                           ", which faces of " + name + " use; they are treated as opaque");
     std::vector<MaterialColor> out;
     for (const std::string& used : obj.names)
         out.push_back(material_named(known, used).value_or(MaterialColor{255, 255, 255, 255}));

@@ -20,7 +20,8 @@ using namespace OpenMesh;
 std::uint8_t to_byte(float v) { return std::uint8_t(std::clamp(v, 0.0f, 1.0f) * 255 + 0.5f); }
 
 /// Collects the mesh from OpenMesh's readers unchanged. The readers trust the counts in the file and read on
-/// past its end, so more elements than a file of `bytes` bytes can hold throw std::length_error.
+/// past its end, so std::length_error is thrown if there are more elements than a file of `bytes` bytes can
+/// contain.
 class Collector : public IO::BaseImporter {
   public:
     Mesh mesh;

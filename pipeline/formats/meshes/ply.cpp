@@ -83,8 +83,8 @@ class Values {
         for (std::size_t i = 0; i < types.size(); from += size_of(types[i++]))
             convert(types[i], from, stride, swapped(), columns[i]);
     }
-    /// Reads the most common face: a byte and three 32-bit integers. False, with nothing read, if anything
-    /// else follows.
+    /// Reads the most common face: a byte and three 32-bit integers. If anything else follows, reads nothing
+    /// and returns false.
     bool next_triangle(std::array<std::uint32_t, 3>& corners) {
         constexpr std::size_t bytes = 1 + sizeof corners;
         if (rest_.size() < bytes || rest_[0] != 3) return false;

@@ -45,7 +45,8 @@ std::size_t drop_invalid_triangles(Mesh& mesh) {
     return dropped;
 }
 
-/// Gives every vertex a unit normal: its own if it is valid, else the area-weighted mean of its faces'.
+/// Gives every vertex a unit normal: its own if it is valid, otherwise the area-weighted mean of its faces'
+/// normals.
 void complete_normals(Mesh& mesh) {
     mesh.normals.resize(mesh.positions.size(), Eigen::Vector3f::Zero());
     const auto has_direction = [](const Eigen::Vector3f& n) {
@@ -82,7 +83,7 @@ Mesh read_nodes(const std::filesystem::path& file, Found& found) {
     found.rounding = read.rounding;
     if (read.unit != 0 && read.unit != meter)
         found.warnings.push_back(fmt::format(
-            "{}: says that its unit is {:.6g} cm; its coordinates are taken as written, in the cameras' unit",
+            "{}: says that its unit is {:.6g} cm; its coordinates are used as written, in the cameras' unit",
             file.filename().string(), read.unit));
     return std::move(read.mesh);
 }

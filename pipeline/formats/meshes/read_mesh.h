@@ -14,21 +14,22 @@ inline constexpr const char* mesh_format_names = "PLY, OBJ, STL, OFF, glTF, GLB,
 
 /// Whether a file with this name has one of these formats.
 bool is_mesh_file(const std::filesystem::path& file);
-/// Whether it is a glTF, GLB or FBX, whose nodes transform meshes: programs rotate and scale these on export.
+/// Whether the file is a glTF, GLB or FBX. Nodes in these formats transform meshes: programs rotate and scale
+/// them on export.
 bool has_nodes(const std::filesystem::path& file);
-/// Whether it is a USD file, which read_mesh() rejects.
+/// Whether the file is in a USD format, which read_mesh() rejects.
 bool is_usd_file(const std::filesystem::path& file);
 
-/// Reads a mesh: PLY, OBJ, text STL and text OFF at double precision, binary STL in single precision, binary
-/// OFF by OpenMesh in single precision without its half-edge structure, so that non-manifold faces are kept,
-/// glTF, GLB and FBX as described at read_with_assimp(). Polygons become triangle fans, except in FBX. STL,
-/// glTF, GLB and FBX are welded. Triangles with repeated, missing or non-finite vertices, or coordinates of
-/// 1e18 or more, are dropped and counted in `warnings`; unreferenced vertices are kept, but moved onto
-/// another vertex. Points of a cloud with such coordinates are dropped and counted. Also adds the
-/// coordinate_warnings, and the unit that an FBX states, unless it is the meter. Normals have unit length;
+/// Reads a mesh. PLY, OBJ, text STL and text OFF are read in double precision, and binary STL in single
+/// precision. Binary OFF is read by OpenMesh in single precision, without its half-edge structure, so that
+/// non-manifold faces are kept. For glTF, GLB and FBX, see read_with_assimp(). Polygons become triangle fans,
+/// except in FBX. STL, glTF, GLB and FBX are welded. Triangles with repeated, missing or non-finite vertices,
+/// or coordinates of 1e18 or more, are dropped and counted in `warnings`; unreferenced vertices are kept, but
+/// moved onto another vertex. Points of a cloud with such coordinates are dropped and counted. Also adds the
+/// coordinate_warnings() and, unless it is the meter, the unit that an FBX states. Normals have unit length;
 /// missing ones are area-weighted means of the face normals; clouds without normals keep none. Further files
-/// on which the mesh depends go to `companions`: the buffers of a glTF, and the materials of an OBJ, see
-/// read_obj(). Throws Error(input).
+/// on which the mesh depends go to `companions`: the buffers of a glTF, and the materials of an OBJ (see
+/// read_obj()). Throws Error(input).
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings,
                std::vector<std::filesystem::path>* companions = nullptr);
 

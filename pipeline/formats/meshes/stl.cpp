@@ -39,7 +39,7 @@ class TextReader {
     }
 
   private:
-    /// False at the end of the solid.
+    /// Reads a facet; false at the end of the solid.
     bool read_facet() {
         if (!at("facet", "endsolid")) return false;
         expect("normal");
@@ -99,7 +99,7 @@ Mesh read_binary(const fs::path& file) {
                                      bytes.end(), [](std::byte b) { return b == std::byte(0); });
     if (count != there && !padded)
         fail((count > there ? "is cut off: its header counts " : "is damaged: its header counts ") +
-             std::to_string(count) + " triangles, " + std::to_string(there) + " are there");
+             std::to_string(count) + " triangles, but the file has " + std::to_string(there));
     Mesh mesh;
     for (std::size_t i = 0; i < count; ++i) {
         float numbers[12];  // the normal and three corners

@@ -11,7 +11,7 @@
 namespace vantage {
 namespace {
 
-/// Bits of position, normal and color, because normals may be NaN.
+/// The bits of position, normal and color, which can be compared even if normals are NaN.
 using Key = std::array<std::uint64_t, 5>;
 
 struct Hash {

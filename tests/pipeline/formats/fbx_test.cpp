@@ -250,7 +250,7 @@ TEST_F(FbxMesh, UnitAndAxesAreNotConverted) {
         EXPECT_LT((mesh.positions[mesh.triangles[0][0]] - corner(0)).norm(), 1e-7) << cm;
         EXPECT_EQ(warnings.size(), cm == 100 ? 0u : 1u) << cm;
     }
-    EXPECT_THAT(warnings, ElementsAre("mesh.fbx: says that its unit is 2.54 cm; its coordinates are taken as "
+    EXPECT_THAT(warnings, ElementsAre("mesh.fbx: says that its unit is 2.54 cm; its coordinates are used as "
                                       "written, in the cameras' unit"));
 }
 

@@ -98,7 +98,7 @@ TEST_F(Las, WithheldPointsAreDroppedAndCounted) {
         warnings.clear();
         EXPECT_EQ(read(bytes).positions.size(), 3u);
         ASSERT_EQ(warnings.size(), 1u);
-        EXPECT_NE(warnings[0].find("1 points marked as withheld"), std::string::npos);
+        EXPECT_NE(warnings[0].find("1 points dropped that are marked as withheld"), std::string::npos);
     }
 }
 
@@ -115,8 +115,8 @@ TEST_F(Las, DamagedFilesAreRefusedWithAReason) {
     says(complaint(""), "is not a LAS file");
     says(complaint("PLY\n" + valid), "is not a LAS file");
     says(complaint(valid.substr(0, 150)), "cut off in its header");
-    says(complaint(valid.substr(0, valid.size() - 1)), "counts 10 points, 9 are there");
-    says(complaint(valid.substr(0, 240)), "counts 10 points, 0 are there");
+    says(complaint(valid.substr(0, valid.size() - 1)), "counts 10 points, but the file has 9");
+    says(complaint(valid.substr(0, 240)), "counts 10 points, but the file has 0");
     says(with(107, std::uint32_t(0)), "has no points");
     says(with(107, std::uint32_t(0xffffffff)), "expected at most");
     says(with(104, std::uint8_t(11)), "point format 11");

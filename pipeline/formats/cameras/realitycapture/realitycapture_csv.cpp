@@ -17,7 +17,7 @@
 namespace vantage {
 namespace {
 
-/// The cells of a line. No program quotes them.
+/// The cells of a line, which no program puts in quotes.
 std::vector<std::string_view> cells(std::string_view line) {
     std::vector<std::string_view> out;
     for (;;) {
@@ -45,7 +45,7 @@ class Table {
         if (!has("name")) fail("a column 'name'", "'" + std::string(line_.substr(0, 60)) + "'");
     }
     bool has(std::string_view column) const { return columns_.contains(column); }
-    /// The next camera; false at the end.
+    /// Reads the next camera; false at the end.
     bool next() {
         if (!next_line()) return false;
         row_ = cells(line_);
@@ -91,12 +91,12 @@ class Table {
     std::string text_;
     std::string_view rest_, line_;
     std::size_t at_ = 0;
-    std::size_t width_ = 0;  ///< columns, of which several may have the same name
+    std::size_t width_ = 0;  ///< number of columns, several of which may have the same name
     std::map<std::string_view, std::size_t> columns_;
     std::vector<std::string_view> row_;
 };
 
-/// Columns tx, ty, tz and R00 to R22: world to camera.
+/// The pose from world to camera, in the columns tx, ty, tz and R00 to R22.
 Pose matrix_pose(const Table& table) {
     Pose pose;
     for (int i = 0; i < 9; ++i) {
@@ -107,7 +107,8 @@ Pose matrix_pose(const Table& table) {
     return pose;
 }
 
-/// Yaw, pitch and roll in degrees: camera to world, with z backward, is Rz(-yaw) Rx(pitch) Ry(roll).
+/// The pose from yaw, pitch and roll in degrees: the camera-to-world rotation, with z backward, is Rz(-yaw)
+/// Rx(pitch) Ry(roll).
 Pose angle_pose(const Table& table) {
     using Turn = Eigen::AngleAxisd;
     const double degree = std::numbers::pi / 180;
@@ -135,7 +136,7 @@ CameraSet::Entry read_row(const Table& table) {
     const bool in_pixels = table.has("f_pix");
     if (!in_pixels && !table.has("f") && !table.has("f_35mm"))
         table.fail("a focal length, column 'f'",
-                   "none; it is in exports of internal and external parameters");
+                   "none; exports of internal and external parameters have one");
     CameraSet::Entry entry{table.name(), {}, CameraSet::Unit::longer_side};
     Intrinsics& k = entry.camera.intrinsics;
     if (in_pixels) {
@@ -163,7 +164,7 @@ bool is_realitycapture_csv(const std::filesystem::path& file) {
         const std::vector<std::byte> begin = read_file(file, 1000);
         const std::string_view text(reinterpret_cast<const char*>(begin.data()), begin.size());
         if (text.starts_with("#cameras")) return true;
-        // Other tables also have names and positions.
+        // Tables of other programs also have names and positions.
         const std::vector<std::string_view> columns = cells(text.substr(0, text.find('\n')));
         const auto has_one = [&](std::initializer_list<const char*> names) {
             return std::ranges::find_first_of(columns, names) != columns.end();

@@ -55,7 +55,7 @@ std::array<double, 6> coefficients_of(const XmlFile& file, pugi::xml_node descri
     return out;
 }
 
-/// The camera of a sidecar; none if it holds only a calibration.
+/// The camera of a sidecar; empty if the sidecar contains only a calibration.
 std::optional<CameraSet::Entry> read_sidecar(const XmlFile& file, pugi::xml_node description,
                                              const std::string& photo) {
     const Value rotation = value_of(description, "Rotation"), position = value_of(description, "Position");

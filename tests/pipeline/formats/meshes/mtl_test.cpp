@@ -86,11 +86,12 @@ TEST_F(Mtl, SaysWhatCannotBeRead) {
         "d\nmap_d hole.png\n");
     EXPECT_EQ(m.at("a"), (MaterialColor{255, 255, 255, 255}));
     EXPECT_EQ(m.at("b")[3], 255);
-    EXPECT_EQ(warnings, (std::vector<std::string>{
-                            "a.mtl, line 2: expected three numbers after Kd; the color is taken as white",
-                            "a.mtl, line 5: expected a number from 0 to 1 as alpha; it is not used",
-                            "a.mtl, line 7: expected a number from 0 to 1 as alpha; it is not used",
-                            "a.mtl, line 9: alpha from a texture (map_d) is not read"}));
+    EXPECT_EQ(warnings,
+              (std::vector<std::string>{
+                  "a.mtl, line 2: expected three numbers after Kd; the color is assumed to be white",
+                  "a.mtl, line 5: expected a number from 0 to 1 as alpha; the value is ignored",
+                  "a.mtl, line 7: expected a number from 0 to 1 as alpha; the value is ignored",
+                  "a.mtl, line 9: alpha from a texture (map_d) is not read"}));
 }
 
 TEST_F(Mtl, SplitsVerticesBetweenMaterialsAndKeepsTheirNormals) {
@@ -150,7 +151,8 @@ TEST_F(Mtl, AreFoundAsExportersNameThem) {
     EXPECT_TRUE(mesh("mtllib My Materials.mtl\n" + roof).colors.empty()) << "two candidates";
     ASSERT_EQ(warnings.size(), 2u);
     EXPECT_EQ(warnings[0],
-              "mesh.obj: its material file none.mtl is missing; faces of its materials are taken as opaque");
+              "mesh.obj: its material file none.mtl is missing; faces that use its materials are treated as "
+              "opaque");
 }
 
 TEST_F(Mtl, OfTheSameName) {
@@ -170,7 +172,7 @@ TEST_F(Mtl, AreMissedIfFacesUseThem) {
     EXPECT_TRUE(mesh("mtllib a.mtl\nusemtl unused\n" + roof).colors.empty());
     EXPECT_EQ(warnings,
               std::vector<std::string>{"a.mtl: has no material 'tiles' and 1 others, which faces of "
-                                       "mesh.obj use; taken as opaque"});
+                                       "mesh.obj use; they are treated as opaque"});
 }
 
 TEST_F(Mtl, AreNotSwallowedByCommentsAndNames) {
