@@ -5,11 +5,11 @@
 
 namespace vantage {
 
-/// The signed distance from each of the mesh's vertices to the nearest point of `reference`, in input units:
-/// positive on the side to which the reference's normals point (for a mesh, the triangles' normals;
-/// angle-weighted on edges and at corners, Baerentzen and Aanaes 2005), unsigned if the reference is a cloud
-/// without normals. Accurate to single precision. Includes the mesh's strays. Runs on all cores. Throws
-/// Error(memory).
+/// The signed distance from each of the mesh's vertices to the nearest point of `reference`, in input units.
+/// It is positive on the side to which the reference's normals point, and unsigned if the reference is a
+/// cloud without normals. Normals of a mesh are those of its triangles, weighted by angle on edges and at
+/// corners (Baerentzen and Aanaes 2005). Accurate to single precision. Includes the mesh's strays. Runs on
+/// all cores. Throws Error(memory).
 std::vector<float> deviation(const Mesh& mesh, const Mesh& reference);
 
 }  // namespace vantage

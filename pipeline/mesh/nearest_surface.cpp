@@ -22,8 +22,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The point on a triangle, or the cloud point, nearest to another point, and its normal, weighted by the
-/// triangle's angle at that point.
+/// The point on a triangle, or the cloud point, that is nearest to a given point, and the normal there,
+/// weighted by the triangle's angle at the nearest point.
 struct Nearest {
     Vector3d point, normal;
 };
@@ -35,7 +35,8 @@ Nearest on_segment(const Vector3d& p, const Vector3d& a, const Vector3d& b, cons
     return {a + share * along, normal * std::numbers::pi};
 }
 
-/// The nearest point on a triangle: inside it if the point projects there, else on the nearest edge.
+/// The nearest point on a triangle: inside the triangle if the point projects there, otherwise on the nearest
+/// edge.
 Nearest on_triangle(const Vector3d& p, const std::array<Vector3d, 3>& c) {
     const Vector3d area = (c[1] - c[0]).cross(c[2] - c[0]);
     const double area2 = area.squaredNorm();
@@ -95,7 +96,7 @@ struct NearestSurface::State {
         return {query.point, query.normal, query.distance};
     }
 
-    /// The nearest point so far. The normals of triangles that meet there are summed.
+    /// The nearest point so far. The normals of all triangles that meet at this point are summed.
     struct Query {
         const State& surface;
         Vector3d at, point = Vector3d::Zero(), normal = Vector3d::Zero();

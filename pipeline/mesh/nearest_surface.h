@@ -8,7 +8,7 @@ namespace vantage {
 
 /// The nearest point on a surface or in a cloud.
 struct NearestPoint {
-    Eigen::Vector3d point, normal;  ///< not of unit length; zero if the cloud has none
+    Eigen::Vector3d point, normal;  ///< the normal has any length, and is zero if the cloud has none
     double distance;
 
     /// Whether the normal points away from `at`, whose nearest point this is.
@@ -24,8 +24,8 @@ class NearestSurface {
     ~NearestSurface();
     NearestSurface(NearestSurface&&) noexcept;
 
-    /// On edges and at corners, where several triangles are nearest, the normal is the sum of theirs,
-    /// weighted by angle (Baerentzen and Aanaes 2005).
+    /// On edges and at corners, where several triangles are nearest, the normal is the sum of the triangles'
+    /// normals, weighted by angle (Baerentzen and Aanaes 2005).
     NearestPoint nearest(const Eigen::Vector3d& at) const;
 
   private:

@@ -16,7 +16,7 @@ namespace vantage {
 /// The model as stored in the package, with triangles ordered by cluster.
 struct PackedModel {
     package::SceneRecord record{};
-    Eigen::Vector3d origin;                  ///< center of the mesh's main_box, in its coordinates
+    Eigen::Vector3d origin;                  ///< center of the mesh's main_box(), in the mesh's coordinates
     std::vector<Eigen::Vector3f> positions;  ///< relative to `origin`
     std::vector<std::uint32_t> indices;      ///< three per triangle
     std::vector<package::ClusterRecord> clusters;
@@ -34,9 +34,9 @@ struct PackedModel {
 };
 
 /// Packs `mesh`, and reorders it in the same way: triangles by cluster, vertices by first use (for memory
-/// locality), unused vertices last. `transparency`: triangles that are not opaque come last, in separate
-/// clusters; otherwise all count as opaque. `box`: the main_box of the mesh, or of the cloud that it
-/// represents.
+/// locality), unused vertices last. With `transparency`, triangles that are not opaque come last, in separate
+/// clusters; otherwise all triangles count as opaque. `box` is the main_box() of the mesh, or of the cloud
+/// that the mesh represents.
 PackedModel pack_model(Mesh& mesh, const MainBox& box, bool transparency = false);
 
 /// Writes geometry, clusters and vertex attributes. Throws Error(storage).

@@ -22,8 +22,8 @@ constexpr int finest_grid = 6;  ///< halvings of a node's cube into the cells of
 constexpr int finest_leaf = 8;  ///< halvings for the spacing of a leaf's points
 constexpr std::array<std::uint8_t, 4> gray{200, 200, 200, 255};
 
-/// A point and the cells that contain it: three bits per halving of the root's cube, x lowest, the first
-/// halving highest (Morton order).
+/// A point and the cells that contain it, in Morton order: the code has three bits per halving of the root's
+/// cube, with x in the lowest and the first halving in the highest bits.
 struct Placed {
     std::uint64_t code;
     std::uint32_t point;
@@ -145,14 +145,14 @@ class Builder {
         tree_.nodes.push_back(node);
     }
 
-    /// The finest grid whose occupied cells do not exceed a node's capacity.
+    /// The finest grid that has no more occupied cells than a node can have points.
     static int grid_of(const Todo& todo) {
         int grid = std::min(finest_grid, levels - todo.level);
         while (grid > 1 && cells_in(todo.points, todo.level + grid) > package::point_node) --grid;
         return grid;
     }
 
-    /// The spacing of the finest grid on which a leaf's points share cells.
+    /// The spacing of the finest grid on which several of a leaf's points are in the same cell, on average.
     static float spacing_of(const Todo& todo, float size) {
         int grid = std::min(finest_leaf, levels - todo.level);
         while (grid > 0 && double(todo.points.size()) < 2 * double(cells_in(todo.points, todo.level + grid)))
@@ -160,7 +160,8 @@ class Builder {
         return std::ldexp(size, -grid);
     }
 
-    /// Moves the point nearest to the center of each cell to the front, in order, and returns their number.
+    /// Moves the points that are nearest to the centers of their cells to the front, in order, and returns
+    /// their number.
     std::size_t take_sample(Run points, int level) {
         taken_.clear(), left_.clear();
         for (std::size_t begin = 0; begin < points.size();) {

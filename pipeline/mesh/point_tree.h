@@ -9,11 +9,12 @@
 namespace vantage {
 
 /// An octree over a cloud with nested levels of detail, and the node of each point. For each cell of a grid
-/// over its cube, an inner node takes the point nearest to the cell's center; its children take the others.
+/// over its cube, an inner node takes the point nearest to the cell's center; its children take the other
+/// points.
 struct PointTree {
     std::vector<package::PointNode> nodes;  ///< level by level, the root first
     std::vector<std::uint32_t> order;       ///< points of the cloud, grouped by node
-    std::vector<std::uint64_t> starts;      ///< per node: index of its first point in `order`
+    std::vector<std::uint64_t> starts;      ///< index in `order` of the first point of each node
     std::uint32_t blocks = 0;
 
     bool empty() const { return nodes.empty(); }

@@ -7,16 +7,16 @@
 
 namespace vantage {
 
-/// A cloud's points as stored in a package, relative to its origin, and half the distance to their neighbors,
-/// from the finest octree node that contains each.
+/// A cloud's points as stored in a package, relative to its origin. Their radii are half the distance to
+/// their neighbors, which the finest octree node that contains the point determines.
 struct SplatCloud {
     std::vector<Eigen::Vector3f> positions;
     std::vector<float> radii;
 };
 
-/// Creates it from the cloud and the tree made from that cloud.
+/// Creates a splat cloud from a cloud and the tree that was made from it.
 SplatCloud splat_cloud(const PointTree& tree, const Mesh& cloud, const Eigen::Vector3d& origin);
-/// Reads it from a package with the effect `points`. Throws Error(damaged).
+/// Reads a splat cloud from a package with the effect `points`. Throws Error(damaged).
 SplatCloud splat_cloud(const PackageReader& package);
 
 }  // namespace vantage

@@ -47,7 +47,7 @@ struct Moments {
 };
 
 struct Cell {
-    std::uint32_t code;  ///< of its position, see code_of()
+    std::uint32_t code;  ///< code of its position; see code_of()
     Eigen::Vector3i place;
     Moments points;
 };
@@ -67,7 +67,8 @@ struct CellGrid {
     }
 };
 
-/// The grid of a cube that is never empty, even around a single point far from zero.
+/// The grid of the cube around the cloud, whose size is never zero, even for a single point far from the
+/// origin.
 CellGrid cube_around(const Mesh& cloud) {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& p : cloud.positions) box.extend(p);
@@ -112,8 +113,8 @@ std::vector<Cell> cells_of(const Mesh& cloud, const CellGrid& grid) {
     return cells;
 }
 
-/// The normal of the best-fitting plane of the points in a cell and its neighbors. If these span no plane,
-/// any direction perpendicular to them.
+/// The normal of the best-fitting plane of the points in a cell and its neighbors. If these points span no
+/// plane, any direction perpendicular to them.
 Eigen::Vector3d normal_of(const std::vector<Cell>& cells, const Cell& at, const CellGrid& grid) {
     Moments around;
     const int most = (1 << grid.level) - 1;

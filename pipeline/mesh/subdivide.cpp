@@ -46,7 +46,7 @@ struct Limit {
 class Midpoints {
   public:
     Midpoints(Mesh& mesh, const Limit& limit) : mesh_(mesh), limit_(limit) {}
-    /// The midpoint vertex of an edge that exceeds the limit; else `no_midpoint`.
+    /// The midpoint vertex of an edge if the edge exceeds the limit, otherwise `no_midpoint`.
     std::uint32_t of(std::uint32_t a, std::uint32_t b) {
         if (!limit_.is_exceeded(mesh_, a, b)) return no_midpoint;
         const auto [low, high] = std::minmax(a, b);
@@ -61,11 +61,12 @@ class Midpoints {
     std::unordered_map<std::uint64_t, std::uint32_t> vertices_;  ///< by edge
 };
 
-/// Appends the pieces of a triangle; m[i] is the midpoint of its edge from corner i to the next, if halved.
+/// Appends the pieces of a triangle; m[i] is the midpoint of its edge from corner i to the next, if that edge
+/// is halved.
 void add_pieces(const Triangle& t, const Triangle& m, std::vector<Triangle>& out) {
     const auto halved = std::ranges::count_if(m, [](auto v) { return v != no_midpoint; });
     if (halved == 0) return out.push_back(t);
-    // Rotate so that edge 0 is halved and, if exactly two are, edge 2 is not.
+    // Rotate the corners so that edge 0 is halved and, if exactly two edges are halved, edge 2 is not.
     std::size_t turn = 0;
     while (m[turn] == no_midpoint || (halved == 2 && m[(turn + 2) % 3] != no_midpoint)) ++turn;
     const std::uint32_t a = t[turn], b = t[(turn + 1) % 3], c = t[(turn + 2) % 3];

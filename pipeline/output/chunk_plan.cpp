@@ -12,7 +12,8 @@ using package::Type;
 
 namespace {
 
-/// Levels of the tile pyramid. Photos that were skipped keep theirs: they may become readable.
+/// The number of levels of the tile pyramid. Skipped photos keep their levels, because they may become
+/// readable.
 int planned_levels(const package::PhotoRecord& p) {
     return p.flags & package::photo_held_out ? 0 : level_count(int(p.width), int(p.height));
 }

@@ -10,9 +10,9 @@
 
 namespace vantage {
 
-/// The sizes that, besides its photos, determine a package's layout.
+/// The sizes that determine a package's layout, in addition to its photos.
 struct LayoutSizes {
-    /// Bytes of the scene chunks whose size is not in SCEN, such as META; 0: no chunk.
+    /// Bytes of the scene chunks whose size is not in SCEN, such as META; 0 if there is no chunk.
     std::map<package::Type, std::uint64_t> bytes;
     bool colors;  ///< the mesh has vertex colors
     std::uint64_t point_blocks = 0;
@@ -21,8 +21,8 @@ struct LayoutSizes {
 /// The sizes for a package that is rewritten.
 LayoutSizes layout_sizes(const PackageReader& package, std::uint64_t meta_bytes, bool coordinates);
 
-/// Whether photos have texture coordinates per vertex: in a compact package, only if these are the default,
-/// or if `asked` for.
+/// Whether photos get texture coordinates per vertex: in a compact package, only if these are the default or
+/// if `asked` is set.
 bool stores_coordinates(const package::SceneRecord& scene, bool asked);
 
 /// Every chunk in file order, coarse before fine; for a shard, only the per-photo chunks of its photos. Space

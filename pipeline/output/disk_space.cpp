@@ -73,7 +73,7 @@ void ensure_disk_space(const fs::path& out, const PackageLayout& layout) {
         fs::rename(out, part_of(out), error);
         if (!error) return;
     }
-    throw Error(Exit::storage, fmt::format("{}: the package needs {} MB, the disk has {} MB free",
+    throw Error(Exit::storage, fmt::format("{}: the package needs {} MB, but the disk has {} MB free",
                                            out.string(), needed / 1000000 + 1, available / 1000000));
 }
 

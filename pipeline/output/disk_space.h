@@ -9,8 +9,8 @@ namespace vantage {
 /// The result of disk_space_for() if the file system does not report its free space.
 inline constexpr std::uint64_t unknown_space = ~std::uint64_t(0);
 
-/// Maximum bytes on disk during preparation: an estimate if chunks are compact, because then the part and the
-/// package exist at the same time.
+/// The maximum number of bytes on disk during preparation. For compact chunks, this is an estimate that
+/// includes both the part and the package, which then exist at the same time.
 std::uint64_t disk_space_needed(const PackageLayout& layout);
 
 /// Bytes available on disk for the package `out`, including those that its part already occupies.

@@ -102,7 +102,7 @@ EarlierPackages earlier_packages(const std::filesystem::path& out, bool resumed)
             if (std::filesystem::exists(file))
                 found.push_back(std::make_unique<EarlierPackage>(file, in_place));
         } catch (const Error&) {
-            // Unreadable: nothing to reuse.
+            // An unreadable file contains nothing to reuse.
         }
     };
     if (resumed) add(part_of(out), true);

@@ -19,11 +19,11 @@ class EarlierPackage {
     /// `in_place`: the file is the one being written. Throws Error if it is not a package.
     EarlierPackage(const std::filesystem::path& file, bool in_place);
 
-    /// The index of the photo with this name; none if it is missing or its record is damaged.
+    /// The index of the photo with this name; empty if the photo is missing or its record is damaged.
     std::optional<std::uint32_t> photo(const std::string& name) const;
     const package::PhotoRecord& record(std::uint32_t photo) const;
     const package::PhotoState& state(std::uint32_t photo) const;
-    /// Whether it is a finished package, not a part or a shard.
+    /// Whether the file is a finished package, not a part or a shard.
     bool finished() const {
         return !in_place_ && reader_.header().shares == 0 && reader_.find(package::Type::pose_refinement);
     }
@@ -57,7 +57,7 @@ EarlierPackages earlier_packages(const std::filesystem::path& out, bool resumed)
 /// XXH3-64 of the checksums of a stage's chunks, as the writer sealed them.
 std::uint64_t content_of(package::Stage stage, std::uint32_t photo, int levels, const PackageWriter& writer);
 
-/// The reason, as a message, that a stage has to run for this photo.
+/// The reason why a stage has to run for this photo, as a message.
 std::string reason_to_run(package::Stage stage, const std::string& photo, const package::PhotoState& wanted,
                           const nlohmann::json& settings, const EarlierPackages& earlier);
 

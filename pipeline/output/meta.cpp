@@ -46,7 +46,7 @@ json mesh_json(const fs::path& file, const InputFiles& files, IdentityCache& ide
     return out;
 }
 
-/// Includes the identity of a file that was read, so that a repaired photo is recognized.
+/// Includes the identity of the photo's file if it was read, so that a repaired photo is recognized.
 json skipped_json(const UnusablePhoto& photo, const fs::path& folder, IdentityCache& identities) {
     const fs::path file = file_named(folder, photo.photo);
     json out{{"name", photo.photo}, {"why", utf8_name(photo.why)}, {"there", fs::exists(file)}};
@@ -101,7 +101,7 @@ json inputs_json(const SceneInput& scene, IdentityCache& identities) {
             entry["name"] = name_below(fs::is_directory(cameras) ? cameras : cameras.parent_path(), file);
             inputs["cameras"].push_back(std::move(entry));
         }
-    // Listed by path, because their names may be equal.
+    // These files are listed by path, because their names may be equal.
     for (const fs::path& more : scene.files.more_cameras)
         for (const fs::path& file : camera_files(more)) {
             json entry = input_json(file, identities);
@@ -180,7 +180,7 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
                       const std::vector<EffectDecision>& effects, IdentityCache& identities) {
     json meta{{"tool", tool_name}, {"config", settings_json(settings)}};
     meta["inputs"] = inputs_json(scene, identities);
-    // In scenes that do not need the effect, META is as before the effect was added.
+    // In scenes that do not need one of these effects, META is the same as before the effect was introduced.
     const auto called_for = [](const EffectDecision& d) {
         const bool seldom = d.effect == Effect::transparency || d.effect == Effect::compact;
         return !seldom || d.forced || d.measured > 0;
@@ -194,7 +194,7 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
     meta["skipped"] = json::array();
     for (const UnusablePhoto& l : scene.skipped)
         meta["skipped"].push_back(skipped_json(l, scene.files.photos, identities));
-    // The identities must be those of the bytes read before.
+    // The identities must be those of the bytes that were read earlier.
     for (const StampedFile& file : scene.read) expect_unchanged(file);
     meta["warnings"] = json::array();
     for (const std::string& w : scene.warnings) meta["warnings"].push_back(utf8_name(w));

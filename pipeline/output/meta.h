@@ -19,8 +19,8 @@ inline constexpr const char* tool_name = "vantage " VANTAGE_VERSION;
 nlohmann::json settings_json(const PrepareSettings& settings);
 
 /// META, the package's provenance as JSON: tool, settings, inputs with length and checksum, effects with
-/// their evidence, skipped photos, warnings, names of scalar fields. Padded to leave space for results that
-/// depend on all photos. Throws Error(input).
+/// their evidence, skipped photos, warnings, names of scalar fields. It is padded to leave space for results
+/// that depend on all photos. Throws Error(input).
 std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
                       const std::vector<EffectDecision>& effects, IdentityCache& identities);
 

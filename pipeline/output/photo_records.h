@@ -23,7 +23,7 @@ void set_pose(const Pose& pose, Record& r) {
 std::vector<bool> held_out(const SceneInput& scene, std::span<const std::string> names);
 
 /// One record per photo, in the scene's order; fields measured by the per-photo stages are left empty. Throws
-/// Error(usage) like held_out().
+/// Error(usage) in the same cases as held_out().
 std::vector<package::PhotoRecord> photo_records(const SceneInput& scene, const PrepareSettings& settings,
                                                 const Eigen::Vector3d& origin);
 

@@ -13,7 +13,8 @@ using package::Stage;
 /// Incremented whenever a change to the code changes the colors of photos that have a color profile.
 constexpr std::uint32_t color_conversion = 1;
 
-/// Compact chunks have different bytes, and the depth and colors that other stages read are rounded.
+/// Starts the key of a stage. Compact chunks need other keys: their bytes differ, and the depth and colors
+/// that other stages read are rounded.
 Fingerprint start(const StageRow& row, const SceneKey& scene) {
     Fingerprint f;
     f.add(row.stage).add(row.version);

@@ -26,7 +26,7 @@ struct SceneKey {
     bool opengl;                   ///< the model is rendered by OpenGL, otherwise by the CPU
     bool undistortion;             ///< the effect is on
     bool compact;                  ///< the effect is on
-    std::uint64_t model;           ///< XXH3-64 of geometry and clusters, see model_checksum
+    std::uint64_t model;           ///< XXH3-64 of geometry and clusters; see model_checksum()
     double reference_density = 1;  ///< reference density of the depth weight
 };
 
@@ -38,22 +38,22 @@ struct StageRow {
     PixelInput pixels;
     bool model;                         ///< renders or projects the model from the photo's pose
     bool held_out;                      ///< also runs for held-out photos
-    std::vector<std::string> settings;  ///< read by the stage, named as in META's configuration
+    std::vector<std::string> settings;  ///< settings that the stage reads, named as in META's configuration
     /// Adds the settings that no other input covers to the stage's key; may be null.
     void (*key)(Fingerprint&, const SceneKey&);
     /// Copies the stage's measurements from the record of the run that made them; may be null.
     void (*adopt)(const package::PhotoRecord& from, package::PhotoRecord& to);
-    void (*make)(StageInput& in);        ///< for a stage that uses the model, else null
+    void (*make)(StageInput& in);        ///< for a stage that uses the model, otherwise null
     void (*make_level)(LevelInput& in);  ///< for other stages: called with each level of the pyramid
 };
-/// In the order of package::Stage.
+/// The rows, in the order of package::Stage.
 std::span<const StageRow> stage_table();
 const StageRow& stage_row(package::Stage stage);
 
 /// The chunks that a stage writes for a photo of `levels` pyramid levels.
 std::vector<LeveledChunk> chunks_of(package::Stage stage, int levels);
 
-/// The stages that run for a photo: all, or those for held-out photos.
+/// The stages that run for a photo: all stages or, if it is held out, those for held-out photos.
 std::vector<package::Stage> stages_of(const package::PhotoRecord& record);
 
 /// A set of stages, such as those still missing for a photo.

@@ -64,7 +64,7 @@ void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& i
         compare(file == now.end() ? folder / name : *file, was, identities, out);
         known.insert(comparable_name(name));
     }
-    // Files of a preferred format, or optional files that the format reads.
+    // New files may be in a preferred format, or optional files that the format reads.
     for (const fs::path& file : now)
         if (!known.contains(comparable_name(name_below(folder, file)))) add_new(file, out);
 }
@@ -105,7 +105,8 @@ void compare_listed(const json& meta, const char* list, const std::vector<fs::pa
     }
 }
 
-/// Compares the mesh. A scene of points only has none; a mesh may have become a cloud, or a cloud a mesh.
+/// Compares the mesh. A scene of points only has no mesh; a mesh may have been replaced with a cloud, or a
+/// cloud with a mesh.
 void compare_mesh(const json& meta, const fs::path& mesh, IdentityCache& identities, Changes& out) {
     const json was = meta.at("inputs").value("mesh", json{});
     if (was.is_object() && mesh.empty())
@@ -249,7 +250,7 @@ std::vector<std::string> changed_settings(const PackageReader& package, const Pr
     std::vector<std::string> out;
     if (const json was = meta.value("tool", json{}); was != tool_name)
         out.push_back("prepared by " + json_text(was, -1) + ", this is " + tool_name);
-    // Up to version 0.6.1, the warning about an unconverted color profile.
+    // Versions up to 0.6.1 warned of a color profile that they did not convert.
     for (const json& warning : meta.value("warnings", json::array()))
         if (warning.is_string() && warning.get<std::string>().ends_with("', treated as sRGB"))
             out.push_back(warning.get<std::string>());
@@ -261,7 +262,7 @@ std::vector<std::string> changed_settings(const PackageReader& package, const Pr
     for (const char* const key : {"image_sets", "convention", "align"})  // stored only if not the default
         if (was.contains(key) && !now.contains(key))
             out.push_back(std::string("setting ") + key + ": was " + json_text(was.at(key), -1) +
-                          ", is now not given");
+                          ", is no longer given");
     return out;
 }
 

@@ -14,8 +14,8 @@
 namespace vantage {
 namespace {
 
-/// A profile that changes no value (of 255) by more than this is treated as sRGB. Copies of it differ by 1,
-/// from rounding.
+/// A profile that changes no value (of 255) by more than this is treated as sRGB. Copies of the sRGB profile
+/// change values by 1 because of rounding.
 constexpr int srgb_tolerance = 2;
 /// The same tolerance for profiles named sRGB, some of which simplify its curve to a gamma of 2.2, with
 /// errors of 8 in dark values.
@@ -74,7 +74,7 @@ int change_of_colors(const Transform& bytes) {
     return most;
 }
 
-/// The same for a gray-to-RGB transform.
+/// The largest change of a value by a gray-to-RGB transform, over all grays.
 int change_of_grays(const Transform& bytes) {
     int most = 0;
     for (int v = 0; v < 256; ++v) {
@@ -92,7 +92,7 @@ bool has_table(const Profile& profile) {
     return std::ranges::any_of(tables, [&](cmsTagSignature tag) { return cmsIsTag(profile.get(), tag); });
 }
 
-/// The light of each value of one channel (of `channels`), the others being 0.
+/// The light of each value of one of `channels` channels while the others are 0.
 std::vector<Light> light_along(std::size_t channel, std::size_t channels, const Transform& to_light) {
     std::vector<float> from(channels * channel_values), to(3 * channel_values);
     for (std::size_t v = 0; v < channel_values; ++v)
@@ -106,7 +106,7 @@ std::vector<Light> light_along(std::size_t channel, std::size_t channels, const 
 LightTable light_of_colors(const Transform& to_light) {
     LightTable light;
     for (std::size_t c = 0; c < 3; ++c) light[c] = light_along(c, 3, to_light);
-    // Each of them includes the light of black.
+    // Each channel's table includes the light of black, which must be added only once.
     const Light black = light[0][0];
     for (std::size_t c = 1; c < 3; ++c)
         for (Light& l : light[c])
@@ -114,7 +114,7 @@ LightTable light_of_colors(const Transform& to_light) {
     return light;
 }
 
-/// The table of gray pixels: red carries all light, because green and blue repeat it.
+/// The table for gray pixels: the red channel carries all the light, because green and blue repeat it.
 LightTable light_of_grays(const Transform& to_light) {
     LightTable light{light_along(0, 1, to_light), std::vector<Light>(channel_values),
                      std::vector<Light>(channel_values)};
@@ -128,7 +128,7 @@ void convert_by_light(LightTable table, ColorProfile& out) {
     out.converted = [light](std::span<const std::uint16_t> pixels) { return to_srgb(*light, pixels); };
 }
 
-// The following three functions fill in the conversions unless the profile is that of sRGB, which changes
+// The following three functions fill in the conversions unless the profile counts as sRGB because it changes
 // colors by at most `tolerance`. They return false if the profile is incomplete.
 
 bool set_colors(const Profile& profile, int tolerance, ColorProfile& out) {

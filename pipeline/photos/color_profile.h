@@ -14,24 +14,27 @@ enum class PixelColors { gray, rgb, cmyk };
 
 /// The treatment of colors with an ICC profile.
 struct ProfileUse {
-    std::string name{};     ///< the profile's own description, in ASCII; may be empty
-    std::string flaw{};     ///< the reason to ignore the profile and treat colors as sRGB; else empty
+    std::string name{};  ///< the profile's own description, in ASCII; may be empty
+    /// The reason why the profile is ignored and colors are treated as sRGB; may be empty.
+    std::string flaw{};
     bool converts = false;  ///< colors are converted to sRGB; false if they are sRGB or treated as such
 };
 
 /// The conversion from an ICC profile (ISO 15076-1) to sRGB: relative colorimetric with black point
-/// compensation; colors outside sRGB are clipped. Thread-safe; its functions are empty unless use.converts.
+/// compensation; colors outside sRGB are clipped. Thread-safe. Both functions are empty unless `use.converts`
+/// is set.
 struct ColorProfile {
     ProfileUse use{};
-    /// Converts pixels of four values to RGBA: red, green and blue, all equal if the photo is gray, and
-    /// alpha, which is unchanged; or inks as Adobe stores them in JPEG files, 255 for none.
+    /// Converts pixels of four values to RGBA. The values are red, green and blue, which are equal if the
+    /// photo is gray, and alpha, which is unchanged; or they are inks as Adobe stores them in JPEG files,
+    /// with 255 for no ink.
     std::function<void(std::span<std::uint8_t> pixels)> convert{};
-    /// The same for 16 bits per value, rounded to 8 afterwards; not for inks.
+    /// Like `convert`, but for 16 bits per value, rounded to 8 afterwards; empty for inks.
     std::function<std::vector<std::uint8_t>(std::span<const std::uint16_t> pixels)> converted{};
 };
 
-/// The profile of a photo with these colors; use.flaw reports invalid bytes. Created once for all photos that
-/// share it. Thread-safe.
+/// The profile of a photo with these colors; use.flaw reports invalid bytes. Each profile is created once for
+/// all photos that share it. Thread-safe.
 std::shared_ptr<const ColorProfile> color_profile(std::span<const std::byte> icc, PixelColors colors);
 
 }  // namespace vantage

@@ -32,7 +32,7 @@ struct ImageFiles {
     PhotoHeader (*header)(const std::filesystem::path& file);
     /// Colors with an ICC profile and linear light are converted to sRGB; values above 1 become 1.
     RgbaImage (*read)(const std::filesystem::path& file);
-    /// The same, ignoring profiles: for images whose values are not colors.
+    /// Like `read`, but ignores profiles; for images whose values are not colors.
     RgbaImage (*read_unprofiled)(const std::filesystem::path& file);
     /// Writes interleaved pixels, top row first, in the format of the file's extension: PNG, EXR, or JPEG at
     /// quality 97 without chroma subsampling. Four channels are RGBA with straight alpha.

@@ -45,7 +45,7 @@ int orientation_of(std::span<const std::uint8_t> app1) {
     return 1;
 }
 
-/// Must have no destructors to run, because errors leave it by longjmp.
+/// This function must not have any objects with destructors, because errors leave it by longjmp.
 void find(std::span<const std::byte> jpeg, Found& found) {
     jpeg_decompress_struct info{};
     codec::JpegFailure failure{};

@@ -11,7 +11,7 @@ namespace vantage {
 
 /// The contents of a JPEG before its first scan.
 struct JpegPhoto {
-    std::string flaw;  ///< the reason that it cannot be read; if empty, the rest is valid
+    std::string flaw;  ///< the reason why the file cannot be read; if empty, the rest is valid
     int width = 0, height = 0;
     int orientation = 1;  ///< EXIF, 1 to 8
     PixelColors colors = PixelColors::rgb;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float top = float(channel_values - 1);
 
-/// The sRGB byte of light in steps of 1 / top.
+/// A table of sRGB bytes for linear light in steps of 1 / top.
 const std::vector<std::uint8_t>& srgb_codes() {
     static const std::vector<std::uint8_t> codes = [] {
         std::vector<std::uint8_t> table(channel_values);
@@ -21,7 +21,7 @@ const std::vector<std::uint8_t>& srgb_codes() {
     return codes;
 }
 
-/// The sum as three bytes.
+/// Writes the sum of the three lights as three bytes.
 void encode(const Light& r, const Light& g, const Light& b, const std::vector<std::uint8_t>& codes,
             std::uint8_t* rgb) {
     for (std::size_t c = 0; c < 3; ++c) {

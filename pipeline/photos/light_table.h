@@ -19,7 +19,7 @@ using LightTable = std::array<std::vector<Light>, 3>;
 
 /// Converts pixels of four values each to sRGB, clipped; NaN becomes 0, alpha is unchanged.
 void to_srgb(const LightTable& light, std::span<std::uint8_t> rgba);
-/// The same for 16 bits per value, rounded to 8 afterwards.
+/// Like the function above, but for 16 bits per value, rounded to 8 afterwards.
 std::vector<std::uint8_t> to_srgb(const LightTable& light, std::span<const std::uint16_t> rgba);
 
 }  // namespace vantage

@@ -22,7 +22,8 @@ namespace {
     throw Error(Exit::input, file.string() + ": " + reason.substr(0, reason.find('\n')));
 }
 
-/// Files of these formats hold linear light; files of others state it if they do (PNG by its gamma).
+/// Files of these formats contain linear light; files of other formats state it if they do so (PNG by its
+/// gamma).
 bool is_linear(const OIIO::ImageSpec& spec, const std::string& format) {
     return format == "openexr" || format == "hdr" ||
            OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
@@ -64,7 +65,7 @@ void expect_readable(const OIIO::ImageSpec& spec, const std::string& format,
     const bool heic = extension == ".heic" || extension == ".heif" || extension == ".avif";
     fail(file,
          heic ? "not a readable photo; HEIC and AVIF need OpenImageIO with libheif and its decoders (package "
-                "libheif1), or convert the photos to JPEG (heif-convert of libheif-examples): " +
+                "libheif1); otherwise, convert the photos to JPEG (heif-convert of libheif-examples): " +
                     reason
               : "not a readable photo: " + reason);
 }
@@ -89,8 +90,8 @@ PhotoHeader read_header(const std::filesystem::path& file) {
             !use.converts && is_linear(spec, in->format_name())};
 }
 
-/// Red, green, blue and alpha of any image: gray, RGB, with alpha, or with other channels. `negative`: white
-/// is 0.
+/// Red, green, blue and alpha of any image: gray or RGB, with or without alpha, or with other channels.
+/// `negative`: white is 0.
 OIIO::ImageBuf as_rgba(const OIIO::ImageBuf& image, bool negative) {
     const int n = image.spec().nchannels;
     const int order[] = {0, n >= 3 ? 1 : 0, n >= 3 ? 2 : 0, image.spec().alpha_channel};  // -1: filled
@@ -129,8 +130,8 @@ bool is_clear(const RgbaImage& image) {
 }
 
 /// Reads with a separate ImageInput: ImageBuf uses a cache shared by the whole process, which returns wrong
-/// pixels or aborts if threads read one file at the same time. Uses one thread, because photos are read in
-/// parallel.
+/// pixels or aborts if several threads read the same file at the same time. Uses one thread, because photos
+/// are read in parallel.
 RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
     using OIIO::TypeDesc;
     OIIO::ImageSpec config;
@@ -158,7 +159,7 @@ RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
         return bytes;
     };
     RgbaImage photo = blank_image(spec.width, spec.height);
-    // Converts in batches of rows, so that at most the photo itself is in memory twice.
+    // Converts in batches of rows, so that the photo is in memory at most twice.
     constexpr int rows = 64;
     auto to = photo.rgba.begin();
     for (OIIO::ROI part = image.roi(); part.ybegin < image.roi().yend; part.ybegin += rows) {

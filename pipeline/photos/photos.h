@@ -18,12 +18,14 @@ PhotoHeader read_photo_header(const std::filesystem::path& file);
 /// only if the stored width and height equal those of `expected` swapped. Throws Error(input) if the photo is
 /// truncated, corrupt or of a different size.
 RgbaImage read_photo(const std::filesystem::path& file, PhotoSize expected);
-/// The same from the file's bytes; `file` is used in messages and, unless it is a JPEG, read again.
+/// Like read_photo(), but from the file's bytes. `file` is used in messages; unless it is a JPEG, it is also
+/// read again.
 RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
                        PhotoSize expected);
 
 /// A photo reduced to at most `longest` px on its longer side, and the size of a reduced pixel in original
-/// pixels. A JPEG is reduced during decoding, which is several times faster. Throws like read_photo().
+/// pixels. A JPEG is reduced during decoding, which is several times faster. Throws whatever read_photo()
+/// throws.
 struct ReducedPhoto {
     RgbaImage image;
     std::array<double, 2> scale;

@@ -4,7 +4,8 @@
 
 namespace vantage {
 
-/// Scaled down to `size`: bilinear above half of the image's size, else the area average (OpenCV).
+/// The image scaled down to `size`: with bilinear interpolation above half of the image's size, otherwise
+/// with the area average (OpenCV).
 RgbaImage reduced(const RgbaImage& image, const Level& size);
 
 /// The photo's size scaled down to at most `longest` pixels on the long side, never larger than the photo.
