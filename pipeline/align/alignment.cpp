@@ -147,8 +147,8 @@ class Aligner {
         const Candidate best = polished(all.front());
         if (!(best.trial.agreement >= least_share * of_cameras_))
             fail(
-                fmt::format("no alignment agrees with the photos: the best shows {} of {} features to {:.0f} "
-                            "px (median)",
+                fmt::format("no alignment agrees with the photos: the best shows {} of {} features (median "
+                            "error {:.0f} px)",
                             best.trial.defined, best.trial.features, px(best.trial.median)));
         const double next = next_best(all, best);
         if (next * clearly > best.trial.agreement)

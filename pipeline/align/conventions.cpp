@@ -185,8 +185,9 @@ bool has_open_terms(const SceneInput& scene) {
     });
 }
 
-/// Tests on a few pairs of photos whether the conventions are as read: many features then agree so well with
-/// the cameras and the mesh that no other convention can be right. Empty if these pairs are inconclusive.
+/// Tests with a few pairs of photos whether the input is right as read: many features then agree well with
+/// the cameras and the mesh, so that no other convention needs to be tried. Empty if these pairs are
+/// inconclusive.
 std::optional<ConventionTrials> as_read_by_pairs(const SceneInput& scene, std::size_t pairs,
                                                  const FeatureSettings& how, MeshOnDemand& mesh) {
     constexpr std::size_t nearest[] = {0};
@@ -248,7 +249,7 @@ std::string said_of_mesh(const ConventionTrials& trials, const SceneInput& scene
                           in_pixels(t.median, scene), t.defined);
     throw Error(Exit::misplaced,
                 fmt::format("{}: the mesh does not fit these cameras, even if it is turned: {}; 'vantage "
-                            "align' finds its pose, --convention as-read accepts it unchanged",
+                            "align' finds its pose, and --convention as-read accepts it unchanged",
                             scene.files.mesh.string(), found));
 }
 
@@ -319,9 +320,9 @@ ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted,
         if (!said.empty()) scene.warnings.push_back(said);
     apply_conventions(scene, trials.chosen);
     for (const std::string& name : parts(trials.chosen))
-        scene.warnings.push_back(
-            fmt::format("the photos agree only if {}, which is assumed; --convention as-read assumes nothing",
-                        convention(name).meaning));
+        scene.warnings.push_back(fmt::format(
+            "the photos agree only if {}, which is therefore assumed; --convention as-read prevents this",
+            convention(name).meaning));
     return trials;
 }
 

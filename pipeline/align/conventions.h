@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// "as-read" applies no convention; with "auto", settle_convention() chooses.
+/// "as-read" applies no convention; with "auto", settle_convention() chooses one.
 inline constexpr const char* as_read = "as-read";
 inline constexpr const char* convention_auto = "auto";
 
@@ -36,7 +36,7 @@ struct ConventionTrial {
 ConventionTrial trial_of(const std::string& names, std::span<const double> errors);
 
 /// The trials of all conventions. Camera conventions are tested first, by their epipolar errors. Mesh
-/// conventions follow, tested by the surface errors of the features that agree with the cameras.
+/// conventions are tested next, by the surface errors of the features that agree with the cameras.
 struct ConventionTrials {
     std::vector<ConventionTrial> cameras, mesh;  ///< in each, the first trial is that of the input as read
     std::string chosen = as_read;

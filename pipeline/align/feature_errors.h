@@ -21,9 +21,9 @@ std::vector<double> epipolar_errors(std::span<const SharedFeature> features, std
 std::vector<SharedFeature> agreeing_features(std::span<const SharedFeature> features,
                                              std::span<const Camera> cameras, double most);
 
-/// The features with measurable parallax: their distance in photo b from the point at infinity on photo a's
-/// ray is at least `least`, as a fraction of b's longer side. Other features agree with a mesh at any
-/// distance.
+/// The features with measurable parallax: in photo b, their distance from the image of the point at infinity
+/// on photo a's ray is at least `least`, as a fraction of b's longer side. Other features agree with a mesh
+/// at any distance.
 std::vector<SharedFeature> features_with_parallax(std::span<const SharedFeature> features,
                                                   std::span<const Camera> cameras, double least);
 
@@ -36,7 +36,7 @@ struct CastMesh {
 /// The mesh must have triangles.
 CastMesh cast_mesh(const Mesh& mesh);
 
-/// Transfers each feature from photo a to photo b over the mesh and returns the distance from its position in
+/// Transfers each feature from photo a to photo b via the mesh and returns the distance from its position in
 /// b, as a fraction of b's longer side. Measures the agreement of cameras and mesh with the photos.
 std::vector<double> surface_errors(std::span<const SharedFeature> features, std::span<const Camera> cameras,
                                    const CastMesh& mesh);

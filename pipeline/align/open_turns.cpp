@@ -48,7 +48,7 @@ class Judge {
     bool agree_only(const std::vector<bool>& which, const std::vector<bool>& without) const {
         return agree_only(features_, which, without);
     }
-    /// Like agree_only(), but only with the features of one photo.
+    /// Tests the same with only the features of one photo.
     bool agree_only(std::uint32_t photo, const std::vector<bool>& which,
                     const std::vector<bool>& without) const {
         std::vector<SharedFeature> own;

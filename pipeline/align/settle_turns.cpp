@@ -58,7 +58,7 @@ void settle_turns(SceneInput& scene, unsigned threads) {
     if (!displayed.empty())
         scene.warnings.push_back(
             fmt::format("turned by their EXIF orientation, because their cameras "
-                        "have no size and only then agree with neighboring photos: {}",
+                        "have no size and agree with neighboring photos only then: {}",
                         first_of(displayed, max_names)));
     warn_of_turns(scene, turns.found, true);
     warn_of_turns(scene, turns.unknown, false);

@@ -49,7 +49,7 @@ Features find_features(const PhotoInput& photo, const FeatureSettings& how) {
     detector(how.features)->detectAndCompute(gray, opaque, found, out.descriptors);
     static const double to_center = 0.5 - shift_of_features();
     const Eigen::Vector2d scale(small.scale[0], small.scale[1]);
-    // OpenCV's pixel centers are at integers.
+    // OpenCV's pixel centers have integer coordinates.
     for (const cv::KeyPoint& p : found)
         out.pixels.push_back((Eigen::Vector2d(double(p.pt.x), double(p.pt.y)).array() + to_center)
                                  .matrix()

@@ -17,7 +17,7 @@ struct SharedFeature {
 /// Settings of feature detection.
 struct FeatureSettings {
     int long_side = 480;   ///< longer side of the reduced photos, px
-    int features = 1000;   ///< maximum number per photo
+    int features = 1000;   ///< maximum number of features per photo
     unsigned threads = 0;  ///< 0: all cores
 };
 

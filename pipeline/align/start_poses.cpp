@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 using PointSet = std::vector<Vector3d>;
 
 constexpr std::size_t rotations = 600, used_points = 200;
-constexpr double scales[] = {0.5, 0.7, 1, 1.4, 2};  ///< relative to the ratio of sizes
+constexpr double scales[] = {0.5, 0.7, 1, 1.4, 2};  ///< scales to try, relative to the ratio of sizes
 constexpr double overlap = 0.7;                     ///< assumed fraction of the points that are on the mesh
 constexpr int cells = 48;                           ///< number of cells along the longest side of the grid
 /// ICP iterations per round; each round continues with the best fifth of the poses.

@@ -27,7 +27,7 @@ struct Backdrop {
     Eigen::Vector3d center;                  ///< relative to the origin
     std::vector<Eigen::Vector3f> positions;  ///< relative to the origin, all finite
     Sky sky;
-    std::vector<std::uint8_t> is_sky;  ///< per direction, see sky_directions
+    std::vector<std::uint8_t> is_sky;  ///< per direction; see sky_directions()
 };
 
 /// Estimates the background's depth by direction from the photos; see docs/method.md. Needs at least two

@@ -17,8 +17,9 @@ struct DirectionSphere {
     std::vector<Eigen::Vector3f> directions;              ///< unit length
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise as seen from the center;
                                                           ///< the four pieces of a triangle are consecutive
-    std::vector<std::array<std::uint32_t, 6>> neighbors;  ///< twelve directions have five, then `none`
-    /// Ends of the bisected edge; the first 12 directions name themselves twice.
+    std::vector<std::array<std::uint32_t, 6>> neighbors;  ///< the last is `none` for the first 12 directions
+    /// The two ends of the edge that a direction bisects; for each of the first 12 directions, the direction
+    /// itself twice.
     std::vector<std::array<std::uint32_t, 2>> ends;
 };
 

@@ -32,7 +32,8 @@ cv::Mat1f brightness(const CoarseView& v) {
     return out;
 }
 
-/// For each texel, 0 unless it is open and above the horizon, then 255 if it looks like sky, otherwise 1.
+/// For each texel, 255 if it is open, above the horizon and looks like sky, 1 if it is only open and above
+/// the horizon, otherwise 0.
 cv::Mat1b candidates(const CoarseView& v, const Eigen::Vector3f& down) {
     const cv::Mat1f light = brightness(v);
     cv::Mat1b out(v.k.height, v.k.width, uchar(0));

@@ -54,7 +54,8 @@ void add_merge(const Command& program) {
     c.notes(
         "Each shard is written by 'vantage prepare INPUT -o SHARD --shard i/n', on any machine. The result "
         "is\n"
-        "byte-for-byte the package of a single run. An interrupted merge resumes when it is run again.\n"
+        "byte-for-byte identical to the package that a single run writes. An interrupted merge resumes when "
+        "it is run again.\n"
         "Example:\n  vantage merge chapel-*.shard -o chapel.vantage --remove");
     c.list("SHARDS", o->shares, "all shards of one preparation, in any order").type("FILE").required();
     c.file("-o,--output", o->out, "the package to write").required();

@@ -37,7 +37,7 @@ int run_repack(const RepackOptions& o) {
         repack(o.file, o.compact, out, shown_until_signal(line));
     }
     const std::uint64_t bytes = PackageReader(out).size();
-    fmt::print(text_output(), "package  {} ({:.1f} MB, before {:.1f} MB)\n", out, double(bytes) / 1e6,
+    fmt::print(text_output(), "package  {} ({:.1f} MB, previously {:.1f} MB)\n", out, double(bytes) / 1e6,
                double(before) / 1e6);
     results().update({{"package", out}, {"bytes", bytes}, {"bytes_before", before}});
     return 0;

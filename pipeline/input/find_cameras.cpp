@@ -58,7 +58,7 @@ struct CameraChoice {
     fs::path path;
     const CameraFormat* format = nullptr;
     std::ptrdiff_t steps = 0, cameras = 0, matched = 0;
-    std::string flaw = {};  ///< the reason that it has no cameras
+    std::string flaw = {};  ///< the reason why it has no cameras
     /// Among files that match equally many photos, the one with fewer other cameras is preferred, then nearer
     /// files and shorter names, because copies are farther away or have longer names.
     auto rank() const {

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t max_cache_bytes = 16u << 20;  ///< about 150,000 files; a larger cache is emptied
-/// In seconds: the resolution of the coarsest file system in use (FAT)
+/// In seconds: the resolution of the coarsest file system in use (FAT).
 constexpr std::time_t timestamp_resolution = 2;
 
 /// Prefix for the stamp of a package that was found valid.

@@ -22,7 +22,7 @@ bool is_known_image_set(const std::string& folder);
 struct ImageSetGroups {
     std::vector<std::string> names;  ///< the default image set first; a single image set may have no name
     std::vector<std::uint32_t> of_photo;
-    std::string note{};  ///< the reason that folders similar to image sets are not used as such; may be empty
+    std::string note{};  ///< the reason why folders that look like image sets are not used; may be empty
 };
 
 /// Groups photos, given by their paths in the photos' folder. `auto`: by the first folder in a photo's path

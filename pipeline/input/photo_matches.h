@@ -17,7 +17,7 @@ bool is_derived(const std::filesystem::path& folder);
 /// The photos in a folder and two levels below it, sorted; subfolders of derived pictures are skipped.
 std::vector<std::filesystem::path> photos_below(const std::filesystem::path& folder);
 
-/// The file whose path in `folder` has this utf8_name(). If there is no such file, the path formed from the
+/// The file whose path in `folder` has this utf8_name(); if there is no such file, the path formed from the
 /// name as given.
 std::filesystem::path file_named(const std::filesystem::path& folder, const std::string& utf8);
 

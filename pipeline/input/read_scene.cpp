@@ -88,7 +88,7 @@ void fit_to_photo(PhotoInput& photo, CameraSet::Unit unit, SceneInput& scene) {
 }
 
 /// The names of files in a package: the file name or, for files with equal names, the path in the photos'
-/// folder, joined by _. If that is still ambiguous, underscores are put in front.
+/// folder with _ between its parts. If that is still ambiguous, underscores are put in front.
 std::map<fs::path, std::string> package_names(const fs::path& folder, const std::set<fs::path>& files) {
     std::map<std::string, int> count;
     for (const fs::path& file : files) ++count[utf8_name(file.filename().string())];
@@ -281,7 +281,7 @@ Mesh read_mesh_of(SceneInput& scene, const fs::path& file) {
     return mesh;
 }
 
-/// Reads the reference meshes. Throws Error(usage) if two have the same name.
+/// Reads the reference meshes. Throws Error(usage) if two of them have the same name.
 void read_compared(SceneInput& scene) {
     std::set<fs::path> names;
     for (const fs::path& file : scene.files.compared) {

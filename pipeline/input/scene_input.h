@@ -25,7 +25,7 @@ struct PhotoInput {
     std::vector<StampedFile> read{};  ///< photo and mask, stamped before the photo's header was read
     std::uint32_t image_set = 0;      ///< index in SceneInput::image_sets
     int orientation = 1;              ///< EXIF
-    int open_turn = 0;  ///< EXIF orientation that the pixels may still need to fit their camera; 0: none
+    int open_turn = 0;  ///< EXIF orientation that the pixels may still need to fit their camera; 0 if none
 };
 
 /// The paths of an input's parts.

@@ -13,8 +13,9 @@ constexpr float unit = jump / 255;  ///< unit of the stored messages, which are 
 constexpr float slope = 0.6f;       ///< cost of a step per unit of inverse distance times the reach
 constexpr int sweeps = 4;           ///< passes through all directions, alternately forward and backward
 
-/// In each lane, replaces the cost of each label with the minimum, over all labels, of their cost plus the
-/// cost of the step between the two, minus the lane's smallest cost. `cost` lists the lanes of each label.
+/// In each lane, replaces the cost of each label with the minimum, over all labels l, of the cost of l plus
+/// the cost of the step from l, and subtracts the lane's smallest cost. `cost` contains all lanes of the
+/// first label, then those of the second, and so on.
 VANTAGE_SIMD void allow_steps(float* cost, std::size_t labels, float penalty) {
     Floats smallest, last, at;
     load(last, cost);

@@ -22,13 +22,13 @@ struct SweptDepths {
     std::vector<float> base;           ///< per direction
     std::vector<float> most;           ///< limit per direction that leaves no camera behind the backdrop
     std::vector<std::uint32_t> shown;  ///< directions that may be in a photo
-    std::vector<float> cost;           ///< per shown direction and label: disagreement of the photos
-    std::vector<std::vector<float>> planes;  ///< per plane and shown direction: inverse distance, or 0
+    std::vector<float> cost;           ///< disagreement of the photos, per shown direction and label
+    std::vector<std::vector<float>> planes;  ///< inverse distance or 0, per plane and shown direction
 };
 
 /// Costs that do not come from photos, in units of ln(color).
 struct DepthPriors {
-    /// Added for the nearest label, less for others, to prefer the base.
+    /// Added for the nearest label, and proportionally less for farther ones, to prefer the base.
     static constexpr float nearer = 0.2f;
     static constexpr float not_base = 0.02f;
     static constexpr float inside = 2.0f;       ///< added if a camera is behind the backdrop

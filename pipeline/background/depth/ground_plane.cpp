@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-constexpr float largest = 0.5f;  ///< limit on the difference of ln(color), the mean of the channels
+constexpr float largest = 0.5f;  ///< maximum difference of ln(color), averaged over the channels
 constexpr int step = 6;          ///< distance between compared texels, in both directions
 constexpr std::size_t max_comparisons = 300'000;
 constexpr int heights = 24;
@@ -82,7 +82,7 @@ class PlaneAgreement {
     std::vector<std::vector<Ray>> rays_;
 };
 
-/// Improves a plane by a compass search over its height, and over its tilt unless that is known.
+/// Improves a plane by a compass search over its height, and over its tilt unless the tilt is known.
 Plane refined(const PlaneAgreement& agreement, Plane plane, double value, double lowest,
               const Eigen::Vector3d& pivot, bool tilt_known) {
     const Eigen::Vector3d a = plane.normal.unitOrthogonal(), b = plane.normal.cross(a);
@@ -142,8 +142,8 @@ std::optional<Plane> find_ground(std::span<const CoarseView> views, const MeshPl
     };
     for (std::size_t i = 0; i < heights; ++i) values[i] = agreement(plane(i));
     const auto best = std::size_t(std::ranges::max_element(values) - values.begin());
-    // The floor that belongs to an object on a table is the tabletop, which ends nearby; the photos then
-    // agree far better on another plane.
+    // The mesh's floor below an object on a table is the tabletop, which ends nearby; the photos then agree
+    // far better on another plane.
     if (mesh.floor && agreement(*mesh.floor) >= 0.5 * values[best]) return mesh.floor;
     // The peak must be inside the range: at its ends, a ground would be visible to hardly any photo, or to
     // all.

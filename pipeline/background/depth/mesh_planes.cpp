@@ -50,7 +50,7 @@ bool lies_on(const Disc& d, const Disc& seed, double thick) {
            std::abs(d.normal.dot(seed.normal)) > same_way;
 }
 
-/// The disc with the most other discs on its plane, among a number of random discs.
+/// Among a number of random discs, the one with the most other discs on its plane.
 const Disc& best_seed(const std::vector<const Disc*>& discs, double thick, std::mt19937_64& random) {
     // A sample is enough to compare the seeds.
     std::vector<Disc> sample;

@@ -36,8 +36,9 @@ class PlaceCost {
     struct SweptView {
         const CoarseView& view;
         Eigen::Matrix3f R;
-        Eigen::Vector3f center;            ///< in camera space
-        Eigen::Matrix<float, 5, 3> frame;  ///< its product with a point inside the photo is all positive
+        Eigen::Vector3f center;  ///< in camera space
+        /// Its product with a point inside the photo has only positive elements.
+        Eigen::Matrix<float, 5, 3> frame;
     };
     std::vector<SweptView> views_;
     std::vector<Eigen::Vector3f> eyes_;  ///< relative to the center

@@ -36,12 +36,12 @@ MeshPlanes mesh_planes(std::span<const SurfaceDisc> discs, std::span<const Coars
 /// The height of the lowest camera, measured downward; -inf without views.
 double lowest_camera(std::span<const CoarseView> views, const Eigen::Vector3d& down);
 
-/// The down direction, from the photos alone or from the mesh, with the photos as a fallback.
+/// The down direction: from the photos alone, or from the mesh with the photos as a fallback.
 Eigen::Vector3d down_direction(std::span<const CoarseView> views);
 Eigen::Vector3d down_direction(std::span<const CoarseView> views, const MeshPlanes& mesh);
 
-/// The plane of the mesh's floor, otherwise the plane below the cameras on which the photos' open texels
-/// agree best; empty if no plane stands out.
+/// The plane of the mesh's floor or, if the photos' open texels do not agree on it, the plane below the
+/// cameras on which they agree best; empty if no plane stands out.
 std::optional<Plane> find_ground(std::span<const CoarseView> views, const MeshPlanes& mesh);
 
 /// The planes on which background may lie.

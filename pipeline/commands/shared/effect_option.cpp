@@ -24,7 +24,7 @@ void choose_effect(const std::string& text, std::map<Effect, EffectChoice>& choi
 void add_effects(const Command& command, std::vector<std::string>& texts) {
     command
         .list("--effect", texts,
-              "turn an effect on or off, or let the scene decide; 'vantage info' lists them")
+              "turn an effect on or off, or let the scene decide; 'vantage info' lists the effects")
         .type("NAME=on|off|auto")
         .one_word();
 }

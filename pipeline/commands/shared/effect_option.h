@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// Adds --effect. The texts, such as "exposure=off", are arguments of choose_effects().
+/// Adds --effect. `texts` receives its arguments, such as "exposure=off", for choose_effects().
 void add_effects(const Command& command, std::vector<std::string>& texts);
 
 /// Applies "NAME=on|off|auto" to `choices`. Throws Error(usage) for malformed strings and unknown effects.

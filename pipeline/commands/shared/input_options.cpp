@@ -15,10 +15,9 @@ void add_scan_options(const Command& c, InputOptions& o, const std::string& more
 
 void add_input_options(const Command& c, InputOptions& o, PrepareSettings& settings) {
     add_scan_options(c, o, ", or with a point cloud; or a scene file, NAME.toml, that lists several inputs");
-    c.list(
-         "--points", settings.points,
-         "point cloud to show, with the mesh in the same coordinates or alone: PLY, LAS, OBJ, STL, OFF; may "
-         "be repeated")
+    c.list("--points", settings.points,
+           "point cloud to show, alone or with a mesh in the same coordinates: PLY, LAS, OBJ, STL, OFF; may "
+           "be repeated")
         .type("FILE");
     c.file(
          "--image-sets", settings.image_sets,

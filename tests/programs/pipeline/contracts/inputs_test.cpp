@@ -84,7 +84,7 @@ void vantage::Contracts::expect_damage_found(std::initializer_list<package::Type
         EXPECT_TRUE(one_line(d.err)) << d.err;
         const Outcome repaired = prepare_again();
         EXPECT_EQ(repaired.code, 0) << repaired.err;
-        EXPECT_NE(repaired.out.find("is damaged and is repaired: "), std::string::npos) << repaired.out;
+        EXPECT_NE(repaired.out.find("is damaged and will be repaired: "), std::string::npos) << repaired.out;
         expect_whole(bytes, "a repaired package");
     }
     damage(package::Type::tiles, 1);
