@@ -65,7 +65,7 @@ bool is_grid(const Mesh& mesh, int axis, double step) {
            share_of_grid * double(mesh.triangles.size());
 }
 
-/// The step of a coordinate's rounding, if visible.
+/// The step of a coordinate's rounding, if it is visible.
 std::optional<double> rounding_step(const Mesh& mesh, const MainBox& box, int axis) {
     const double largest = std::max(std::abs(box.low[axis]), std::abs(box.high[axis])),
                  least = least_step * box.diagonal();

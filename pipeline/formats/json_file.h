@@ -11,7 +11,7 @@ namespace vantage {
 /// A JSON file of cameras. Unknown keys are ignored.
 class JsonFile {
   public:
-    /// Throws Error(input) if it cannot be read or is not JSON.
+    /// Throws Error(input) if the file cannot be read or is not JSON.
     explicit JsonFile(const std::filesystem::path& file);
     LocatedJson root() { return {name_, *value_, unknown_}; }
 

@@ -9,9 +9,9 @@ namespace vantage {
 
 /// Orders the triangles along a space-filling curve and cuts them into clusters of at most
 /// `cluster_triangles` triangles, each with a bounding sphere and a normal cone (meshoptimizer). Clusters of
-/// large triangles are split further, until they are small relative to the scene and face roughly one
-/// direction. Reorders `indices` in place. `scene` is the model's box without vertices far outside it; if it
-/// is empty, the box of all vertices is used.
+/// large triangles are split further, until they are small relative to the scene and all their triangles face
+/// roughly the same direction. Reorders `indices` in place. `scene` is the model's box without vertices far
+/// outside it; if it is empty, the box of all vertices is used.
 std::vector<package::ClusterRecord> make_clusters(const std::vector<Eigen::Vector3f>& positions,
                                                   std::vector<std::uint32_t>& indices,
                                                   std::uint32_t cluster_triangles,

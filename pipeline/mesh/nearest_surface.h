@@ -8,7 +8,7 @@ namespace vantage {
 
 /// The nearest point on a surface or in a cloud.
 struct NearestPoint {
-    Eigen::Vector3d point, normal;  ///< the normal has any length, and is zero if the cloud has none
+    Eigen::Vector3d point, normal;  ///< the normal is not normalized; zero in a cloud without normals
     double distance;
 
     /// Whether the normal points away from `at`, whose nearest point this is.

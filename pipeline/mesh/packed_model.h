@@ -33,10 +33,10 @@ struct PackedModel {
     }
 };
 
-/// Packs `mesh`, and reorders it in the same way: triangles by cluster, vertices by first use (for memory
-/// locality), unused vertices last. With `transparency`, triangles that are not opaque come last, in separate
-/// clusters; otherwise all triangles count as opaque. `box` is the main_box() of the mesh, or of the cloud
-/// that the mesh represents.
+/// Packs `mesh`, and reorders it in the same way: triangles by cluster, and vertices by first use (for memory
+/// locality), with unused vertices last. With `transparency`, triangles that are not opaque come last, in
+/// separate clusters; otherwise all triangles count as opaque. `box` is the main_box() of the mesh, or of the
+/// cloud that the mesh represents.
 PackedModel pack_model(Mesh& mesh, const MainBox& box, bool transparency = false);
 
 /// Writes geometry, clusters and vertex attributes. Throws Error(storage).

@@ -152,7 +152,8 @@ class Builder {
         return grid;
     }
 
-    /// The spacing of the finest grid on which several of a leaf's points are in the same cell, on average.
+    /// The spacing of the finest grid whose occupied cells contain at least two of a leaf's points on
+    /// average.
     static float spacing_of(const Todo& todo, float size) {
         int grid = std::min(finest_leaf, levels - todo.level);
         while (grid > 0 && double(todo.points.size()) < 2 * double(cells_in(todo.points, todo.level + grid)))

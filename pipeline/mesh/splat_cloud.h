@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// A cloud's points as stored in a package, relative to its origin. Their radii are half the distance to
-/// their neighbors, which the finest octree node that contains the point determines.
+/// A cloud's points as stored in a package, relative to its origin. A point's radius is half the distance to
+/// its neighbors, according to the finest octree node that contains it.
 struct SplatCloud {
     std::vector<Eigen::Vector3f> positions;
     std::vector<float> radii;

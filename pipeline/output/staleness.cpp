@@ -64,7 +64,7 @@ void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& i
         compare(file == now.end() ? folder / name : *file, was, identities, out);
         known.insert(comparable_name(name));
     }
-    // New files may be in a preferred format, or optional files that the format reads.
+    // A new file may have a format that takes precedence, or be an optional file of the same format.
     for (const fs::path& file : now)
         if (!known.contains(comparable_name(name_below(folder, file)))) add_new(file, out);
 }
@@ -131,7 +131,7 @@ void compare_only_clouds(const json& meta, const std::vector<fs::path>& files, C
         if (!before.contains(utf8_name(file.filename().string()))) add_new(file, out);
 }
 
-/// Adds photos that the package neither contains nor skipped.
+/// Adds photos that the package neither contains nor lists as skipped.
 void add_new_photos(const json& meta, const fs::path& folder, Changes& out) {
     std::set<fs::path> skipped;
     for (const json& l : meta.at("skipped"))

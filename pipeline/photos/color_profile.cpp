@@ -92,7 +92,7 @@ bool has_table(const Profile& profile) {
     return std::ranges::any_of(tables, [&](cmsTagSignature tag) { return cmsIsTag(profile.get(), tag); });
 }
 
-/// The light of each value of one of `channels` channels while the others are 0.
+/// The light of each value of `channel` while the other channels are 0.
 std::vector<Light> light_along(std::size_t channel, std::size_t channels, const Transform& to_light) {
     std::vector<float> from(channels * channel_values), to(3 * channel_values);
     for (std::size_t v = 0; v < channel_values; ++v)

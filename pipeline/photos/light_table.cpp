@@ -21,7 +21,7 @@ const std::vector<std::uint8_t>& srgb_codes() {
     return codes;
 }
 
-/// Writes the sum of the three lights as three bytes.
+/// Writes the sum r + g + b as three sRGB bytes.
 void encode(const Light& r, const Light& g, const Light& b, const std::vector<std::uint8_t>& codes,
             std::uint8_t* rgb) {
     for (std::size_t c = 0; c < 3; ++c) {

@@ -37,7 +37,7 @@ struct CameraSet {
     std::vector<Entry> entries;
     std::vector<std::string> warnings;
     /// The file's own transform from its frame to the mesh's, already applied to `entries`; if the transforms
-    /// of the entries differ, that of the first.
+    /// of the entries differ, this is that of the first.
     Similarity transform{};
 };
 
@@ -46,14 +46,14 @@ struct CameraFormat {
     const char* name;                ///< in messages: "Bundler"
     const char* form;                ///< the argument that the user passes, in messages: ".out"
     std::vector<const char*> files;  ///< names of the files in the folder; empty if the format is one file
-    bool (*matches)(const std::filesystem::path& path);  ///< whether the path has this format, by its content
-    CameraSet (*read)(const std::filesystem::path& path);  ///< for a path that matches
+    bool (*matches)(const std::filesystem::path& path);    ///< whether the file or folder has this format
+    CameraSet (*read)(const std::filesystem::path& path);  ///< reads a path that matches
     /// Further files that read() reads; null if there are none.
     std::vector<std::filesystem::path> (*companions)(const std::filesystem::path& path) = nullptr;
     bool one_per_photo = false;  ///< one file per photo: the folder is read
 };
 
-/// All formats; a file is read in the first that matches.
+/// All formats; a file is read by the first that matches it.
 std::span<const CameraFormat> camera_formats();
 
 /// The formats for messages: "COLMAP folder (...), Bundler .out, ...".

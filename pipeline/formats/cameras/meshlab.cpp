@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// The numbers in an attribute of a camera. Throws Error(input) if there are fewer than `count`.
+/// The numbers in an attribute of a camera. Throws Error(input) if there are fewer than `count` of them.
 std::vector<double> numbers(const std::filesystem::path& file, const pugi::xml_node& camera, const char* name,
                             std::size_t count) {
     std::istringstream in(camera.attribute(name).value());

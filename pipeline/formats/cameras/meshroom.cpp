@@ -79,7 +79,7 @@ Camera read_intrinsic(const LocatedJson& i, const Version& version) {
     return c;
 }
 
-/// The rotation, world to camera, is stored by columns.
+/// The rotation from world to camera is stored by columns.
 Pose meshroom_pose(const LocatedJson& pose) {
     const LocatedJson transform = pose.at("pose").at("transform");
     const std::vector<double> r = numerals(transform.at("rotation"), 9),

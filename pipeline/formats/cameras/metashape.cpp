@@ -148,7 +148,7 @@ class Chunk {
         set.entries = std::move(entries_);
         set.transform = first_;
         skipped_.tell(set.warnings);
-        // Camera positions are then geocentric, but the mesh is exported in the projection.
+        // Camera positions are then geocentric, but the mesh is exported in projected coordinates.
         const std::string system = chunk_.child_value("reference");
         if (!system.empty() && !system.starts_with("LOCAL_CS"))
             set.warnings.push_back(
@@ -190,7 +190,7 @@ class Chunk {
                     return {{}, "its calibration " + flaw};
             return {calibrated(file_, own, size_of({own, camera, sensor}))};
         }
-        if (found == sensors_.end()) file_.fail(camera, "the sensor of sensor_id", "none");
+        if (found == sensors_.end()) file_.fail(camera, "the sensor that sensor_id names", "none");
         const auto [sensor, first] = read_.try_emplace(id);
         if (first) {
             sensor->second = read_sensor(file_, found->second);

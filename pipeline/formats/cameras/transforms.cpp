@@ -15,7 +15,7 @@
 namespace vantage {
 namespace {
 
-/// A value of a frame, otherwise the common value of all frames.
+/// The frame's own value if there is one, otherwise the common value of all frames.
 std::optional<LocatedJson> value_of(const LocatedJson& frame, const LocatedJson& all, const char* key) {
     if (frame.has(key)) return frame.at(key);
     return all.has(key) ? std::optional(all.at(key)) : std::nullopt;

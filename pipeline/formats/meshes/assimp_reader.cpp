@@ -73,7 +73,7 @@ class Joiner {
         for (const unsigned m : std::span(node.mMeshes, node.mNumMeshes)) add_mesh(*scene_.mMeshes[m], here);
         for (const aiNode* child : std::span(node.mChildren, node.mNumChildren)) add(*child, here);
     }
-    /// To be called after the last node.
+    /// The joined mesh; must be called after the last node.
     AssimpMesh result() {
         if (next_ != nodes_.size()) throw std::runtime_error("nodes are missing");
         Mesh& mesh = out_.mesh;
@@ -99,7 +99,7 @@ class Joiner {
             parent.to_scene * local,
             parent.rounding + half_step * reach(parent.to_scene, local.translation().cwiseAbs().maxCoeff())};
     }
-    /// The largest coordinate to which one of magnitude `size` may be transformed, without the translation.
+    /// The largest coordinate into which one of magnitude `size` may be transformed, without the translation.
     static double reach(const Eigen::Affine3d& transform, double size) {
         return size * transform.linear().cwiseAbs().rowwise().sum().maxCoeff();
     }

@@ -211,8 +211,8 @@ bool has_plain_triangles(const Values& values, const Element& e) {
     return lists_corners(p) && p.count_type == Type::u8 && (p.type == Type::i32 || p.type == Type::u32);
 }
 
-/// `vertices`: their total number, including those after the faces. Returns whether a face has alpha and is
-/// not opaque.
+/// `vertices` is the total number of vertices, including those after the faces. Returns whether a face has
+/// alpha and is not opaque.
 bool read_faces(Values& values, const Element& e, std::size_t vertices, Mesh& mesh) {
     values.check_count(e.count, min_bytes(e), e.properties.size());
     mesh.triangles.reserve(mesh.triangles.size() + e.count);

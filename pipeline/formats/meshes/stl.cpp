@@ -26,7 +26,7 @@ class TextReader {
   public:
     explicit TextReader(const fs::path& file) : in_(file) {}
 
-    /// One or more solids.
+    /// Reads one or more solids.
     Mesh read() {
         while (!in_.at_end()) {
             expect("solid");
@@ -39,7 +39,7 @@ class TextReader {
     }
 
   private:
-    /// Reads a facet; false at the end of the solid.
+    /// Reads a facet; returns false at the end of the solid.
     bool read_facet() {
         if (!at("facet", "endsolid")) return false;
         expect("normal");

@@ -30,7 +30,7 @@ Key key_of(const Mesh& mesh, std::uint32_t v) {
     return {coordinate(0), coordinate(1), coordinate(2), words[0], words[1]};  // + 0.0: -0 is 0
 }
 
-/// For each vertex, the first equal one.
+/// For each vertex, the first vertex that is equal to it.
 std::vector<std::uint32_t> first_equals(const Mesh& mesh) {
     std::unordered_map<Key, std::uint32_t, Hash> known;
     std::vector<std::uint32_t> first(mesh.positions.size());

@@ -45,7 +45,7 @@ class Table {
         if (!has("name")) fail("a column 'name'", "'" + std::string(line_.substr(0, 60)) + "'");
     }
     bool has(std::string_view column) const { return columns_.contains(column); }
-    /// Reads the next camera; false at the end.
+    /// Reads the next camera; returns false at the end.
     bool next() {
         if (!next_line()) return false;
         row_ = cells(line_);

@@ -43,7 +43,7 @@ pugi::xml_node description_of(const XmlFile& file) {
         if (std::ranges::any_of(d.attributes(), [&](pugi::xml_attribute a) { return is_ours(a.name()); }) ||
             std::ranges::any_of(d.children(), [&](pugi::xml_node n) { return is_ours(n.name()); }))
             return d;
-    file.fail(parts, "a rdf:Description with xcr:Rotation", "none");
+    file.fail(parts, "an rdf:Description with xcr:Rotation", "none");
 }
 
 /// k1 k2 k3 k4 t1 t2; those that the model lacks are 0 or missing.
