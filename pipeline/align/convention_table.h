@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// A known deviation of camera files or meshes from the definition of their format, caused by a program or an
-/// export setting. It is undone by changing all cameras.
+/// A known deviation of camera files or meshes from the definition of their format, which a program or an
+/// export setting causes and which changing all cameras undoes.
 struct Convention {
     const char* name;     ///< value of --convention
     const char* meaning;  ///< in messages: "the mesh is turned by 180 degrees about x"

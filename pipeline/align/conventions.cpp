@@ -186,7 +186,7 @@ bool has_open_terms(const SceneInput& scene) {
 }
 
 /// Tests with a few pairs of photos whether the input is right as read: many features then agree well with
-/// the cameras and the mesh, so that no other convention needs to be tried. Empty if these pairs are
+/// the cameras and the mesh, so that no other convention needs to be tried; empty if the pairs are
 /// inconclusive.
 std::optional<ConventionTrials> as_read_by_pairs(const SceneInput& scene, std::size_t pairs,
                                                  const FeatureSettings& how, MeshOnDemand& mesh) {
@@ -236,7 +236,7 @@ std::string said_of_mesh(const ConventionTrials& trials, const SceneInput& scene
     if (t.median <= trials.expected || shows_many(t)) return {};
     return fmt::format(
         "{}: shows features {:.1f} px from their places in the photos (median), expected at most {:.1f}; if "
-        "it is moved or turned, not just coarse, 'vantage align' finds its pose",
+        "the mesh is moved or turned, not just coarse, 'vantage align' finds its pose",
         utf8_name(scene.files.mesh.filename().string()), in_pixels(t.median, scene),
         in_pixels(trials.expected, scene));
 }
@@ -314,7 +314,7 @@ ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted,
     const std::string flaw = said_of_cameras(trials);
     if (trials.misfit && !flaw.empty())
         throw Error(Exit::misplaced, scene.files.cameras.string() + ": " + flaw +
-                                         " --convention as-read accepts them unchanged");
+                                         " --convention as-read accepts the cameras unchanged");
     if (trials.misfit) fail_as_misfit(scene, trials.mesh.front());
     for (const std::string& said : {flaw, said_of_mesh(trials, scene)})
         if (!said.empty()) scene.warnings.push_back(said);

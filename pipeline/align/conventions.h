@@ -19,7 +19,7 @@ std::vector<std::string> convention_names();
 /// combined with other names.
 std::string wanted_conventions(const std::vector<std::string>& names);
 
-/// Applies the named conventions, joined by commas; "as-read" applies none. Throws Error(usage) if a name is
+/// Applies the named conventions, joined by commas; for "as-read", none. Throws Error(usage) if a name is
 /// unknown.
 void apply_conventions(SceneInput& scene, const std::string& names);
 

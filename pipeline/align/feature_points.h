@@ -18,8 +18,8 @@ struct FeaturePoint {
 };
 
 /// Triangulates features that agree with the cameras. Features whose rays do not meet in front of both
-/// cameras at an angle of at least 2 degrees yield no point. `cameras` has one camera per photo; `pixel` is
-/// the standard error of a feature in px.
+/// cameras at an angle of at least 2 degrees yield no point. `cameras` has one camera per photo, and `pixel`
+/// is the standard error of a feature in px.
 std::vector<FeaturePoint> feature_points(std::span<const SharedFeature> features,
                                          std::span<const Camera> cameras, double pixel);
 

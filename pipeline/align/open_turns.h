@@ -14,8 +14,8 @@ struct OpenTurns {
 };
 
 /// Decides from the features that such photos share with their neighbors: they lie near the epipolar lines
-/// either only if the photo is turned or only if it is not. Tests at most 300 photos. Both lists are empty if
-/// no orientation is in doubt.
+/// either only if the photo is turned or only if the photo is not. Tests at most 300 photos. Both lists are
+/// empty if no orientation is in doubt.
 OpenTurns find_open_turns(std::span<const PhotoInput> photos, const FeatureSettings& how);
 
 /// Gives the camera the size of the photo turned by 90 degrees about its center; because of this size,

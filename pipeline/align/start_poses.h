@@ -10,7 +10,7 @@ namespace vantage {
 
 /// Similarities that move points close to a mesh's surface, found without an initial guess: by iterative
 /// closest points (Besl and McKay 1992) with scale, starting from evenly spread rotations and several scales.
-/// They are accurate to a grid cell. Returns the `count` best, best first. Deterministic.
+/// The similarities are accurate to a grid cell. Returns the `count` best, best first. Deterministic.
 std::vector<Similarity> start_poses(std::span<const Eigen::Vector3d> points, const Mesh& mesh,
                                     const NearestSurface& surface, std::size_t count);
 

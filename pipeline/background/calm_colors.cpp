@@ -31,7 +31,7 @@ Eigen::Array4f shown_color(const Backdrop& b, std::span<const CoarseView> views,
 }
 
 /// Extrapolates known colors (weight 1) from neighbor to neighbor to directions whose color is unknown
-/// (weight 0). With increasing distance, they fade to the mean of the known colors.
+/// (weight 0). With increasing distance, the colors fade to the mean of the known ones.
 void continue_colors(const DirectionSphere& sphere, std::vector<Eigen::Array4f>& colors) {
     constexpr int smoothing = 32;          // rounds
     constexpr float from = 8, steps = 24;  // on the sphere, over which the color fades to the mean

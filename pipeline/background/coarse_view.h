@@ -27,7 +27,7 @@ struct CoarseView {
     std::uint32_t photo = 0;
     Intrinsics k;  ///< for this level
     Pose pose;     ///< relative to the origin
-    /// ln_of() of linear light at the photos' mean exposure; NaN where the photo has no pixel or shows the
+    /// ln_of() of linear light at the photos' mean exposure, or NaN where the photo has no pixel or shows the
     /// mesh.
     std::vector<Eigen::Array3f> ln;
     std::vector<float> z;              ///< depth of the mesh, +inf in open texels

@@ -26,7 +26,7 @@ struct DirectionSphere {
 /// `level`: number of subdivisions; the result has 20 * 4^level triangles.
 DirectionSphere direction_sphere(int level);
 
-/// The sphere with each triangle divided into four. Its first directions are those of `sphere`.
+/// The sphere with each triangle divided into four. The first directions of the result are those of `sphere`.
 DirectionSphere divided(const DirectionSphere& sphere);
 
 /// Calls `visit` with each number from 0 to `count` - 1 on up to `threads` threads, in large batches.

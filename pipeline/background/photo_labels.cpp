@@ -23,7 +23,7 @@ constexpr float coarser = 0.3f;                            ///< cost per halving
 constexpr float not_sky = 0.5f;
 constexpr float seam = 0.02f, seam_contrast = 3;
 
-/// One view's sample of a direction; `cost` is `invalid` if there is none.
+/// One view's sample of a direction, with the cost `invalid` if there is no sample.
 struct Shown {
     float cost = invalid;
     bool inside = false;                            ///< in the photo, but possibly behind the mesh

@@ -18,7 +18,7 @@ struct BackdropPaint {
 };
 
 /// Chooses one view per direction by graph cuts (alpha expansion, Boykov et al. 2001; seams as in Agarwala et
-/// al. 2004), and smooth corrections that match colors across seams. There may be at most 254 views.
+/// al. 2004), and smooth corrections that match colors across seams. The number of views is limited to 254.
 BackdropPaint paint_backdrop(const Backdrop& backdrop, std::span<const CoarseView> views, unsigned threads);
 
 }  // namespace vantage

@@ -15,7 +15,7 @@ namespace vantage {
 struct SkyPicture {
     Intrinsics k;
     Pose pose;        ///< relative to the origin
-    cv::Mat3f codes;  ///< square roots of linear light times 255; NaN without a pixel
+    cv::Mat3f codes;  ///< square roots of linear light times 255, or NaN without a pixel
     cv::Mat1f z;      ///< depth of the mesh, +inf in open texels
     cv::Mat1b sky;    ///< 1 if open and sky
 };
@@ -31,9 +31,9 @@ std::vector<SkyPicture> read_sky_pictures(const PackageReader& package,
 cv::Mat1b sky_on_mesh(const SkyPicture& picture);
 
 /// The triangles that the photos show as sky, in ascending order: a surface reconstructed from the sky, such
-/// as a membrane between roofs. These are triangles that most photos show as sky, and triangles connected to
-/// them that many photos show as sky. Triangles below the horizon or visible in only one photo are never
-/// included.
+/// as a membrane between roofs. The result consists of triangles that most photos show as sky, and of
+/// triangles connected to them that many photos show as sky. Triangles below the horizon or visible in only
+/// one photo are never included.
 std::vector<std::uint32_t> sky_triangles(std::span<const Eigen::Vector3f> positions,
                                          std::span<const std::array<std::uint32_t, 3>> triangles,
                                          std::span<const SkyPicture> pictures, const Eigen::Vector3f& down,

@@ -23,8 +23,8 @@ struct BackgroundVerdict {
     /// Fraction of the compared pixels that belong to photos in which the background has one color.
     double plain = 0;
     /// Of the pixels that one color does not predict within 25 codes, the fraction that the backdrop
-    /// predicts; negative if it predicts fewer than the single color. Empty if fewer than three photos can be
-    /// compared.
+    /// predicts; negative if the backdrop predicts fewer than the single color, and empty if fewer than three
+    /// photos can be compared.
     std::optional<double> agreed{};
     /// The reason for turning the effect off; empty if it is worthwhile. Around an object, which may be moved
     /// between series of photos or turned, more pixels must agree.

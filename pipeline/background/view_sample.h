@@ -25,8 +25,8 @@ inline std::size_t texel_of(const CoarseView& v, const ViewSample& s) {
     return std::size_t(s.pixel.y()) * std::size_t(v.k.width) + std::size_t(s.pixel.x());
 }
 
-/// The sample at a point. `p` is the point in camera space times `inverse`; `inverse` may be 0 for a point at
-/// infinity.
+/// The sample at a point. `p` is the point in camera space times `inverse`, and `inverse` may be 0 for a
+/// point at infinity.
 inline ViewSample sample(const CoarseView& v, const Eigen::Vector3f& p, float inverse) {
     if (!(p.z() > 0)) return {};
     const float x = float(v.k.fx) * p.x() / p.z() + float(v.k.cx) - 0.5f,

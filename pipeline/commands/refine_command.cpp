@@ -40,7 +40,7 @@ std::map<Effect, EffectChoice> refined_effects(const std::vector<std::string>& t
     return choices;
 }
 
-/// The package to write. It may be FILE itself, which the refined package then replaces.
+/// The package to write, which may be FILE itself: the refined package then replaces FILE.
 std::filesystem::path refined_file(const RefineOptions& o) {
     const std::filesystem::path out = o.out.empty() ? o.file : o.out;
     std::error_code error;

@@ -35,8 +35,8 @@ void add_thumbnail(const Command& program) {
     auto o = std::make_shared<ThumbnailOptions>();
     const Command c = program.verb("thumbnail", "Write a small picture of a package, for file managers");
     c.notes(
-        "It shows the photo whose view the player opens with, and is never larger than the thumbnail in "
-        "the package.\n"
+        "The picture shows the photo whose view the player opens with, and is never larger than the "
+        "thumbnail in the package.\n"
         "Example:\n  vantage thumbnail chapel.vantage -o chapel.png --size 512");
     c.file("FILE", o->file, "the package, or its URL").type("PACKAGE").required();
     c.file("-o,--output", o->out, "the PNG file to write, whatever its extension").required();

@@ -7,7 +7,8 @@
 
 namespace vantage {
 
-/// Whether a file with this name may hold a point cloud: PLY, which may also hold a mesh, LAS, LAZ or E57.
+/// Whether a file with this name may contain a point cloud because it is a PLY (which may also contain a
+/// mesh), LAS, LAZ or E57.
 bool is_cloud_file(const std::filesystem::path& file);
 
 /// Reads the points of a cloud, or the vertices of a mesh, with their colors only. Points with coordinates

@@ -28,7 +28,7 @@ inline constexpr double max_value = 1e12;
 
 /// A finite number, possibly stored as a string.
 double numeral(const LocatedJson& value);
-/// The number stored under a key; `otherwise` if the key is missing.
+/// The number stored under a key, or `otherwise` if the key is missing.
 double numeral(const LocatedJson& object, const char* key, double otherwise);
 /// The width or height of a photo.
 int photo_size(const LocatedJson& value);

@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// An XML file. Its functions throw Error(input), which names the line.
+/// An XML file, whose functions throw Error(input) with the line.
 class XmlFile {
   public:
     explicit XmlFile(std::filesystem::path file);
@@ -15,19 +15,19 @@ class XmlFile {
     /// "file, line 12: <element>: expected ..., found ..."
     [[noreturn]] void fail(pugi::xml_node at, const std::string& expected, const std::string& found) const;
 
-    /// The numbers in an element, separated by whitespace. Throws unless there are `count` of them.
+    /// The numbers in an element, separated by whitespace; throws unless there are `count` of them.
     std::vector<double> numbers(pugi::xml_node element, std::size_t count) const;
-    /// The number in an element's child; `otherwise` if there is no such child.
+    /// The number in an element's child, or `otherwise` if there is no such child.
     double number(pugi::xml_node element, const char* child, double otherwise) const;
     /// The number in an element's child; throws if there is no such child.
     double number(pugi::xml_node element, const char* child) const;
-    /// The number in an attribute; `otherwise` if there is none.
+    /// The number in an attribute, or `otherwise` if there is none.
     double attribute(pugi::xml_node element, const char* name, double otherwise) const;
     /// The number in an attribute; throws if there is none.
     double attribute(pugi::xml_node element, const char* name) const;
-    /// The numbers in a string from an element. Throws unless there are `count` of them.
+    /// The numbers in a string from an element; throws unless there are `count` of them.
     std::vector<double> numbers(pugi::xml_node element, const std::string& text, std::size_t count) const;
-    /// The width or height of a photo. Throws unless it is a whole number from 1 to 2^20.
+    /// The width or height of a photo. Throws unless the number is whole and from 1 to 2^20.
     int size(pugi::xml_node element, double value) const;
 
   private:

@@ -9,7 +9,7 @@ namespace vantage {
 /// Reads the whole file. Throws Error(input).
 FileIdentity identify(const std::filesystem::path& file);
 
-/// Device, inode, length, mtime and ctime: changes whenever the file does. Empty if there is no such file.
+/// Device, inode, length, mtime and ctime: changes whenever the file does; empty if there is no such file.
 std::string stamp_of(const std::filesystem::path& file);
 
 /// A file and its stamp, taken before the file is first read.

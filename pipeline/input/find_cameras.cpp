@@ -107,7 +107,7 @@ const CameraChoice& best_of(std::vector<CameraChoice>& all, const fs::path& fold
     return *best;
 }
 
-/// The file that fits best. Also notes the unused files. A single file is not read.
+/// Returns the file that fits best and notes the unused files. A single file is not read.
 fs::path best_fitting(const fs::path& root, std::span<const FormatFiles> files, InputFiles& found) {
     const bool by_mesh = !found.mesh.empty() && common_folder(found.mesh, root) == root;
     std::vector<CameraChoice> all = choices(files, by_mesh ? found.mesh.parent_path() : root);

@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// The method of grouping photos into image sets: `auto`, `folders`, `off`, or the path of a file.
+/// The method of grouping photos into image sets is `auto`, `folders`, `off`, or the path of a file.
 inline constexpr const char *image_sets_auto = "auto", *image_sets_by_folder = "folders",
                             *image_sets_off = "off";
 
@@ -25,10 +25,10 @@ struct ImageSetGroups {
     std::string note{};  ///< the reason why folders that look like image sets are not used; may be empty
 };
 
-/// Groups photos, given by their paths in the photos' folder. `auto`: by the first folder in a photo's path
-/// that is_known_image_set(), if all photos in folders have one; `folders`: by the first folder; photos
-/// outside any folder form the image set `photos`. The path of a file: TOML with a name and a pattern, or a
-/// list of patterns, per image set:
+/// Groups photos, given by their paths in the photos' folder. If `how` is `auto`, the first folder in a
+/// photo's path that is_known_image_set() decides, provided all photos in folders have one. If `how` is
+/// `folders`, the first folder decides, and photos outside any folder form the image set `photos`. Otherwise,
+/// `how` is the path of a TOML file with a name and a pattern, or a list of patterns, per image set:
 ///
 ///     visible = "*_vis.jpg"
 ///     infrared = ["ir/*", "nir_??.tif"]

@@ -37,7 +37,7 @@ std::vector<std::string> parts_from_the_end(const std::string& path) {
     return parts;
 }
 
-/// The name without a photo's extension; "IMG_1.2" has none.
+/// The name without the extension of a photo, which "IMG_1.2", for example, does not have.
 std::string stem_of(const std::string& name) {
     return has_photo_extension(name) ? fs::path(name).stem().string() : name;
 }

@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// Whether the file's extension is that of a photo. False for masks (NAME.mask.png) and hidden files.
+/// Whether the file's extension is that of a photo; false for masks (NAME.mask.png) and hidden files.
 bool is_photo(const std::filesystem::path& file);
 
 /// Whether a folder with this name holds pictures computed from photos: masks, depth, normals, thumbnails.

@@ -106,7 +106,7 @@ std::map<fs::path, std::string> package_names(const fs::path& folder, const std:
     return names;
 }
 
-/// A photo and its camera, both validated. Throws Error(input) if they are unusable.
+/// A photo and its camera, both validated. Throws Error(input) if either is unusable.
 PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file, const std::string& name,
                             Masks& masks, SceneInput& scene) {
     PhotoInput photo{name, file, entry.camera};
@@ -256,7 +256,7 @@ void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
             scene.photos.push_back(
                 read_photo_input(set.entries[i], files[i], names.at(files[i]), masks, scene));
         } catch (const UnreadableFile& e) {
-            // Its content is not identified, so the next run tries again.
+            // The file's content is not identified, so the next run tries again.
             skip(files[i], reason_of(e, files[i]));
         } catch (const Error& e) {
             skip(files[i], reason_of(e, files[i]));

@@ -10,8 +10,8 @@
 namespace vantage {
 namespace {
 
-/// The record of `count` triangles, whose vertices start at `indices`; `first` is the number of the first of
-/// them.
+/// The record of `count` triangles, whose vertices start at `indices`, where `first` is the number of the
+/// first triangle.
 package::ClusterRecord bounds(const std::vector<Eigen::Vector3f>& positions, const std::uint32_t* indices,
                               std::uint32_t first, std::uint32_t count) {
     Eigen::Vector3f low = positions[indices[0]], high = low;

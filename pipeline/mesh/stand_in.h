@@ -12,9 +12,9 @@ inline constexpr std::size_t max_facets = 32768;
 /// A coarse mesh that represents a cloud where a mesh is needed: to choose photos and tiles, and to compare
 /// photos. Each occupied cell of a grid gets one triangle; the grid is the finest with at most `max_facets`
 /// occupied cells. The triangle is centered on the mean of the cell's points, lies in the best-fitting plane
-/// of the points in the cells around it (Hoppe et al. 1992), and is large enough to cover the cell. It faces
-/// the nearest of `eyes` or, without eyes, away from the center of the cloud. `cloud` must have at least one
-/// point, and finite positions. Deterministic.
+/// of the points in the cells around it (Hoppe et al. 1992), and is large enough to cover the cell. The
+/// triangle faces the nearest of `eyes` or, without eyes, away from the center of the cloud. `cloud` must
+/// have at least one point, and finite positions. Deterministic.
 Mesh stand_in(const Mesh& cloud, std::span<const Eigen::Vector3d> eyes);
 
 /// The edge length of a stand-in's triangles, from their corners; 0 without triangles.

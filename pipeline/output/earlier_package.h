@@ -12,11 +12,11 @@
 
 namespace vantage {
 
-/// A package, finished or partial, left by an earlier run. Its chunks are reused if they were made from the
+/// A package, finished or partial, left by an earlier run; its chunks are reused if they were made from the
 /// same inputs.
 class EarlierPackage {
   public:
-    /// `in_place`: the file is the one being written. Throws Error if it is not a package.
+    /// `in_place`: the file is the one being written. Throws Error if the file is not a package.
     EarlierPackage(const std::filesystem::path& file, bool in_place);
 
     /// The index of the photo with this name; empty if the photo is missing or its record is damaged.
@@ -28,7 +28,7 @@ class EarlierPackage {
         return !in_place_ && reader_.header().shares == 0 && reader_.find(package::Type::pose_refinement);
     }
     const PackageReader& reader() const { return reader_; }
-    /// The settings with which it was prepared, as stored in META; null if META cannot be read.
+    /// The settings with which the package was prepared, as stored in META; null if META cannot be read.
     const nlohmann::json& settings() const { return *settings_; }
 
     /// Passes a stage's chunks to the writer if all are present and intact, and were made with the key and

@@ -19,8 +19,8 @@ inline constexpr const char* tool_name = "vantage " VANTAGE_VERSION;
 nlohmann::json settings_json(const PrepareSettings& settings);
 
 /// META, the package's provenance as JSON: tool, settings, inputs with length and checksum, effects with
-/// their evidence, skipped photos, warnings, names of scalar fields. It is padded to leave space for results
-/// that depend on all photos. Throws Error(input).
+/// their evidence, skipped photos, warnings, names of scalar fields. META is padded to leave space for
+/// results that depend on all photos. Throws Error(input).
 std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
                       const std::vector<EffectDecision>& effects, IdentityCache& identities);
 
@@ -28,7 +28,7 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
 /// one line each. The length stays the same: findings that do not fit are only counted.
 std::string with_results(const std::string& meta, std::span<const EffectDecision> decisions,
                          std::span<const std::string> findings);
-/// META of the same package with its tiles compressed or raw. Its length may differ.
+/// META of the same package with its tiles compressed or raw; the length may differ.
 std::string repacked_meta(const std::string& meta, bool compact);
 /// META with different choices for its effects; the length stays the same.
 std::string with_choices(const std::string& meta, const std::map<Effect, EffectChoice>& choices);

@@ -63,7 +63,7 @@ class StageSet {
     bool operator[](package::Stage stage) const { return in_[std::size_t(stage)]; }
     /// Whether any stage uses the model.
     bool needs_model() const;
-    /// Whether any stage reads pixels of a photo; `has_alpha`: whether the photo has transparent pixels.
+    /// Whether any stage reads pixels of a photo, which has transparent pixels if `has_alpha` is set.
     bool needs_pixels(bool has_alpha) const;
 
   private:

@@ -44,8 +44,8 @@ Profile light_profile() {
     return {cmsCreateRGBProfile(&d65, &primaries, curves.data()), cmsCloseProfile};
 }
 
-/// Null if the profile is incomplete. With optimization, Little CMS interpolates in a grid of colors, with
-/// errors of up to 28 of 255 near the limits of sRGB.
+/// The transform from one profile to another; null if a profile is incomplete. With optimization, Little CMS
+/// interpolates in a grid of colors, with errors of up to 28 of 255 near the limits of sRGB.
 Transform transform(const Profile& from, cmsUInt32Number from_type, const Profile& to,
                     cmsUInt32Number to_type, cmsUInt32Number flags = 0) {
     cmsHTRANSFORM made =
@@ -129,7 +129,7 @@ void convert_by_light(LightTable table, ColorProfile& out) {
 }
 
 // The following three functions fill in the conversions unless the profile counts as sRGB because it changes
-// colors by at most `tolerance`. They return false if the profile is incomplete.
+// colors by at most `tolerance`; they return false if the profile is incomplete.
 
 bool set_colors(const Profile& profile, int tolerance, ColorProfile& out) {
     const Transform rgb = transform(profile, TYPE_RGB_8, srgb_profile(), TYPE_RGB_8),

@@ -21,8 +21,8 @@ struct ProfileUse {
 };
 
 /// The conversion from an ICC profile (ISO 15076-1) to sRGB: relative colorimetric with black point
-/// compensation; colors outside sRGB are clipped. Thread-safe. Both functions are empty unless `use.converts`
-/// is set.
+/// compensation; colors outside sRGB are clipped. Thread-safe. `convert` and `converted` are empty unless
+/// `use.converts` is set.
 struct ColorProfile {
     ProfileUse use{};
     /// Converts pixels of four values to RGBA. The values are red, green and blue, which are equal if the

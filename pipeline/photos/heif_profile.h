@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// The ICC profile of a HEIC or AVIF file, which OpenImageIO 2.4 ignores. Empty if there is none.
+/// The ICC profile of a HEIC or AVIF file, which OpenImageIO 2.4 ignores; empty if there is none.
 std::vector<std::byte> heif_profile(const std::filesystem::path& file);
 
 }  // namespace vantage

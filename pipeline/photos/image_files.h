@@ -34,13 +34,13 @@ struct ImageFiles {
     RgbaImage (*read)(const std::filesystem::path& file);
     /// Like `read`, but ignores profiles; for images whose values are not colors.
     RgbaImage (*read_unprofiled)(const std::filesystem::path& file);
-    /// Writes interleaved pixels, top row first, in the format of the file's extension: PNG, EXR, or JPEG at
-    /// quality 97 without chroma subsampling. Four channels are RGBA with straight alpha.
+    /// Writes interleaved pixels, top row first, in the format of the file's extension, which is PNG, EXR, or
+    /// JPEG at quality 97 without chroma subsampling. Four channels are RGBA with straight alpha.
     void (*write)(const std::filesystem::path& file, int width, int height, int channels, Sample sample,
                   std::span<const std::byte> pixels);
 };
 
-/// Loads the library on the first call. Throws Error(usage) if it cannot be loaded.
+/// Loads the library on the first call. Throws Error(usage) if the library cannot be loaded.
 const ImageFiles& image_files();
 
 }  // namespace vantage

@@ -12,8 +12,9 @@ namespace vantage {
 /// Reads a photo's header. Throws Error(input).
 PhotoHeader read_photo_header(const std::filesystem::path& file);
 
-/// Decodes a photo: JPEG with libjpeg-turbo, everything else with OpenImageIO (gray, 16-bit, float, alpha,
-/// CMYK). Colors with an ICC profile are converted to sRGB (color_profile.h), at 16 bits before rounding to
+/// Decodes a photo with libjpeg-turbo if it is a JPEG, otherwise with OpenImageIO (gray, 16-bit, float,
+/// alpha, CMYK). Colors with an ICC profile are converted to sRGB (color_profile.h), at 16 bits before
+/// rounding to
 /// 8. Pixels stay as stored, because cameras are calibrated on stored pixels; the EXIF orientation is applied
 /// only if the stored width and height equal those of `expected` swapped. Throws Error(input) if the photo is
 /// truncated, corrupt or of a different size.
@@ -38,7 +39,7 @@ RgbaImage read_unprofiled(const std::filesystem::path& file, PhotoSize expected)
 /// Whether these are the bytes of a JPEG of this size that decode_photo does not transpose.
 bool is_upright_jpeg(std::span<const std::byte> bytes, PhotoSize size);
 
-/// The message of an error about this file without its path: "JPEG is corrupt ...".
+/// The message of an error about this file without the file's path, such as "JPEG is corrupt ...".
 std::string reason_of(const Error& error, const std::filesystem::path& file);
 
 }  // namespace vantage

@@ -33,8 +33,8 @@ VANTAGE_SIMD void allow_steps(float* cost, std::size_t labels, float penalty) {
     }
 }
 
-/// Messages from each direction's neighbors about its labels. Updating them in place carries information
-/// across the sphere in one sweep.
+/// Messages from each direction's neighbors about its labels. Updating the messages in place carries
+/// information across the sphere in one sweep.
 class Beliefs {
   public:
     Beliefs(const SweptDepths& d, const DirectionSphere& sphere)

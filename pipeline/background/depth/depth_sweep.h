@@ -53,7 +53,7 @@ void prefer_planes(SweptDepths& depths, std::span<const CoarseView> views, const
 std::vector<float> base_depths(const DirectionSphere& sphere, const Eigen::Vector3d& center, double reach,
                                const std::optional<Plane>& ground);
 
-/// The index of each direction in `shown`; `none` for directions that are not in `shown`.
+/// The index of each direction in `shown`, or `none` for directions that are not in `shown`.
 std::vector<std::uint32_t> positions_of(const SweptDepths& depths);
 
 }  // namespace vantage

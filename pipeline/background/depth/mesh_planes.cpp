@@ -85,8 +85,8 @@ std::vector<Plane> largest_planes(std::vector<const Disc*> left, double thick) {
     return planes;
 }
 
-/// The level plane below `top` with the most discs near it. Its tilt is not fitted: a strip of floor in front
-/// of a wall hardly determines it, and the background is far away.
+/// The level plane below `top` with the most discs near it. The plane's tilt is not fitted: a strip of floor
+/// in front of a wall hardly determines it, and the background is far away.
 std::optional<Plane> level_floor(const std::vector<const Disc*>& discs, const Eigen::Vector3d& down,
                                  double top, double thick) {
     std::vector<double> heights;

@@ -37,7 +37,7 @@ class PlaceCost {
         const CoarseView& view;
         Eigen::Matrix3f R;
         Eigen::Vector3f center;  ///< in camera space
-        /// Its product with a point inside the photo has only positive elements.
+        /// The product of this matrix and a point inside the photo has only positive elements.
         Eigen::Matrix<float, 5, 3> frame;
     };
     std::vector<SweptView> views_;

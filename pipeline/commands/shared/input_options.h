@@ -17,7 +17,8 @@ struct InputOptions {
 /// Adds INPUT, --mesh, --cameras and --photos to a command for one scan. `more` is appended to the help of
 /// INPUT.
 void add_scan_options(const Command& command, InputOptions& options, const std::string& more = {});
-/// Adds these options to a command for scans and scene files, and also --points and --image-sets.
+/// Adds the options of add_scan_options() to a command for scans and scene files, and also --points and
+/// --image-sets.
 void add_input_options(const Command& command, InputOptions& options, PrepareSettings& settings);
 
 /// The parts of the input, as given or found in the folder. If a part is missing, `lacks` is Error(usage), or

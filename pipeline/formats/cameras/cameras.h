@@ -56,14 +56,14 @@ struct CameraFormat {
 /// All formats; a file is read by the first that matches it.
 std::span<const CameraFormat> camera_formats();
 
-/// The formats for messages: "COLMAP folder (...), Bundler .out, ...".
+/// The names of the formats for messages, as in "COLMAP folder (...), Bundler .out, ...".
 std::string camera_format_names();
 
 /// The files that read_cameras reads: those of the first format that matches, or `path` if none does.
 std::vector<std::filesystem::path> camera_files(const std::filesystem::path& path);
 
-/// Reads cameras in the first format that matches. This and the readers below throw Error(input) naming the
-/// file and the item.
+/// Reads cameras in the first format that matches. This function and the readers below throw Error(input),
+/// which names the file and the item.
 CameraSet read_cameras(const std::filesystem::path& path);
 
 CameraSet read_colmap_text(const std::filesystem::path& folder);

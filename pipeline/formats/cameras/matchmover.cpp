@@ -13,7 +13,7 @@
 namespace vantage {
 namespace {
 
-/// The camera-to-world rotation from angles in degrees, with z backward: Rz Ry Rx.
+/// The camera-to-world rotation Rz Ry Rx from angles in degrees, with z backward.
 Eigen::Matrix3d matchmover_rotation(const XmlFile& file, pugi::xml_node frame) {
     const pugi::xml_node r = frame.child("R");
     const auto turn = [&](const char* name, const Eigen::Vector3d& axis) {

@@ -19,7 +19,7 @@ Version version_of(const LocatedJson& root) {
     return {int(v[0]), int(v[1]), int(v[2])};
 }
 
-/// fx and fy. They are in pixels before version 1.2.2, and since then in millimeters, with a pixel ratio that
+/// fx and fy, which are in pixels before version 1.2.2 and in millimeters since then, with a pixel ratio that
 /// was fx / fy before version 1.2.5.
 std::array<double, 2> focal_of(const LocatedJson& i, const Version& version) {
     if (version < Version(1, 2, 0)) {

@@ -49,7 +49,7 @@ Similarity chunk_transform(const XmlFile& file, pugi::xml_node transform) {
     return out;
 }
 
-/// P1 and P2 of Metashape are p2 and p1 of OpenCV; PhotoScan before 1.0 used OpenCV's order.
+/// P1 and P2 of Metashape are p2 and p1 of OpenCV, but PhotoScan before 1.0 used OpenCV's order.
 Camera calibrated(const XmlFile& file, pugi::xml_node c, pugi::xml_node size) {
     const auto value = [&](const char* name) { return file.number(c, name, 0); };
     Camera out;

@@ -12,8 +12,8 @@ struct ProcessLimits {
 };
 
 /// Runs `work`, which an untrusted file may crash, in a forked process and returns its result; empty if it
-/// throws, crashes or exceeds the limits. Its output is discarded. Throws std::system_error if no process can
-/// be started.
+/// throws, crashes or exceeds the limits. The output of the process is discarded. Throws std::system_error if
+/// no process can be started.
 std::vector<std::byte> run_isolated(const ProcessLimits& limits,
                                     const std::function<std::vector<std::byte>()>& work);
 

@@ -28,7 +28,7 @@ void take(std::span<const std::byte>& from, std::vector<T>& values) {
     from = from.subspan(sizeof bytes + bytes);
 }
 
-/// These two functions do the same for a mesh without its scalar fields.
+/// Like append() and take() above, for a mesh without its scalar fields.
 inline void append(std::vector<std::byte>& out, const Mesh& mesh) {
     append(out, mesh.positions);
     append(out, mesh.normals);

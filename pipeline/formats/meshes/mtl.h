@@ -21,7 +21,7 @@ std::map<std::string, MaterialColor> read_mtl(const std::filesystem::path& file,
                                               std::vector<std::string>& warnings);
 
 /// The material of a face's `usemtl`: the one with exactly that name, otherwise the only one whose name is
-/// the same up to ` # `, which starts a comment. Empty if there is none.
+/// the same up to ` # `, which starts a comment; empty if there is no such material.
 std::optional<MaterialColor> material_named(const std::map<std::string, MaterialColor>& materials,
                                             const std::string& name);
 

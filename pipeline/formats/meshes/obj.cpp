@@ -127,7 +127,7 @@ class ObjReader {
         for (std::size_t c = 0; c < 3; ++c) colors_[c].push_back(colored ? real(words[4 + c]) : no_color);
     }
     /// The element that a corner's index refers to: counted from 1 (the element may be defined later), or
-    /// backward from the last of `count`; `no_vertex` if there is none.
+    /// backward from the last of `count`, or `no_vertex` if there is no such element.
     std::uint32_t element(std::string_view index, std::size_t count) const {
         std::int64_t i = 0;
         if (!parse_number(index, i)) fail("the index of a corner", index);
@@ -206,7 +206,7 @@ std::vector<fs::path> places_of(const fs::path& folder, std::string name) {
     return out;
 }
 
-/// The existing file with a library's name, possibly in a different case. Empty if there is none.
+/// The existing file with a library's name, possibly in a different case; empty if there is no such file.
 fs::path library_file(const fs::path& folder, const std::string& name) {
     std::error_code error;
     const std::vector<fs::path> places = places_of(folder, name);

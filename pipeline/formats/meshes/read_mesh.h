@@ -25,15 +25,15 @@ bool is_usd_file(const std::filesystem::path& file);
 /// non-manifold faces are kept. For glTF, GLB and FBX, see read_with_assimp(). Polygons become triangle fans,
 /// except in FBX. STL, glTF, GLB and FBX are welded. Triangles with repeated, missing or non-finite vertices,
 /// or coordinates of 1e18 or more, are dropped and counted in `warnings`; unreferenced vertices are kept, but
-/// moved onto another vertex. Points of a cloud with such coordinates are dropped and counted. Also adds the
-/// coordinate_warnings() and, unless it is the meter, the unit that an FBX states. Normals have unit length;
-/// missing ones are area-weighted means of the face normals; clouds without normals keep none. Further files
-/// on which the mesh depends go to `companions`: the buffers of a glTF, and the materials of an OBJ (see
-/// read_obj()). Throws Error(input).
+/// moved onto another vertex. Points of a cloud with such coordinates are dropped and counted. Adds the
+/// coordinate_warnings() to `warnings`, and the unit that an FBX states unless it is the meter. Normals have
+/// unit length; missing ones are area-weighted means of the face normals; clouds without normals keep none.
+/// Further files on which the mesh depends go to `companions`: the buffers of a glTF, and the materials of an
+/// OBJ (see read_obj()). Throws Error(input).
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings,
                std::vector<std::filesystem::path>* companions = nullptr);
 
-/// A mesh or cloud as stored in its file. Throws Error(input), also if it has no vertices.
+/// A mesh or cloud as stored in its file. Throws Error(input), also if the file has no vertices.
 Mesh read_mesh_file(const std::filesystem::path& file);
 
 /// Whether the coordinates and their squares are finite in single precision.
