@@ -12,7 +12,8 @@ namespace vantage {
 struct Convention {
     const char* name;     ///< value of --convention
     const char* meaning;  ///< in messages: "the mesh is turned by 180 degrees about x"
-    bool of_mesh;         ///< moves all cameras together, so only the mesh shows whether it applies
+    /// Whether the convention moves all cameras together, so that only the mesh shows if it applies.
+    bool of_mesh;
     std::optional<Camera> (*apply)(Camera camera,
                                    const Similarity& transform);  ///< empty if nothing changes
 };

@@ -26,7 +26,8 @@ constexpr float seam = 0.02f, seam_contrast = 3;
 /// One view's sample of a direction, with the cost `invalid` if there is no sample.
 struct Shown {
     float cost = invalid;
-    bool inside = false;                            ///< in the photo, but possibly behind the mesh
+    /// Whether the photo contains the point, possibly behind the mesh.
+    bool inside = false;
     Eigen::Array3f color = Eigen::Array3f::Zero();  ///< square root of light
 };
 

@@ -123,7 +123,7 @@ std::vector<std::uint32_t> indices_of(std::span<const std::array<std::uint32_t, 
     return out;
 }
 
-/// The nearest triangle at each texel, as its position in `indices`, or TriangleMap::none without a triangle.
+/// The nearest triangle at each texel, as its position in `indices`, or TriangleMap::none if there is none.
 std::vector<std::uint32_t> nearest_of(const PhotoProjection& projection,
                                       std::span<const std::uint32_t> indices) {
     const std::vector<float> no_values(projection.positions.size(), 0);

@@ -15,7 +15,7 @@ namespace vantage {
 struct SkyPicture {
     Intrinsics k;
     Pose pose;        ///< relative to the origin
-    cv::Mat3f codes;  ///< square roots of linear light times 255, or NaN without a pixel
+    cv::Mat3f codes;  ///< square roots of linear light times 255, or NaN if there is no pixel
     cv::Mat1f z;      ///< depth of the mesh, +inf in open texels
     cv::Mat1b sky;    ///< 1 if open and sky
 };

@@ -13,7 +13,7 @@ namespace vantage {
 namespace {
 
 constexpr double least_step = 1e-5;    ///< relative to the mesh: a tenth of a pixel in a photo 10,000 px wide
-constexpr double far_from_zero = 100;  ///< of the mesh's size
+constexpr double far_from_zero = 100;  ///< multiple of the mesh's size
 constexpr double share_of_grid = 0.99;  ///< fraction of triangles that span one step
 
 std::string stray_warning(const Mesh& mesh, const MainBox& box) {

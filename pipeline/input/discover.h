@@ -14,7 +14,7 @@ namespace vantage {
 /// the camera_formats(). The photos' folder is the one where most cameras find their photo, preferably one
 /// named images or photos. If several folders each contain the photos of an image set (see
 /// image_set_folder()) and a camera file, all these camera files are used. Follows symbolic links and ignores
-/// hidden files. Alternatives that were not taken are listed in `notes`. Parts in `given` are not searched
+/// hidden files. Alternatives that were not chosen are listed in `notes`. Parts in `given` are not searched
 /// for, and no file of `given.compared` or `given.points` is used as the mesh. Without a mesh, the largest
 /// point cloud (a PLY without faces, or a file of cloud.h) takes its place, and cameras and photos may be
 /// missing. Throws Error(input) if a part is missing, or if there are several camera files and one is

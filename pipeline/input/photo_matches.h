@@ -31,7 +31,7 @@ std::filesystem::path file_meant(const std::filesystem::path& folder, const std:
 /// The photo of a camera.
 struct PhotoMatch {
     std::filesystem::path file;  ///< empty: none
-    bool by_name = false;        ///< the extension also matches the camera's
+    bool by_name = false;        ///< whether the extension also matches the camera's
     std::size_t folders = 0;     ///< number of folders in common with the camera's name or group
     /// The files that fit equally well if `file` is empty.
     std::vector<std::filesystem::path> candidates = {};
@@ -40,9 +40,9 @@ struct PhotoMatch {
 /// Finds the photo of each camera, whose name may include folders, among `photos` in `folder`. Names are
 /// compared by comparable_name(). The file's path must contain all of the name's folders, or the name must
 /// contain all of the file's folders below `folder`. A file that fits several names is assigned to none of
-/// them. Of several files that fit a name, the one in folders named like the camera's group is taken, or the
+/// them. Of several files that fit a name, the one in folders named like the camera's group is chosen, or the
 /// only one that no other camera refers to by its folder. If no file has the name's extension, one with
-/// another extension is taken.
+/// another extension is used.
 std::vector<PhotoMatch> match_photos(const std::filesystem::path& folder,
                                      const std::vector<std::filesystem::path>& photos,
                                      std::span<const CameraSet::Entry> cameras);

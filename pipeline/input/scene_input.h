@@ -20,7 +20,7 @@ struct PhotoInput {
     Camera camera;
     PhotoSize decoded{};              ///< size in the camera's orientation, before any reduction
     std::filesystem::path mask{};     ///< image, black where the photo must not be shown; may be empty
-    bool linear = false;              ///< the file stores linear light
+    bool linear = false;              ///< whether the file stores linear light
     ProfileUse profile{};             ///< use of the file's ICC profile
     std::vector<StampedFile> read{};  ///< photo and mask, stamped before the photo's header was read
     std::uint32_t image_set = 0;      ///< index in SceneInput::image_sets
@@ -39,7 +39,7 @@ struct InputFiles {
     std::vector<std::string> notes{};             ///< other files found but not used
     std::vector<std::filesystem::path>
         more_cameras{};  ///< like `cameras`, each for the photos in its own folder below `photos`
-    std::string image_sets = "auto";    ///< see group_image_sets
+    std::string image_sets = "auto";    ///< grouping into image sets; see group_image_sets()
     std::optional<Similarity> align{};  ///< transform from the cameras' frame to the mesh's, if they differ
     /// Further files that read_mesh() read for `mesh` and `compared`.
     std::map<std::filesystem::path, std::vector<std::filesystem::path>> companions{};

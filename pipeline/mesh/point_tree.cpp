@@ -201,7 +201,7 @@ class Builder {
         tree_.blocks = block + 1;
     }
 
-    Eigen::Vector3d low_ = Eigen::Vector3d::Zero();  ///< of the root's cube
+    Eigen::Vector3d low_ = Eigen::Vector3d::Zero();  ///< lowest corner of the root's cube
     double size_ = 1;
     std::vector<Placed> placed_, taken_, left_;
     std::deque<Todo> todo_;

@@ -14,9 +14,9 @@ namespace vantage {
 struct LayoutSizes {
     /// Bytes of the scene chunks whose size is not in SCEN, such as META; 0 if there is no chunk.
     std::map<package::Type, std::uint64_t> bytes;
-    bool colors;  ///< the mesh has vertex colors
+    bool colors;  ///< whether the mesh has vertex colors
     std::uint64_t point_blocks = 0;
-    bool coordinates = true;  ///< photos have texture coordinates per vertex
+    bool coordinates = true;  ///< whether photos have texture coordinates per vertex
 };
 /// The sizes for a package that is rewritten.
 LayoutSizes layout_sizes(const PackageReader& package, std::uint64_t meta_bytes, bool coordinates);

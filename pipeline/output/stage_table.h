@@ -23,9 +23,9 @@ enum class PixelInput { none, alpha, all };
 struct SceneKey {
     const PrepareSettings& settings;
     DistanceMethod distance;       ///< never automatic
-    bool opengl;                   ///< the model is rendered by OpenGL, otherwise by the CPU
-    bool undistortion;             ///< the effect is on
-    bool compact;                  ///< the effect is on
+    bool opengl;                   ///< whether the model is rendered by OpenGL instead of the CPU
+    bool undistortion;             ///< whether the effect is on
+    bool compact;                  ///< whether the effect is on
     std::uint64_t model;           ///< XXH3-64 of geometry and clusters; see model_checksum()
     double reference_density = 1;  ///< reference density of the depth weight
 };
@@ -36,8 +36,8 @@ struct StageRow {
     const char* name;
     std::uint32_t version;  ///< incremented whenever a change to the code changes the stage's output
     PixelInput pixels;
-    bool model;                         ///< renders or projects the model from the photo's pose
-    bool held_out;                      ///< also runs for held-out photos
+    bool model;     ///< whether the stage projects or renders the model from the photo's pose
+    bool held_out;  ///< whether the stage also runs for held-out photos
     std::vector<std::string> settings;  ///< settings that the stage reads, named as in META's configuration
     /// Adds the settings that no other input covers to the stage's key; may be null.
     void (*key)(Fingerprint&, const SceneKey&);

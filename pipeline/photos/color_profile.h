@@ -17,7 +17,8 @@ struct ProfileUse {
     std::string name{};  ///< the profile's own description, in ASCII; may be empty
     /// The reason why the profile is ignored and colors are treated as sRGB; may be empty.
     std::string flaw{};
-    bool converts = false;  ///< colors are converted to sRGB; false if they are sRGB or treated as such
+    /// Whether colors are converted to sRGB; false if they are sRGB or treated as such.
+    bool converts = false;
 };
 
 /// The conversion from an ICC profile (ISO 15076-1) to sRGB: relative colorimetric with black point

@@ -19,7 +19,8 @@ struct PhotoHeader {
     PhotoSize size;        ///< as stored
     ProfileUse profile{};  ///< use of the ICC profile
     int orientation = 1;   ///< EXIF, 1 to 8
-    bool linear = false;   ///< stores linear light (EXR, Radiance HDR), converted to sRGB on reading
+    /// Whether the file stores linear light (EXR, Radiance HDR), which becomes sRGB on reading.
+    bool linear = false;
 };
 
 /// Type of a channel's values.

@@ -22,7 +22,7 @@ namespace {
     throw Error(Exit::input, file.string() + ": " + reason.substr(0, reason.find('\n')));
 }
 
-/// Files of these formats contain linear light; files of other formats state it if they do so (PNG by its
+/// Files of these formats contain linear light. Files of other formats state whether they do (PNG by its
 /// gamma).
 bool is_linear(const OIIO::ImageSpec& spec, const std::string& format) {
     return format == "openexr" || format == "hdr" ||

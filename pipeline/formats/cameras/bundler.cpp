@@ -17,7 +17,7 @@ std::string_view take_last_word(std::string_view& line) {
     return word;
 }
 
-/// The name in a line of list.txt, which is "NAME", or "NAME 0 FOCAL" with the focal length in pixels. The
+/// The name in a line of list.txt. The line is "NAME", or "NAME 0 FOCAL" with the focal length in pixels. The
 /// name may contain blanks and be quoted.
 std::string photo_name(std::string_view line) {
     std::string_view rest = line;

@@ -115,7 +115,8 @@ class MtlReader {
     std::size_t line_ = 0, first_line_ = 0, listed_ = 0;
 };
 
-/// The name without a trailing comment: `#` between blanks; "Material #25" is a name.
+/// The name without a trailing comment, which starts with a `#` between blanks; the name "Material #25" has
+/// none.
 std::string_view bare(std::string_view name) { return trimmed(name.substr(0, name.find(" # "))); }
 
 }  // namespace
