@@ -209,9 +209,10 @@ TEST_F(Extract, TheMeshIsSaidToBeThatOfThePackageWithLargeTrianglesDivided) {
     const Mesh mesh = read_mesh(files / "mesh.ply", warnings);
     EXPECT_GT(mesh.triangles.size(), given);
     const std::string says = slurp(dir / "says");
-    EXPECT_NE(says.find(std::to_string(mesh.triangles.size()) + " triangles: as prepared, the input's large "
-                                                                "triangles divided"),
-              std::string::npos)
+    EXPECT_NE(
+        says.find(std::to_string(mesh.triangles.size()) + " triangles: as prepared, with the input's large "
+                                                          "triangles divided"),
+        std::string::npos)
         << says;
     EXPECT_NE(says.find("photos (5)"), std::string::npos) << says;
 }
