@@ -66,8 +66,8 @@ Similarity stepped(const Similarity& s, const SmallMotion& d, const MotionFrame&
     return {m.R * s.R, m(s.t), m.scale * s.scale};
 }
 
-/// Point to plane (Chen and Medioni 1992) with weights 1 / (1 + (r / width)^2)^2 (Geman and McClure), whose
-/// width shrinks to three times the median residual.
+/// Fits point-to-plane (Chen and Medioni 1992) with weights 1 / (1 + (r / width)^2)^2 (Geman and McClure),
+/// whose width shrinks to three times the median residual.
 Similarity fitted(const Points& points, Similarity s, const Target& target, int iterations) {
     for (int n = 0; n < iterations; ++n) {
         std::vector<Residual> residuals;

@@ -19,7 +19,7 @@ std::vector<std::string> convention_names();
 /// combined with other names.
 std::string wanted_conventions(const std::vector<std::string>& names);
 
-/// Applies the named conventions, joined by commas; for "as-read", none. Throws Error(usage) if a name is
+/// Applies the named conventions, joined by commas, or none for "as-read". Throws Error(usage) if a name is
 /// unknown.
 void apply_conventions(SceneInput& scene, const std::string& names);
 
@@ -58,8 +58,8 @@ ConventionTrials try_conventions(const SceneInput& scene, const FeatureSettings&
 /// convention makes the mesh fit.
 ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted, unsigned threads);
 
-/// "the mesh shows 2867 of 2899 features where the photos do (median error 1.3 px)", in px of the first
-/// photo, or "not judged: " and the reason; empty if nothing was tried.
+/// A phrase such as "the mesh shows 2867 of 2899 features where the photos do (median error 1.3 px)", in px
+/// of the first photo, or the reason why the fit was not judged; empty if nothing was tried.
 std::string fit_of(const ConventionTrials& trials, const SceneInput& scene);
 
 }  // namespace vantage

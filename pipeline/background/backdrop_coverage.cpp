@@ -19,7 +19,7 @@ struct Seen {
         outside = left | right | above | below
     };
     std::uint8_t is = 0;
-    Eigen::Vector2f place = Eigen::Vector2f::Zero();  ///< 0 to 1 inside the photo
+    Eigen::Vector2f place = Eigen::Vector2f::Zero();  ///< position in the photo, 0 to 1 inside it
     float density = 0;                                ///< pixels per unit
 };
 

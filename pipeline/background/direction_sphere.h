@@ -23,7 +23,7 @@ struct DirectionSphere {
     std::vector<std::array<std::uint32_t, 2>> ends;
 };
 
-/// `level`: number of subdivisions; the result has 20 * 4^level triangles.
+/// `level` is the number of subdivisions; the result has 20 * 4^level triangles.
 DirectionSphere direction_sphere(int level);
 
 /// The sphere with each triangle divided into four. The first directions of the result are those of `sphere`.

@@ -186,7 +186,7 @@ Background find_background(const BackgroundInput& in) {
     std::vector<std::uint32_t> hidden = hidden_triangles(in, some, backdrop.sky);
     if (!hidden.empty())
         out.decision.evidence +=
-            fmt::format("; {} triangles of the mesh are sky and are hidden", hidden.size());
+            fmt::format("; {} triangles of the mesh are sky and therefore hidden", hidden.size());
     out.chunk = chunk_of(in, backdrop, some, std::move(hidden));
     return out;
 }

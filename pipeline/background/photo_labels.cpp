@@ -104,7 +104,7 @@ std::uint8_t cheapest(const std::vector<Shown>& at) {
     return best == at.end() || best->cost >= invalid ? none : std::uint8_t(best - at.begin());
 }
 
-/// Labels of the coarse sphere, by alpha expansion.
+/// Computes the labels of the coarse sphere by alpha expansion.
 class Cuts {
   public:
     Cuts(const DirectionSphere& sphere, const std::vector<std::vector<Shown>>& shown, Labels& labels)

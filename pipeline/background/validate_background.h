@@ -13,7 +13,7 @@
 
 namespace vantage {
 
-/// The benefit of the background, from predictions of the open texels of held-out photos.
+/// The benefit of the background, measured by predicting the open texels of held-out photos.
 struct BackgroundVerdict {
     Judgment gain;  ///< relative to a single color
     /// The fraction of the compared pixels that belong to photos in which the background moves with the

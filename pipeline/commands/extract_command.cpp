@@ -18,7 +18,8 @@ struct ExtractOptions {
 
 void print(const Extracted& e, const std::string& folder) {
     if (e.photos)
-        fmt::print(text_output(), "photos   {}/photos ({}), their cameras in sparse\n", folder, e.photos);
+        fmt::print(text_output(), "photos   {}/photos ({}), with their cameras in sparse\n", folder,
+                   e.photos);
     if (e.triangles)
         fmt::print(text_output(),
                    "mesh     {}/mesh.ply ({} vertices, {} triangles: as prepared, with the input's large "

@@ -88,7 +88,7 @@ void fit_to_photo(PhotoInput& photo, CameraSet::Unit unit, SceneInput& scene) {
 }
 
 /// The names of files in a package: the file name or, for files with equal names, the path in the photos'
-/// folder with _ between its parts. If that is still ambiguous, underscores are put in front.
+/// folder with _ between its parts. If that is still ambiguous, leading underscores are added.
 std::map<fs::path, std::string> package_names(const fs::path& folder, const std::set<fs::path>& files) {
     std::map<std::string, int> count;
     for (const fs::path& file : files) ++count[utf8_name(file.filename().string())];
@@ -314,7 +314,7 @@ void read_clouds(SceneInput& scene) {
                                      std::to_string(most));
 }
 
-/// Fails because no photo remains, with the reason if photos exist but are unusable.
+/// Throws because no photo remains, and gives the reason if photos exist but are unusable.
 [[noreturn]] void fail_without_photos(const SceneInput& scene) {
     const std::string folder = scene.files.photos.string(), cameras = scene.files.cameras.string();
     const auto unusable = std::ranges::find_if(scene.skipped, [](const UnusablePhoto& l) {

@@ -18,8 +18,8 @@ namespace {
 using package::PointNode;
 
 constexpr int levels = 21;      ///< maximum number of halvings of the root's cube
-constexpr int finest_grid = 6;  ///< halvings of a node's cube into the cells of its grid
-constexpr int finest_leaf = 8;  ///< halvings for the spacing of a leaf's points
+constexpr int finest_grid = 6;  ///< maximum halvings of a node's cube into the cells of its grid
+constexpr int finest_leaf = 8;  ///< maximum halvings of a leaf's cube to find the spacing of its points
 constexpr std::array<std::uint8_t, 4> gray{200, 200, 200, 255};
 
 /// A point and the cells that contain it, in Morton order: the code has three bits per halving of the root's

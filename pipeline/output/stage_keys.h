@@ -18,9 +18,9 @@ std::uint64_t pose_checksum(const Pose& cam_from_origin);
 std::uint64_t model_checksum(const PackedModel& model, const std::vector<Eigen::Vector3f>& normals);
 
 /// One key per stage of a photo, computed from all of the stage's inputs, the settings that it reads and its
-/// version; also the checksums of the inputs themselves. The keys exclude the pose, which PhotoState stores
-/// separately, because pose refinement changes it after all other inputs are known. `mask` is zero if the
-/// photo has none. `skipped`, `record` and the stages' contents are left empty.
+/// version. The result also contains the checksums of the inputs themselves. The keys exclude the pose, which
+/// PhotoState stores separately, because pose refinement changes it after all other inputs are known. `mask`
+/// is zero if the photo has none. `skipped`, `record` and the stages' contents are left empty.
 package::PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Pose& cam_from_origin,
                                const FileIdentity& file, const FileIdentity& mask);
 

@@ -14,7 +14,8 @@ class PlaceCost {
     /// `center` is relative to the origin. Keeps references to the views.
     PlaceCost(std::span<const CoarseView> views, const Eigen::Vector3d& center);
 
-    static constexpr float largest = 0.5f;  ///< largest difference of one photo from the others, in ln(color)
+    /// Maximum difference between one photo and the others, in ln(color)
+    static constexpr float largest = 0.5f;
 
     /// A view that may show points in a direction; in its camera space, such a point is (center * inverse +
     /// ray) times its distance.

@@ -5,9 +5,9 @@
 
 namespace vantage {
 
-/// Vertical planes beyond the mesh that contain many of the depths, such as the facade across the street; the
-/// largest first, at most three, each with at least 6 % of the shown directions (RANSAC, Fischler and Bolles
-/// 1981). Deterministic.
+/// Finds up to three vertical planes beyond the mesh that each contain the depths of at least 6 % of the
+/// shown directions, such as the facade across the street, by RANSAC (Fischler and Bolles 1981). The largest
+/// comes first. Deterministic.
 std::vector<Plane> walls_beyond(const SweptDepths& depths, const DirectionSphere& sphere,
                                 const std::vector<float>& inverse, const Eigen::Vector3d& down);
 

@@ -49,7 +49,7 @@ struct Library {
     bool operator==(const Library&) const = default;
 };
 
-/// A mesh and its materials by name.
+/// A mesh and the names of its materials.
 struct ObjMesh {
     Mesh mesh;
     std::vector<std::uint32_t> of_triangle;  ///< index in `names`; without a material, a larger number

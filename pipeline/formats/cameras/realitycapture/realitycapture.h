@@ -11,7 +11,7 @@
 namespace vantage {
 
 /// The lens of one of RealityCapture's models, from k1 k2 k3 k4 t1 t2 and the skew in focal lengths; empty if
-/// the model is not among realitycapture_models(). See "On the Coordinate Systems Employed in ... Camera
+/// the model is not among realitycapture_models(). See "On the Coordinate Systems Employed in [...] Camera
 /// Geometry by RealityScan" (2026): t1 and t2 are p2 and p1 of OpenCV.
 std::optional<Lens> realitycapture_lens(std::string_view model, const std::array<double, 6>& coefficients,
                                         double skew);
