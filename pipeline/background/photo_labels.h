@@ -12,7 +12,7 @@ namespace vantage {
 struct BackdropPaint {
     static constexpr std::uint8_t none = 255;
     std::vector<std::uint8_t> view;  ///< index of the view that shows the direction, or `none`
-    /// Added to that view's color to hide seams, in square roots of light.
+    /// Correction added to the view's color to hide seams, in square roots of light.
     std::vector<Eigen::Array3f> correction;
     std::vector<float> trust;  ///< 0 to 1: falls to 0 in unseen directions
 };

@@ -281,7 +281,7 @@ Mesh read_mesh_of(SceneInput& scene, const fs::path& file) {
     return mesh;
 }
 
-/// Reads the reference meshes. Throws Error(usage) if two of them have the same name.
+/// Reads the reference meshes. Throws Error(usage) if two reference meshes have the same name.
 void read_compared(SceneInput& scene) {
     std::set<fs::path> names;
     for (const fs::path& file : scene.files.compared) {

@@ -21,7 +21,7 @@ struct RayHit {
 /// single precision, so the scene should be near the origin.
 class RayScene {
   public:
-    /// Both constructors copy the mesh, and throw Error(memory) if the mesh is too large, and
+    /// Both constructors copy the mesh. Both throw Error(memory) if the mesh is too large, and
     /// std::runtime_error if Embree fails.
     explicit RayScene(const Mesh& mesh);
     RayScene(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices);

@@ -34,8 +34,8 @@ int run_verb(int argc, char** argv) {
 }  // namespace
 
 int run_program(int argc, char** argv) {
-    // Our own threads process the photos. OpenCV's threads would compete with these, and OpenCV's pool blocks
-    // indefinitely if the system cannot start a thread.
+    // Our own threads process the photos. OpenCV's threads would compete with our own, and OpenCV's pool
+    // blocks indefinitely if the system cannot start a thread.
     cv::setNumThreads(1);
     std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit fails with a message
     name_lost_packages("vantage");

@@ -82,8 +82,8 @@ Camera read_group(const XmlFile& file, pugi::xml_node group) {
     return c;
 }
 
-/// The rotation from the world to the camera's axes. The metadata next to it describes the pose of the
-/// navigation device, not of the camera.
+/// The rotation from the world to the camera's axes. The metadata next to the rotation describes the pose of
+/// the navigation device, not of the camera.
 Eigen::Matrix3d blocks_rotation(const XmlFile& file, pugi::xml_node rotation) {
     Eigen::Matrix3d R;
     if (!rotation.child("M_00"))
