@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs missing packages (Debian 12, Ubuntu 24.04) and builds in build/: the two programs and their manual,
-# for demo.sh; or targets, for test.sh: suite (the default set of tests) or all (also benchmarks).
+# Installs missing packages (Debian 12, Ubuntu 24.04) and builds in build/. Without arguments, as demo.sh
+# calls it, builds the two programs and their manual. test.sh passes a target: suite (the default set of
+# tests) or all (which includes the benchmarks).
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -12,10 +13,10 @@ packages=(g++ cmake ninja-build pkg-config ca-certificates gettext
   libcurl4-openssl-dev libutf8proc-dev
   libepoxy-dev libegl-dev libgl-dev libglfw3-dev libx11-dev libxcb-xinput-dev libimgui-dev libopenxr-dev
   libgl1-mesa-dri libegl-mesa0 libglx-mesa0 fonts-dejavu-core ffmpeg)
-# Since glibc 2.39, the window's languages need a locale besides C.
+# Since glibc 2.39, the window can change its language only if a locale other than C is installed.
 grep -q '^ID=ubuntu' /etc/os-release && packages+=(language-pack-en-base)
 tests=OFF targets=(vantage vantage-player manual)
-# Keeps tests enabled if they were before.
+# Tests stay enabled if they were enabled before.
 grep -qs '^BUILD_TESTING:BOOL=ON' build/CMakeCache.txt && tests=ON
 if (($#)); then
   tests=ON targets=("$@")
@@ -34,5 +35,5 @@ if ((${#missing[@]})); then
   DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 fi
 cmake -S . -B build -G Ninja -DBUILD_TESTING="$tests" >/dev/null
-# Ninja's default of two jobs more takes 5 % longer on two cores.
+# Ninja's default number of jobs, two more than there are cores, takes 5 % longer on two cores.
 cmake --build build --parallel "$(nproc)" --target "${targets[@]}"

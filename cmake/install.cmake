@@ -27,7 +27,7 @@ install(FILES README.md CHANGELOG.md LICENSE DESTINATION share/doc/vantage COMPO
 install(FILES scene/package/FORMAT.md DESTINATION share/doc/vantage/scene/package COMPONENT vantage)
 install(DIRECTORY docs data DESTINATION share/doc/vantage COMPONENT vantage)
 
-# `cpack -G DEB` in the build folder makes two Debian packages.
+# In the build folder, `cpack -G DEB` makes two Debian packages.
 set(CPACK_COMPONENTS_ALL vantage vantage-player)
 set(CPACK_PACKAGE_CONTACT "Vantage maintainers <maintainers@example.org>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -52,7 +52,7 @@ photos on the model for the current viewpoint. Nothing is baked into a
 texture, so no detail of the photos is lost. It needs OpenGL 4.5, in hardware
 or by Mesa's software renderer.")
 set(CPACK_DEBIAN_VANTAGE-PLAYER_PACKAGE_NAME vantage-player)
-# Loaded at run time, so no program header lists them.
+# These libraries are loaded at run time, so no program header lists them.
 set(CPACK_DEBIAN_VANTAGE-PLAYER_PACKAGE_DEPENDS "libegl1, libgl1")
 set(CPACK_DEBIAN_VANTAGE-PLAYER_PACKAGE_RECOMMENDS "fonts-dejavu-core, libgl1-mesa-dri, shared-mime-info")
 set(CPACK_DEBIAN_VANTAGE-PLAYER_PACKAGE_SUGGESTS "ffmpeg, vantage")

@@ -15,19 +15,21 @@ endfunction()
 
 # vantage_module(FOLDER [USES folder...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...] [SOURCES file...] [LOOPS file...])
 #
-# Makes a library from a folder, named vantage_ and its path with _ for / (player/plan: vantage_player_plan). Its sources
-# see its own headers and those of the modules that it uses, directly or indirectly, and no others: the source folder
-# is linked into an include directory of the module's own, and the repository root is on no module's include path. An
-# include that violates the order of dependencies does not compile.
-#   USES               modules, by their folders; part of the module's interface
+# Makes a library from a folder. Its name is vantage_ followed by the folder's path with _ in place of /
+# (player/plan: vantage_player_plan). Its sources see only its own headers and those of the modules that it
+# uses, directly or indirectly, because the source folder is linked into an include directory of the module's
+# own, and the repository root is not on any module's include path. An include that violates the order of
+# dependencies does not compile.
+#   USES               the folders of the modules that it uses; they are part of the module's interface
 #   LIBRARIES          libraries that the module's headers include
 #   PRIVATE_LIBRARIES  libraries that only its sources include
 #   SOURCES            default: all *.cpp in FOLDER and below; a module without sources is an INTERFACE library
 #   LOOPS              sources with loops over every pixel. -O2 does not vectorize them, and neither does -O3 if comparisons may
 #                      trap or square roots set errno. The results are the same. Vectors are passed between inlined functions
-#                      only, so that it does not matter how calls pass them.
+#                      only, so the calling convention does not matter.
 # The global property vantage_modules has a line for each module, with the modules that it uses.
-# All sources of a module are compiled as one, which saves most of the build's time (-DCMAKE_UNITY_BUILD=OFF: one by one).
+# All sources of a module are compiled as one, which saves most of the build time. With
+# -DCMAKE_UNITY_BUILD=OFF, they are compiled separately.
 function(vantage_module folder)
   cmake_parse_arguments(MODULE "" "" "USES;LIBRARIES;PRIVATE_LIBRARIES;SOURCES;LOOPS" ${ARGN})
   string(REPLACE "/" "_" target vantage_${folder})

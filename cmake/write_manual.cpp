@@ -1,5 +1,5 @@
-// Writes manual pages and bash and zsh completions of programs into the folders man1, bash and zsh of FOLDER.
-// Each FILE holds the line that a program prints with --describe.
+// Writes the manual pages and the bash and zsh completions of programs to the folders man1, bash and zsh in
+// FOLDER. Each FILE contains the line that a program prints with --describe.
 #include <fstream>
 #include <iostream>
 

@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// The kind of file that completes a value; empty if none does.
+/// The kind of file or folder to complete a value with; empty if the value is neither.
 std::string kind_of(const DescribedOption& o) {
     if (o.type == "TEXT") return o.values.empty() ? "FILE" : "";
     return o.type == "FILE" || o.type == "FOLDER" || o.type == "PACKAGE" ? o.type : "";
@@ -33,7 +33,7 @@ std::string bash_verb_case(const DescribedCommand& c, const std::string& pattern
     return out + "            esac ;;\n";
 }
 
-/// Start of the script: finds the option whose value is being completed. Bash breaks words at "=".
+/// Start of the script: finds the option whose value is being completed. Bash splits words at "=".
 constexpr const char* beginning = R"(# Completion of PROGRAM for bash, made from its command line.
 FUNCTION() {
     local word=${COMP_WORDS[COMP_CWORD]} verb=${COMP_WORDS[1]} option= options= verbs= kind= words= value= commas=
@@ -49,8 +49,8 @@ FUNCTION() {
     case $verb in
 )";
 
-/// End of the script: completes `words`, after the last comma in a list, or files. Bash falls back to file
-/// names itself (default, dirnames).
+/// End of the script: completes one of `words` (in a list, the part after the last comma) or a file name.
+/// Bash itself falls back to file names (default, dirnames).
 constexpr const char* end = R"(    esac
     COMPREPLY=()
     if [[ -z $value && $word == -* ]]; then

@@ -21,14 +21,14 @@ class Option {
     Option group(const std::string& heading) const;  ///< heading in --help; default "Options"
     Option type(const std::string& kind) const;      ///< kind of value: FILE, FOLDER, PACKAGE, PHOTO, ...
     Option required() const;
-    /// For a list: also accepts several values in one word, "a,b".
+    /// For a list: also accepts several values in one word, such as "a,b".
     Option commas() const;
     /// For a list: takes only one word per occurrence, so that arguments may follow.
     Option one_word() const;
     Option needs(const Option& other) const;
     Option excludes(const Option& other) const;
-    /// Values to list in --help and to offer for completion. Other values are accepted as well: they name
-    /// files, or are checked later.
+    /// Values to list in --help and to offer for completion. Other values are accepted as well: they may be
+    /// file names, or are checked later.
     Option suggests(std::vector<std::string> values) const;
 
   private:
@@ -44,14 +44,14 @@ using NamedValues = std::initializer_list<std::pair<const char*, std::type_ident
 /// A program or one of its verbs, with its options and its action. A handle: copies refer to the same
 /// command.
 ///
-/// `names`: those of an option, such as "-o,--output", or the name of an argument, such as "FILE". `value`
-/// must outlive run(); its initial value is the default that --help shows, unless it is empty or out of
-/// range. An invalid value is a usage error that names the option and the expected values.
+/// `names`: the names of an option, such as "-o,--output", or the name of an argument, such as "FILE".
+/// `value` must outlive run(); its initial value is the default that --help shows, unless it is empty or out
+/// of range. An invalid value is a usage error that names the option and the expected values.
 class Command {
   public:
     Command(const std::string& name, const std::string& description);
 
-    /// Sets `value` to `sets`.
+    /// A flag: if it is given, `value` is set to `sets`.
     template <class T>
     Option flag(const std::string& names, T& value, const std::string& help,
                 std::type_identity_t<T> sets = true) const {
@@ -76,7 +76,7 @@ class Command {
     }
     /// A size such as 800M; K, M, G, T are powers of 1024. An initial value of 0 means no default.
     Option bytes(const std::string& names, std::uint64_t& value, const std::string& help) const;
-    /// One of the named values.
+    /// Accepts one of the names in the table and sets `value` to the value of that name.
     template <class T>
     Option choice(const std::string& names, T& value, NamedValues<T> table, const std::string& help) const {
         return choice(names, value, std::vector<std::pair<std::string, T>>(table.begin(), table.end()), help);
@@ -98,18 +98,20 @@ class Command {
     Option choices(const std::string& names, std::vector<std::string>& values,
                    const std::vector<std::string>& words, const std::string& help) const;
     Option list(const std::string& names, std::vector<std::string>& values, const std::string& help) const;
-    /// Two finite numbers, as one word, "1,2", or as two words.
+    /// Two finite numbers, given as one word, such as "1,2", or as two words.
     Option pair(const std::string& names, std::vector<double>& values, const std::string& help) const;
     /// --force, for commands that write files (see output_file).
     void force(bool& value) const;
     void version(const std::string& text) const;
     Option quiet() const;  ///< -q, for a program that has an action without a verb
 
-    /// The options that --help lists, by their last names, for a command with many; --help-all lists all.
+    /// For a command with many options: those that --help lists, each by the last of its names. --help-all
+    /// lists all options.
     void common(std::vector<std::string> names) const;
-    /// Paragraphs, examples and exit codes at the end of --help.
+    /// Sets the end of --help: paragraphs, examples and exit codes.
     void notes(const std::string& text) const;
-    /// Sets the action, which returns the exit code. It receives this command, to query its options.
+    /// Sets the action, which returns the exit code. The action receives this command, so that it can query
+    /// the options.
     void action(std::function<int(const Command&)> run) const;
     void action(std::function<int()> run) const;
     /// Adds a verb, with the options of all verbs: --help, -q, --json and --version (the program's).
@@ -120,11 +122,12 @@ class Command {
     /// from which the build makes the manual and the shell completions. Returns the exit code. Throws the
     /// actions' exceptions, and Error(usage) for an unknown option or verb, suggesting the most similar one.
     int run(const std::vector<std::string>& arguments) const;
-    /// Sets --`name` to these values, at least one, unless the command line sets it. Throws Error(usage) for
-    /// an unknown option or an invalid value; the message starts with `place`, such as a file.
+    /// Sets the option --`name` to these values (at least one) unless the command line sets it. Throws
+    /// Error(usage) for an unknown option or an invalid value; the message starts with `place`, such as a
+    /// file name.
     void give(const std::string& name, const std::vector<std::string>& values,
               const std::string& place) const;
-    bool given(const std::string& group) const;  ///< whether any option of the group was
+    bool given(const std::string& group) const;  ///< whether any option of the group was given
     DescribedCommand described() const;
 
   private:
@@ -145,7 +148,7 @@ class Command {
     std::shared_ptr<Node> node_;
 };
 
-/// The exit codes of both programs (Exit), for the end of --help. No program returns all of them.
+/// The exit codes of both programs (Exit), for the end of --help. Neither program returns all of them.
 std::string exit_codes_text();
 
 }  // namespace vantage

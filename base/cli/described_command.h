@@ -26,13 +26,13 @@ struct DescribedOption {
 struct DescribedCommand {
     std::string name;  ///< for a verb, without the program's name
     std::string description;
-    std::string notes;  ///< end of --help: paragraphs, examples, exit codes
+    std::string notes;  ///< the end of --help: paragraphs, examples, exit codes
     std::vector<DescribedOption> arguments, options;
     std::vector<DescribedCommand> verbs;
-    std::vector<std::string> common;  ///< options in the short form of --help; used only there
+    std::vector<std::string> common;  ///< options that the short form of --help lists; used only there
 };
 
-/// The headings of the options, in order of first appearance.
+/// The group headings of the options, in order of first appearance.
 std::vector<std::string> headings_of(const std::vector<DescribedOption>& options);
 
 /// The command as one line of JSON.

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t width = 80, indent = 26, max_examples = 6;
 
-/// Wraps words before column `width`. Lines after the first are indented by `left`, where the first line
-/// starts.
+/// Wraps words before column `width`. The first line starts at column `left`, and the following lines are
+/// indented to it.
 std::string wrapped(const std::string& text, std::size_t left) {
     std::istringstream words(text);
     std::string out, word;
@@ -48,7 +48,7 @@ std::string entry(const DescribedOption& o) {
     return entry(name, text);
 }
 
-/// The entry without its details, which follow the first semicolon outside parentheses.
+/// The entry without the details after the first semicolon outside parentheses.
 std::string short_entry(const DescribedOption& o) {
     DescribedOption out = o;
     int depth = 0;

@@ -5,13 +5,14 @@
 
 namespace vantage {
 
-/// "from 1 to 8", or "from 1 up".
+/// The limits of a number as text: "from 1 to 8" or "from 1 up".
 std::string limits_text(const DescribedOption& number);
 /// Label of an option's value in --help: "NUMBER (from 1 to 8, default 2)".
 std::string label_of(const DescribedOption& option);
 
-/// The text of --help, at most 80 columns wide except for examples. If the command has common options, lists
-/// only those and a few examples, unless `all`. `program`: the program's name for a verb, otherwise empty.
+/// The text of --help, at most 80 columns wide except for examples. If the command has common options, only
+/// those and a few examples are listed unless `all` is set. `program`: for a verb, the program's name;
+/// otherwise empty.
 std::string help_text(const DescribedCommand& command, const std::string& program, bool all);
 
 }  // namespace vantage

@@ -9,7 +9,7 @@
 namespace vantage {
 namespace {
 
-/// Escapes text so that roff prints it literally, with hyphens as typed.
+/// Escapes text so that roff prints it literally and leaves hyphens as typed.
 std::string roff_escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {

@@ -20,7 +20,7 @@ std::string duration(double seconds) {
     return fmt::format("{}:{:02} h", s / 3600, s / 60 % 60);
 }
 
-constexpr double measurable = 0.1;  ///< seconds before the rate is shown
+constexpr double measurable = 0.1;  ///< seconds that must pass before the rate is shown
 
 std::string rate(const Progress& p, double seconds) {
     if (p.done == 0 || p.done >= p.total || seconds < measurable) return {};

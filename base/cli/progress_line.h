@@ -7,10 +7,10 @@
 namespace vantage {
 
 /// How progress is shown: a bar that updates in place, plain lines, one JSON object per line, or not at all.
-/// `automatic`: a bar on a terminal, lines elsewhere, nothing with -q.
+/// `automatic` means a bar on a terminal, lines elsewhere, and nothing with -q.
 enum class ProgressStyle { automatic, bar, lines, json, none };
 
-/// Shows progress on stderr, with the rate and remaining time of the current stage.
+/// Shows progress on stderr, with the rate and the remaining time of the current stage.
 class ProgressLine {
   public:
     /// `seconds_between_lines`: minimum interval, for operations with many short steps.

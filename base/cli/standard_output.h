@@ -12,13 +12,13 @@ enum class OutputForm { lines, none, json };
 void choose_output(OutputForm form);
 OutputForm output_form();
 
-/// Standard output if the form is `lines`, otherwise a file that discards its content.
+/// Standard output if the form is `lines`, otherwise a file that discards everything written to it.
 std::FILE* text_output();
 
-/// The JSON object. Command adds the members common to all verbs.
+/// The JSON object that is printed if the form is `json`. Command adds the members common to all verbs.
 nlohmann::json& results();
 
-/// Prints results() in the form `json`.
+/// Prints results() if the form is `json`.
 void print_results(int exit_code);
 
 }  // namespace vantage

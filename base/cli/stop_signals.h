@@ -3,16 +3,17 @@
 
 namespace vantage {
 
-/// Effect of a stop signal on the work in flight.
+/// How a stop signal affects the work in flight.
 enum class InFlight {
-    /// The work is finished, after a notice. A second signal exits at once with Exit::interrupted, which is
+    /// A notice is printed and the work is finished. A second signal exits at once with Exit::interrupted,
+    /// which is
     /// safe because results are saved as they are made.
     finished,
-    abandoned  ///< System calls are interrupted, so that unfinished results can be removed.
+    abandoned  ///< system calls are interrupted, so that unfinished results can be removed
 };
 
-/// Installs handlers that set the returned flag, for SIGINT, SIGTERM and, unless it is ignored (as under
-/// nohup), SIGHUP.
+/// Installs handlers for SIGINT, SIGTERM and, unless it is ignored (as under nohup), SIGHUP. They set the
+/// returned flag.
 const std::atomic<bool>& stop_on_signals(InFlight work);
 
 }  // namespace vantage

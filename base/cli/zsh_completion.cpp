@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// Escapes text in single quotes for _arguments, where brackets and colons are special.
+/// Escapes single-quoted text for _arguments, in which brackets and colons are special.
 std::string argument_escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -17,7 +17,7 @@ std::string argument_escaped(const std::string& text) {
     return out;
 }
 
-/// The action with which _arguments completes a value: a list, a kind of file, or nothing.
+/// The action that tells _arguments how to complete a value: from a list, with a kind of file, or not at all.
 std::string action_of(const DescribedOption& o) {
     const std::string list = o.values.empty() ? "" : "(" + joined(o.values, " ") + ")";
     const std::string values =

@@ -3,8 +3,8 @@
 
 namespace vantage {
 
-/// Waits until a file, or the list of names in a folder, is on the disk. Does nothing if the file system does
-/// not support it.
+/// Waits until a file's content, or a folder's list of names, is on the disk. Does nothing if the file system
+/// does not support this.
 void flush_to_disk(const std::filesystem::path& path);
 
 }  // namespace vantage

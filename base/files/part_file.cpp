@@ -17,7 +17,7 @@
 namespace vantage {
 namespace {
 
-/// Whether the open file is the one that has this name.
+/// Whether the open file is still the one with this name.
 bool is_at(int fd, const std::filesystem::path& path) {
     struct stat opened {
     }, named{};
@@ -125,7 +125,7 @@ void PartFile::reserve(std::uint64_t bytes) const {
         errno = error;
         fail("reserve " + std::to_string((bytes >> 20) + 1) + " MiB");
     }
-    // A part may be longer if an interrupted run appended to it.
+    // An existing part may be longer than this, because an interrupted run appended to it.
     struct stat st {};
     const bool longer = ::fstat(fd_, &st) == 0 && std::uint64_t(st.st_size) > bytes;
     if (error != 0 || longer) resize(bytes);

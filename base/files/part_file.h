@@ -11,13 +11,13 @@ namespace vantage {
 std::filesystem::path part_of(const std::filesystem::path& file);
 /// The name of the file into which a part's chunks are packed if they are not yet at their final positions.
 std::filesystem::path packing_of(const std::filesystem::path& file);
-/// The new name of an existing part that has another layout.
+/// The name to which an existing part is moved if it has another layout.
 std::filesystem::path displaced_part_of(const std::filesystem::path& file);
 
-/// A file that is written as part_of(file), or under another name in the same folder, and renamed when it is
-/// complete. Only one process at a time can have it open; the lock ends with the process, even in a crash.
-/// Offsets and lengths are in bytes. Reading and writing are thread-safe. Functions throw Error(storage) if
-/// the system call fails.
+/// A file that is written as part_of(file), or under another name in the same folder, and is renamed when it
+/// is complete. Only one process at a time can have it open; the lock ends with the process, even if it
+/// crashes. Offsets and lengths are in bytes. Reading and writing are thread-safe. Functions throw
+/// Error(storage) if a system call fails.
 class PartFile {
   public:
     /// Creates the part or opens the existing one.
@@ -34,7 +34,7 @@ class PartFile {
     /// Copies from another file inside the kernel, sharing blocks if the file system can. Returns the number
     /// of bytes copied, which may be less than `length`.
     std::uint64_t copy(int from, std::uint64_t from_offset, std::uint64_t offset, std::uint64_t length) const;
-    /// Copies from another part, always the whole length.
+    /// Copies the whole length from another part.
     void copy(const PartFile& from, std::uint64_t from_offset, std::uint64_t offset,
               std::uint64_t length) const;
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
@@ -61,8 +61,9 @@ class PartFile {
     void discard();
     /// Flushes the file and its name to the disk.
     void flush_with_name() const;
-    /// Flushes to the disk, then renames to file(), so that a file with this name is always complete, and
-    /// flushes the folder, so that a power cut does not undo the renaming; deletes the displaced part.
+    /// Flushes the part to the disk, then renames it to file(), so that a file with this name is always
+    /// complete. Flushes the folder as well, so that a power cut does not undo the renaming, and deletes the
+    /// displaced part.
     void publish();
     /// True after publish() or discard().
     bool published() const { return fd_ < 0; }

@@ -26,15 +26,16 @@ struct PngRows::State {
     }
     static void ignore(png_structp, png_const_charp) {}
 
-    // Each of these returns false if libpng failed. They construct no objects, because errors jump out of
-    // them.
+    // Each of these functions returns false if libpng fails. They construct no objects, because libpng leaves
+    // them with longjmp on an error.
     bool begin(png_uint_32 width, png_uint_32 height, png_textp xmp) {
         if (setjmp(png_jmpbuf(png))) return false;
         png_init_io(png, out);
         png_set_user_limits(png, max_pixels, max_pixels);
         png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        // Takes a sixth of the time of the default level and filters, but files are a sixth larger.
+        // This takes a sixth of the time that the default level and filters take, but files are a sixth
+        // larger.
         png_set_compression_level(png, 1);
         png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
@@ -70,7 +71,7 @@ PngRows::PngRows(const std::filesystem::path& file, int width, int height, const
     if (!s.out) s.trouble = std::strerror(errno);
     s.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &s, State::note, State::ignore);
     if (s.png) s.info = png_create_info_struct(s.png);
-    // Keyword from Adobe's XMP specification, part 3.
+    // The keyword is from Adobe's XMP specification, part 3.
     std::string keyword = "XML:com.adobe.xmp", packet = xmp, none;
     png_text text{};
     text.compression = PNG_ITXT_COMPRESSION_NONE;

@@ -8,13 +8,13 @@
 namespace vantage {
 
 /// A PNG picture that is written row by row, so that its size is not limited by memory: RGBA, 8 bits, sRGB.
-/// Written to FILE.part-PID, which is renamed to the file at the end, or removed if the picture is not
-/// finished.
+/// It is written to FILE.part-RANDOM, which is renamed to the file at the end, or removed if the picture is
+/// not finished.
 class PngRows {
   public:
     static constexpr int max_pixels = 1'000'000;  ///< per side
 
-    /// `xmp`: an XMP packet of metadata, or empty. Throws Error(storage) if the file cannot be written.
+    /// `xmp`: metadata as an XMP packet, or empty. Throws Error(storage) if the file cannot be written.
     PngRows(const std::filesystem::path& file, int width, int height, const std::string& xmp = "");
     ~PngRows();
     PngRows(const PngRows&) = delete;

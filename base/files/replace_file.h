@@ -11,7 +11,8 @@ namespace vantage {
 /// when it is finished, so that readers see either the old or the new content; otherwise it is removed.
 class UnfinishedFile {
   public:
-    /// Creates FILE.part-RANDOM, empty, with the permissions `mode` less the umask. Throws Error(storage).
+    /// Creates an empty file FILE.part-RANDOM with the permissions in `mode` that the umask does not remove.
+    /// Throws Error(storage).
     explicit UnfinishedFile(const std::filesystem::path& file, unsigned mode = 0666);
     ~UnfinishedFile();
     UnfinishedFile(const UnfinishedFile&) = delete;
@@ -20,9 +21,10 @@ class UnfinishedFile {
     const std::filesystem::path& file() const { return file_; }
     /// The path to write to.
     const std::filesystem::path& part() const { return part_; }
-    /// Renames the file. Throws Error(storage) if that fails.
+    /// Renames the file. Throws Error(storage) if renaming fails.
     void finish() const;
-    /// Throws Error(storage) saying that the file cannot be written, with the reason unless that is empty.
+    /// Throws Error(storage) with the message that the file cannot be written, and with the reason unless it
+    /// is empty.
     [[noreturn]] void fail(const std::string& why) const;
 
   private:
@@ -35,7 +37,7 @@ inline constexpr std::string_view unfinished_mark = ".part-";
 /// Replaces a file atomically: after a crash or a power cut, it has either the old or the new content. On
 /// failure, throws Error(storage) and leaves the file unchanged.
 void replace_file(const std::filesystem::path& file, std::string_view text, unsigned mode = 0666);
-/// The same, with the output of `write`.
+/// Replaces the file with the output of `write` in the same way.
 void replace_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write,
                   unsigned mode = 0666);
 

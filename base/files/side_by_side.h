@@ -6,11 +6,11 @@
 
 namespace vantage {
 
-/// Amplification of differences in side_by_side, to make small ones visible.
+/// The factor by which side_by_side amplifies differences, so that small ones are visible.
 inline constexpr int shown_gain = 8;
 
-/// Two RGBA8 pictures of the same size and `shown_gain` times the absolute difference of their colors
-/// (opaque), from left to right: a picture of 3 * width pixels per row.
+/// One picture, 3 * width pixels wide. From left to right, it shows two RGBA8 pictures of the same size and,
+/// opaque, the absolute difference of their colors times `shown_gain`.
 std::vector<std::uint8_t> side_by_side(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b,
                                        std::size_t width);
 

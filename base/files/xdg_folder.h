@@ -3,8 +3,9 @@
 
 namespace vantage {
 
-/// The folder "vantage" in the folder named by a variable such as XDG_CACHE_HOME, or else in
-/// HOME/`below_home`, such as .cache (XDG Base Directory Specification). Empty if neither is set.
+/// The folder "vantage" in the folder that a variable such as XDG_CACHE_HOME names (XDG Base Directory
+/// Specification). If the variable is not set, the folder is in `below_home`, such as .cache, below HOME.
+/// Empty if neither variable is set.
 std::filesystem::path xdg_folder(const char* variable, const char* below_home);
 
 }  // namespace vantage

@@ -36,7 +36,7 @@ bool has_extension(const char* list, const char* name) { return list && std::str
 /// libepoxy terminates the process if it cannot load a library, so loading is tested first.
 bool loads(const char* library) { return ::dlopen(library, RTLD_LAZY | RTLD_LOCAL) != nullptr; }
 
-/// The OpenGL libraries that cannot be loaded; empty if all can.
+/// The OpenGL libraries that cannot be loaded; empty if all of them can.
 std::string missing_libraries() {
     if (!loads("libEGL.so.1")) return "libEGL.so.1";
     return loads("libOpenGL.so.0") || loads("libGL.so.1") ? "" : "libOpenGL.so.0 or libGL.so.1";
@@ -63,7 +63,7 @@ Devices listed_devices() {
     return out;
 }
 
-/// EGL devices, hardware before software, so that a GPU is found without a display server.
+/// The EGL devices, hardware before software. They make it possible to find a GPU without a display server.
 std::vector<EGLDeviceEXT> hardware_first() {
     Devices all = listed_devices();
     all.hardware.insert(all.hardware.end(), all.software.begin(), all.software.end());
@@ -137,8 +137,8 @@ Device current_device() {
 
 namespace {
 
-/// The first serious message since the last check(), stored because exceptions must not propagate through the
-/// driver.
+/// The first serious message since the last check(). It is stored because exceptions must not propagate
+/// through the driver.
 thread_local std::string pending;
 
 void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* text,

@@ -7,11 +7,11 @@ namespace vantage::gl {
 /// Whether the driver reports errors as they happen, for check() to throw. This slows drawing.
 enum class Debug { off, on };
 
-/// On if the environment variable VANTAGE_DEBUG_GL is set and not "0"; the tests set it.
+/// On if the environment variable VANTAGE_DEBUG_GL is set to anything but "0"; the tests set it.
 Debug debug_from_environment();
 
-/// A headless OpenGL 4.5 core context, current on the thread that made it. Tries EGL's hardware devices, then
-/// its software devices, then surfaceless Mesa. Throws Failure if none of them provides a context.
+/// A headless OpenGL 4.5 core context, current on the thread that created it. Tries EGL's hardware devices,
+/// then its software devices, then surfaceless Mesa. Throws Failure if none of them provides a context.
 class HeadlessContext {
   public:
     explicit HeadlessContext(Debug debug = debug_from_environment());
@@ -23,7 +23,7 @@ class HeadlessContext {
     std::unique_ptr<State> state_;
 };
 
-/// True if EGL lists a hardware device. Quick: creates no context.
+/// True if EGL lists a hardware device. This is quick, because it creates no context.
 bool has_hardware();
 
 /// Properties of the current context.
@@ -34,13 +34,13 @@ struct Device {
 Device current_device();
 
 /// Records the current context's first error or high-severity message for check() on this thread. Drivers may
-/// send none unless the context was created with the debug flag.
+/// send no messages unless the context was created with the debug flag.
 void watch_errors();
 
 /// Clears pending errors, which other users of the context may have caused.
 void forget_errors();
 
-/// Throws Failure naming `where` if an OpenGL error or a recorded message is pending, and clears both.
+/// If an OpenGL error or a recorded message is pending, clears both and throws Failure naming `where`.
 void check(const char* where);
 
 }  // namespace vantage::gl

@@ -7,7 +7,8 @@
 namespace vantage::gl {
 namespace {
 
-/// Bytes of live objects by name, on the context's thread. OpenGL names textures and buffers independently.
+/// The sizes in bytes of live objects, by name, on the context's thread. In OpenGL, a texture and a buffer
+/// may have the same name.
 struct Ledger {
     std::unordered_map<GLuint, std::uint64_t> textures, buffers;
     std::uint64_t held = 0;

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-/// Self-releasing OpenGL objects. They are move-only, created by direct state access on the context's thread,
-/// and labeled for debuggers. The context must outlive them.
+/// Self-releasing OpenGL objects. They are move-only, are created with direct state access on the context's
+/// thread, and are labeled for debuggers. The context must outlive them.
 namespace vantage::gl {
 
 template <auto Release>
@@ -50,27 +50,27 @@ using VertexArray = Handle<&release_vertex_array>;
 using Query = Handle<&release_query>;
 using Program = Handle<&release_program>;
 
-/// Bytes of all live textures and buffers that the functions below created on this thread.
+/// The total size in bytes of all live textures and buffers that the functions below created on this thread.
 std::uint64_t memory_held();
 
-/// Immutable storage of `bytes` bytes, copied from `data` or, if null, undefined. `flags` as in
-/// glNamedBufferStorage.
+/// A buffer with immutable storage of `bytes` bytes, copied from `data` or, if `data` is null, uninitialized.
+/// `flags`: as for glNamedBufferStorage.
 Buffer make_buffer(const char* label, std::size_t bytes, const void* data = nullptr, GLbitfield flags = 0);
 
-/// 2D texture of one level with immutable storage, clamped at its edges.
+/// A 2D texture with one level and immutable storage, clamped at its edges.
 Texture make_texture_2d(const char* label, GLenum format, int width, int height, GLenum filter = GL_NEAREST);
-/// Array texture of one level with immutable storage, clamped at its edges.
+/// An array texture with one level and immutable storage, clamped at its edges.
 Texture make_texture_array(const char* label, GLenum format, int width, int height, int layers,
                            GLenum filter = GL_LINEAR);
 /// One layer of an array texture of this format, as a 2D texture that shares its storage and keeps it alive.
 Texture make_layer_view(const char* label, const Texture& array, GLenum format, int layer);
-/// Framebuffer of the given color textures (in order of attachment, 8 at most) and depth texture (0 for
-/// none); layered if they are array textures. Throws Failure if it is incomplete.
+/// A framebuffer with the given color textures (in order of attachment, 8 at most) and depth texture (0 for
+/// none). It is layered if they are array textures. Throws Failure if it is incomplete.
 Framebuffer make_framebuffer(const char* label, std::span<const GLuint> colors, GLuint depth);
-/// Framebuffer of one layer of an array texture. Throws Failure if it is incomplete.
+/// A framebuffer with one layer of an array texture. Throws Failure if it is incomplete.
 Framebuffer make_layer_framebuffer(const char* label, const Texture& array, int layer);
 VertexArray make_vertex_array(const char* label);
-/// `target`: as in glCreateQueries.
+/// `target`: as for glCreateQueries.
 Query make_query(GLenum target);
 
 /// Feeds `attribute` with `components` floats per vertex from `buffer`, one vertex every `stride` bytes.

@@ -6,11 +6,11 @@
 
 namespace vantage {
 
-/// The name as UTF-8. A name that is not UTF-8 is decoded as Windows-1252, a superset of Latin-1.
+/// The name in UTF-8. A name that is not UTF-8 is decoded as Windows-1252, a superset of Latin-1.
 std::string utf8_name(std::string_view name);
 
-/// Normalizes a name for comparison: decomposed Unicode (as macOS stores names), folded case, `/` for `\`.
-/// Not for display.
+/// Normalizes a name for comparison: decomposes Unicode (as macOS does), folds case, and replaces `\` with
+/// `/`. Not for display.
 std::string comparable_name(std::string_view name);
 
 /// The entries of a folder whose comparable_name() equals that of `name`; empty if the folder cannot be

@@ -10,8 +10,8 @@ namespace vantage {
 /// compile, so it is compiled only here.
 nlohmann::json json_of(std::string_view text);
 
-/// The strings of a list in an object. Items of another type become empty strings; an object without the list
-/// has none.
+/// The strings in a list that is a member of an object. Items of another type become empty strings; without
+/// the list, there are no strings.
 std::vector<std::string> texts_in(std::string_view object, const char* list);
 
 /// Formats JSON, indented, or as one line if `indent` is negative. Bytes that are not UTF-8 are replaced.

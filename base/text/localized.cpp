@@ -11,9 +11,9 @@
 namespace vantage {
 namespace {
 
-constexpr char begin = '\1', end = '\2';  ///< marks around a number with a fraction
+constexpr char begin = '\1', end = '\2';  ///< marks before and after a number with a fraction
 
-/// The format with marks around the conversions of such numbers.
+/// The format with these marks around the conversions for numbers with a fraction, such as "%.1f".
 std::string with_marks(std::string_view format) {
     std::string out;
     while (!format.empty()) {

@@ -13,9 +13,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double farthest = 1e12;  ///< input units; beyond this, positions have no precision left
+constexpr double farthest = 1e12;  ///< input units; positions farther out have no precision left
 
-/// A value in a message, in one short line.
+/// A value as shown in a message: one short line.
 std::string shown(const json& value) {
     if (value.is_object()) return "an object";
     if (value.is_array()) return "an array of " + std::to_string(value.size());

@@ -22,25 +22,26 @@ class LocatedJson {
     /// "notes[2].view: "
     std::string place() const;
 
-    /// Expects an object; reports keys other than these.
+    /// Expects an object. Adds keys other than these to the list of unknown keys.
     void expect_object(std::initializer_list<std::string_view> known) const;
     bool has(const char* key) const;
     /// Expects the object to have the key.
     LocatedJson at(const char* key) const;
     /// Expects an array of at most `most` items.
     std::vector<LocatedJson> items(std::size_t most) const;
-    /// Expects an object of at most `most` keys.
+    /// Expects an object with at most `most` keys.
     std::vector<std::pair<std::string, LocatedJson>> entries(std::size_t most) const;
 
     bool is_object() const;
     bool is_text() const;
     bool is_true() const;
     bool is_null() const;
-    /// A string of at most `most` bytes without control characters, except line feeds if `lines`.
+    /// Expects a string of at most `most` bytes without control characters; line feeds are permitted if
+    /// `lines` is set.
     std::string text(std::size_t most, bool lines = false) const;
-    /// A finite number within the range.
+    /// Expects a finite number within the range.
     double number(double low, double high) const;
-    /// An array of three numbers of magnitude at most 1e12.
+    /// Expects an array of three numbers whose magnitudes are at most 1e12.
     Eigen::Vector3d vector() const;
 
   private:
@@ -53,8 +54,8 @@ class LocatedJson {
     std::string path_;
 };
 
-/// Parses a file's text. Throws Error(input) if it is not JSON or not UTF-8, is nested deeper than `depth`,
-/// or repeats a key in an object.
+/// Parses a file's text. Throws Error(input) if the text is not JSON or not UTF-8, if it is nested more than
+/// `depth` levels deep, or if a key appears twice in an object.
 nlohmann::json parsed_json(const std::string& text, const std::string& file, int depth = 64);
 
 }  // namespace vantage

@@ -6,7 +6,8 @@
 
 namespace vantage {
 
-/// A file name's extension with its dot, ASCII letters in lower case; empty if it has none.
+/// A file name's extension with its dot and with ASCII letters in lower case; empty if the name has no
+/// extension.
 inline std::string lower_extension(const std::filesystem::path& file) {
     return lower_case(file.extension().string());
 }

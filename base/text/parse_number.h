@@ -21,9 +21,9 @@ std::optional<T> parse_not_finite(std::string_view text) {
     return {};
 }
 
-/// Parses the whole of `text` as a number, independent of the locale. Accepts the forms that other programs
-/// write: "+1.5", "1e-400" (0), and for integers also "331.0" and "1e3". Returns false and leaves `value`
-/// unchanged if it is not a number or does not fit T.
+/// Parses the whole of `text` as a number, independently of the locale. Accepts forms that other programs
+/// write: "+1.5", "1e-400" (which becomes 0), and for integers also "331.0" and "1e3". Returns false and
+/// leaves `value` unchanged if it is not a number or does not fit T.
 template <class T>
 bool parse_number(std::string_view text, T& value) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
@@ -51,7 +51,8 @@ bool parse_number(std::string_view text, T& value) {
     }
 }
 
-/// Parses a number that consists only of decimal digits; empty for anything else and beyond 64 bits.
+/// Parses a number that consists only of decimal digits; empty for anything else and for numbers that exceed
+/// 64 bits.
 inline std::optional<std::uint64_t> parse_digits(std::string_view digits) {
     std::uint64_t number = 0;
     const bool only = digits.find_first_not_of("0123456789") == digits.npos && parse_number(digits, number);

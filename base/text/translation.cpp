@@ -16,7 +16,7 @@ namespace vantage {
 namespace {
 
 constexpr const char* domain = "vantage";
-constexpr char context_end = '\4';  ///< as in gettext catalogs
+constexpr char context_end = '\4';  ///< ends the context, as in gettext catalogs
 
 /// bin/../share/locale in an installation or a build folder.
 std::filesystem::path catalogs() {
@@ -30,8 +30,8 @@ std::string variable(const char* name) {
     return value ? value : "";
 }
 
-/// gettext follows LANGUAGE in every locale but C. Before glibc 2.39, this includes C.UTF-8, which always
-/// exists.
+/// gettext follows LANGUAGE in every locale but C. Before glibc 2.39, it does so in C.UTF-8 as well, which
+/// always exists.
 void use_locale_with_languages() {
     for (const char* name : {"", "en_US.UTF-8", "en_GB.UTF-8", "de_DE.UTF-8", "fr_FR.UTF-8"}) {
         const char* const taken = std::setlocale(LC_MESSAGES, name);

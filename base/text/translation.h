@@ -4,12 +4,12 @@
 #include <vector>
 
 /// Translates the window's texts with gettext. English texts are the keys of the catalogs in languages/,
-/// which are installed in share/locale, next to the programs' folder. For use on one thread.
+/// which are installed in share/locale, next to the programs' folder. All calls must be made on one thread.
 namespace vantage {
 
 /// Marks a text for the catalogs; it is translated where it is shown.
 constexpr const char* marked(const char* text) { return text; }
-/// Marks a text that has several meanings: the context distinguishes them in the catalogs and is not shown.
+/// Marks a text that has several meanings. The context distinguishes them in the catalogs; it is not shown.
 #define MARKED_IN(context, text) context "\004" text
 /// The text without its context, if it has one.
 const char* without_context(const char* text);
@@ -19,17 +19,17 @@ const char* without_context(const char* text);
 [[gnu::format_arg(1)]] const char* tr(const char* text);
 /// Translates a text in a context.
 [[gnu::format_arg(2)]] const char* tr_in(const char* context, const char* text);
-/// The translated singular or plural, according to the language's rules.
+/// The translated singular or plural, according to the rules of the language.
 [[gnu::format_arg(1), gnu::format_arg(2)]] const char* tr_count(const char* one, const char* several,
                                                                 std::size_t count);
 
 /// Selects a language, such as "de"; "de-AT" uses the catalog of "de". A language without a catalog selects
 /// English.
 void use_language(const std::string& language);
-/// Codes of the languages that have a catalog, and English.
+/// The codes of English and of the languages that have a catalog.
 std::vector<std::string> languages_of_window();
-/// The language of the environment (LC_ALL, LC_MESSAGES, LANG; then LANGUAGE), such as "de-AT"; empty if
-/// there is none.
+/// The language that the environment sets (LC_ALL, LC_MESSAGES, LANG; then LANGUAGE), such as "de-AT"; empty
+/// if it sets none.
 std::string system_language();
 
 }  // namespace vantage

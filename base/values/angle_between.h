@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// The angle between two vectors of any length, in radians; accurate for small angles as well.
+/// The angle in radians between two vectors of any length; accurate for small angles as well.
 template <class A, class B>
 typename A::Scalar angle_between(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));

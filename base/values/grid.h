@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// A view of `width` x `height` elements, stored row by row, top row first. Does not own the elements and
+/// A view of `width` x `height` elements, stored row by row, top row first. It does not own the elements and
 /// does not check bounds.
 template <class T>
 struct Grid {

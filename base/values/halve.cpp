@@ -14,7 +14,7 @@ namespace {
 
 constexpr int linear_bits = 14;
 
-/// Tables from sRGB bytes to 14-bit linear light, and back.
+/// Tables that convert sRGB bytes to 14-bit linear light, and back.
 struct SrgbTables {
     std::array<std::uint16_t, 256> linear;
     std::vector<std::uint8_t> srgb;

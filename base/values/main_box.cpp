@@ -10,7 +10,7 @@
 namespace vantage {
 namespace {
 
-constexpr double stray_ratio = 20;  ///< ratio of distances; vertices within it cost little precision
+constexpr double stray_ratio = 20;  ///< ratio of distances; vertices within it reduce precision only slightly
 
 std::vector<std::uint32_t> vertices_in_use(std::size_t vertices,
                                            std::span<const std::array<std::uint32_t, 3>> triangles) {
@@ -24,7 +24,7 @@ std::vector<std::uint32_t> vertices_in_use(std::size_t vertices,
     return out;
 }
 
-/// Distance of each vertex from the median of each coordinate, the largest of the three axes.
+/// For each vertex, the largest of its distances from the medians of the three coordinates.
 std::vector<double> distances_from_median(std::span<const Eigen::Vector3d> positions,
                                           std::span<const std::uint32_t> vertices) {
     std::vector<double> out(vertices.size(), 0), values(vertices.size());
@@ -43,8 +43,8 @@ std::size_t max_strays(std::size_t vertices) {
 }
 
 /// Proves cheaply, without medians, that no vertex is a stray: along the longest axis, the outer 45 % at each
-/// end hold more vertices than may be strays. Wherever the median is, one end is at least 5 % of the length
-/// away from it, and no vertex is more than 20 times as far.
+/// end contain more vertices than the number of permitted strays. Wherever the median is, the vertices at one
+/// end are at least 5 % of the length away from it, and no vertex is more than 20 times as far away.
 bool fills_both_ends(std::span<const Eigen::Vector3d> positions, std::span<const std::uint32_t> vertices) {
     constexpr double share = 0.5 - 1 / stray_ratio;
     Eigen::AlignedBox3d box;

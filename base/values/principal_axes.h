@@ -4,7 +4,8 @@
 
 namespace vantage {
 
-/// Eigenvalues of a symmetric matrix, ascending, and its unit eigenvectors, as columns in the same order.
+/// The eigenvalues of a symmetric matrix in ascending order, and its unit eigenvectors as columns in the same
+/// order.
 struct PrincipalAxes {
     Eigen::Vector3d values;
     Eigen::Matrix3d axes;

@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// The state of a long operation.
+/// The progress of a long operation.
 struct Progress {
     const char* stage;
     std::string photo;  ///< name of the photo or other item; empty if the step concerns the whole scene

@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// The value at rank floor(share (n - 1)) of the n sorted values, `share` in [0, 1]; if n is even, 0.5 gives
-/// the lower of the two middle values. 0 if there are none.
+/// The value at rank floor(share (n - 1)) of the n sorted values; `share` is in [0, 1]. If n is even, a share
+/// of 0.5 gives the lower of the two middle values. Returns 0 if there are no values.
 template <class T>
 double quantile(std::vector<T> values, double share) {
     if (values.empty()) return 0;
@@ -17,8 +17,8 @@ double quantile(std::vector<T> values, double share) {
     return double(*at);
 }
 
-/// The median, or the upper of the two middle values of an even number; 0 if there are none. Reorders the
-/// values.
+/// The median, or the upper of the two middle values if their number is even; 0 if there are no values.
+/// Reorders the values.
 template <class T>
 T upper_median(std::span<T> values) {
     if (values.empty()) return 0;
@@ -27,8 +27,8 @@ T upper_median(std::span<T> values) {
     return *middle;
 }
 
-/// Jackknife standard error of an estimate, from its differences from the n estimates that each omit part of
-/// the data: sqrt((n - 1) / n sum(d^2)); 0 if there are none.
+/// The jackknife standard error of an estimate: sqrt((n - 1) / n sum(d^2)), where d are its differences from
+/// n estimates that each omit part of the data. Returns 0 if there are no differences.
 inline double jackknife_error(std::span<const double> distances) {
     const double n = double(distances.size());
     double squares = 0;

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// RGBA8, sRGB, straight alpha; top row first.
+/// An RGBA8 image: sRGB, straight alpha, top row first.
 struct RgbaImage {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;

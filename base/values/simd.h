@@ -2,16 +2,17 @@
 #include <cstdint>
 #include <cstring>
 
-/// Marks a function that loops over pixels. It is compiled for AVX2 and for the baseline, and the version is
-/// selected at program start. Both give bit-identical results, because AVX2 alone, without FMA, has no fused
-/// multiply-add. Disabled under sanitizers, which initialize after that selection.
+/// Marks a function that loops over pixels. It is compiled both for AVX2 and for the baseline; one version is
+/// selected at program start. The two versions give bit-identical results, because AVX2 without FMA has no
+/// fused multiply-add. This is disabled under sanitizers, which are initialized after that selection.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(VANTAGE_SANITIZED)
 #define VANTAGE_SIMD __attribute__((target_clones("avx2", "default")))
 #else
 #define VANTAGE_SIMD
 #endif
 
-/// Marks a function called in such a loop: it must be inlined to be compiled for the same instruction set.
+/// Marks a function called in such a loop. It must be inlined so that it is compiled for the same instruction
+/// set.
 #define VANTAGE_INLINE __attribute__((always_inline)) inline
 
 namespace vantage {

@@ -9,7 +9,7 @@ inline constexpr int tile_size = 256;                             ///< texels pe
 inline constexpr int tile_border = 4;                             ///< texels repeated from the neighbors
 inline constexpr int tile_content = tile_size - 2 * tile_border;  ///< texels without the border
 
-/// Bytes of a stored tile of 4-byte texels (RGBA8 color, RGBA8 weight maps, R32F depth alike).
+/// Size in bytes of a stored tile of 4-byte texels (RGBA8 color, RGBA8 weight maps or R32F depth).
 inline constexpr std::size_t tile_bytes = std::size_t(tile_size) * tile_size * 4;
 
 /// One level of a pyramid. Level l is ceil(width / 2^l) by ceil(height / 2^l) texels, so that a full-size
@@ -46,7 +46,7 @@ inline TilePart inner_part(const Level& level, std::size_t tile) {
             level.height - y < tile_size ? level.height - y : tile_size};
 }
 
-/// Number of levels, down to the first that fits in one tile.
+/// Number of levels, from full size to the first level that fits in one tile.
 inline int level_count(int width, int height) {
     int n = 1;
     while (level_size(width, height, n - 1).tiles() > 1) ++n;
@@ -56,7 +56,7 @@ inline int level_count(int width, int height) {
 /// Weight maps and depth are stored from this pyramid level (half size) to the coarsest.
 inline constexpr int weight_map_level = 1;
 
-/// One past the coarsest level of weight maps and depth of a photo with `levels` levels.
+/// One past the coarsest level at which a photo with `levels` levels has weight maps and depth.
 inline int weight_map_levels_end(int levels) {
     return levels > weight_map_level ? levels : weight_map_level + 1;
 }

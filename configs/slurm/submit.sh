@@ -2,9 +2,9 @@
 # Prepares one package on a Slurm cluster: a job array with one shard of the photos per job, followed by a merge.
 #   configs/slurm/submit.sh INPUT PACKAGE SHARDS [OPTIONS OF vantage prepare]
 #   configs/slurm/submit.sh scans/chapel chapel.vantage 8 --max-photo-size 4000
-# INPUT and PACKAGE must be on a file system shared by all nodes. $VANTAGE: the program, if not on the PATH.
-# $SBATCH_OPTIONS: options for all jobs, such as "--partition=night --time=8:00:00". Interrupted jobs continue
-# when submitted again. Prints the job ID of the merge: 'srun --dependency=afterany:ID true' waits for it.
+# INPUT and PACKAGE must be on a file system shared by all nodes. $VANTAGE: the program, if it is not on the
+# PATH. $SBATCH_OPTIONS: options for all jobs, such as "--partition=night --time=8:00:00". Interrupted jobs
+# continue when submitted again. Prints the merge's job ID; 'srun --dependency=afterany:ID true' waits for it.
 set -euo pipefail
 if [ $# -lt 3 ]; then
   sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
