@@ -10,15 +10,15 @@
 namespace vantage {
 namespace {
 
-constexpr double scale = 0.12;         ///< scale of the robust weights, ln of linear light
-constexpr double initial_scale = 0.6;  ///< halved with every iteration down to `scale`
+constexpr double scale = 0.12;         ///< scale of the robust weights, in ln of linear light
+constexpr double initial_scale = 0.6;  ///< halved in every iteration until it reaches `scale`
 constexpr int iterations = 5;
-constexpr int min_photos = 3;  ///< photos per lens needed to separate vignetting from the subject
+constexpr int min_photos = 3;  ///< photos per lens that are needed to separate vignetting from the subject
 constexpr double max_gain = 4;
-constexpr double min_corner = 0.05, max_corner = 0.6;  ///< fraction of the light lost in the corner
-constexpr double min_improvement = 0.02;  ///< minimum relative reduction of the cost by vignetting
+constexpr double min_corner = 0.05, max_corner = 0.6;  ///< fraction of light lost in the corner
+constexpr double min_improvement = 0.02;  ///< the relative amount by which vignetting must reduce the cost
 
-/// The unknowns, and the number of vignetting terms per lens.
+/// The unknowns of the fit, and the number of vignetting terms per lens.
 struct Model {
     Eigen::MatrixXd gain;        ///< photos x 3
     Eigen::VectorXd vignetting;  ///< 3 per lens
@@ -58,23 +58,24 @@ void each_residual(const SharedDiscs& obs, const Model& m, const std::vector<dou
     });
 }
 
-/// Cauchy cost of a model at the final scale.
+/// The Cauchy cost of a model at the final scale.
 double cost(const SharedDiscs& obs, const Model& m, const std::vector<double>& weights) {
     double sum = 0;
     each_residual(obs, m, weights, [&](std::size_t, double e2) { sum += std::log1p(e2 / (scale * scale)); });
     return sum;
 }
 
-/// Weighted normal equations with the discs' colors eliminated. A, B and C are the same for all channels.
+/// The weighted normal equations after the discs' colors have been eliminated. A, B and C are the same for
+/// all channels.
 struct Normal {
-    Eigen::MatrixXd A;  ///< photos x photos; only the lower triangle
+    Eigen::MatrixXd A;  ///< photos x photos; only the lower triangle is set
     Eigen::MatrixXd B;  ///< photos x vignetting
     Eigen::MatrixXd C;  ///< vignetting x vignetting
     Eigen::MatrixXd b;  ///< photos x 3
     Eigen::MatrixXd d;  ///< vignetting x 3
 };
 
-/// An observation's contribution: its weight, and its weighted features and values.
+/// An observation's contribution to the normal equations: its weight, and its weighted features and values.
 struct WeightedObservation {
     Eigen::Index photo, lens;  ///< row of the gain, first row of the vignetting
     double weight;
@@ -92,7 +93,7 @@ WeightedObservation weighted(const Observation& o, double weight, const Model& m
     return w;
 }
 
-/// Sum of a disc's weighted features over the photos of one lens.
+/// The sum of a disc's weighted features over the photos taken with one lens.
 struct LensSum {
     Eigen::Index lens;
     Eigen::Vector3d features;
@@ -147,7 +148,8 @@ Normal normal_equations(const SharedDiscs& obs, const Model& m, const std::vecto
 
 void solve(const SharedDiscs& obs, const std::vector<double>& weights, Model& m) {
     Normal n = normal_equations(obs, m, weights);
-    // Regularizes the null space: each component's mean, and photos and lenses without observations.
+    // Regularizes the null space, which consists of each component's mean and of photos and lenses without
+    // observations.
     const double ridge = 1e-7 * (n.A.trace() / double(n.A.rows()) + 1);
     n.A.diagonal().array() += ridge;
     n.C.diagonal().array() += ridge;
@@ -160,7 +162,7 @@ void solve(const SharedDiscs& obs, const std::vector<double>& weights, Model& m)
         for (int t = m.terms[l]; t < 3; ++t) m.vignetting[3 * Eigen::Index(l) + t] = 0;
 }
 
-/// The model's weights at a scale; the discs' colors are means under the weights `before`.
+/// The model's robust weights at a scale; each disc's color is the mean weighted by `before`.
 std::vector<double> robust_weights(const SharedDiscs& obs, const Model& m, const std::vector<double>& before,
                                    double at) {
     std::vector<double> weights(before.size());
@@ -177,7 +179,7 @@ void iterate(const SharedDiscs& obs, Model& m, std::vector<double>& weights, dou
     }
 }
 
-/// Whether the vignetting increases outward and is within its bounds in the corner.
+/// Whether the vignetting increases outward and its value in the corner is within the bounds.
 bool is_plausible(const Vignetting& f) {
     double before = 0;
     for (int i = 1; i <= 64; ++i) {
@@ -195,8 +197,8 @@ std::vector<int> photos_of(std::span<const std::uint32_t> lens, std::size_t lens
     return count;
 }
 
-/// Fits vignetting with as many terms as remain plausible for every lens; without vignetting if it does not
-/// help.
+/// Fits vignetting, for each lens with as many terms as give a plausible result. If vignetting does not help,
+/// the model remains without it.
 void fit_vignetting(const SharedDiscs& obs, Model& m, std::vector<double>& weights) {
     const Model without = m;
     const double cost_without = cost(obs, m, weights);
@@ -227,8 +229,8 @@ void center_gains(Model& m, const std::vector<std::uint32_t>& component,
     m.gain = m.gain.cwiseMax(-std::log(max_gain)).cwiseMin(std::log(max_gain));
 }
 
-/// Medians of the differences between consecutive photos of each disc, taken cyclically: over all discs, and
-/// per photo.
+/// Measures the color differences between consecutive photos of each disc, the last and the first included.
+/// Sets their median over all discs and the median for each photo.
 void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<double>& of_photo) {
     std::vector<float> differences;
     std::vector<std::vector<float>> by_photo(of_photo.size());

@@ -8,16 +8,16 @@
 
 namespace vantage {
 
-// Joint estimates are made per image set, as if the photos of other image sets had no pixels.
+// Joint estimates are made for each image set separately, as if the photos of other image sets had no pixels.
 
-/// One more than the highest image set number of any photo.
+/// The highest image set number of any photo, plus one.
 std::uint32_t image_set_count(std::span<const package::PhotoRecord> photos);
 
-/// The photo records; photos of other image sets have no levels.
+/// The photo records, in which photos of other image sets have no levels.
 std::vector<package::PhotoRecord> records_of_image_set(std::span<const package::PhotoRecord> photos,
                                                        std::uint32_t image_set);
 
-/// The samples; photos of other image sets have none.
+/// The samples of the photos; photos of other image sets have none.
 std::vector<std::span<const package::SampleRecord>> samples_of_image_set(
     Samples samples, std::span<const package::PhotoRecord> photos, std::uint32_t image_set);
 

@@ -68,7 +68,7 @@ void SharedSurface::compare(PhotoPair& pair) const {
     pair.color = quantile(std::move(colors), 0.5);
 }
 
-/// The pair, compared on first use.
+/// The pair with its angle and color difference, which are computed on first use.
 PhotoPair SharedSurface::compared(const PhotoPair& pair) const {
     const std::pair key(pair.a, pair.b);
     {
@@ -90,7 +90,7 @@ std::vector<PhotoPair> SharedSurface::most_shared(std::uint32_t a, std::size_t c
             pairs.push_back({std::min(a, b), std::max(a, b), n});
     std::ranges::stable_sort(pairs, std::greater{}, &PhotoPair::shared);
     pairs.resize(std::min(pairs.size(), count));
-    // Angles are more expensive than counts, so they are computed only for candidates.
+    // Angles take longer to compute than counts, so they are computed only for candidates.
     for (PhotoPair& p : pairs) p = compared(p);
     return pairs;
 }

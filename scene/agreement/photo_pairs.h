@@ -16,15 +16,16 @@ namespace vantage {
 struct PhotoPair {
     std::uint32_t a, b;    ///< a < b
     std::uint32_t shared;  ///< number of discs that both photos show
-    double angle = 0;      ///< median angle between their rays to those discs, radians
+    double angle = 0;      ///< median angle between the two photos' rays to those discs, radians
     double color = 0;      ///< median |ln ratio| of linear light, mean of the channels
 };
 
-/// A score that favors much common surface and similar directions.
+/// A score that favors pairs with much common surface and similar viewing directions.
 double worth(const PhotoPair& pair);
 
 /// Finds photos that see the same part of the surface. Photos of different image sets are never paired,
-/// because their colors cannot be compared. The spans must outlive the object.
+/// because the colors of different image sets cannot be compared. The data of the spans must outlive the
+/// object.
 class SharedSurface {
   public:
     /// Shared discs are counted with bit operations; angles and colors are computed only for candidates.
@@ -32,11 +33,12 @@ class SharedSurface {
                   std::span<const SurfaceDisc> discs);
 
     std::size_t photos() const { return seen_.size(); }
-    /// Up to `count` pairs with `photo` that have the most surface in common (at least 30 discs), in
-    /// descending order; ties are ordered by the other photo.
+    /// Up to `count` pairs of `photo` with the photos that have the most surface in common with it (at least
+    /// 30 discs), in descending order; ties are ordered by the other photo's number.
     std::vector<PhotoPair> most_shared(std::uint32_t photo, std::size_t count) const;
-    /// Up to `count` pairs with `photo` that have the most surface in common, seen from similar directions,
-    /// best first. They are selected from the `candidates_of(count)` pairs with the most surface in common.
+    /// Up to `count` pairs of `photo` with the photos that see the most of the same surface from similar
+    /// directions, best first. They are selected from the `candidates_of(count)` pairs with the most surface
+    /// in common.
     std::vector<PhotoPair> best_pairs(std::uint32_t photo, std::size_t count) const;
     static std::size_t candidates_of(std::size_t count) { return 4 * count; }
 

@@ -11,35 +11,37 @@
 
 namespace vantage {
 
-/// The finest level with at most `long_side` texels on its longer side that has weight maps, or the coarsest.
+/// The finest level that has weight maps and at most `long_side` texels on its longer side; if there is none,
+/// the coarsest level.
 int coarse_level(const package::PhotoRecord& record, int long_side);
 
-/// Copies a tile without its border to the level's `out`, width * height texels of 4 bytes. `texels`: the
-/// packed texels of the tile's part `given`, which must contain that area.
+/// Copies a tile without its border to its place in `out`, which holds the level's width * height texels of 4
+/// bytes. `texels`: the packed texels of the part `given` of the tile, which must contain the tile without
+/// its border.
 void copy_content(std::span<const std::byte> texels, const TilePart& given, const Level& level,
                   std::size_t tile, std::span<std::byte> out);
 
 /// Assembles a level from its tiles: width * height texels of 4 bytes. Throws Error(damaged) if the chunk's
-/// tiles do not match the level's size, or a tile its checksum.
+/// tiles do not match the level's size, or if a tile does not match its checksum.
 std::vector<std::byte> join_tiles(const PackageReader& reader, const package::DirectoryEntry& chunk,
                                   const Level& level);
 
-/// The same for a level of a photo's TILE, MASK or DPTH; the chunk's memory is released. Also throws
-/// Error(damaged) if the chunk is missing.
+/// Assembles a level of a photo's TILE, MASK or DPTH, as join_tiles() does, and releases the chunk's memory.
+/// Also throws Error(damaged) if the chunk is missing.
 std::vector<std::byte> read_level(const PackageReader& reader, const package::PhotoRecord& record,
                                   std::uint32_t photo, package::Type type, int level);
 
-/// A level of a photo's TILE or MASK as an image. Throws like read_level.
+/// A level of a photo's TILE or MASK as an image. Throws whatever read_level() throws.
 RgbaImage read_level_image(const PackageReader& reader, const package::PhotoRecord& record,
                            std::uint32_t photo, package::Type type, int level);
 
-/// A level of a photo's color as seen by a pinhole camera. Throws like read_level.
+/// A level of a photo's color as seen by a pinhole camera. Throws whatever read_level() throws.
 RgbaImage read_pinhole_level(const PackageReader& reader, const package::PhotoRecord& record,
                              std::uint32_t photo, int level);
 
-/// Linear light, 0 to 1, of a photo as seen by a pinhole camera, at a level of tiles or of weight maps; NaN
-/// where it has no opaque pixel. A photo with a single level, whose weight maps have half its size, is
-/// subsampled to every second pixel. Throws like read_level.
+/// The linear light, 0 to 1, of a photo as seen by a pinhole camera, at a level of the tiles or of the weight
+/// maps; NaN where the photo has no opaque pixel. If a photo has a single level, its weight maps have half
+/// its size, so only every second pixel is used. Throws whatever read_level() throws.
 std::vector<std::array<float, 3>> read_linear_colors(const PackageReader& reader,
                                                      const package::PhotoRecord& record, std::uint32_t photo,
                                                      int level);

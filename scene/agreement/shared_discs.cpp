@@ -9,7 +9,7 @@ namespace vantage {
 namespace {
 
 constexpr std::size_t min_samples = 30;
-constexpr std::size_t max_samples = std::size_t(1) << 20;  ///< total over all photos
+constexpr std::size_t max_samples = std::size_t(1) << 20;  ///< total number over all photos
 
 SharedDiscs shared(Samples samples, const std::vector<bool>& use) {
     SharedDiscs out;

@@ -9,9 +9,9 @@
 namespace vantage {
 namespace {
 
-constexpr double disc_pixels = 48;  ///< radius in the finest photo
+constexpr double disc_pixels = 48;  ///< radius of a disc in the finest photo
 
-/// The n-th point in a triangle, by the R2 sequence (Roberts 2018) folded at the diagonal.
+/// The n-th point in a triangle, from the R2 sequence (Roberts 2018) folded at the diagonal.
 Eigen::Vector3f point_in(const std::array<Eigen::Vector3f, 3>& p, std::size_t n) {
     float u = float(std::fmod(0.7548776662466927 * double(n), 1.0)),
           v = float(std::fmod(0.5698402909980532 * double(n), 1.0));

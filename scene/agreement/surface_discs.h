@@ -9,16 +9,16 @@
 
 namespace vantage {
 
-/// A small disc on the model's surface where photos are compared.
+/// A small disc on the model's surface, in which photos are compared.
 struct SurfaceDisc {
     Eigen::Vector3f center, normal;  ///< the normal's sign is arbitrary; 0 on a degenerate triangle
     float radius;
 };
 
-/// Discs spread over the model, half of them by area and half by triangle count, so that neither a large
-/// ground plane nor a dense object receives them all. Deterministic. Their radius is 48 px at `density`
-/// (pixels per unit of the finest photo). Triangles with strays count as zero area (has_stray; `bounds`
-/// relative to the origin). Empty if the model has no triangles.
+/// Discs spread over the model, half of them in proportion to area and half in proportion to triangle count,
+/// so that neither a large ground plane nor a densely meshed object receives all of them. Deterministic.
+/// Their radius is 48 px at `density` (pixels per unit of the finest photo). Triangles with strays count as
+/// having no area (see has_stray; `bounds` are relative to the origin). Empty if the model has no triangles.
 std::vector<SurfaceDisc> surface_disc_set(std::span<const Eigen::Vector3f> positions,
                                           std::span<const std::uint32_t> indices, double density,
                                           const Eigen::AlignedBox3d& bounds = {});

@@ -10,7 +10,7 @@ namespace vantage {
 namespace {
 
 constexpr float tolerance = 0.35f;   ///< ln of linear light
-constexpr float depth_step = 0.02f;  ///< relative depth difference on one surface
+constexpr float depth_step = 0.02f;  ///< largest relative depth difference within one surface
 constexpr std::size_t max_compared = 6;
 
 /// The texel of another photo at point `p` in its camera space; null if it does not see the point.
@@ -26,12 +26,13 @@ const TransientView::Texel* shown_at(const TransientView& v, const Eigen::Vector
 
 using Others = std::array<const TransientView::Texel*, max_compared>;
 
-/// Distance of a color from the range of colors in another photo.
+/// The distance of a color from the range of colors in another photo, in channel `c`.
 float outside(const float* ln, const TransientView::Texel& other, std::size_t c) {
     return std::max({0.0f, other.low[c] - ln[c], ln[c] - other.high[c]});
 }
 
-/// Whether the other photo also shows the color. If so, it belongs to the scene, even if the mesh lacks it.
+/// Whether the other photo also shows the color. If so, the color belongs to the scene, even if the mesh
+/// lacks that part of the scene.
 bool confirms(const TransientView::Texel& other, const float* ln) {
     return std::max({outside(ln, other, 0), outside(ln, other, 1), outside(ln, other, 2)}) <= tolerance;
 }
@@ -40,7 +41,8 @@ float median(std::array<float, max_compared>& v, std::size_t n) {
     return upper_median(std::span(v).first(n));
 }
 
-/// Weight in [0, 1] of a color that none of `n` other photos shows, from their texels at the same place.
+/// The weight, in [0, 1], of a color that none of `n` other photos shows, computed from their texels at the
+/// same place.
 float weight_among(const float* ln, const Others& others, std::size_t n) {
     float deviation = 0, spread = 0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -53,7 +55,7 @@ float weight_among(const float* ln, const Others& others, std::size_t n) {
         deviation = std::max(deviation, median(off, n));
         std::array<float, max_compared> from_middle;
         for (std::size_t j = 0; j < n; ++j) from_middle[j] = std::abs(others[j]->ln[c] - middle);
-        // The median of two is not meaningful.
+        // The median of two values is not meaningful.
         spread = std::max(spread, n == 2 ? std::max(from_middle[0], from_middle[1]) : median(from_middle, n));
     }
     if (spread > tolerance) return 1;
@@ -61,10 +63,10 @@ float weight_among(const float* ln, const Others& others, std::size_t n) {
 }
 
 int clamped(int i, int n) { return std::clamp(i, 0, n - 1); }
-/// Reflects a position at the first and the last of `n` elements, without repeating these.
+/// Reflects a position at the first and the last of `n` elements; these two are not repeated.
 int mirrored(int i, int n) { return clamped(i < 0 ? -i : i >= n ? 2 * n - 2 - i : i, n); }
 
-/// The values of a row, padded by two on each side.
+/// The values of a row, padded with two values on each side.
 template <class T>
 class WideRow {
   public:
@@ -84,7 +86,8 @@ std::uint8_t median_of(std::uint8_t a, std::uint8_t b, std::uint8_t c) {
     return std::max(std::min(a, b), std::min(std::max(a, b), c));
 }
 
-/// Median of the 3x3 texels around each, from the sorted columns (Smith 1996); the edge is repeated.
+/// For each texel, the median of the 3x3 texels around it, found from sorted columns (Smith 1996); the edge
+/// is repeated.
 std::vector<std::uint8_t> median_3x3(Grid<const std::uint8_t> from) {
     std::vector<std::uint8_t> out(from.size());
     WideRow<std::uint8_t> low(from.width), middle(from.width), high(from.width);
@@ -107,8 +110,8 @@ std::vector<std::uint8_t> median_3x3(Grid<const std::uint8_t> from) {
     return out;
 }
 
-/// Minimum around each texel: five texels in its own row and in the rows above and below, three in the rows
-/// beyond.
+/// For each texel, the minimum of the texels around it: five in its own row and in the rows directly above
+/// and below, and three in the next row on each side.
 std::vector<std::uint8_t> least_around(Grid<const std::uint8_t> from) {
     std::vector<std::uint8_t> out(from.size());
     WideRow<std::uint8_t> least(from.width);
@@ -127,7 +130,7 @@ std::vector<std::uint8_t> least_around(Grid<const std::uint8_t> from) {
     return out;
 }
 
-/// Blur with weights 1 2 1 in each direction.
+/// A blur with the weights 1, 2, 1 in each direction.
 std::vector<std::uint8_t> binomial_3x3(Grid<const std::uint8_t> from) {
     std::vector<std::uint8_t> out(from.size());
     WideRow<std::uint16_t> sums(from.width);

@@ -6,7 +6,7 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t neighbors = 6;  ///< chosen by each photo
+constexpr std::size_t neighbors = 6;  ///< number of photos that each photo chooses
 
 }  // namespace
 

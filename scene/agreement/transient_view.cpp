@@ -12,7 +12,7 @@ namespace {
 
 using package::Type;
 
-constexpr float darkest = 0.004f;  ///< linear light; darker values are raised to this
+constexpr float darkest = 0.004f;  ///< linear light; darker values are raised to this value
 constexpr float no_color = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace

@@ -10,10 +10,10 @@
 
 namespace vantage {
 
-/// Color and depth of a photo at a coarse level.
+/// The color and depth of a photo at a coarse level.
 struct TransientView {
     int width = 0, height = 0;
-    Intrinsics k;  ///< intrinsics of this level
+    Intrinsics k;  ///< intrinsics at this level
     Pose pose;     ///< relative to the origin
     struct Texel {
         float ln[3];            ///< natural logarithm of linear light; NaN if the photo has no pixel
@@ -24,15 +24,15 @@ struct TransientView {
 
     Grid<const Texel> grid() const { return {texels.data(), width, height}; }
 };
-/// Sets a texel's color as exposed, from linear light (NaN: the photo has no pixel), and its depth. Call
-/// find_ranges afterwards.
+/// Sets a texel's depth and its color, uncorrected, from linear light (NaN: the photo has no pixel). Call
+/// find_ranges() afterwards.
 void set_color(TransientView::Texel& texel, const float* linear, float z);
 /// Computes `low` and `high` of all texels from their colors.
 void find_ranges(TransientView& view);
 
 /// The level at which photos are compared for transient masks, with at most 512 texels on the longer side.
 int transient_level(const package::PhotoRecord& record);
-/// A photo's pixels at a level that has weight maps, with colors as exposed. Throws Error(damaged).
+/// A photo's pixels at a level that has weight maps, with uncorrected colors. Throws Error(damaged).
 TransientView read_transient_view(const PackageReader& package, const package::PhotoRecord& record,
                                   std::uint32_t photo, int level);
 

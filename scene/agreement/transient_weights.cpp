@@ -6,7 +6,7 @@
 namespace vantage {
 namespace {
 
-/// Bilinear weight [0,255] at a position in texels of the map.
+/// The bilinearly interpolated weight, 0 to 255, at a position in texels of the map.
 double weight_at(const TransientMap& map, double x, double y) {
     const auto texel = [&](int i, int j) {
         return double(map.weight[std::size_t(std::clamp(j, 0, map.height - 1)) * std::size_t(map.width) +

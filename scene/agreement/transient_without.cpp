@@ -5,7 +5,8 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t cached_views = 16;  ///< about 7 MB each, as exposed and as corrected
+constexpr std::size_t cached_views =
+    16;  ///< about 7 MB each; two versions are cached, uncorrected and corrected
 
 TransientPartners partners_in(const PackageReader& package, const PhotoSamples& samples) {
     const auto opaque = 3 * std::size_t(opaque_part(package).triangles);

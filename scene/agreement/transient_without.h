@@ -11,18 +11,18 @@
 
 namespace vantage {
 
-/// Transient masks of a package's photos as if one of them did not exist, computed on demand from the
-/// package.
+/// The transient masks that a package's photos would have if one of them did not exist, computed on demand
+/// from the package.
 class TransientWithout {
   public:
-    /// `samples`: as read from the package. Throws Error(damaged).
+    /// `samples`: those read from the package. Throws Error(damaged).
     TransientWithout(const PackageReader& package, const PhotoSamples& samples);
 
-    /// Chooses the photo to hold out. `colors`: fitted without it; `photos`: the package's records, with
-    /// poses refined without it.
+    /// Chooses the photo to hold out. `colors`: gains and vignetting fitted without it. `photos`: the
+    /// package's records with the poses refined without it.
     void hold_out(std::uint32_t photo, PhotoColors colors, std::span<const package::PhotoRecord> photos);
     /// The transient mask of another photo, as `prepare --hold-out` writes it to the weight maps; null if it
-    /// has fewer than two partners. Valid until the next hold_out. Throws Error(damaged).
+    /// has fewer than two partners. Valid until the next call of hold_out(). Throws Error(damaged).
     const TransientMap* of(std::uint32_t photo);
 
   private:
@@ -31,7 +31,8 @@ class TransientWithout {
     std::uint32_t without_ = 0;
     PhotoColors colors_;
     std::vector<Pose> poses_;
-    std::optional<LruCache<TransientView>> corrected_;  ///< views corrected for the photo held out
+    std::optional<LruCache<TransientView>>
+        corrected_;  ///< views with the color corrections for the photo held out
     std::map<std::uint32_t, TransientMap> maps_;
 };
 

@@ -6,19 +6,19 @@
 
 namespace vantage {
 
-/// Pinhole intrinsics in pixels. Pixel (0,0) covers [0,1) x [0,1); v points down.
+/// The intrinsics of a pinhole camera, in pixels. Pixel (0,0) covers [0,1) x [0,1); v points down.
 struct Intrinsics {
     int width = 0, height = 0;
     double fx = 0, fy = 0, cx = 0, cy = 0;
 
     /// The same camera at another resolution.
     Intrinsics scaled(int new_width, int new_height) const;
-    /// The same camera at a level of the photo's pyramid. A pixel there is exactly 2^level pixels wide, so
-    /// rounding the size up enlarges the frame.
+    /// The same camera at a level of the photo's pyramid. A pixel at that level is exactly 2^level full-size
+    /// pixels wide, so rounding the size up enlarges the frame.
     Intrinsics at_level(int level) const;
 };
 
-/// Rigid transform `x_cam = R * x_world + t`; the camera looks along +z, x points right, y down.
+/// The rigid transform `x_cam = R * x_world + t`. The camera looks along +z; x points right, y down.
 struct Pose {
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
     Eigen::Vector3d t = Eigen::Vector3d::Zero();
@@ -31,7 +31,7 @@ struct Pose {
 
 struct Camera {
     Intrinsics intrinsics;
-    Lens lens;  ///< distortion of the photo as taken
+    Lens lens;  ///< the lens distortion of the photo as taken
     Pose cam_from_world;
 };
 
@@ -41,8 +41,8 @@ struct Projection {
     double z;
 };
 
-/// Pinhole projection without the lens. Empty for points on or behind the camera's plane, or if the result is
-/// not finite.
+/// Projects a point with a pinhole camera, without the lens. Empty for points on or behind the camera's
+/// plane, or if the result is not finite.
 std::optional<Projection> project(const Intrinsics& intrinsics, const Pose& cam_from_world,
                                   const Eigen::Vector3d& point);
 
@@ -51,20 +51,21 @@ inline bool in_frame(const Intrinsics& k, const Eigen::Vector2d& pixel) {
     return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < k.width && pixel.y() < k.height;
 }
 
-/// OpenGL clip-from-camera matrix whose pixels are exactly those of `intrinsics`, principal point included;
-/// row 0 of the framebuffer is the photo's top row. Depth runs from 1 at `near` to 0 at `far`, both > 0, for
-/// the clip range [0, 1]: reversed, so that floats keep their precision at all depths.
+/// The OpenGL clip-from-camera matrix. Its pixels are exactly those of `intrinsics`, including the principal
+/// point; row 0 of the framebuffer is the photo's top row. For the clip range [0, 1], depth runs from 1 at
+/// `near` to 0 at `far` (both must be positive). It is reversed so that floats keep their precision at all
+/// depths.
 Eigen::Matrix4d clip_from_cam(const Intrinsics& intrinsics, double near, double far);
 
-/// Near and far plane for depths from `nearest` to `farthest`, slightly widened. The near plane is at least
-/// 1e-7 (the resolution of single-precision positions) times `farthest`, or times `reach`, the distance up to
-/// which the surface should be drawn accurately, if that is less. {0, 0} if nothing is in front of the
-/// camera.
+/// The distances of the near and far planes for depths from `nearest` to `farthest`, a slightly wider range.
+/// The near distance is at least 1e-7 (the resolution of single-precision positions) times the smaller of
+/// `farthest` and `reach`, the distance up to which the surface should be drawn accurately. {0, 0} if nothing
+/// is in front of the camera.
 Eigen::Vector2d clip_range(double nearest, double farthest, double reach);
 
-/// Throws Error(input) naming `who` unless sizes and focal lengths are positive, everything (including the
-/// lens) is finite, and R is orthonormal with determinant +1 to within 1e-3. Replaces R with the nearest
-/// rotation.
+/// Throws Error(input) naming `who` unless sizes and focal lengths are positive, all values (including the
+/// lens's) are finite, and R is orthonormal with determinant +1 to within 1e-3. Then replaces R with the
+/// nearest rotation.
 void validate(Camera& camera, const std::string& who);
 
 }  // namespace vantage

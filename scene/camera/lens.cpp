@@ -18,7 +18,8 @@ Eigen::Vector2d opencv(const Coefficients& p, const Eigen::Vector2d& q) {
             y * radial + p[2] * (r2 + 2 * y * y) + 2 * p[3] * x * y};
 }
 
-/// Maps radius tan(theta) to theta in the same direction; the ratio tends to 1 at the center.
+/// Maps a radius of tan(theta) to a radius of theta in the same direction; the ratio of the two tends to 1 at
+/// the center.
 Eigen::Vector2d equidistant(const Eigen::Vector2d& q) {
     const double r = q.norm();
     return r > 1e-9 ? Eigen::Vector2d(q * (std::atan(r) / r)) : q;
@@ -63,12 +64,12 @@ Eigen::Vector2d aria(const Coefficients& p, const Eigen::Vector2d& q) {
             y + 2 * p[6] * x * y + p[7] * (r2 + 2 * y * y) + r2 * (p[10] + r2 * p[11])};
 }
 
-/// The root of k r x'^2 - x' + r = 0 that equals r for k = 0. NaN if there is none.
+/// The root of k r x'^2 - x' + r = 0 that equals r for k = 0. NaN if there is no such root.
 Eigen::Vector2d division(double k, const Eigen::Vector2d& q) {
     return q * (2 / (1 + std::sqrt(1 - 4 * k * q.squaredNorm())));
 }
 
-/// The root of x' + k x'^3 = r that equals r for k = 0, in closed form. NaN if there is none.
+/// The root of x' + k x'^3 = r that equals r for k = 0, in closed form. NaN if there is no such root.
 Eigen::Vector2d matchmover(double k, const Eigen::Vector2d& q) {
     const double r = q.norm(), root = std::sqrt(3 * std::abs(k)), x = 1.5 * r * root;
     if (!(x > 1e-8)) return q;
@@ -80,7 +81,7 @@ Eigen::Vector2d unified(double alpha, double beta, const Eigen::Vector2d& q) {
     return q / (alpha * std::sqrt(beta * q.squaredNorm() + 1) + 1 - alpha);
 }
 
-/// Distorted radius of a ray at angle theta from the axis, tangential terms ignored.
+/// The distorted radius of a ray at the angle theta from the axis, without tangential terms.
 double distorted_radius(const Lens& lens, double theta) {
     Lens radial = lens;
     const auto leave_out = [&](std::size_t first, std::size_t last) {
@@ -108,7 +109,7 @@ double lens_range(const Lens& lens) {
         before = now;
     }
     if (i > steps) return std::numeric_limits<double>::infinity();
-    // The maximum lies in one of the last two steps and is found by ternary search.
+    // The maximum lies within the last two steps and is found by ternary search.
     double low = last * std::max(i - 2, 0) / steps, high = last * i / steps;
     while (high - low > 1e-9) {
         const double a = low + (high - low) / 3, b = high - (high - low) / 3;

@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// Lens distortion models map the direction of a ray to its position in the photo, in focal lengths. x, y:
-/// the direction; r: its distance from the axis.
+/// Lens distortion models map the direction of a ray to its position in the photo, in units of the focal
+/// length. (x, y) is the direction, and r is its distance from the axis.
 enum class LensModel : int {
     none,
     opencv,      ///< p = k1 k2 p1 p2 k3 k4 k5 k6 (rational radial and tangential, OpenCV order)
@@ -26,22 +26,23 @@ struct Lens {
     LensModel model = LensModel::none;
     std::array<double, 12> p{};
 
-    /// False if distort() is the identity.
+    /// Returns false if distort() is the identity.
     bool distorts() const;
 };
 
-/// The model's name in messages.
+/// The model's name, as used in messages.
 std::string_view name(LensModel model);
 
 /// The names of the model's coefficients, in the order of Lens::p.
 std::span<const char* const> coefficient_names(LensModel model);
 
-/// The largest normalized pinhole radius up to which the distorted radius increases, tangential terms
-/// ignored. Beyond it the lens's polynomial folds back and is meaningless. Infinite if it never does.
+/// The largest normalized pinhole radius up to which the distorted radius, without tangential terms,
+/// increases. Beyond this radius, the lens's polynomial folds back and is meaningless. Infinite if it never
+/// folds back.
 double lens_range(const Lens& lens);
 
-/// Maps normalized pinhole coordinates (x/z, y/z) to normalized coordinates distorted by the lens. Continuous
-/// at the center for every model. Finite input yields finite output within lens_range().
+/// Maps normalized pinhole coordinates (x/z, y/z) to normalized coordinates distorted by the lens. Every
+/// model is continuous at the center. Within lens_range(), finite input yields finite output.
 Eigen::Vector2d distort(const Lens& lens, const Eigen::Vector2d& xy);
 
 }  // namespace vantage

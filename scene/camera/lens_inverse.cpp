@@ -20,7 +20,7 @@ Eigen::Vector2d by_bisection(const Lens& lens, double range, const Eigen::Vector
     return along * low;
 }
 
-/// Jacobian by central differences.
+/// The Jacobian of distort(), computed by central differences.
 Eigen::Matrix2d jacobian(const Lens& lens, const Eigen::Vector2d& at) {
     const double step = 1e-6 * std::max(1.0, at.norm());
     Eigen::Matrix2d J;

@@ -14,7 +14,7 @@ struct Similarity {
     Eigen::Vector3d operator()(const Eigen::Vector3d& x) const;
 };
 
-/// The similarity as 3 rows of 4 numbers: a rotation times a scale, and a translation.
+/// The similarity as a matrix of 3 rows of 4 numbers: a rotation times a scale, and a translation.
 Eigen::Matrix<double, 3, 4> matrix_of(const Similarity& s);
 
 Similarity inverse(const Similarity& s);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t planes = 4;
 
-/// Differences modulo 256, folded into bytes.
+/// Appends the differences modulo 256, folded into bytes.
 void append_plane(const Grid<const std::uint8_t>& plane, std::byte* out) {
     std::vector<std::int16_t> row(std::size_t(plane.width));
     for (int y = 0; y < plane.height; ++y) {

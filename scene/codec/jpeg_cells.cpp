@@ -12,8 +12,8 @@
 namespace vantage::codec {
 namespace {
 
-constexpr int wanted_width = 64, wanted_height = 128;  ///< approximate size of a cell, pixels
-constexpr int max_interval = 16;                       ///< so that a row of a cell fits into 65535 bytes
+constexpr int wanted_width = 64, wanted_height = 128;  ///< approximate size of a cell in pixels
+constexpr int max_interval = 16;  ///< MCUs, so that a row of a cell fits into 65535 bytes
 
 int divided_up(int a, int b) { return (a + b - 1) / b; }
 
@@ -50,8 +50,8 @@ unsigned restart_interval(const jpeg_decompress_struct& from) {
     return unsigned(interval_for(divided_up(int(from.image_width), width), width));
 }
 
-/// Re-encodes the coefficients in one scan with restarts. False if the JPEG is damaged or unsupported. Has no
-/// destructors to run, because errors jump out of it.
+/// Re-encodes the coefficients in one scan with restarts. False if the JPEG is damaged or unsupported. This
+/// function has no destructors to run, because libjpeg leaves it with longjmp on an error.
 bool transcode(std::span<const std::byte> jpeg, Buffer& out) {
     jpeg_decompress_struct from{};
     jpeg_compress_struct to{};
@@ -108,7 +108,7 @@ void append_word(std::vector<std::byte>& out, std::size_t value) {
 /// Number of MCU rows in the cells of row `row`.
 int rows_in_cell(const CellGrid& g, int row) { return std::min(g.band, g.header.mcu_rows() - row * g.band); }
 
-/// MCU row `row` of a cell with `rows` of them; empty if the cell is damaged.
+/// The MCU row `row` of a cell that has `rows` MCU rows; empty if the cell is damaged.
 std::optional<std::span<const std::byte>> row_of_cell(std::span<const std::byte> cell, int rows, int row) {
     std::size_t at = 2 * std::size_t(rows), length = 0;
     if (cell.size() < at) return std::nullopt;
@@ -121,7 +121,7 @@ std::optional<std::span<const std::byte>> row_of_cell(std::span<const std::byte>
     return cell.subspan(at, length);
 }
 
-/// Columns of cells and rows of MCUs, [first, last).
+/// A range of cell columns and a range of MCU rows; the last ones are not included.
 struct Window {
     int first_column, last_column, first_row, last_row;
 };
@@ -163,7 +163,7 @@ bool assemble(std::span<const std::byte> header, const CellGrid& g, const Window
     return true;
 }
 
-/// Puts segments, MCU row by MCU row, into cells. Empty if they do not match the header's grid.
+/// Puts segments, which come MCU row by MCU row, into cells. Empty if they do not match the header's grid.
 std::optional<JpegCells> in_cells(std::vector<std::byte> header,
                                   std::span<const std::span<const std::byte>> segments) {
     const auto grid = cell_grid(header);
@@ -188,7 +188,7 @@ std::optional<JpegCells> in_cells(std::vector<std::byte> header,
     return out;
 }
 
-/// The header of a baseline JPEG without metadata, but with restarts and these tables.
+/// The header of a baseline JPEG without its metadata, but with restarts and these tables.
 std::vector<std::byte> plain_header(std::span<const std::byte> jpeg, const JpegHeader& header, int interval,
                                     std::span<const std::byte> tables) {
     constexpr int first_app = 0xe0, jfif = 0xe0, adobe = 0xee, last_app = 0xef, comment = 0xfe,
@@ -226,7 +226,7 @@ std::optional<JpegCells> divide_codes(std::span<const std::byte> jpeg) {
     return in_cells(plain_header(jpeg, *header, interval, divided->tables), segments);
 }
 
-/// The same with libjpeg, which supports every kind of JPEG.
+/// Divides a JPEG with libjpeg, which supports every kind of JPEG.
 std::optional<JpegCells> divide_coefficients(std::span<const std::byte> jpeg) {
     Buffer buffer;
     if (!transcode(jpeg, buffer)) return std::nullopt;

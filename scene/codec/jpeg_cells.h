@@ -11,9 +11,9 @@
 namespace vantage::codec {
 
 /// The division of a photo's DCT coefficients into cells of `interval` MCUs by `band` MCU rows, so that parts
-/// of it can be decoded independently. A cell holds, for each of its MCU rows, the length of its
-/// entropy-coded data as a u16; then the data, each starting afresh as after a restart marker. The grid
-/// follows from the header, whose restart interval is the cells' width.
+/// of the photo can be decoded independently. A cell holds a u16 for each of its MCU rows, the length of the
+/// row's entropy-coded data, and then the data of the rows. Each row starts as if after a restart marker. The
+/// grid follows from the header, whose restart interval is the width of the cells.
 struct CellGrid {
     JpegHeader header;
     int columns = 0, rows = 0;
@@ -23,10 +23,10 @@ struct CellGrid {
     std::size_t cells() const { return std::size_t(columns) * std::size_t(rows); }
 };
 
-/// The grid of a photo in cells; empty if `header` is not the header of such a photo.
+/// The grid of a photo that is stored in cells; empty if `header` is not the header of such a photo.
 std::optional<CellGrid> cell_grid(std::span<const std::byte> header);
 
-/// A photo in cells, row by row; cell i ends at ends[i] of `bytes`.
+/// A photo divided into cells, which are stored row by row; cell i ends at ends[i] in `bytes`.
 struct JpegCells {
     std::vector<std::byte> header, bytes;
     std::vector<std::uint64_t> ends;
@@ -37,8 +37,8 @@ struct JpegCells {
     }
 };
 
-/// Divides a JPEG without changing its coefficients. Empty if it is damaged, or not 8-bit gray or
-/// three-channel color.
+/// Divides a JPEG without changing its coefficients. Empty if the JPEG is damaged or is neither 8-bit gray
+/// nor 8-bit color with three channels.
 std::optional<JpegCells> divide_jpeg(std::span<const std::byte> jpeg);
 
 /// Joins the coefficients of all cells into a JPEG with the same pixels as the original. Empty if a cell is
@@ -56,8 +56,8 @@ struct PixelRect {
 /// The cells needed to decode a part, row by row.
 std::vector<std::size_t> cells_of(const CellGrid& grid, const PixelRect& part);
 
-/// Decodes a part, which must lie within the photo, into width * height * 4 bytes, with the same pixels as
-/// the whole JPEG. False if a cell is damaged.
+/// Decodes a part, which must lie within the photo, to width * height * 4 bytes. The pixels are those of the
+/// whole JPEG. Returns false if a cell is damaged.
 bool decode_cells(std::span<const std::byte> header, const CellGrid& grid, const PixelRect& part,
                   const CellAt& cell, std::span<std::byte> rgba);
 

@@ -25,7 +25,7 @@ bool read_frame(std::span<const std::byte> segment, JpegHeader& out) {
         h = std::max(h, sampling >> 4);
         v = std::max(v, sampling & 15);
     }
-    // The blocks of a single component are coded one by one, whatever its sampling factors (A.2.2).
+    // The blocks of a single component are coded one by one, whatever its sampling factors are (A.2.2).
     out.mcu_width = components == 1 ? 8 : 8 * h;
     out.mcu_height = components == 1 ? 8 : 8 * v;
     return out.width > 0 && out.height > 0;

@@ -27,14 +27,16 @@ struct HuffmanTable {
     };
     std::array<Code, 256> code_of{};
     std::array<Found, std::size_t(1) << peek_bits> short_codes{};
-    std::array<std::int32_t, 18> end{};    ///< per length: one past its last code, left-aligned to 16 bits
-    std::array<std::int32_t, 17> first{};  ///< per length: its first code minus the index of its symbol
+    std::array<std::int32_t, 18>
+        end{};  ///< per length: one past the last code of that length, left-aligned to 16 bits
+    std::array<std::int32_t, 17>
+        first{};  ///< per length: the first code of that length minus the index of its symbol
     std::vector<std::uint8_t> symbols;
     bool defined = false;
 };
 
-/// `counts`: number of codes of each length from 1 to 16. False if there are more codes than the lengths
-/// permit.
+/// Fills the table. `counts`: the number of codes of each length from 1 to 16. Returns false if there are
+/// more codes than the lengths permit.
 bool fill(HuffmanTable& t, std::span<const std::byte> counts, std::span<const std::byte> symbols) {
     t = {};
     for (const std::byte s : symbols) t.symbols.push_back(std::to_integer<std::uint8_t>(s));
@@ -61,8 +63,8 @@ bool fill(HuffmanTable& t, std::span<const std::byte> counts, std::span<const st
 /// Whether one of the four bytes is 0xff.
 bool has_marker_byte(std::uint32_t w) { return ((w & 0x7f7f7f7fu) + 0x01010101u) & w & 0x80808080u; }
 
-/// Reads entropy-coded data, most significant bit first, without the zeros stuffed after 0xff. Supplies zeros
-/// beyond a marker or the end.
+/// Reads entropy-coded data, most significant bit first, and omits the zeros stuffed after 0xff. After a
+/// marker or the end, it supplies zeros.
 class BitReader {
   public:
     explicit BitReader(std::span<const std::byte> data) : data_(data) {}
@@ -76,13 +78,13 @@ class BitReader {
         bits_ <<= n;
         held_ -= n;
     }
-    /// Whether more bits were consumed than available.
+    /// Whether more bits were consumed than were available.
     bool overrun() const { return held_ < 0 || beyond_ > held_; }
-    /// Skips the rest of the byte and the restart marker, which must follow.
+    /// Skips the rest of the byte and the restart marker, which must come next.
     bool restart() {
         held_ = beyond_ = 0;
         bits_ = 0;
-        // Bits read ahead are only padding, because reading stops at markers.
+        // Any bits that were read ahead are padding, because reading stops at markers.
         while (at_ < data_.size() && data_[at_] == std::byte(0xff) && at_ + 1 < data_.size() &&
                data_[at_ + 1] == std::byte(0xff))
             ++at_;
@@ -130,17 +132,18 @@ class BitReader {
     std::span<const std::byte> data_;
     std::size_t at_ = 0;
     std::uint64_t bits_ = 0;
-    int held_ = 0, beyond_ = 0;  ///< bits held, and how many of them are beyond the data
+    int held_ = 0, beyond_ = 0;  ///< the number of bits held, and how many of them are beyond the data
 };
 
 /// Writes bits, stuffing a zero after every 0xff byte.
 class BitWriter {
   public:
-    /// Upper bound on the bytes of an MCU: 64 codes of at most 31 bits per block, with every byte stuffed.
+    /// An upper bound on the bytes of an MCU: 64 codes of at most 31 bits per block, with a stuffed zero
+    /// after every byte.
     static constexpr std::size_t room = std::size_t(max_blocks) * 64 * 8;
 
     explicit BitWriter(std::size_t expected) : out_(expected + room) {}
-    /// Makes room for an MCU. Must be called before each of them.
+    /// Makes room for an MCU. This must be called before each MCU.
     void make_room() {
         if (out_.size() - at_ < room) out_.resize(2 * out_.size());
     }
@@ -186,7 +189,7 @@ class BitWriter {
 struct Component {
     int id = 0, blocks = 1;  ///< blocks per MCU
     const HuffmanTable *dc = nullptr, *ac = nullptr, *dc_out = nullptr;
-    int in = 0, out = 0;  ///< previous DC values of the input and the output
+    int in = 0, out = 0;  ///< the previous DC value in the input and in the output
 };
 
 struct Scan {
@@ -196,7 +199,7 @@ struct Scan {
     int restart_interval = 0;
 };
 
-/// Reads Huffman tables. `segment` begins with its length, as do the segments below.
+/// Reads Huffman tables. `segment` begins with its length, as in the functions below.
 bool read_tables(std::span<const std::byte> segment, Scan& out) {
     for (std::size_t at = 2; at < segment.size();) {
         if (segment.size() - at < 17) return false;
@@ -239,7 +242,7 @@ bool read_scan(std::span<const std::byte> segment, Scan& out) {
     return true;
 }
 
-/// Reads tables and components; the header is already parsed.
+/// Reads the tables and components; `header` has already been parsed.
 bool read_header(std::span<const std::byte> jpeg, const JpegHeader& header, Scan& out) {
     out.restart_interval = header.restart_interval;
     const auto segments = segments_of(jpeg, header);
@@ -250,7 +253,7 @@ bool read_header(std::span<const std::byte> jpeg, const JpegHeader& header, Scan
     return read_scan(segments.back().content, out);
 }
 
-/// The codes of luminance differences (table K.3), as in a DHT segment after the table's number.
+/// The codes of luminance differences (table K.3), as they follow the table's number in a DHT segment.
 constexpr std::array<std::uint8_t, 28> standard_codes{0, 1, 5, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0,  0,
                                                       0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
 
@@ -259,7 +262,8 @@ bool has_all_sizes(const HuffmanTable& t) {
                        [](const auto& c) { return c.length > 0; });
 }
 
-/// Selects the codes to write. Returns the segment that defines them, unless they are the header's.
+/// Selects the codes to write. Returns the segment that defines these codes; empty if the header already
+/// defines them.
 std::vector<std::byte> choose_codes(Scan& scan) {
     const bool own =
         std::ranges::all_of(scan.components, [](const Component& c) { return has_all_sizes(*c.dc); });
@@ -277,7 +281,7 @@ std::vector<std::byte> choose_codes(Scan& scan) {
     return out;
 }
 
-/// Reads a code; its length is 0 if it is invalid.
+/// Reads a code. The length is 0 if the code is invalid.
 HuffmanTable::Found take(BitReader& in, const HuffmanTable& t) {
     const std::uint32_t next = in.peek();
     const HuffmanTable::Found found = t.short_codes[next >> (32 - peek_bits)];
@@ -291,7 +295,7 @@ HuffmanTable::Found take(BitReader& in, const HuffmanTable& t) {
     return {t.symbols[std::size_t(place)], std::uint8_t(length)};
 }
 
-/// The value of a difference's extra bits (F.2.2.1).
+/// The difference that its extra bits stand for (F.2.2.1).
 int extended(std::uint32_t bits, int size) {
     return size == 0 || bits >> (size - 1) ? int(bits) : int(bits) - (1 << size) + 1;
 }
