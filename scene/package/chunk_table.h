@@ -19,7 +19,7 @@ enum class Type : std::uint32_t {
     scene = fourcc("SCEN"),            ///< one SceneRecord
     photos = fourcc("PHOT"),           ///< PhotoRecord[photos]
     states = fourcc("STAT"),           ///< PhotoState[photos]: inputs of each photo's artifacts
-    pose_refinement = fourcc("REGI"),  ///< PoseRefinementRecord[photos]: poses as given, and residuals
+    pose_refinement = fourcc("REGI"),  ///< PoseRefinementRecord[photos]: input poses, and residuals
     pose_refinement_without = fourcc("REGW"),  ///< LeaveOneOutPoseRecord[]: leave-one-out poses; optional
     pairs = fourcc("PAIR"),                    ///< PairRecord[]: how well overlapping photos agree
     positions = fourcc("VPOS"),                ///< float[3][vertices], relative to the origin
@@ -35,8 +35,9 @@ enum class Type : std::uint32_t {
     lenses = fourcc("LENS"),                   ///< LensRecord[photos]; optional
     thumbnail = fourcc("THMB"),                ///< per photo: RGBA8
     coverage = fourcc("COVR"),                 ///< per photo: CoverageRecord[clusters]
-    visible = fourcc("VISB"),  ///< per photo: u64[], a bit per triangle: fully visible, then partly visible
-    samples = fourcc("SAMP"),  ///< per photo: SampleRecord[discs of the surface]
+    visible =
+        fourcc("VISB"),  ///< per photo: u64[], one bit per triangle: first fully visible, then partly visible
+    samples = fourcc("SAMP"),      ///< per photo: SampleRecord[discs of the surface]
     coordinates = fourcc("TEXC"),  ///< per photo: float[2][vertices]; (-1,-1) where not visible
     tiles = fourcc("TILE"),        ///< per photo and level: blocks of RGBA8 tiles
     weight_maps =
@@ -46,38 +47,39 @@ enum class Type : std::uint32_t {
 
 /// The stages that produce a photo's artifacts; at most `max_stages`.
 enum class Stage : std::uint32_t { thumbnail, tiles, weight_maps, coordinates, coverage, samples, count };
-inline constexpr std::uint32_t max_stages = 8;  ///< number of stages in a photo's state
+inline constexpr std::uint32_t max_stages = 8;  ///< number of stages that a photo's state has
 
 }  // namespace package
 
 /// The levels of a photo's pyramid at which it has chunks of a type.
 enum class ChunkLevels { single, tiles, weight_maps };
 
-/// When a scene-wide chunk is written: with the others; after all photos are done; or after that, at the end
-/// of the file, because its size is not known earlier.
+/// When a scene-wide chunk is written: with the other chunks; after all photos are done; or later still, at
+/// the end of the file, because its size is not known earlier.
 enum class ChunkWrite { planned, last, appended };
 
-/// A type of chunk: a row of the chunk table.
+/// A type of chunk, as a row of the chunk table.
 struct ChunkRow {
     package::Type type;
     const char* name = nullptr;  ///< name of the content; null for chunks that only describe the package
-    package::Stage stage = package::Stage::count;  ///< makes it for each photo; `count`: one per scene
-    ChunkLevels levels = ChunkLevels::single;      ///< levels with such a chunk; all but `single` hold tiles
-    bool compact = false;                          ///< coded if the effect `compact` is on
-    std::uint64_t record = 0;                      ///< bytes per record
-    /// Returns the number of records; null if it does not follow from SCEN and PHOT. For a scene-wide chunk,
-    /// the photo record is empty.
+    package::Stage stage = package::Stage::count;  ///< makes the chunk for each photo; `count`: one per scene
+    ChunkLevels levels =
+        ChunkLevels::single;   ///< levels with such a chunk; except for `single`, it holds tiles
+    bool compact = false;      ///< coded if the effect `compact` is on
+    std::uint64_t record = 0;  ///< bytes per record
+    /// Returns the number of records; null if that number does not follow from SCEN and PHOT. For a
+    /// scene-wide chunk, the photo record is empty.
     std::uint64_t (*count)(const package::SceneRecord&, const package::PhotoRecord&) = nullptr;
-    const char* counted = "";  ///< `count` in words
+    const char* counted = "";  ///< the number of records in words
     ChunkWrite write = ChunkWrite::planned;
 
     bool per_photo() const { return stage != package::Stage::count; }
-    /// Bytes of the content, for the scene or a photo; `count` must not be null.
+    /// Length of the content in bytes, for the scene or for a photo; `count` must not be null.
     std::uint64_t length(const package::SceneRecord& scene) const;
     std::uint64_t length(const package::SceneRecord& scene, const package::PhotoRecord& photo) const;
 };
 
-/// All types, in the order of the file.
+/// All types, in the order in which the file has their chunks.
 std::span<const ChunkRow> chunk_table();
 const ChunkRow& chunk_row(package::Type type);
 
@@ -88,7 +90,7 @@ struct LeveledChunk {
     const ChunkRow* row;
     std::uint32_t level;
 };
-/// The chunks of a photo with `levels` pyramid levels, by level and then in the order of the table.
+/// The chunks of a photo with `levels` pyramid levels, sorted by level, then in the order of the table.
 std::vector<LeveledChunk> chunks_of_photo(int levels);
 
 }  // namespace vantage

@@ -12,7 +12,8 @@
 namespace vantage {
 namespace {
 
-/// Read by a signal handler, hence no locks or allocation. Mappings beyond this number are not tracked.
+/// A signal handler reads this, so there are no locks and no allocation. Mappings beyond this number are not
+/// tracked.
 struct Mapped {
     std::atomic<const std::byte*> first = nullptr;
     std::atomic<std::size_t> size = 0;
@@ -37,7 +38,8 @@ void on_bus_error(int signal, siginfo_t* info, void*) {
             print(text);
         ::_exit(int(Exit::damaged));
     }
-    ::signal(signal, SIG_DFL);  // not in a package: returning raises the signal again, which ends the process
+    // The address is not in a package: returning raises the signal again, which ends the process.
+    ::signal(signal, SIG_DFL);
 }
 
 }  // namespace

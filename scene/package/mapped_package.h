@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// A package in a file. While open, it holds a shared lock, so that other processes can detect that the file
-/// is in use. Throws Error(input) if it cannot be opened.
+/// A package in a file. While the package is open, it holds a shared lock, so that other processes can detect
+/// that the file is in use. Throws Error(input) if it cannot be opened.
 std::unique_ptr<PackageSource> mapped_package(const std::filesystem::path& file);
 
 }  // namespace vantage

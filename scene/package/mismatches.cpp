@@ -5,12 +5,12 @@
 namespace vantage {
 namespace {
 
-constexpr std::uint64_t held_at_once = 16 << 20;  ///< bytes of blocks, for a package on a server
+constexpr std::uint64_t held_at_once = 16 << 20;  ///< bytes of blocks, if the package is on a server
 
 void add_block_mismatches(const PackageReader& package, const package::DirectoryEntry& e, std::size_t most,
                           std::vector<Mismatch>& out) {
     const auto body = package.raw(e).subspan(e.head_length);
-    std::uint64_t end = 0;  ///< end of the bytes held
+    std::uint64_t end = 0;  ///< where the bytes that are held end
     Held held;
     for (std::size_t b = 0; b < package.blocks(e) && out.size() < most; ++b) {
         const auto block = package.block(e, b);

@@ -13,11 +13,12 @@ struct Mismatch {
     Defect defect;  ///< chunk_checksum or tile_checksum
     std::string text;
 };
-/// The chunks that do not match their checksums, or whose heads do not, and with `tiles` also the tiles that
-/// do not; at most `most` of them. A package without mismatches is valid. Pages are released after reading.
+/// The chunks whose heads do not match their checksums and, with `tiles`, the tiles that do not match theirs;
+/// at most `most` mismatches. A package without mismatches is valid. Pages are released after they have been
+/// read.
 std::vector<Mismatch> mismatches(const PackageReader& package, bool tiles,
                                  std::size_t most = std::numeric_limits<std::size_t>::max());
-/// The message for a tile, or a block of color in cells, that does not match its checksum.
+/// The message for a tile, or for a block of color in cells, that does not match its checksum.
 std::string tile_mismatch(const PackageReader& package, const package::DirectoryEntry& entry,
                           std::size_t tile);
 /// Reads the whole package. Throws Error(damaged) with the first mismatch.

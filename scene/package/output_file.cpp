@@ -20,9 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t head_bytes = 1024;
-constexpr int max_links = 40;  ///< as in the kernel
+constexpr int max_links = 40;  ///< the same limit as in the kernel
 
-/// The first bytes of a file. Throws Error(storage) if it cannot be read.
+/// The first bytes of a file. Throws Error(storage) if the file cannot be read.
 std::string head_of(const fs::path& file) {
     std::string head(head_bytes, '\0');
     std::ifstream in(file, std::ios::binary);
@@ -43,7 +43,7 @@ bool is_csv(std::string_view head) {
            head.starts_with("frame,degrees,mean,");
 }
 
-/// Whether the file has six lines, each of them a number.
+/// Whether the file consists of six lines with one number each.
 bool is_world_file(std::string_view head) {
     std::istringstream in{std::string(head)};
     int lines = 0;
@@ -85,7 +85,7 @@ constexpr Row rows[] = {
     {Product::exr, "an EXR picture", [](std::string_view h) { return h.starts_with("\x76\x2f\x31\x01"); }},
     {Product::jpeg, "a photo written by Vantage",
      [](std::string_view h) { return h.starts_with("\xff\xd8\xff\xfe") && contains(h, jpeg_mark); }},
-    {Product::cameras, "a file of cameras written by Vantage",
+    {Product::cameras, "a camera file written by Vantage",
      [](std::string_view h) { return h.starts_with(cameras_mark); }},
     {Product::scene, "a scene file written by Vantage",
      [](std::string_view h) { return h.starts_with(scene_mark); }},
@@ -99,7 +99,7 @@ const Row& row_of(Product product) { return *std::ranges::find(rows, product, &R
     throw Error(Exit::usage, file.string() + ": " + why);
 }
 
-/// The target of a link, whether or not it exists.
+/// The target of a link, even if it does not exist.
 fs::path followed(const fs::path& file) {
     fs::path at = file;
     std::error_code error;
@@ -145,13 +145,14 @@ void expect_replaceable(const fs::path& file, const fs::path& to, const Row& row
                          (force ? ", or --force to replace it" : ""));
 }
 
-/// Checks a file that only this program uses, under a name that it chose.
+/// Checks a file that only this program uses, under a name that the program chose.
 void expect_own(const fs::path& file) {
     const fs::file_status status = fs::status(file);
     if (!fs::exists(status)) return;
     if (!fs::is_regular_file(status) || (fs::file_size(file) > 0 && !is_package(head_of(file))))
         refuse(file,
-               "is needed while the package is written, but was written by another program; move it away");
+               "has a name that is needed while the package is written, but is from another program; move it "
+               "away");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace vantage {
 
-/// Kinds of output files. Each kind replaces only files of the same kind that these programs wrote; PNG and
+/// Kinds of output files. A new file replaces only files of the same kind that these programs wrote. PNG and
 /// EXR pictures, world files and videos replace any file of their format.
 enum class Product {
     package,
@@ -45,23 +45,25 @@ inline constexpr const char* scene_mark = "# scene written by Vantage\n";
 /// Files that a command reads and must not overwrite.
 struct Inputs {
     std::vector<std::filesystem::path> files;  ///< including other outputs of the command
-    std::vector<FileIdentity> contents;        ///< identity of files whose path is unknown
+    std::vector<FileIdentity> contents;        ///< identities of files whose paths are unknown
 };
 
-/// The file to write: `file`, or the target if it is a link. For a package, also checks the names under which
-/// it is written until it is complete. Every command calls this before it does any work. Throws Error(usage)
-/// if the file is an input, a folder, a device or a pipe, or, unless `force`, if it exists, has content and
-/// is not of a replaceable kind. `force`: the option --force; empty if the command lacks it.
+/// The file to write: `file` or, if it is a link, its target. For a package, also checks the names under
+/// which the package is written until it is complete. Every command calls this before it does any work.
+/// Throws Error(usage) if the file is an input, a folder, a device or a pipe. Unless `force` is set, it also
+/// throws if the file exists, has content and is not of a kind that may be replaced. `force`: the option
+/// --force; empty if the command does not have it.
 std::filesystem::path output_file(const std::filesystem::path& file, Product product, const Inputs& inputs,
                                   std::optional<bool> force);
 
 /// Checks a folder of results that are written together. If it contains the product `mark`, it was written by
-/// this command, and the other files may be replaced. Throws Error(usage) like output_file() for the mark,
-/// or, unless `force`, if the mark is missing but one of the others exists.
+/// this command, and the other files may be replaced. Throws Error(usage) for the mark if output_file()
+/// would, or, unless `force` is set, if the mark is missing but one of the other files exists.
 void expect_result_folder(const std::filesystem::path& folder, const char* mark, Product product,
                           const std::vector<std::filesystem::path>& others, const Inputs& inputs, bool force);
 
-/// The same for the PNG pictures in the folder whose names, without extension, satisfy `is_result`.
+/// Checks in the same way the PNG pictures in the folder whose names, without the extension, satisfy
+/// `is_result`.
 void expect_result_pictures(const std::filesystem::path& folder,
                             const std::function<bool(const std::string& name)>& is_result,
                             const Inputs& inputs, bool force);

@@ -46,7 +46,8 @@ bool raw_chunk_fits(const DirectoryEntry& e) {
            body / e.block_length <= e.head_length / sizeof(std::uint64_t);
 }
 
-/// Unknown forms, written by later programs, are accepted.
+/// Whether the lengths of a coded chunk are consistent. Unknown forms, which later programs may have written,
+/// are accepted.
 bool coded_chunk_fits(const DirectoryEntry& e) {
     if (e.form == Form::zstd) return e.head_length == e.length && e.length >= sizeof(std::uint64_t);
     return e.head_length / package::coded_block_entry >= e.coded_blocks;
@@ -66,15 +67,15 @@ class DirectoryReading {
 
     const Header& header() {
         if (bytes_.size() < sizeof(Header))
-            damaged(Defect::not_a_package,
-                    "not a Vantage package: " + std::to_string(bytes_.size()) + " bytes, a header has 64");
+            damaged(Defect::not_a_package, "not a Vantage package: " + std::to_string(bytes_.size()) +
+                                               " bytes, but a header has 64");
         hold(0, sizeof(Header));
         const auto& h = *reinterpret_cast<const Header*>(bytes_.data());
         const bool part = is_part(h);
         if (part && !part_too_ && h.shares > 0 && h.directory_checksum != 0)
-            damaged(Defect::unfinished, "header: holds share " + std::to_string(h.share) + " of " +
+            damaged(Defect::unfinished, "header: this is shard " + std::to_string(h.share) + " of " +
                                             std::to_string(h.shares) +
-                                            " of the photos; join the shares with 'vantage merge'");
+                                            "; join the shards with 'vantage merge'");
         if (part && !part_too_)
             damaged(Defect::unfinished, "header: preparation of this package was not finished");
         if (!part && std::memcmp(h.magic, package::magic, sizeof h.magic) != 0)
@@ -111,7 +112,7 @@ class DirectoryReading {
         return entries;
     }
 
-    /// Fetches header and directory again. False for a file.
+    /// Fetches the header and the directory again. False for a file.
     bool discard() {
         const PackageSource::Part first = bytes_.first(std::min(bytes_.size(), sizeof(Header)));
         if (!source_.discard({&first, 1})) return false;

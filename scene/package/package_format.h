@@ -12,25 +12,25 @@ namespace vantage::package {
 inline constexpr char magic[8] = {'V', 'A', 'N', 'T', 'A', 'G', 'E', '\n'};
 inline constexpr char part_magic[8] = {'V', 'N', 'T', 'G', 'P', 'A', 'R', 'T'};  ///< during preparation
 inline constexpr std::uint32_t version = 8;
-inline constexpr std::uint64_t alignment = 4096;  ///< bytes, for every raw chunk and its blocks
+inline constexpr std::uint64_t alignment = 4096;  ///< alignment of raw chunks and their blocks, in bytes
 constexpr std::uint64_t aligned(std::uint64_t n) { return (n + alignment - 1) / alignment * alignment; }
-inline constexpr std::uint64_t coded_alignment = 8;  ///< bytes, for every other chunk
+inline constexpr std::uint64_t coded_alignment = 8;  ///< alignment of all other chunks, in bytes
 inline constexpr std::uint32_t scene_wide = 0xffffffffu;
 
 /// The storage form of a chunk's content; codec/ implements the forms of tiles.
 enum class Form : std::uint32_t {
     raw,     ///< uncompressed
-    zstd,    ///< without blocks: u64 length of the content, then a zstd frame
-    jpeg,    ///< tiles of color: JPEG without the header, which all tiles share
-    cells,   ///< a level of color: the photo's own JPEG, in cells
-    planes,  ///< tiles of four bytes per texel, lossless
-    depth    ///< tiles of depth, rounded
+    zstd,    ///< for chunks without blocks: u64 length of the content, then a zstd frame
+    jpeg,    ///< tiles of color, as JPEG without the header, which all tiles share
+    cells,   ///< a level of color, as the photo's own JPEG divided into cells
+    planes,  ///< tiles with four bytes per texel, lossless
+    depth    ///< tiles of rounded depth
 };
 
-/// Maximum ratio of the content's length to the length of a zstd chunk, so that a small file cannot claim
-/// much memory. A chunk may be padded with zeros to satisfy it.
+/// The maximum ratio of the content's length to the length of a zstd chunk. It prevents a small file from
+/// claiming much memory. A chunk may be padded with zeros to satisfy it.
 inline constexpr std::uint64_t max_expansion = 32;
-/// Bytes per block in the head of a coded chunk: checksum and end.
+/// Bytes per block in the head of a coded chunk, for the block's checksum and end.
 inline constexpr std::uint64_t coded_block_entry = 16;
 
 struct Header {
@@ -45,10 +45,10 @@ struct Header {
     std::uint64_t header_checksum;     ///< XXH3-64 of the preceding bytes
 };
 
-/// Location of a chunk. A chunk is a head followed by blocks. `checksum` covers the head. In a raw chunk,
-/// blocks have equal length, and the head holds the u64 checksum of each block, padded with zeros to the
-/// alignment. In others, the head holds the u64 checksums, then the u64 end of each block, counted from the
-/// end of the head, then data shared by all blocks.
+/// The location of a chunk, which is a head followed by blocks. `checksum` covers the head. In a raw chunk,
+/// blocks have equal length, and the head holds a u64 checksum for each block, padded with zeros to the
+/// alignment. In a coded chunk, the head holds the u64 checksums, then the u64 end of each block, measured
+/// from the end of the head, and then data shared by all blocks.
 struct DirectoryEntry {
     std::uint32_t type;
     std::uint32_t version;
@@ -57,20 +57,21 @@ struct DirectoryEntry {
     std::uint64_t offset;
     std::uint64_t length;  ///< head and blocks
     std::uint64_t head_length;
-    std::uint64_t block_length;  ///< for a raw chunk; 0 if it has no blocks
+    std::uint64_t block_length;  ///< for raw chunks; 0 if there are no blocks
     std::uint64_t checksum;      ///< XXH3-64 of the head
     Form form;
-    std::uint32_t coded_blocks;  ///< number of blocks, unless the form is raw
+    std::uint32_t coded_blocks;  ///< number of blocks if the form is not raw
 };
 
 struct SceneRecord {
     double origin[3];
     double bounds_min[3],
-        bounds_max[3];  ///< of the input, in its units, without strays (base/values/main_box.h)
+        bounds_max[3];  ///< bounds of the input, in its units, without strays (base/values/main_box.h)
     std::uint64_t vertices, triangles, clusters, photos;
     double reference_density;  ///< pixels per unit at which the depth weight is 255
-    double border_width;       ///< pixels of a photo 3072 wide at which the border weight is 255
-    std::uint64_t effects;     ///< bit i: Effect i is on
+    double border_width;    ///< distance at which the border weight is 255, in pixels of a photo that is 3072
+                            ///< pixels wide
+    std::uint64_t effects;  ///< bit i: Effect i is on
     std::uint64_t scalar_fields;
     double up[3]{0, 0, 1};  ///< unit vector
     double shade[3]{};      ///< linear light of the background in the median photo; 0, 0, 0: unknown
@@ -78,19 +79,19 @@ struct SceneRecord {
     /// is not the number of a photo, the view shows the whole model.
     std::uint64_t first_photo = ~0ull;
     double first_target[3]{};
-    double first_fov = 45;    ///< vertical angle to fit into the frame, degrees
-    double first_aspect = 1;  ///< aspect ratio to fit into the frame
+    double first_fov = 45;    ///< vertical angle that must fit into the frame, degrees
+    double first_aspect = 1;  ///< aspect ratio of the content that must fit into the frame
 };
 
 enum PhotoFlags : std::uint32_t {
     photo_held_out = 1,
     photo_has_alpha = 4,
-    photo_skipped = 8,     ///< unreadable: only its camera is stored; the reason is in its PhotoState
-    photo_registered = 16  ///< its pose was refined; REGI holds the input pose
+    photo_skipped = 8,     ///< unreadable: only the camera is stored; PhotoState has the reason
+    photo_registered = 16  ///< the photo's pose was refined; REGI holds the input pose
 };
 
 struct PhotoRecord {
-    char name[192];  ///< UTF-8, zero-terminated: the file name without folders
+    char name[192];  ///< the file name without folders: UTF-8, zero-terminated
     std::uint32_t width, height;
     std::uint32_t flags;
     std::uint32_t levels;  ///< levels of the tile pyramid; 0 if the photo is held out or skipped
@@ -98,15 +99,15 @@ struct PhotoRecord {
     std::uint32_t weight_map_width, weight_map_height;  ///< at pyramid level `weight_map_level`
     double fx, fy, cx, cy;
     double R[9];                    ///< row-major, cam_from_world
-    double t[3];                    ///< applies to positions relative to the origin
+    double t[3];                    ///< for positions relative to the origin
     double corrected_direction[3];  ///< unit vector in world space; [P] 2.3.3
-    double hull_area;      ///< area of the visible vertices' convex hull as a fraction of the photo's, [0,1]
-    double seen_distance;  ///< median linear depth of the visible surface; 0 if the photo sees none
-    double z_min, z_max;   ///< range of the depth map; 0, 0 if the photo sees no surface
+    double hull_area;  ///< area of the visible vertices' convex hull as a fraction of the photo's area, [0,1]
+    double seen_distance;     ///< median linear depth of the visible surface; 0 if the photo sees none
+    double z_min, z_max;      ///< range of the depth map; 0 and 0 if the photo sees no surface
     double visible_vertices;  ///< fraction of the vertices that this photo sees, [0,1]
     double gain[3];           ///< factors that match the photo's linear light to the mean photo's
     std::uint64_t source_bytes, source_checksum;  ///< length and XXH3-64 of the photo's file
-    float vignetting[3];      ///< light lost at radius r, as -ln: f0 r^2 + f1 r^4 + f2 r^6; r: SampleRecord
+    float vignetting[3];      ///< light lost at radius r (see SampleRecord), as -ln: f0 r^2 + f1 r^4 + f2 r^6
     std::uint32_t image_set;  ///< number of its image set in BAND; 0 if there is no BAND
 };
 
@@ -120,14 +121,14 @@ struct PhotoState {
     std::uint64_t photo, camera, model;  ///< XXH3-64 of these inputs, to report which one changed
     std::uint64_t pose;                  ///< XXH3-64 of the pose used for visibility
     std::uint64_t transients;            ///< XXH3-64 of the transient weights; 0 if all are 255
-    char skipped[192];                   ///< why the photo could not be read, or empty
+    char skipped[192];                   ///< the reason why the photo could not be read, or empty
     std::uint64_t record;                ///< XXH3-64 of the photo's PhotoRecord
     std::uint64_t checksum;              ///< XXH3-64 of the preceding bytes
 };
 
 struct ClusterRecord {
     float center[3], radius;          ///< bounding sphere, relative to the origin
-    float cone_axis[3], cone_cutoff;  ///< meshoptimizer's normal cone; cutoff 1 = no culling
+    float cone_axis[3], cone_cutoff;  ///< meshoptimizer's normal cone; a cutoff of 1 means no culling
     std::uint32_t first_triangle, triangles;
 };
 
@@ -137,8 +138,9 @@ struct BackgroundRecord {
     std::uint64_t hidden;  ///< triangles of the mesh
 };
 
-/// A point of a cloud: x, y and z in 1/2^21 of its node's cube, from the lowest bit, rounded down to the cell
-/// whose center represents the point; sRGB and 255.
+/// A point of a cloud. The coordinates x, y and z, from the lowest bit, are in units of 1/2^21 of the side of
+/// its node's cube. They are rounded down to a cell, whose center represents the point. The color is sRGB and
+/// 255.
 struct PackedPoint {
     std::uint32_t low, high;
     std::uint8_t color[4];
@@ -146,19 +148,19 @@ struct PackedPoint {
 inline constexpr std::uint32_t point_block = 32768;  ///< points per block of PNTS
 inline constexpr std::uint32_t point_node = 16384;   ///< maximum number of points per node
 
-/// A cube of the octree over a point cloud, and the points that it adds to those of its ancestors. All of
-/// these are about `spacing` apart; its descendants add the points between them. Nodes are stored in
-/// breadth-first order.
+/// A node of the octree over a point cloud: its cube and the points that it adds to those of its ancestors.
+/// All of these points are about `spacing` apart; the node's descendants add the points between them. Nodes
+/// are stored in breadth-first order.
 struct PointNode {
-    float low[3], size;                 ///< of the cube, relative to the origin
+    float low[3], size;                 ///< lowest corner and side of the cube, relative to the origin
     float spacing;                      ///< in input units
-    std::uint32_t block, first, count;  ///< its points: block, index of the first in the block, number
-    std::uint32_t children;             ///< index of its first child; the others follow
+    std::uint32_t block, first, count;  ///< block of its points, index of the first one there, number
+    std::uint32_t children;             ///< index of its first child; its other children follow
     std::uint8_t child_octants;         ///< bit i: there is a child in octant i = x + 2 y + 4 z
     std::uint8_t reserved[3];
 };
 
-/// A set of photos that is shown separately: visible light, infrared, before a restoration.
+/// A set of photos that is shown separately, such as those in infrared, or those from before a restoration.
 struct ImageSetRecord {
     char name[56];          ///< UTF-8, zero-terminated
     std::uint64_t effects;  ///< bit i: Effect i is on for these photos
@@ -172,18 +174,19 @@ struct LensRecord {
     double p[12];
 };
 
-/// Visibility of one cluster in one photo.
+/// The visibility of one cluster in one photo.
 struct CoverageRecord {
     std::uint16_t seen;            ///< fraction of its triangles that are at least partly visible, unorm16
     std::uint16_t u0, v0, u1, v1;  ///< bounds of its texture coordinates with a margin for filtering, unorm16
-    std::int16_t log2_density;     ///< log2(pixels per unit at its center) * 256
+    std::int16_t log2_density;     ///< log2(pixels per unit at the cluster's center) * 256
 };
 
-/// The number of discs on each model's surface where photos are compared.
+/// The number of discs on each model's surface in which photos are compared.
 inline constexpr std::size_t surface_discs = 8192;
 
-/// The mean color of a disc of the surface in a photo, linear light, unorm16; all 0 if it is not clearly
-/// visible. Radius: distance from the principal point, divided by half the photo's diagonal, unorm16.
+/// The mean color of a disc of the surface in a photo, in linear light, as unorm16; all 0 if the disc is not
+/// clearly visible. `radius` is its distance from the principal point, divided by half the photo's diagonal,
+/// as unorm16.
 struct SampleRecord {
     std::uint16_t linear[3];
     std::uint16_t radius;
@@ -191,45 +194,45 @@ struct SampleRecord {
 
 /// The result of pose refinement for a photo.
 struct PoseRefinementRecord {
-    double R[9], t[3];     ///< the input pose, like PhotoRecord's
-    double motion_px;      ///< median displacement of the photo's content, px; 0 if the pose is unchanged
-    double before, after;  ///< median residual of corners held out of the fit, px
+    double R[9], t[3];     ///< the input pose, in the form of PhotoRecord
+    double motion_px;      ///< median displacement of the photo's content in px; 0 if the pose is unchanged
+    double before, after;  ///< median residual, in px, of corners that were held out of the fit
     std::uint64_t key;     ///< XXH3-64 of all inputs, the same for all photos
 };
 
-/// The pose of a refined camera, refitted as if another photo were not in the scene.
+/// The pose of a refined camera when it is fitted as if another photo were not in the scene.
 struct LeaveOneOutPoseRecord {
     std::uint32_t without;  ///< the photo held out of the fit
     std::uint32_t photo;    ///< the photo whose pose this is
-    double R[9], t[3];      ///< like PhotoRecord's
+    double R[9], t[3];      ///< in the form of PhotoRecord
 };
 /// Maximum number of leave-one-out poses stored per held-out photo.
 inline constexpr std::size_t poses_without_photo = 24;
 
 /// Maximum number of pairs measured and stored per photo.
 inline constexpr std::uint64_t stored_pairs_per_photo = 2;
-/// Size of a pair's displacement map, in cells.
+/// The size of a pair's displacement map, in cells.
 inline constexpr int pair_columns = 12, pair_rows = 8;
 
-/// The disagreement of two overlapping photos, matched through the model with the input cameras. Pixels are
-/// those of photo `a` at full size.
+/// The disagreement between two overlapping photos, which are matched through the model with the input
+/// cameras. Pixels are those of photo `a` at full size.
 struct PairRecord {
     std::uint32_t a, b;              ///< a < b; 0 and 0 if there is no pair
     std::uint32_t shared;            ///< number of discs seen by both photos
-    std::uint32_t corners, matches;  ///< comparable corners of `a`, and those found in `b`
-    float angle;                     ///< median angle between their directions to that surface, radians
-    float color;                     ///< median |ln ratio| of the discs' linear light, mean of the channels
-    float median, p90;               ///< distance of matches from their predicted positions, px
-    float shift[2];                  ///< median displacement to the right and down, px
+    std::uint32_t corners, matches;  ///< number of comparable corners in `a`, and of those found in `b`
+    float angle;        ///< median angle between the two cameras' directions to that surface, radians
+    float color;        ///< median |ln ratio| of the discs' linear light, mean of the channels
+    float median, p90;  ///< distance of the matches from their predicted positions, px
+    float shift[2];     ///< median displacement to the right and down, px
     std::uint32_t reserved;
     std::uint64_t key;  ///< XXH3-64 of all inputs
     struct Cell {
-        std::int16_t moved[2];  ///< median displacement in this part of photo `a`, 1/64 px
+        std::int16_t moved[2];  ///< median displacement in this part of photo `a`, in 1/64 px
         std::uint16_t matches;
     } cells[pair_columns * pair_rows];
 };
 
-/// Words in each of VISB's two bit sets.
+/// The number of words in each of VISB's two bit sets.
 inline constexpr std::uint64_t visible_words(std::uint64_t triangles) { return (triangles + 63) / 64; }
 
 static_assert(sizeof(Header) == 64 && sizeof(DirectoryEntry) == 64 && sizeof(ClusterRecord) == 40);

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Adds every {"bytes": ..., "xxh3": ...} in META's list of inputs.
+/// Adds every object {"bytes": ..., "xxh3": ...} in META's list of inputs.
 void add_identities(const json& value, std::vector<FileIdentity>& out) {
     if (value.is_object() && value.contains("bytes") && value.contains("xxh3")) {
         const json &bytes = value["bytes"], &checksum = value["xxh3"];

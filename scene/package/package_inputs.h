@@ -5,7 +5,7 @@
 namespace vantage {
 
 /// Files that outputs made from a package must not overwrite: the package and, identified by content, the
-/// inputs of its preparation. Inputs are missing if META cannot be parsed. Throws Error(damaged).
+/// inputs of its preparation. If META cannot be parsed, the inputs are not included. Throws Error(damaged).
 Inputs inputs_of(const PackageReader& package);
 
 }  // namespace vantage

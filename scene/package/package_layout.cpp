@@ -23,8 +23,8 @@ DirectoryEntry planned_entry(const ChunkPlan& plan, std::uint64_t offset) {
     return e;
 }
 
-/// Ignores the positions of scene-wide chunks: every run rewrites them, so they do not affect which chunks
-/// can be kept.
+/// Ignores the positions of scene-wide chunks. Every run rewrites these chunks, so they do not affect which
+/// chunks can be kept.
 std::uint64_t layout_checksum(const PackageLayout& layout, std::uint64_t names) {
     std::vector<std::uint64_t> words{names, layout.bytes, layout.directory.size(), layout.compact()};
     for (const DirectoryEntry& e : layout.directory) {
@@ -39,7 +39,7 @@ std::uint64_t layout_checksum(const PackageLayout& layout, std::uint64_t names) 
 
 PackageLayout package_layout(std::span<const ChunkPlan> plan, std::uint64_t names) {
     PackageLayout out;
-    // Includes an entry for an appended chunk.
+    // This includes the entry of an appended chunk.
     out.bytes = aligned(sizeof(package::Header) + (plan.size() + 1) * sizeof(DirectoryEntry));
     for (const ChunkPlan& chunk : plan) {
         out.directory.push_back(planned_entry(chunk, out.bytes));

@@ -27,7 +27,7 @@ using package::Type;
 
 namespace {
 
-/// Number of image sets to which a photo may belong: 1 without BAND.
+/// The number of image sets to which photos may belong; 1 without BAND.
 std::uint64_t number_of_image_sets(const DirectoryEntry* chunk) {
     return chunk ? chunk->head_length / sizeof(package::ImageSetRecord) : 1;
 }
@@ -46,9 +46,9 @@ struct PackageReader::Mapping {
     std::uint64_t size = 0;
     bool remote = false;
     std::vector<Held> held;
-    std::vector<DirectoryEntry> directory;  ///< copied: the directory of a part changes
+    std::vector<DirectoryEntry> directory;  ///< a copy, because the directory of a part changes
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, const DirectoryEntry*> index;
-    // Copied before they are used, because the file may be overwritten while it is open.
+    // The records are copied before they are used, because the file may be overwritten while it is open.
     std::once_flag scene_read, photos_read;
     package::SceneRecord scene{};
     std::vector<package::PhotoRecord> photos;
@@ -100,7 +100,7 @@ struct PackageReader::Mapping {
         const std::scoped_lock lock(holding);
         return whole.contains(e);
     }
-    /// The same for whole chunks.
+    /// Fetches whole chunks, which then stay readable.
     void keep(std::vector<const DirectoryEntry*> chunks, std::stop_token stop = {}) {
         if (!remote) return;
         {
@@ -133,7 +133,8 @@ struct PackageReader::Mapping {
         throw DamagedPackage(defect, source->name().string() + ": " + what);
     }
 
-    /// Thumbnails, and chunks without blocks except coordinates per vertex.
+    /// The chunks that are needed before the first tile: thumbnails, and chunks without blocks except
+    /// coordinates per vertex.
     std::vector<const DirectoryEntry*> before_tiles() const {
         std::vector<const DirectoryEntry*> out;
         for (const DirectoryEntry& e : directory) {

@@ -16,21 +16,21 @@
 
 namespace vantage {
 
-/// A mapped package, in a file or on a server. Opening it reads and checks the header and the directory only.
+/// A mapped package, in a file or on a server. Opening it reads and checks only the header and the directory.
 /// Spans point into the mapping and are valid as long as the reader lives, so functions that return one
 /// cannot be called on a temporary.
 ///
 /// If the package is on a server, bytes are fetched before they are read, and any function may throw
-/// Error(input) if that fails. Content and records are fetched on demand and kept; the caller must hold
-/// blocks and heads of chunks with blocks, see hold().
+/// Error(input) if that fails. Content and records are fetched on demand and kept. Blocks, and heads of
+/// chunks with blocks, must be held by the caller, see hold().
 class PackageReader {
   public:
     using Part = PackageSource::Part;
-    /// Which files are accepted: only whole packages, or also packages that are still being prepared. In the
-    /// latter, of the photos' chunks only those sealed so far are found, scene-wide chunks may not have been
-    /// written yet, and the caller must check the records.
+    /// Which files are accepted: only whole packages, or also packages that are still being prepared. In a
+    /// package that is still being prepared, only those photos' chunks are found that have been sealed so
+    /// far, and scene-wide chunks may not have been written yet. The caller must check the records.
     enum class Expect { whole, part };
-    /// Opens a package. Throws Error(input) if the file cannot be opened, Error(damaged) if it is not as
+    /// Opens a package. Throws Error(input) if the file cannot be opened, and Error(damaged) if it is not as
     /// expected.
     explicit PackageReader(const std::filesystem::path& file, Expect expect = Expect::whole);
     explicit PackageReader(std::unique_ptr<PackageSource> source, Expect expect = Expect::whole);
@@ -49,21 +49,21 @@ class PackageReader {
                                         std::uint32_t level = 0) const;
 
     /// The content of a chunk without blocks, decompressed if necessary and kept until the reader is closed;
-    /// for other chunks, the head. Empty for null, or if it cannot be decompressed.
+    /// for other chunks, the head. Empty if `entry` is null or the content cannot be decompressed.
     std::span<const std::byte> bytes(const package::DirectoryEntry* entry) const&;
     std::span<const std::byte> bytes(const package::DirectoryEntry*) const&& = delete;
-    /// Length of that content; 0 for null.
+    /// The length of the content that bytes() returns; 0 if `entry` is null.
     std::uint64_t content_length(const package::DirectoryEntry* entry) const;
-    /// Number of stored blocks; for color in cells, these are not tiles.
+    /// The number of stored blocks. For color in cells, these are not tiles.
     std::size_t blocks(const package::DirectoryEntry& entry) const;
-    /// The data shared by the blocks of a coded chunk; empty for others.
+    /// The data shared by the blocks of a coded chunk; empty for other chunks.
     std::span<const std::byte> shared(const package::DirectoryEntry& entry) const&;
     std::span<const std::byte> shared(const package::DirectoryEntry&) const&& = delete;
     /// A block as stored; empty if the chunk's head is damaged. Throws Error(damaged) if there is no such
     /// block.
     std::span<const std::byte> block(const package::DirectoryEntry& entry, std::size_t index) const&;
     std::span<const std::byte> block(const package::DirectoryEntry&, std::size_t) const&& = delete;
-    /// The same, but verified. Throws Error(damaged) if the block's checksum does not match.
+    /// A block as stored, after verification. Throws Error(damaged) if the block's checksum does not match.
     std::span<const std::byte> valid_block(const package::DirectoryEntry& entry, std::size_t index) const&;
     std::span<const std::byte> valid_block(const package::DirectoryEntry&, std::size_t) const&& = delete;
     /// True if the block's checksum matches.
@@ -71,7 +71,7 @@ class PackageReader {
     /// The head of a chunk, as stored.
     Part head(const package::DirectoryEntry& entry) const&;
     Part head(const package::DirectoryEntry&) const&& = delete;
-    /// Head and blocks as stored, and the file's descriptor, for copying.
+    /// The head and the blocks as stored, and the file's descriptor, for copying.
     std::span<const std::byte> raw(const package::DirectoryEntry& entry) const&;
     std::span<const std::byte> raw(const package::DirectoryEntry&) const&& = delete;
     int descriptor() const;
@@ -83,9 +83,9 @@ class PackageReader {
     /// Fetches a whole chunk again after a checksum mismatch. False for a file.
     bool fetch_again(const package::DirectoryEntry& entry) const;
     /// Fetches everything needed before the first tile in one batch and keeps it: chunks without blocks, and
-    /// thumbnails. Throws like hold().
+    /// thumbnails. Throws whatever hold() throws.
     void fetch_scene(std::stop_token stop = {}) const;
-    /// Number of bytes that fetch_scene() fetches.
+    /// The number of bytes that fetch_scene() fetches.
     std::uint64_t scene_bytes() const;
     bool remote() const;
     /// Traffic with the server; empty for a file.
@@ -95,13 +95,13 @@ class PackageReader {
     /// needed. Decompressed content is kept.
     void forget(std::span<const std::byte> bytes) const;
     void forget_all() const;
-    /// True if the head's checksum matches; the head is all of a chunk without blocks.
+    /// True if the head's checksum matches. A chunk without blocks consists only of its head.
     bool head_valid(const package::DirectoryEntry& entry) const;
     /// True if the checksums of the head and of every block match.
     bool valid(const package::DirectoryEntry& entry) const;
 
-    /// A chunk as records. Throws Error(damaged) if it is missing (and `required`), its checksum does not
-    /// match, or its length is not a multiple of the record's.
+    /// A chunk as records. Throws Error(damaged) if the chunk is missing although it is `required`, if its
+    /// checksum does not match, or if its length is not a multiple of the record's length.
     template <class T>
     std::span<const T> records(package::Type type, std::uint32_t photo = package::scene_wide,
                                bool required = true) const& {
@@ -120,10 +120,10 @@ class PackageReader {
     std::string_view meta() const&;
     std::string_view meta() const&& = delete;
 
-    /// Index of the photo with this name, given with or without its extension. Throws Error(usage) if several
-    /// photos have this name without extension.
+    /// The index of the photo with this name, given with or without its extension. Throws Error(usage) if
+    /// several photos have this name without the extension.
     std::optional<std::uint32_t> photo_index(std::string_view name) const;
-    /// Per photo, the stem of its output files (see file_stems).
+    /// For each photo, the stem of its output files (see file_stems).
     std::vector<std::string> photo_stems() const;
 
   private:
@@ -134,9 +134,9 @@ class PackageReader {
     std::unique_ptr<Mapping> map_;
 };
 
-/// A type's name in messages: "TILE".
+/// A type's name in messages, such as "TILE".
 std::string fourcc_of(package::Type type);
-/// A chunk's name in messages: "TILE of photo 3 (00003.jpg), level 2".
+/// A chunk's name in messages, such as "TILE of photo 3 (00003.jpg), level 2".
 std::string describe(const package::DirectoryEntry& entry, const PackageReader& reader);
 
 }  // namespace vantage

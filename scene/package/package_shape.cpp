@@ -81,7 +81,7 @@ void image_sets_shape(const PackageReader& reader, const package::SceneRecord& s
         const std::string name(b.name, ::strnlen(b.name, sizeof b.name));
         if (name.size() == sizeof b.name || !is_image_set_name(name) || !names.insert(name).second)
             out.push_back("BAND: image set " + std::to_string(&b - image_sets.data()) +
-                          " has no name of its own that a folder may have");
+                          " has a name that is not unique or cannot name a folder");
     }
 }
 

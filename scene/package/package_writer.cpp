@@ -31,10 +31,10 @@ namespace {
 using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
 Key key_of(const DirectoryEntry& e) { return {e.type, e.photo, e.level}; }
 
-/// Offset of directory entry `i`.
+/// The offset of directory entry `i`.
 std::uint64_t slot(std::size_t i) { return sizeof(Header) + i * sizeof(DirectoryEntry); }
 
-/// Whether a chunk has the planned lengths, or is shorter if it may be compact.
+/// Whether a chunk has the planned lengths or, if it may be compact, is shorter.
 bool is_planned(const DirectoryEntry& e, const DirectoryEntry& plan, bool compact) {
     if (e.form != Form::raw) return compact && e.length < plan.length && e.head_length <= e.length;
     return e.length == plan.length && e.head_length == plan.head_length &&
@@ -71,7 +71,7 @@ struct PackageWriter::State {
     };
     std::vector<Appended> appended;
     bool resumed = false, holds_photos = false;
-    mutable std::mutex mutex;  ///< guards the checksums, `settled` and `holds_photos`
+    mutable std::mutex mutex;  ///< guards checksums, `settled` and `holds_photos`
 
     State(const std::filesystem::path& path, std::span<const ChunkPlan> plan, std::uint64_t names, Share s)
         : file(path),
@@ -134,7 +134,7 @@ struct PackageWriter::State {
     void publish_together(std::span<DirectoryEntry> present);
 };
 
-/// Reuses the chunks that an earlier run sealed; false if the file does not have this layout.
+/// Reuses the chunks that an earlier run sealed. Returns false if the file does not have this layout.
 bool PackageWriter::State::resume() {
     Header h{};
     const auto header = std::as_writable_bytes(std::span(&h, 1));
@@ -182,7 +182,7 @@ void PackageWriter::State::publish_in_place(std::span<const DirectoryEntry> pres
 void PackageWriter::State::publish_together(std::span<DirectoryEntry> present) {
     PartFile together(file.file(), packing_of(file.file()));
     together.resize(0);
-    // Written first, so that the file is recognized as ours even after a power cut.
+    // The magic is written first, so that the file is recognized as ours even after a power cut.
     together.write(0, std::as_bytes(std::span(package::part_magic)));
     together.flush();
     std::uint64_t at = slot(present.size());

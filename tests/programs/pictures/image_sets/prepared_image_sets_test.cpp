@@ -145,11 +145,12 @@ TEST_F(ImageSets, NumbersOutOfRangeAreRefused) {
         photos + sizeof(package::PhotoRecord) + offsetof(package::PhotoRecord, image_set);
     EXPECT_EQ(message(second, &two, 4), "PHOT 1: image set 2, expected one below 2");
     EXPECT_EQ(message(second, &many, 4), "PHOT 1: image set 4294967295, expected one below 2");
-    EXPECT_EQ(message(records, "", 1), "BAND: image set 0 has no name of its own that a folder may have");
+    EXPECT_EQ(message(records, "", 1),
+              "BAND: image set 0 has a name that is not unique or cannot name a folder");
     EXPECT_EQ(message(records, "infrared", 9),
-              "BAND: image set 1 has no name of its own that a folder may have");
+              "BAND: image set 1 has a name that is not unique or cannot name a folder");
     EXPECT_EQ(message(records, "../../up", 9),
-              "BAND: image set 0 has no name of its own that a folder may have");
+              "BAND: image set 0 has a name that is not unique or cannot name a folder");
 }
 
 TEST_F(ImageSetsAtLength, EvaluatePredictsAPhotoFromItsOwnImageSet) {
