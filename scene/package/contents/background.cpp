@@ -14,7 +14,7 @@ using package::BackgroundRecord;
 using package::ClusterRecord;
 using package::CoverageRecord;
 
-/// Appends `count` values, with zeros for missing ones.
+/// Appends `count` values, with zeros in place of missing ones.
 template <class T>
 void put(std::vector<std::byte>& out, const std::vector<T>& values, std::size_t count) {
     const std::size_t at = out.size();
@@ -22,7 +22,7 @@ void put(std::vector<std::byte>& out, const std::vector<T>& values, std::size_t 
     std::ranges::copy(std::as_bytes(std::span(values)), out.begin() + std::ptrdiff_t(at));
 }
 
-/// Reads values from the front.
+/// Removes `count` values from the front of `bytes` and returns them.
 template <class T>
 std::vector<T> take(std::span<const std::byte>& bytes, std::size_t count) {
     std::vector<T> out(count);
@@ -51,7 +51,7 @@ const char* problem(const BackgroundContent& s) {
             return "a cluster is out of range";
         next += c.triangles;
     }
-    return next == s.triangles.size() ? "" : "its clusters do not cover its triangles";
+    return next == s.triangles.size() ? "" : "the clusters do not cover the triangles";
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ std::optional<BackgroundContent> read_background(const PackageReader& package) {
     if (raw.size() >= sizeof r) std::memcpy(&r, raw.data(), sizeof r);
     if (raw.size() < sizeof r || r.vertices > most || r.triangles > most || r.clusters > r.triangles ||
         r.photos != package.photos().size() || r.photos > most || r.hidden > most || size_of(r) != raw.size())
-        throw fail("length does not fit its counts");
+        throw fail("length does not match its counts");
     std::span<const std::byte> rest = raw.subspan(sizeof r);
     BackgroundContent s;
     for (std::uint64_t p = 0; p < r.photos; ++p)

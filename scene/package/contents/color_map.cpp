@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// Seventeen equidistant colors, 0xRRGGBB, between which sRGB values are interpolated.
+/// Seventeen equidistant colors, as 0xRRGGBB, between which sRGB values are interpolated.
 using Stops = std::array<std::uint32_t, 17>;
 
 constexpr Stops viridis{0x440154, 0x48186a, 0x472d7b, 0x424086, 0x3b528b, 0x33638d,

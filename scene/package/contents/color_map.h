@@ -4,11 +4,11 @@
 
 namespace vantage {
 
-/// Color maps from the lowest to the highest value. Automatic: coolwarm if values have both signs, otherwise
-/// viridis. Viridis and magma (van der Walt and Smith 2015) and cividis (Nunez, Anderton and Renslow 2018,
-/// also for color-blind viewers) increase evenly in lightness; coolwarm (Moreland 2009) diverges from a light
-/// center. Interpolated from 17 colors each: within 6 of 255 of the published tables (cividis 11, coolwarm
-/// 9).
+/// Color maps from the lowest to the highest value. `automatic` means coolwarm if there are values of both
+/// signs, otherwise viridis. Three maps increase evenly in lightness: viridis, magma (both by van der Walt
+/// and Smith 2015) and cividis (Nunez, Anderton and Renslow 2018), which is also suitable for color-blind
+/// viewers. Coolwarm (Moreland 2009) diverges from a light center. Each map is interpolated from 17 colors
+/// and differs from the published table by at most 6 of 255 (cividis by 11, coolwarm by 9).
 enum class ColorMap { automatic, viridis, magma, cividis, coolwarm, count };
 
 using ColorTable = std::array<std::array<std::uint8_t, 4>, 256>;  ///< sRGB and alpha

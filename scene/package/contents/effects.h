@@ -9,9 +9,9 @@
 
 namespace vantage {
 
-/// A correction or feature that a scene may need. Each effect has a row in the table in effects.cpp, code
-/// that measures and applies it, and, if it changes drawing, a branch in a shader. The order is that of the
-/// bits in SceneRecord::effects.
+/// A correction or feature that a scene may need. For each effect, there is a row in the table in
+/// effects.cpp, code that measures and applies it, and, if it changes how scenes are drawn, a branch in a
+/// shader. The order of the effects is that of the bits in SceneRecord::effects.
 enum class Effect : int {
     undistortion,
     per_fragment,
@@ -32,46 +32,46 @@ enum class Effect : int {
 
 /// The data that decide whether an effect is on.
 enum class Basis {
-    scene,      ///< cameras and mesh, before any photo is prepared
-    colors,     ///< surface colors of all photos, after each is prepared
-    pixels,     ///< the surface as matched between all photos, after each is prepared
-    background  ///< background of all photos, after each is prepared
+    scene,      ///< the cameras and the mesh, before any photo is prepared
+    colors,     ///< the surface colors in all photos, after all are prepared
+    pixels,     ///< the surface as matched between all photos, after all are prepared
+    background  ///< the background in all photos, after all are prepared
 };
 
-/// The constant part of the table.
+/// A row of the table of effects, which is constant.
 struct EffectRow {
     Effect effect;
     const char* name;      ///< as stored in packages
-    const char* option;    ///< as documented for the command line, where `name` is accepted too
+    const char* option;    ///< as documented for the command line, which also accepts `name`
     const char* measures;  ///< the quantity compared with the threshold; stored in packages
     const char* unit;      ///< unit of the measured value; stored in packages
     double threshold;      ///< the effect is on if the value exceeds it
     Basis basis;
-    const char* program;  ///< the shader program that it changes, "" if none
-    const char* define;   ///< the preprocessor symbol that enables it there, "" if none
+    const char* program;  ///< the shader program that the effect changes; "" if there is none
+    const char* define;   ///< the preprocessor symbol that enables the effect there; "" if there is none
 };
 std::span<const EffectRow> effect_table();
 
-/// The row with this name, in either spelling. Throws Error(usage) listing the names if there is none.
+/// The row with this name, in either spelling. If there is none, throws Error(usage), which lists the names.
 const EffectRow& effect_row(std::string_view name);
 const EffectRow& effect_row(Effect effect);
 
-/// True if the effect is decided from all photos together, after each is prepared.
+/// True if the effect is decided from all photos together, after all are prepared.
 inline bool from_all_photos(const EffectRow& row) { return row.basis != Basis::scene; }
 
-/// Gain of an effect in photos that are held out completely and predicted from the others.
+/// The gain from an effect in photos that are held out completely and predicted from the other photos.
 struct Judgment {
     int photos = 0;              ///< number of photos held out
-    double gain = 0, error = 0;  ///< dB after the best gain per channel: mean, and its standard error
-    double noise = 0;            ///< dB: standard error estimated from the losses, see summarize
-    double worst = 0;            ///< dB, lowest gain of a photo
+    double gain = 0, error = 0;  ///< the mean, after the best gain per channel, and its standard error; dB
+    double noise = 0;            ///< the standard error estimated from the losses, see summarize(); dB
+    double worst = 0;            ///< the lowest gain in any photo; dB
     int worse = 0;               ///< number of photos that get worse
     double ssim = 0;             ///< mean change
     double seams_before = 0, seams_after = 0;  ///< gray levels
     std::string worst_photo;
 };
 
-/// The decision about an effect for one image set, see EffectDecision.
+/// The decision about an effect for one image set (see EffectDecision).
 struct ImageSetDecision {
     std::string image_set;
     bool on = false;
@@ -87,8 +87,8 @@ struct EffectDecision {
     bool forced = false;                         ///< set by --effect NAME=on|off
     double measured = 0;                         ///< in the row's unit
     std::string evidence;                        ///< one human-readable sentence
-    std::optional<Judgment> judgment{};          ///< if photos were held out to decide
-    std::vector<ImageSetDecision> image_sets{};  ///< decisions per image set, if made separately; the effect
+    std::optional<Judgment> judgment{};          ///< set if photos were held out to make the decision
+    std::vector<ImageSetDecision> image_sets{};  ///< one per image set, if made separately; the effect
                                                  ///< is on if it is on for any of them
 };
 
@@ -99,13 +99,13 @@ EffectChoice choice_of(const std::map<Effect, EffectChoice>& choices, Effect eff
 /// Decides one effect. If `measured` is not finite, an automatic effect stays off.
 EffectDecision decide(Effect effect, EffectChoice choice, double measured, std::string evidence);
 
-/// A set of effects: bit i is Effect i.
+/// A set of effects; bit i stands for Effect i.
 using EffectSet = std::uint64_t;
 constexpr EffectSet effect_bit(Effect effect) { return EffectSet(1) << int(effect); }
-/// All effects decided from `basis`.
+/// All effects that are decided from `basis`.
 EffectSet effects_from(Basis basis);
 
-/// Symbols to define in a shader program ("surface", "blend") for the effects that are on.
+/// The symbols to define in a shader program ("surface" or "blend") for the effects that are on.
 std::vector<std::string> shader_defines(std::string_view program, EffectSet on);
 
 }  // namespace vantage

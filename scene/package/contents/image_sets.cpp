@@ -37,7 +37,7 @@ std::uint32_t image_set_named(const PackageReader& package, const std::string& n
     const std::vector<ImageSet> image_sets = read_image_sets(package);
     if (image_sets.size() == 1)
         throw Error(Exit::usage, package.path().string() + ": has no image sets, but an image set '" + name +
-                                     "' is asked for");
+                                     "' was requested");
     std::string known;
     for (std::uint32_t b = 0; b < image_sets.size(); ++b) {
         if (same_name(image_sets[b].name, name)) return b;

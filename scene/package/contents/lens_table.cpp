@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// distort(), continued smoothly beyond the range.
+/// Like distort(), but continued smoothly beyond the range.
 Vector2d continued(const Lens& lens, double range, const Vector2d& ray) {
     const double r = ray.norm();
     if (r <= range) return distort(lens, ray);
@@ -20,7 +20,7 @@ Vector2d continued(const Lens& lens, double range, const Vector2d& ray) {
     return distort(lens, at) + slope * (r - range);
 }
 
-/// The displacement at a node, pixels. Node 0 lies on the frame's edge; nodes are one cell apart.
+/// The displacement at a node, in pixels. Node 0 lies on the frame's edge; nodes are one cell apart.
 Vector2d displacement(const Intrinsics& k, const Lens& lens, double range, int column, int row) {
     constexpr double most = 1e6;
     const Vector2d pixel(double(column) * k.width / LensTable::cells,
@@ -32,7 +32,7 @@ Vector2d displacement(const Intrinsics& k, const Lens& lens, double range, int c
 }
 
 /// Coefficients from values at nodes, using the quasi-interpolant (-1, 8, -1) / 6, which is exact for cubics.
-/// `at`: value of node i, from -2 to cells + 2.
+/// `at`: returns the value of node i, from -2 to cells + 2.
 template <class Value>
 auto coefficient(int i, const Value& at) {
     return ((8 * at(i) - at(i - 1) - at(i + 1)) / 6).eval();
@@ -43,7 +43,7 @@ bool is_inside(const Intrinsics& k, const Vector2d& pixel, double margin) {
            pixel.y() <= k.height - margin;
 }
 
-/// Whether a whole cell is imaged inside the photo.
+/// Whether the image of a whole cell lies inside the photo.
 bool is_inside(const LensTable& t, int column, int row, double margin) {
     const Intrinsics& k = t.camera;
     const Vector2d size(double(k.width) / LensTable::cells, double(k.height) / LensTable::cells);

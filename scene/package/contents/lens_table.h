@@ -10,19 +10,20 @@
 
 namespace vantage {
 
-/// A lens's displacement of each pixel of a pinhole camera with the same intrinsics, as a uniform bicubic
-/// B-spline over the camera's frame. C++ code and shaders thus evaluate every lens model in the same way,
-/// within 0.02 px of distort() (LensTables in tests/scene/package/contents/lens_table_test.cpp).
+/// How a lens displaces the pixels of a pinhole camera with the same intrinsics, as a uniform bicubic
+/// B-spline over the camera's frame. C++ code and shaders thus evaluate every lens model in the same way, and
+/// the result is within 0.02 px of distort() (LensTables in
+/// tests/scene/package/contents/lens_table_test.cpp).
 struct LensTable {
-    static constexpr int cells = 64;         ///< along each side of the frame
+    static constexpr int cells = 64;         ///< number of cells along each side of the frame
     static constexpr int side = cells + 3;   ///< coefficients per side; cell i uses coefficients i to i + 3
-    Intrinsics camera;                       ///< pixels at full size
+    Intrinsics camera;                       ///< in pixels at full size
     double range = 0;                        ///< lens_range(), at most 1e9
-    std::vector<Eigen::Vector2f> displaced;  ///< side * side coefficients, row by row, pixels
+    std::vector<Eigen::Vector2f> displaced;  ///< side * side coefficients in pixels, row by row
 };
 
 LensTable lens_table(const Intrinsics& camera, const Lens& lens);
-/// The table of a photo in a package; empty without a lens. Throws Error(damaged), see lens_of().
+/// The table of a photo in a package; empty if the photo has no lens. Throws Error(damaged), see lens_of().
 std::optional<LensTable> lens_table(const PackageReader& package, const package::PhotoRecord& record,
                                     std::uint32_t photo);
 
@@ -31,23 +32,23 @@ struct SplinePlace {
     int first;
     std::array<float, 4> weights;
 };
-/// `share`: position as a fraction of the frame's width or height; clamped to [0, 1].
+/// `share`: the position as a fraction of the frame's width or height; it is clamped to [0, 1].
 SplinePlace spline_place(double share);
 
 /// The position in the photo that corresponds to the pinhole camera's `pixel`; NaN beyond the lens's range.
 /// Outside the frame, the displacement is that of the nearest pixel inside.
 Eigen::Vector2d photo_pixel(const LensTable& table, const Eigen::Vector2d& pixel);
 
-/// Largest displacement relative to a pinhole camera, in pixels, sampled on a grid over the photo. 0 for a
-/// camera without distortion; never NaN.
+/// The largest displacement in pixels relative to a pinhole camera, sampled on a grid over the photo. It is 0
+/// for a camera without distortion, and never NaN.
 double largest_displacement(const Camera& camera);
 
-/// Bounds of a rectangle of pinhole pixels as imaged by the lens; beyond the lens's range, the spline is
+/// The bounds of the lens's image of a rectangle of pinhole pixels. Beyond the lens's range, the spline is
 /// extrapolated.
 Eigen::AlignedBox2d photo_bounds(const LensTable& table, const Eigen::AlignedBox2d& pixels);
 
-/// For each texel of a level of the pinhole camera's frame, 1 if the lens images it inside the photo, at
-/// least a texel from the edge; empty if that is true everywhere.
+/// For each texel of a level of the pinhole camera's frame, 1 if its image lies inside the photo and at least
+/// a texel from the edge; empty if that is so for all texels.
 std::vector<std::uint8_t> inside_photo(const LensTable& table, int level);
 
 }  // namespace vantage

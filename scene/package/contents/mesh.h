@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// A scalar per vertex in a mesh file, in addition to positions, normals and colors.
+/// A scalar field that a mesh file has in addition to positions, normals and colors.
 struct VertexField {
     std::string name;
     std::vector<float> values;  ///< one per vertex
@@ -17,7 +17,7 @@ struct VertexField {
 struct Mesh {
     std::vector<Eigen::Vector3d> positions;
     std::vector<Eigen::Vector3f> normals;  ///< unit length, one per vertex; empty for points without normals
-    std::vector<std::array<std::uint8_t, 4>> colors;  ///< sRGB and alpha, one per vertex, or empty
+    std::vector<std::array<std::uint8_t, 4>> colors;  ///< sRGB and alpha, one per vertex; may be empty
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<VertexField> scalars;
 

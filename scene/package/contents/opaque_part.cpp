@@ -45,7 +45,7 @@ std::optional<std::string> transparency_damage(const PackageReader& package) {
     for (std::size_t t = 0; t < indices.size() / 3; ++t)
         if (is_transparent(indices, t, colors) != (t >= opaque.triangles))
             return "CLUS: triangle " + std::to_string(t) + " is in a cluster of " +
-                   (t >= opaque.triangles ? "transparent" : "opaque") + " triangles and is not one";
+                   (t >= opaque.triangles ? "transparent" : "opaque") + " triangles but is not one of them";
     return {};
 }
 

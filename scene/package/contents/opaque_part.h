@@ -9,20 +9,21 @@
 
 namespace vantage {
 
-/// The opaque part of a mesh: its first clusters, triangles and vertices. With the effect `transparency`, the
-/// clusters of triangles that have a vertex with alpha below 255 follow it.
+/// The opaque part of a mesh: its first clusters, triangles and vertices. With the effect `transparency`, it
+/// is followed by the clusters of the triangles that have a vertex with alpha below 255.
 struct OpaquePart {
     std::uint32_t clusters, triangles, vertices;
 };
 
-/// Whether triangle `t` has a vertex that is not opaque. Vertices out of range are opaque.
+/// Whether triangle `t` has a vertex that is not opaque. Vertices that are out of range count as opaque.
 inline bool is_transparent(std::span<const std::uint32_t> indices, std::size_t t,
                            std::span<const std::array<std::uint8_t, 4>> colors) {
     const auto clear = [&](std::uint32_t v) { return v < colors.size() && colors[v][3] < 255; };
     return clear(indices[3 * t]) || clear(indices[3 * t + 1]) || clear(indices[3 * t + 2]);
 }
 
-/// The leading clusters whose first triangle is opaque, and the vertices that they use.
+/// The number of leading clusters whose first triangle is opaque, and the numbers of triangles and vertices
+/// in them.
 OpaquePart opaque_part(std::span<const package::ClusterRecord> clusters,
                        std::span<const std::uint32_t> indices,
                        std::span<const std::array<std::uint8_t, 4>> colors);
@@ -30,8 +31,8 @@ OpaquePart opaque_part(std::span<const package::ClusterRecord> clusters,
 /// The whole mesh if the effect is off. The package's shape must be valid (scene/package/package_shape.h).
 OpaquePart opaque_part(const PackageReader& package);
 
-/// Why a package with the effect is damaged: no alpha, or a cluster that is mixed or out of order. Empty if
-/// it is valid or the effect is off. The shape of the other chunks must be valid.
+/// The reason why a package with the effect is damaged: it has no alpha, or a cluster is mixed or out of
+/// order. Empty if the package is valid or the effect is off. The shape of the other chunks must be valid.
 std::optional<std::string> transparency_damage(const PackageReader& package);
 
 }  // namespace vantage

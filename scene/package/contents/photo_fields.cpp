@@ -12,7 +12,7 @@ namespace {
 
 using package::Type;
 
-/// One flag per vertex.
+/// For each vertex, whether the photo sees it.
 std::vector<bool> seen_vertices(const PackageReader& package, std::uint32_t photo) {
     std::vector<bool> seen(package.scene().vertices, false);
     const auto indices = package.records<std::uint32_t>(Type::indices);

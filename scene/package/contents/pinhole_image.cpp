@@ -11,8 +11,8 @@
 namespace vantage {
 namespace {
 
-constexpr int reach = 2;       ///< radius of the interpolation, texels
-constexpr int band_rows = 64;  ///< rows converted and sampled at a time
+constexpr int reach = 2;       ///< radius of the interpolation in texels
+constexpr int band_rows = 64;  ///< number of rows converted and sampled at a time
 
 /// Rows of an image as numbers, with premultiplied alpha. They are padded with the edge texels as far as the
 /// interpolation reaches.
@@ -51,7 +51,7 @@ Texels texels_of(const RgbaImage& image, int first_row, int last_row) {
     return out;
 }
 
-/// Red, green, blue and alpha of one texel, and of two adjacent ones.
+/// The red, green, blue and alpha of one texel, and of two adjacent texels.
 using Color = float __attribute__((vector_size(16)));
 using Pair = Floats;
 static_assert(lanes == 8);
@@ -67,7 +67,7 @@ VANTAGE_INLINE Pair both(float left, float right) {
     return Pair{left, left, left, left, right, right, right, right};
 }
 
-/// Writes the color at a position in texels, interpolated from the 16 around it.
+/// Writes the color at a position in texels, interpolated from the 16 texels around it.
 VANTAGE_INLINE void sample(const Texels& texels, float x, float y, std::uint8_t* to) {
     const int column = int(x + 0.5f) - 1, row = int(y + 0.5f) - 1;  // floors: positions are not negative
     const float fx = x - 0.5f - float(column);
@@ -92,7 +92,7 @@ VANTAGE_INLINE void sample(const Texels& texels, float x, float y, std::uint8_t*
     for (int c = 0; c < 4; ++c) to[c] = std::uint8_t(std::clamp(bytes[c], 0.0f, 255.0f));
 }
 
-/// The table's coefficients for a row of texels: a weighted sum of four rows.
+/// The coefficients for a row of texels: a weighted sum of four rows of the table's coefficients.
 void weigh_rows(const LensTable& table, const SplinePlace& y, std::vector<Eigen::Vector2f>& out) {
     for (std::size_t i = 0; i < std::size_t(LensTable::side); ++i) {
         out[i].setZero();
@@ -109,7 +109,7 @@ struct Columns {
 /// A row of the pinhole camera's level.
 struct LevelRow {
     int y;
-    float texel;                                ///< size in px of the photo
+    float texel;                                ///< size of a texel in pixels of the photo
     double square;                              ///< square of the rays' vertical component
     const std::vector<Eigen::Vector2f>& moves;  ///< the table's coefficients
 };

@@ -39,9 +39,9 @@ std::optional<PointCloud> read_point_cloud(const PackageReader& package) {
     const auto nodes = package.records<PointNode>(package::Type::point_nodes);
     const package::DirectoryEntry* points = package.find(package::Type::points);
     constexpr std::size_t most = std::size_t(1) << 26;
-    if (nodes.empty() || nodes.size() > most) throw fail("has no nodes, or too many");
+    if (nodes.empty() || nodes.size() > most) throw fail("has no nodes, or too many of them");
     if (!points || points->block_length != package::point_block * sizeof(package::PackedPoint))
-        throw fail("PNTS is missing, or its blocks have another length");
+        throw fail("PNTS is missing, or the length of its blocks is wrong");
     PointCloud cloud;
     cloud.nodes.assign(nodes.begin(), nodes.end());
     cloud.blocks = std::uint32_t(std::min<std::size_t>(package.blocks(*points), 0xffffffffu));

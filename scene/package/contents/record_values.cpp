@@ -99,7 +99,7 @@ const char* flaw_of(const package::SceneRecord& s) {
     for (int i = 0; i < 3; ++i)
         if (!std::isfinite(s.origin[i]) || !(s.bounds_min[i] <= s.bounds_max[i]))
             return "origin or bounds are not finite";
-    if (std::abs(Eigen::Vector3d(s.up).norm() - 1) > 1e-6) return "up is not of length 1";
+    if (std::abs(Eigen::Vector3d(s.up).norm() - 1) > 1e-6) return "the length of up is not 1";
     if (!within(s.shade, 0, 1)) return "shade is out of range";
     constexpr double farthest = 1e300;
     if (!within(s.first_target, -farthest, farthest) || !(s.first_fov > 0.01 && s.first_fov < 179) ||

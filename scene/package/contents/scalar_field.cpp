@@ -11,7 +11,7 @@
 namespace vantage {
 namespace {
 
-/// The names in META, or numbers if META is not as expected.
+/// The names of the fields in META, or numbers if META is not as expected.
 std::vector<std::string> field_names(const PackageReader& package, std::size_t count) {
     std::vector<std::string> names = texts_in(package.meta(), "scalars");
     names.resize(count);
@@ -53,7 +53,7 @@ std::vector<ScalarField> read_fields(const PackageReader& package) {
     if (scene.vertices == 0 || all.size() % scene.vertices != 0 ||
         all.size() / scene.vertices != scene.scalar_fields)
         throw Error(Exit::damaged,
-                    package.path().string() + ": VSCL: length does not fit the scene's counts");
+                    package.path().string() + ": VSCL: length does not match the scene's counts");
     const std::vector<std::string> names = field_names(package, scene.scalar_fields);
     for (std::size_t i = 0; i < names.size(); ++i) {
         out.push_back({.name = names[i], .values = all.subspan(i * scene.vertices, scene.vertices)});
@@ -74,7 +74,7 @@ int field_named(std::span<const ScalarField> fields, std::string_view name) {
     throw Error(Exit::usage, "no scalar field '" + std::string(name) + "', " +
                                  (known.empty() ? "the package has none" : "expected one of " + known) +
                                  "; 'vantage prepare SCAN -o PACKAGE --deviation-from MESH' measures "
-                                 "deviation-from-MESH, and a PLY brings its values per vertex");
+                                 "deviation-from-MESH, and the per-vertex values of a PLY file are kept");
 }
 
 ValueRange whole_range(const ScalarField& field, bool centered, bool logarithmic) {

@@ -18,7 +18,8 @@ using package::Form;
 
 constexpr std::size_t texel = 4;
 
-/// Places the packed texels of the inner part in the tile and repeats its edge in the remaining texels.
+/// Copies the packed texels of the inner part to the tile and repeats the edge of that part in the remaining
+/// texels.
 void place(std::span<const std::byte> packed, const TilePart& inner, std::span<std::byte> tile) {
     constexpr std::size_t row = texel * tile_size;
     const auto width = texel * std::size_t(inner.width());
@@ -38,7 +39,7 @@ void place(std::span<const std::byte> packed, const TilePart& inner, std::span<s
         std::memcpy(&tile[row * std::size_t(y)], &tile[row * std::size_t(inner.bottom - 1)], row);
 }
 
-/// Position of a tile's inner part in its level.
+/// The position of a tile's inner part in its level.
 codec::PixelRect in_level(const Level& level, std::size_t tile) {
     const TilePart inner = inner_part(level, tile);
     const int x = tile_left(level, tile), y = tile_top(level, tile);
@@ -110,7 +111,7 @@ bool holds_level(const PackageReader& package, const DirectoryEntry& chunk, cons
         case Form::depth:
             return blocks == tiles;
         case Form::cells: {
-            // Reading a tile checks this as well, so heads on a server are not fetched for it.
+            // Reading a tile checks this as well, so heads are not fetched from a server for this check.
             if (package.remote()) return true;
             const auto grid = codec::cell_grid(package.shared(chunk));
             return grid && fits(*grid, level, blocks);

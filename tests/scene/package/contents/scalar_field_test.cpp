@@ -42,8 +42,8 @@ TEST(ScalarField, AnUnknownNameListsThoseThereAre) {
     } catch (const Error& e) {
         EXPECT_STREQ(e.what(),
                      "no scalar field 'depth', expected one of height, deviation; 'vantage prepare SCAN -o "
-                     "PACKAGE --deviation-from MESH' measures deviation-from-MESH, and a PLY brings its "
-                     "values per vertex");
+                     "PACKAGE --deviation-from MESH' measures deviation-from-MESH, and the per-vertex "
+                     "values of a PLY file are kept");
         EXPECT_EQ(e.code(), Exit::usage);
     }
 }
