@@ -78,14 +78,14 @@ std::vector<std::pair<std::string, LocatedJson>> LocatedJson::entries(std::size_
 }
 
 std::string LocatedJson::text(std::size_t most, bool lines) const {
-    if (!value_->is_string()) fail("a text");
+    if (!value_->is_string()) fail("a string");
     const auto& text = value_->get_ref<const std::string&>();
-    if (text.size() > most) fail("a text of at most " + std::to_string(most) + " bytes");
+    if (text.size() > most) fail("a string of at most " + std::to_string(most) + " bytes");
     const auto is_control = [&](char c) {
         const auto byte = static_cast<unsigned char>(c);
         return (byte < 0x20 && !(lines && c == '\n')) || byte == 0x7f;
     };
-    if (std::ranges::any_of(text, is_control)) fail("a text without control characters");
+    if (std::ranges::any_of(text, is_control)) fail("a string without control characters");
     return text;
 }
 

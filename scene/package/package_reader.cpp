@@ -69,7 +69,7 @@ struct PackageReader::Mapping {
 
     Held hold(std::span<const Part> parts, std::stop_token stop) const {
         Held fetched = source->hold(parts, std::move(stop));
-        if (!fetched) throw Error(Exit::interrupted, source->name().string() + ": stopped while it was read");
+        if (!fetched) throw Error(Exit::interrupted, source->name().string() + ": stopped while being read");
         return fetched;
     }
     /// Fetches these byte ranges, which then stay readable.

@@ -25,7 +25,7 @@ std::string printable(std::string_view text) {
     return shown;
 }
 
-/// The beginning of a value, for a message.
+/// The beginning of a value, in quotes, for a message.
 std::string quoted(const std::string& value) {
     constexpr std::size_t most = 100;  // bytes
     std::string text = "'";
@@ -78,7 +78,7 @@ std::string version_flaw(const Answer& answer, const Origin& known) {
            quoted(by_tag ? known.etag : known.last_modified);
 }
 
-/// Why a response other than 206 cannot be used.
+/// The reason why a response with a status other than 206 cannot be used.
 std::string refusal(const Answer& answer, ByteRange asked, const Origin* known) {
     if (answer.status == 416 && answer.content_range && answer.content_range->total)
         if (std::string flaw = total_flaw(*answer.content_range->total, known); !flaw.empty()) return flaw;
@@ -137,10 +137,8 @@ std::string flaw_of(const Answer& answer, ByteRange asked, const Origin* known) 
     if (std::string flaw = range_flaw(answer, asked, known); !flaw.empty()) return flaw;
     if (known) return version_flaw(answer, *known);
     if (answer.etag.empty() && answer.last_modified.empty())
-        return "the response has neither a strong ETag nor Last-Modified, by which a change of the file "
-               "would "
-               "be "
-               "recognized";
+        return "the response has neither a strong ETag nor Last-Modified, so a change to the file could not "
+               "be detected";
     return {};
 }
 

@@ -11,7 +11,8 @@
 
 namespace vantage {
 
-/// The headers of a response. Headers not listed here are ignored. In texts, `?` replaces control characters.
+/// The headers of a response. Headers not listed here are ignored. In strings, control characters are
+/// replaced with `?`.
 struct Answer {
     int status = 0;                               ///< 0 if the status line is malformed
     std::optional<ContentRange> content_range;    ///< empty if absent or malformed
@@ -19,16 +20,16 @@ struct Answer {
     std::optional<std::uint64_t> content_length;  ///< empty if absent or malformed
     std::string etag;                             ///< empty if absent or weak
     std::string last_modified, content_encoding, location;
-    std::size_t header_bytes = 0;  ///< total of all header lines so far
+    std::size_t header_bytes = 0;  ///< total length of all header lines so far
 };
 
 /// Parses one header line, with or without its line end. A status line starts a new response, because
-/// redirects precede the last one.
+/// redirects may precede the last response.
 void take_header_line(Answer& answer, std::string_view line);
 
-/// Why the response to a range request cannot be used, as the rest of a sentence that begins with the URL;
-/// empty if it can. `known`: the file as opened, or null for the first response, which may have fewer bytes
-/// than requested if the file is shorter.
+/// The reason why the response to a range request cannot be used, as the rest of a sentence that begins with
+/// the URL; empty if it can be used. `known`: the file as it was opened, or null for the first response,
+/// which has fewer bytes than requested if the file is shorter.
 std::string flaw_of(const Answer& answer, ByteRange asked, const Origin* known);
 
 /// The file that a valid response describes.

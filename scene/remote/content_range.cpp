@@ -8,7 +8,7 @@ namespace vantage {
 
 namespace {
 
-/// `first-last`, both inclusive.
+/// Parses `first-last`, where both are inclusive.
 std::optional<ByteRange> parse_bytes(std::string_view text) {
     const auto dash = text.find('-');
     if (dash == std::string_view::npos) return {};

@@ -12,15 +12,15 @@
 
 namespace vantage {
 
-/// The request that opens a file. It determines the size and holds the first bytes in memory, because the
-/// cached file is selected only afterwards.
+/// The request that opens a file. It determines the file's size and holds the first bytes in memory, because
+/// the cached file is selected only later.
 class FirstRequest : public Request {
   public:
-    /// `bytes`: number of bytes to request. `cached`: a cached copy that is complete enough to use if it is
-    /// current, or null.
+    /// `bytes`: the number of bytes to request. `cached`: a cached copy that is complete enough to be used if
+    /// it is current; otherwise null.
     FirstRequest(std::uint64_t bytes, std::string url, const Origin* cached);
 
-    /// Waits for completion; false when stopped.
+    /// Waits for completion. Returns false when stopped.
     bool wait(std::stop_token stop);
     // Valid after completion:
     const std::optional<Failure>& failure() const { return failure_; }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view mark = "vantage-remote ", version = "1";
 
-/// The value of the next line, which must have this name. Removes the line from the text.
+/// Removes the next line, which must have this name, from the text and returns its value.
 std::optional<std::string_view> take_line(std::string_view& text, std::string_view name) {
     const auto end = text.find('\n');
     if (end == std::string_view::npos || !text.starts_with(name)) return {};

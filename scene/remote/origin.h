@@ -6,10 +6,11 @@
 
 namespace vantage {
 
-/// Maximum size of a file, bytes: the cache keeps a table of all blocks of a file.
+/// The maximum size of a file in bytes. It is limited because the cache keeps a table of all blocks of a
+/// file.
 inline constexpr std::uint64_t largest_remote_file = std::uint64_t(1) << 40;
 
-/// The origin of a cached file, and the values that reveal a change on the server.
+/// The origin of a cached file, with the values that reveal whether the file has changed on the server.
 struct Origin {
     std::string url;                  ///< as returned by shown_url()
     std::uint64_t size = 0;           ///< bytes, 1 to largest_remote_file
@@ -17,10 +18,12 @@ struct Origin {
     bool operator==(const Origin&) const = default;
 };
 
-/// True if both files have the same content: equal size and ETag, or Last-Modified if either lacks an ETag.
+/// True if both files have the same content, that is, the same size and the same ETag or, if either lacks an
+/// ETag, the same Last-Modified.
 bool same_version(const Origin& a, const Origin& b);
 
-/// The origin as stored in the cache: lines of a name, a space and a value. The first line states the format.
+/// The origin as stored in the cache. Each line consists of a name, a space and a value. The first line
+/// states the format.
 std::string text_of(const Origin& origin);
 /// Parses the text of an origin; empty if it was not written by text_of().
 std::optional<Origin> parse_origin(std::string_view text);

@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// Bytes per second over the last two seconds. Thread-safe.
+/// The number of bytes per second over the last two seconds. Thread-safe.
 class Rate {
   public:
     void add(std::uint64_t bytes) {
@@ -29,7 +29,7 @@ class Rate {
   private:
     static constexpr int slots_per_second = 4;
     struct Slot {
-        std::int64_t time = -1'000'000;  ///< number of slots since the clock began
+        std::int64_t time = -1'000'000;  ///< number of slots since the clock started
         std::uint64_t bytes = 0;
     };
     static std::int64_t now() {

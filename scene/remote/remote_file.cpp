@@ -36,7 +36,7 @@ std::uint64_t first_bytes(const RemoteOptions& given) {
 
 struct RemoteFile::Impl {
     struct Part;
-    /// Parts that a call of fetch() waits for.
+    /// The parts that a call of fetch() waits for.
     using Parts = std::vector<std::shared_ptr<Part>>;
 
     Impl(std::string_view given_url, const RemoteOptions& options, std::stop_token stop);
@@ -59,10 +59,10 @@ struct RemoteFile::Impl {
     std::atomic<std::uint64_t> bytes_from_cache = 0;
 
     std::mutex mutex;
-    std::vector<bool> used;               ///< per block, since opening; guarded by the mutex
+    std::vector<bool> used;               ///< for each block, since the file was opened; guarded by the mutex
     std::condition_variable_any changed;  ///< a part has finished
     std::unordered_map<std::uint64_t, std::shared_ptr<Part>> pending;  ///< by block; guarded by the mutex
-    Transfers transfers;  ///< last, because its thread uses the others
+    Transfers transfers;  ///< the last member, because its thread uses the others
 };
 
 /// A request for a run of blocks. It keeps the blocks until the transfer thread is done, even if its waiters
@@ -132,7 +132,7 @@ void RemoteFile::Impl::open(std::uint64_t first, std::stop_token stop) {
     transfers.start(request, usable ? 1 : 3);
     if (!request->wait(std::move(stop))) {
         transfers.cancel(*request);
-        throw Error(Exit::interrupted, shown + ": stopped while it was opened");
+        throw Error(Exit::interrupted, shown + ": stopped while being opened");
     }
     if (const auto& failure = request->failure()) {
         if (!usable || !failure->unreachable) throw Error(failure->code, failure->message);
@@ -142,7 +142,7 @@ void RemoteFile::Impl::open(std::uint64_t first, std::stop_token stop) {
     }
 }
 
-/// Switches to the cached file of the server's version, and stores the first bytes in it.
+/// Switches to the cached file for the server's version of the file, and stores the first bytes in it.
 void RemoteFile::Impl::adopt(const FirstRequest& request, std::uint64_t first) {
     if (!file || !same_version(file->origin(), request.origin())) {
         first_kept.reset();
@@ -161,12 +161,13 @@ std::vector<BlockRun> RemoteFile::Impl::blocks_within(std::span<const ByteRange>
     for (const ByteRange& range : ranges)
         if (range.begin > range.end || range.end > size)
             throw Error(Exit::internal, shown + ": bytes " + std::to_string(range.begin) + " to " +
-                                            std::to_string(range.end) + " do not lie in a file of " +
+                                            std::to_string(range.end) + " are not within a file of " +
                                             std::to_string(size) + " bytes");
     return blocks_of(ranges);
 }
 
-/// Marks blocks as used, and counts those from the cache, once each. Returns the number of absent bytes.
+/// Marks blocks as used, and counts the bytes that come from the cache, each once. Returns the number of
+/// bytes that are absent.
 std::uint64_t RemoteFile::Impl::use(const std::vector<BlockRun>& runs) {
     const std::scoped_lock lock(mutex);
     const std::uint32_t tick = file->table().tick();
@@ -214,7 +215,7 @@ void RemoteFile::Impl::request_run(BlockRun run, const Kept& kept, Parts& parts)
     parts.push_back(part);
 }
 
-/// Waits for the parts. False when stopped. Throws the first failure.
+/// Waits for the parts. Returns false when stopped. Throws the first failure.
 bool RemoteFile::Impl::wait(const Parts& parts, std::stop_token stop) {
     std::unique_lock lock(mutex);
     const auto failed = [](const auto& part) { return part->failure.has_value(); };

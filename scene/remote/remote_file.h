@@ -15,73 +15,75 @@
 namespace vantage {
 
 struct RemoteOptions {
-    /// Folder on a local disk; empty: $XDG_CACHE_HOME/vantage/remote, else ~/.cache/vantage/remote.
+    /// A folder on a local disk. If empty, default_remote_cache() is used: $XDG_CACHE_HOME/vantage/remote or
+    /// ~/.cache/vantage/remote.
     std::filesystem::path cache{};
-    std::uint64_t cache_bytes = std::uint64_t(4) << 30;  ///< limit for all cached files on the disk
+    std::uint64_t cache_bytes = std::uint64_t(4) << 30;  ///< limit on all cached files on the disk
     std::chrono::milliseconds connect_timeout{10'000};
     std::chrono::seconds stall_timeout{20};  ///< maximum time below 256 bytes per second
-    /// Pause before the second try; four times as long before the third.
+    /// The pause before the second try. It is four times as long before the third.
     std::chrono::milliseconds retry_pause{250};
     int max_requests = 6;  ///< in flight at once, 1 to 64; each takes 64 KiB of memory for bodies
     std::uint64_t first_bytes = 256 << 10;  ///< fetched on opening; rounded up to 64 KiB, at most 64 MiB
-    std::filesystem::path certificates{};   ///< PEM file of trusted authorities; empty: the system's
+    std::filesystem::path certificates{};   ///< PEM file with trusted authorities; empty: those of the system
 };
 
 /// Traffic since the file was opened.
 struct Traffic {
     std::uint64_t bytes_received = 0;    ///< bytes of response bodies
     std::uint64_t requests = 0;          ///< each try counts
-    std::uint64_t bytes_from_cache = 0;  ///< present when first requested, in whole blocks
-    double bytes_per_second = 0;         ///< received, over the last two seconds
+    std::uint64_t bytes_from_cache = 0;  ///< present in the cache when first requested, in whole blocks
+    double bytes_per_second = 0;         ///< rate of reception over the last two seconds
 };
 
-/// A file on a server, read by ranges over HTTP. It is cached in a sparse file of the same size, which is
-/// mapped: ranges are fetched into it before they are read. Bytes that have not been fetched read as zero.
-/// All sizes are in bytes; blocks are 64 KiB, and ranges are fetched in whole blocks.
+/// A file on a server, read with HTTP range requests. It is cached in a sparse file of the same size, which
+/// is mapped. Ranges are fetched into the sparse file before they are read; bytes that have not been fetched
+/// read as zero. All sizes are in bytes. Blocks are 64 KiB, and ranges are fetched in whole blocks.
 ///
-/// The cache has a limit. When it is exceeded, files that no process has open are deleted, then blocks of
-/// this one are freed, least recently fetched first, and read as zero again. Blocks are not freed while any
-/// process fetches them or keeps them with keep(), nor are the ones fetched on opening; if these alone exceed
-/// the limit, so does the cache. Readers of bytes that are not kept must verify them, and fetch them again if
-/// necessary.
+/// The size of the cache is limited. When the limit is exceeded, files that no process has open are deleted.
+/// Then blocks of this file are freed, least recently fetched first, and read as zero again. Blocks are not
+/// freed while any process fetches them or keeps them with keep(), and the blocks fetched on opening are
+/// never freed. If these blocks alone exceed the limit, so does the cache. Anyone who reads bytes that are
+/// not kept must verify them, and fetch them again if necessary.
 ///
-/// Thread-safe, except that it must outlive all calls. Processes may open the same file. Errors of the server
-/// or the network are Error(input), those of the cache Error(storage); messages have one line.
+/// RemoteFile is thread-safe, except that it must outlive all calls. Several processes may open the same
+/// file. Errors of the server or the network are Error(input), and errors of the cache are Error(storage).
+/// Messages have one line.
 class RemoteFile {
   public:
-    /// Opens with one request, for the first bytes. A cached copy is used if it is current according to the
-    /// server's ETag or Last-Modified, otherwise it is dropped. If the server cannot be reached, the cached
-    /// copy is used unchecked (see offline()). Throws Error(input) if the server cannot be reached and there
-    /// is no cached copy, does not support ranges, or has no such file; Error(storage); Error(interrupted)
-    /// when stopped.
+    /// Opens the file with one request, for the first bytes. A cached copy is used if it is current according
+    /// to the server's ETag or Last-Modified; otherwise it is dropped. If the server cannot be reached, the
+    /// cached copy is used unchecked (see offline()). Throws Error(input) if the server does not support
+    /// ranges, if it has no such file, or if it cannot be reached and there is no cached copy. Throws
+    /// Error(storage), and Error(interrupted) when stopped.
     explicit RemoteFile(std::string_view url, const RemoteOptions& options = {}, std::stop_token stop = {});
     ~RemoteFile();
     RemoteFile(RemoteFile&&) noexcept;
     RemoteFile& operator=(RemoteFile&&) noexcept;
 
-    /// The URL without user name and password.
+    /// The URL without the user name and password.
     const std::string& url() const;
     std::uint64_t size() const;
     /// The mapped file, valid as long as this object lives.
     std::span<const std::byte> bytes() const&;
     std::span<const std::byte> bytes() const&& = delete;
-    /// Path of the sparse file.
+    /// The path of the sparse file.
     const std::filesystem::path& path() const;
-    /// True if the server has not been reached since the file was opened from the cache.
+    /// True if the file was opened from the cache and the server has not been reached since.
     bool offline() const;
 
     /// Waits until all ranges are present. Ranges that another thread is fetching are not requested again.
     /// Returns false when stopped; requests that nobody else waits for are then canceled. A call for many
-    /// bytes does not block others: requests of different calls are interleaved, in the order in which they
-    /// are needed. Throws Error(input) after up to three tries, also if the file has changed on the server;
-    /// Error(storage); Error(internal) if a range extends beyond the file.
+    /// bytes does not block other calls: their requests are interleaved in the order in which they are
+    /// needed. Throws Error(input) after up to three tries or if the file has changed on the server,
+    /// Error(storage), and Error(internal) if a range extends beyond the file.
     [[nodiscard]] bool fetch(std::span<const ByteRange> ranges, std::stop_token stop = {});
-    /// True if all bytes were fetched and not freed since.
+    /// True if all bytes of the range have been fetched and have not been freed since.
     bool present(ByteRange range) const;
     /// Discards bytes that do not match a checksum, so that the next fetch() replaces them in place. Other
     /// bytes in the same blocks are discarded as well.
     void discard(ByteRange range);
-    /// Prevents the blocks of these ranges from being freed as long as the result lives: first keep them,
+    /// Prevents the blocks of these ranges from being freed as long as the result lives. Keep them first,
     /// then fetch. The result may outlive this object. Throws Error(storage).
     [[nodiscard]] std::shared_ptr<const void> keep(std::span<const ByteRange> ranges);
 

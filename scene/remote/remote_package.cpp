@@ -10,7 +10,7 @@
 namespace vantage {
 namespace {
 
-/// A package on a server, read by ranges.
+/// A package on a server, read with range requests.
 class RemotePackage : public PackageSource {
   public:
     RemotePackage(const std::string& url, const RemoteOptions& options, std::stop_token stop)

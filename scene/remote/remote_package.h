@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// Opens a package by its path or URL. A package at a URL is read by ranges and cached (see RemoteFile).
-/// Throws the errors of PackageReader and RemoteFile.
+/// Opens a package by its path or URL. A package at a URL is read with range requests and cached (see
+/// RemoteFile). Throws whatever PackageReader and RemoteFile throw.
 PackageReader open_package(const std::filesystem::path& package, const RemoteOptions& options = {},
                            std::stop_token stop = {});
 

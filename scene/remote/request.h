@@ -22,8 +22,8 @@ struct Failure {
 /// A GET request for a range of a file. Its member functions are called on the Transfers thread.
 class Request {
   public:
-    /// `turn`: requests with a lower turn go first, so that a caller with many requests does not block
-    /// others.
+    /// `turn`: requests with a lower turn go first, so that a caller with many requests does not block other
+    /// callers.
     explicit Request(ByteRange range, std::uint64_t turn = 0) : turn_(turn), range_(range) {}
     virtual ~Request() = default;
     Request(const Request&) = delete;
@@ -31,18 +31,19 @@ class Request {
 
     std::uint64_t turn() const { return turn_; }
     ByteRange range() const { return range_; }
-    /// A header line to send, such as `If-None-Match: "5"`; or empty.
+    /// A header line to send, such as `If-None-Match: "5"`, or empty.
     virtual std::string condition() const { return {}; }
     /// Called with the headers of the last response, before its body. `asked`: the requested part of the
-    /// range, after the bytes that arrived before a disconnection. Returns like flaw_of(), and may shorten()
-    /// the range.
+    /// range, that is, the range without the bytes that arrived before a disconnection. Returns the same as
+    /// flaw_of(), and may shorten() the range.
     virtual std::string flaw(const Answer& answer, ByteRange asked) = 0;
     /// Stores the next bytes of the body, which lie within the range. May throw Error(storage).
     virtual void store(std::uint64_t offset, std::span<const std::byte> bytes) = 0;
-    /// Called once, when all bytes are stored (null) or the last try has failed. Not called if canceled.
+    /// Called once: with null when all bytes are stored, or with a failure when the last try has failed. It
+    /// is not called if the request is canceled.
     virtual void done(const Failure* failure) = 0;
 
-    /// May be called from any thread. Transfers::cancel() also wakes its thread.
+    /// Cancels the request; may be called from any thread. Transfers::cancel() also wakes its thread.
     void cancel() { cancelled_ = true; }
     bool cancelled() const { return cancelled_; }
 

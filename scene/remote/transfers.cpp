@@ -50,12 +50,12 @@ struct Active {
     Rate& rate;
     const int tries;
     int tries_left = tries;
-    std::uint64_t received = 0;  ///< bytes of all tries
+    std::uint64_t received = 0;  ///< bytes received in all tries
     Clock::time_point not_before{};
 
     std::unique_ptr<CURL, CloseEasy> easy{};
     std::unique_ptr<curl_slist, FreeList> headers{};
-    ByteRange asked{};  ///< range requested by this try
+    ByteRange asked{};  ///< the range that this try requests
     Answer answer{};
     bool answered = false;           ///< all headers have arrived and are valid
     std::optional<Failure> fault{};  ///< set by a callback, which then ends the transfer
@@ -69,7 +69,7 @@ struct Active {
     }
 };
 
-/// Redirects such as 301, which libcurl follows; 304 is a final response.
+/// True for redirects such as 301, which libcurl follows; 304 is a final response.
 bool is_redirect(const Answer& answer) {
     return answer.status >= 301 && answer.status <= 308 && answer.status != 304 && !answer.location.empty();
 }
@@ -84,7 +84,7 @@ bool headers_end(Active& a) {
         curl_easy_getinfo(a.easy.get(), CURLINFO_EFFECTIVE_URL, &from);
         const bool secure = from && ::strncasecmp(from, "https:", 6) == 0;
         if (!secure || ::strncasecmp(a.answer.location.c_str(), "http:", 5) != 0) return true;
-        a.fault = a.failure("the server redirects from https to http, which is not followed");
+        a.fault = a.failure("the server redirects from https to http; such redirects are not followed");
         return false;
     }
     if (const std::string flaw = a.request->flaw(a.answer, a.asked); !flaw.empty()) {
@@ -95,7 +95,7 @@ bool headers_end(Active& a) {
     return a.answered = true;
 }
 
-/// Exceptions must not propagate through libcurl.
+/// Calls `f` and stores its exceptions, which must not propagate through libcurl.
 template <class F>
 std::size_t guarded(Active& a, std::size_t bytes, F f) {
     try {
@@ -177,7 +177,7 @@ Reason reason_of(const Active& a, CURLcode code, const TransferOptions& options)
         case CURLE_TOO_MANY_REDIRECTS:
             return {"the server redirects more than " + std::to_string(max_redirects) + " times"};
         case CURLE_UNSUPPORTED_PROTOCOL:
-            return {"the server does not redirect to http or https: " + detail};
+            return {"the server redirects to a URL that is neither http nor https: " + detail};
         default:
             return {detail};
     }
@@ -267,7 +267,7 @@ struct Transfers::Impl {
         }
     }
 
-    /// Milliseconds until the next try is due; other events wake the thread.
+    /// The number of milliseconds until the next try is due. Other events wake the thread earlier.
     int pause() const {
         using namespace std::chrono;
         auto wait = milliseconds(1000);
@@ -297,7 +297,7 @@ struct Transfers::Impl {
         CURL* easy = a.easy.get();
         const std::string range = std::to_string(a.asked.begin) + "-" + std::to_string(a.asked.end - 1);
         curl_slist* headers = curl_slist_append(nullptr, "Accept-Encoding: identity");
-        // After a disconnection, the body is continued regardless of the cache.
+        // After a disconnection, the rest of the body is requested without a condition about the cached copy.
         const std::string condition = a.received == 0 ? a.request->condition() : "";
         if (!condition.empty()) headers = curl_slist_append(headers, condition.c_str());
         a.headers.reset(headers);

@@ -16,7 +16,7 @@ struct Free {
     void operator()(char* text) const { curl_free(text); }
 };
 
-/// The URL without the given parts; empty if it is malformed.
+/// The URL without these parts; empty if the URL is malformed.
 std::string without(const std::string& text, std::initializer_list<CURLUPart> parts) {
     const std::unique_ptr<CURLU, Free> url(curl_url());
     if (!url || curl_url_set(url.get(), CURLUPART_URL, text.c_str(), 0) != CURLUE_OK) return {};

@@ -16,7 +16,7 @@ Eigen::Matrix3d rotation_of(const Placement& placement) {
 
 Placement placement_of(const Similarity& matrix, const Eigen::Vector3d& middle) {
     const Eigen::Matrix3d& R = matrix.R;
-    // If the angle about y is a right angle, many angles about z give R; 0 is used.
+    // If the angle about y is a right angle, many angles about z give the same R; 0 is used.
     const double z = std::atan2(R(1, 0), R(0, 0)), y = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0))),
                  x = std::atan2(std::sin(z) * R(0, 2) - std::cos(z) * R(1, 2),
                                 std::cos(z) * R(1, 1) - std::sin(z) * R(0, 1));

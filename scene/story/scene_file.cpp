@@ -18,9 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double farthest = 1e12;  ///< input units; beyond this, positions have no precision left
+constexpr double farthest = 1e12;  ///< input units; positions farther out have no precision left
 constexpr double smallest = 1e-6, largest = 1e6;
-constexpr double matrix_tolerance = 1e-4;  ///< other programs write few digits
+constexpr double matrix_tolerance = 1e-4;  ///< for matrices that other programs wrote with few digits
 
 /// Reads one object's table key by key.
 class ObjectTable {
@@ -46,7 +46,7 @@ class ObjectTable {
 
     std::string text(const char* key) const {
         const auto value = table_[key].value<std::string>();
-        if (!value || value->empty()) fail(std::string(key) + ": expected a text that is not empty");
+        if (!value || value->empty()) fail(std::string(key) + ": expected a non-empty string");
         return *value;
     }
     /// Resolves a path relative to the file's folder; empty if it is not given.
@@ -107,12 +107,12 @@ class ObjectTable {
         return s;
     }
 
-    /// 4 rows of 4 numbers, or the 16 numbers in one list: a rotation times a scale, a translation, and 0 0 0
-    /// 1.
+    /// Reads 4 rows of 4 numbers, or the 16 numbers in one list: a rotation times a scale, a translation, and
+    /// 0 0 0 1.
     std::optional<Similarity> matrix() const {
         if (!has("matrix")) return {};
         if (has("move") || has("turn") || has("scale"))
-            fail("matrix: stands for move, turn and scale, expected it without them");
+            fail("matrix: replaces move, turn and scale, which must not be given as well");
         const std::vector<double> v = matrix_numbers();
         Eigen::Matrix4d m = Eigen::Matrix4d::Constant(NAN);
         if (v.size() == 16) m = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(v.data());
@@ -126,7 +126,8 @@ class ObjectTable {
     }
 
   private:
-    /// nullopt unless `m` is a rotation times a scale, and a translation.
+    /// The similarity that `m` describes; empty if `m` does not consist of a rotation times a scale and a
+    /// translation.
     static std::optional<Similarity> similarity(const Eigen::Matrix<double, 3, 4>& m, double tolerance) {
         const Eigen::Matrix3d turn = m.leftCols<3>();
         const double scale = std::cbrt(turn.determinant());
@@ -166,12 +167,12 @@ SceneObject::Input read_input(const ObjectTable& t) {
     const bool parts = in.mesh.empty() ? !in.points.empty() && (photos || neither) : photos;
     if (in.folder.empty() && !parts)
         t.fail(
-            "has no input, expected input, a folder; mesh, cameras and photos together; or points in place "
-            "of mesh, alone or with both of the others");
+            "has no input, expected input (a folder), or mesh, cameras and photos, or points, alone or with "
+            "cameras and photos");
     return in;
 }
 
-/// For example, "altar" for "scans/altar/".
+/// The last name in a path without its extension, such as "altar" for "scans/altar/".
 std::string stem_of(const fs::path& path) {
     return (path.has_filename() ? path : path.parent_path()).stem().string();
 }
@@ -225,7 +226,7 @@ toml::array matrix_rows(const Similarity& s) {
     return out;
 }
 
-/// Makes paths relative to the folder; keeps URLs and paths on other disks unchanged.
+/// Makes paths relative to a folder; URLs and paths on other disks stay unchanged.
 class RelativePaths {
   public:
     explicit RelativePaths(const fs::path& folder) : folder_(fs::absolute(folder)) {}

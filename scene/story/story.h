@@ -9,10 +9,10 @@
 
 namespace vantage {
 
-/// A text for visitors: one for all languages, or one per language.
+/// A text for visitors, in UTF-8: one text for all languages, or one for each language.
 struct StoryText {
-    std::string plain;                               ///< UTF-8; used if there are no texts by language
-    std::map<std::string, std::string> by_language;  ///< tags such as "en" or "pt-BR", and UTF-8
+    std::string plain;                               ///< used if there are no texts by language
+    std::map<std::string, std::string> by_language;  ///< keys are tags such as "en" or "pt-BR"
     bool empty() const { return plain.empty() && by_language.empty(); }
     bool operator==(const StoryText&) const = default;
 };
@@ -20,8 +20,8 @@ struct StoryText {
 /// A camera in human-readable form, in the input's coordinates.
 struct StoryView {
     Eigen::Vector3d eye = Eigen::Vector3d::Zero(), target = Eigen::Vector3d::UnitX();
-    std::optional<Eigen::Vector3d> up{};  ///< default: the photos' up direction
-    double roll = 0;                      ///< clockwise rotation of the camera, degrees
+    std::optional<Eigen::Vector3d> up{};  ///< the default is the up direction of the photos
+    double roll = 0;                      ///< clockwise rotation of the camera in degrees
     double fov = 45;                      ///< vertical, degrees
     bool operator==(const StoryView&) const = default;
 };
@@ -29,17 +29,17 @@ struct StoryView {
 struct StoryNote {
     std::string id;  ///< unique
     StoryText title, text;
-    std::string picture{};                    ///< PNG or JPEG, relative to the story's folder; empty: none
-    std::optional<StoryView> view{};          ///< viewpoint of the note
+    std::string picture{};  ///< path of a PNG or JPEG file, relative to the story's folder; may be empty
+    std::optional<StoryView> view{};          ///< the view from which the note is shown
     std::optional<Eigen::Vector3d> anchor{};  ///< position on the surface, in the input's coordinates
     bool operator==(const StoryNote&) const = default;
 };
 
 /// A stop of a tour, at a note or at a view.
 struct StoryStop {
-    std::string note{};  ///< id; if empty, `view` is set
+    std::string note{};  ///< the note's ID; if empty, `view` is set
     std::optional<StoryView> view{};
-    double fly = 3, stay = 5;  ///< seconds of the flight, and of the stop
+    double fly = 3, stay = 5;  ///< seconds that the flight and the stop last
     bool operator==(const StoryStop&) const = default;
 };
 
@@ -60,18 +60,18 @@ struct StoryBackground {
     bool operator==(const StoryBackground&) const = default;
 };
 
-/// The loop that a kiosk shows while idle. Exactly one of the three is set.
+/// The loop that a kiosk shows while idle. Exactly one of `tour`, `stops` and `turn` is set.
 struct StoryAttract {
     double after = 60;   ///< seconds without input
     std::string tour{};  ///< id
     std::vector<StoryStop> stops{};
-    double turn = 0;  ///< seconds for one turn around the model
+    double turn = 0;  ///< seconds per turn around the model
     bool operator==(const StoryAttract&) const = default;
 };
 
 /// A curator's presentation of a package or a scene.
 struct Story {
-    std::string language = "en";  ///< that of plain texts; also used if a text lacks the visitor's
+    std::string language = "en";  ///< of plain texts; also used if a text lacks the visitor's language
     StoryText title;
     std::optional<StoryView> opening{};
     std::optional<StoryBackground> background{};
@@ -81,29 +81,30 @@ struct Story {
     bool operator==(const Story&) const = default;
 };
 
-/// The text in a language ("de-AT", then "de"), or else in the story's language, or else in the first
-/// available.
+/// The text in a language ("de-AT", then "de"). If there is none, it is the text in the story's language,
+/// otherwise that in the first available language.
 const std::string& text_in(const Story& story, const StoryText& text, const std::string& language);
 
-/// All languages of the story's texts, including its own, sorted.
+/// A sorted list of all languages of the story's texts, including the story's own language.
 std::vector<std::string> languages_of(const Story& story);
 
 /// The note with this ID; null if there is none.
 const StoryNote* note_of(const Story& story, const std::string& id);
-/// The tour with this ID, or else with this title in any language; null if there is none.
+/// The tour with this ID or, if there is none, with this title in any language; null if there is no such
+/// tour.
 const StoryTour* tour_of(const Story& story, const std::string& name);
 /// The view of a stop, or of its note; null if the note is missing or has no view.
 const StoryView* view_of_stop(const Story& story, const StoryStop& stop);
 
-/// Sets a text in a language. A text for all languages is split into one for the story's language and one for
-/// this.
+/// Sets a text's wording in one language. A text for all languages is split into one for the story's language
+/// and one for this language.
 void set_text(const Story& story, StoryText& text, const std::string& language, const std::string& words);
 
 /// Removes a note, and its stops in tours and in the attract loop. Tours left without stops are removed as
 /// well.
 void remove_note(Story& story, std::size_t note);
 
-/// An unused note ID: "note-1", "note-2", ...
+/// A note ID that is not yet used: "note-1", "note-2", ...
 std::string free_note_id(const Story& story);
 
 }  // namespace vantage

@@ -39,7 +39,7 @@ StoryText read_text(const LocatedJson& at, std::size_t most, bool lines) {
     else if (at.is_text())
         out.plain = at.text(most, lines);
     else
-        at.fail("a text, or an object with a text for each language");
+        at.fail("a string, or an object with a string for each language");
     return out;
 }
 
@@ -47,7 +47,7 @@ std::string read_id(const LocatedJson& at) {
     const std::string id = at.text(max_id);
     const auto allowed = [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_' || c == '.'; };
     if (id.empty() || !std::ranges::all_of(id, allowed))
-        at.fail("an id of letters, digits, '-', '_' and '.'");
+        at.fail("an id that consists of letters, digits, '-', '_' and '.'");
     return id;
 }
 
@@ -65,7 +65,7 @@ StoryColor read_color(const LocatedJson& at) {
 StoryView read_view(const LocatedJson& at) {
     at.expect_object({"eye", "target", "up", "roll", "fov"});
     StoryView out{at.at("eye").vector(), at.at("target").vector()};
-    if (!((out.target - out.eye).norm() > 0)) at.fail("a target that is not the eye");
+    if (!((out.target - out.eye).norm() > 0)) at.fail("a target that differs from the eye");
     if (at.has("up")) {
         out.up = at.at("up").vector();
         if (!(out.up->norm() > 0)) at.at("up").fail("a direction other than 0, 0, 0");
@@ -256,7 +256,7 @@ ordered_json json_of(const Story& story) {
     return out;
 }
 
-/// Writes arrays of numbers on one line, and everything else on separate lines.
+/// Prints arrays of numbers on one line, and everything else on separate lines.
 void print(std::ostream& out, const ordered_json& value, const std::string& indent) {
     const bool object = value.is_object();
     if (!value.is_structured() || value.empty() || (!object && value.front().is_number())) {

@@ -10,7 +10,7 @@ namespace vantage {
 /// The value of "format" in a story.
 inline constexpr const char* story_format = "vantage-story-1";
 
-/// A story, and the ignored keys of its file, one line each.
+/// A story, and one line for each key of its file that was ignored.
 struct ReadStory {
     Story story;
     std::vector<std::string> unknown;
@@ -20,19 +20,19 @@ struct ReadStory {
 std::filesystem::path story_file_of(const std::filesystem::path& package);
 
 /// Reads a story as docs/story.md describes it; `file` names it in messages. Checks that every number is
-/// finite and within its range, no text exceeds its maximum length, and that the eye and target of each view
-/// differ. References are not checked, see story_references(). Throws Error(input): one line with the file,
-/// the location, the value found and the value expected.
+/// finite and within its range, that no text exceeds its maximum length, and that the eye and the target of
+/// each view differ. References are not checked (see story_references.h). Throws Error(input): one line with
+/// the file, the location, the value found and the value expected.
 ReadStory parse_story(const std::string& text, const std::string& file);
 
 /// Reads a file of at most 8 MiB. Throws Error(input).
 ReadStory read_story(const std::filesystem::path& file);
 
-/// The text of a story's file. Equal stories yield identical bytes.
+/// The content of a story's file. Equal stories yield identical bytes.
 std::string story_text(const Story& story);
 
-/// Writes a story to NAME.part and renames it. Replaces any existing file. Throws Error(usage) if the story
-/// could not be read back, and Error(storage).
+/// Writes a story, replacing any existing file atomically. Throws Error(usage) if the story could not be read
+/// back, and Error(storage).
 void write_story(const std::filesystem::path& file, const Story& story);
 
 }  // namespace vantage

@@ -22,7 +22,7 @@ void check_stops(const Story& story, const std::vector<StoryStop>& stops, const 
     }
 }
 
-/// Whether a file has the signature of its format.
+/// Whether a file has the signature of a PNG or JPEG file.
 bool is_picture(const std::filesystem::path& file) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) return false;
@@ -67,7 +67,7 @@ std::vector<std::string> anchors_outside(const Story& story, const Eigen::Aligne
         if (!anchor || !(box.exteriorDistance(*anchor) > margin * box.diagonal().norm())) continue;
         std::ostringstream line;
         line << at("notes", i) << ".anchor: is " << box.exteriorDistance(*anchor)
-             << " outside the model, expected a place on it";
+             << " outside the model, expected a point on it";
         out.push_back(line.str());
     }
     return out;

@@ -8,15 +8,15 @@
 
 namespace vantage {
 
-/// Dangling references within a story: to notes of stops, to their views, and to the tour of the attract
-/// loop. One line each, with the location.
+/// Dangling references within a story: to the notes at which tours stop, to the views of these notes, and to
+/// the tour of the attract loop. There is one line for each, with its location.
 std::vector<std::string> dangling_references(const Story& story);
 
-/// Pictures of notes that are missing from `folder`, the story's folder, or lack the signature of a PNG or
-/// JPEG file.
+/// Pictures of notes that are missing from the story's folder `folder` or lack the signature of a PNG or JPEG
+/// file.
 std::vector<std::string> missing_pictures(const Story& story, const std::filesystem::path& folder);
 
-/// Anchors that lie outside a box, in the input's coordinates, by more than a tenth of its diagonal.
+/// Anchors that lie outside `box`, which is in the input's coordinates, by more than a tenth of its diagonal.
 std::vector<std::string> anchors_outside(const Story& story, const Eigen::AlignedBox3d& box);
 
 }  // namespace vantage

@@ -9,23 +9,25 @@
 
 namespace vantage {
 
-/// Records which blocks of a cached file are present, and when they were last used, in a mapped file shared
-/// by all processes that use the cached file: a header of 32 bytes, then a little-endian u32 per block, 0 if
-/// absent, otherwise the tick of the last use. A mark is set after its block is written, so that a killed
-/// process never leaves a mark without data; a power cut may. Thread-safe.
+/// Records which blocks of a cached file are present and when they were last used. The table is a mapped file
+/// that all processes that use the cached file share. It consists of a header of 32 bytes and a little-endian
+/// u32 for each block, which is 0 if the block is absent, otherwise the tick of its last use. A block is
+/// marked after it is written, so that a killed process never leaves a mark without data; a power cut may.
+/// Thread-safe.
 class BlockTable {
   public:
-    /// `origin`: hash of the origin's text, which links the two files of a cached file. Empty if the file is
-    /// missing or does not match. Throws Error(storage).
+    /// Opens a table; the result is empty if the file is missing or does not match. `origin`: a hash of the
+    /// origin's text, which identifies the table that belongs to the cached file. Throws Error(storage).
     static std::optional<BlockTable> open(const std::filesystem::path& path, std::uint64_t blocks,
                                           std::uint64_t origin);
-    /// Creates a table with all blocks absent. Throws Error(storage) if the file exists or the disk is full.
+    /// Creates a table in which all blocks are absent. Throws Error(storage) if the file exists or the disk
+    /// is full.
     static BlockTable create(const std::filesystem::path& path, std::uint64_t blocks, std::uint64_t origin);
 
     bool present(std::uint64_t block) const { return last_use(block) != 0; }
-    /// Tick of the last use; 0 if the block is absent.
+    /// The tick of the block's last use; 0 if the block is absent.
     std::uint32_t last_use(std::uint64_t block) const;
-    /// The tick of a new use, at least 1. Ticks wrap after 2^32 uses, which makes the order wrong for a
+    /// The tick for a new use; at least 1. Ticks wrap around after 2^32 uses; the order is then wrong for a
     /// while.
     std::uint32_t tick();
     void mark(std::uint64_t block, std::uint32_t tick);

@@ -8,11 +8,11 @@
 
 namespace vantage {
 
-/// Bytes per block: the unit in which a remote file is fetched, cached and freed. The last block of a file
-/// may be shorter.
+/// Bytes per block. A block is the unit in which a remote file is fetched, cached and freed. The last block
+/// of a file may be shorter.
 inline constexpr std::uint64_t block_bytes = 64 << 10;
 
-/// Blocks from `begin` up to, but not including, `end`.
+/// The blocks from `begin` up to, but not including, `end`.
 struct BlockRun {
     std::uint64_t begin = 0, end = 0;
     std::uint64_t size() const { return end - begin; }
@@ -29,7 +29,7 @@ inline BlockRun blocks_of(ByteRange range) {
     return {range.begin / block_bytes, (range.end - 1) / block_bytes + 1};
 }
 
-/// The same for several ranges, sorted and merged where they touch.
+/// The blocks that contain the bytes of several ranges: sorted runs, which are merged where they touch.
 inline std::vector<BlockRun> blocks_of(std::span<const ByteRange> ranges) {
     std::vector<BlockRun> runs, joined;
     for (const ByteRange& range : ranges)
@@ -44,7 +44,7 @@ inline std::vector<BlockRun> blocks_of(std::span<const ByteRange> ranges) {
     return joined;
 }
 
-/// The bytes of the blocks in a file of this size.
+/// The bytes of the blocks in a file of `file_bytes` bytes.
 inline ByteRange bytes_of(BlockRun run, std::uint64_t file_bytes) {
     return {run.begin * block_bytes, std::min(run.end * block_bytes, file_bytes)};
 }

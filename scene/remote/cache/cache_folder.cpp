@@ -18,13 +18,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether the file is a temporary one, left by a crash while the origin was being written.
+/// Whether the file is a temporary file that was left by a crash while the origin was being written.
 bool is_unfinished_origin(const fs::path& file) {
     return file.filename().string().starts_with(std::string(cached::origin).append(unfinished_mark));
 }
 
-/// The files in one of our folders, in order of deletion; the origin, which marks the folder as ours, comes
-/// last.
+/// The files in one of our folders, in the order in which they are deleted. The origin, which marks the
+/// folder as ours, comes last.
 std::vector<fs::path> files_of_ours(const fs::path& folder) {
     std::vector<fs::path> files{folder / cached::table, folder / cached::data};
     std::error_code error;
@@ -55,7 +55,7 @@ bool is_folder(const fs::path& path) {
 
 bool ours(const fs::path& folder) { return is_folder(folder) && begins_like_origin(origin_text(folder)); }
 
-/// True if the folder is empty except for files left by a crash.
+/// True if the folder is empty or has only files that were left by a crash.
 bool unclaimed(const fs::path& folder) {
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
@@ -67,7 +67,7 @@ void drop(const fs::path& folder) {
     for (const fs::path& file : files_of_ours(folder)) ::unlink(file.c_str());
 }
 
-/// True unless a process has the file open.
+/// True if no process has the file open.
 bool unused(const fs::path& folder) {
     const Descriptor data(
         ::open((folder / cached::data).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
@@ -117,7 +117,7 @@ Descriptor CacheFolder::lock() const {
     return fd;
 }
 
-/// The folder for a URL: ours, empty or missing. Folders that other programs use are skipped.
+/// The folder for a URL. It is ours, empty or missing; folders that other programs use are skipped.
 fs::path CacheFolder::folder_of(const std::string& url) const {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         fs::path folder = root_ / folder_name(url, seed);
@@ -125,7 +125,8 @@ fs::path CacheFolder::folder_of(const std::string& url) const {
         if (!fs::exists(fs::symlink_status(folder, error)) || ours(folder) || unclaimed(folder))
             return folder;
     }
-    throw Error(Exit::storage, root_.string() + ": folders in it are not a cache of remote files");
+    throw Error(Exit::storage,
+                root_.string() + ": contains folders that are not part of a cache of remote files");
 }
 
 std::shared_ptr<CachedFile> CacheFolder::find(const std::string& url) const {

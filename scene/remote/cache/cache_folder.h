@@ -10,26 +10,27 @@
 
 namespace vantage {
 
-/// $XDG_CACHE_HOME/vantage/remote, else ~/.cache/vantage/remote; empty if neither XDG_CACHE_HOME nor HOME is
-/// set.
+/// $XDG_CACHE_HOME/vantage/remote or, if XDG_CACHE_HOME is not set, ~/.cache/vantage/remote; empty if HOME is
+/// not set either.
 std::filesystem::path default_remote_cache();
 
 /// The cached files, each in a folder named by the XXH3-128 of its URL. A lock serializes finding, creating
-/// and deleting them across processes. Only folders whose file `origin` is ours are modified, and in them
-/// only files with the names of cached files. The cache must be on a local disk, and may be deleted at any
-/// time.
+/// and deleting them across processes. Only folders with a file `origin` that is ours are modified, and in
+/// these only files with the names of cached files. The cache must be on a local disk, and may be deleted at
+/// any time.
 class CacheFolder {
   public:
     /// Creates the folder if it is missing. Throws Error(storage).
     explicit CacheFolder(std::filesystem::path root);
 
-    /// The cached file of a URL as returned by shown_url(), or null. Throws Error(storage).
+    /// The cached file of a URL that shown_url() returned, or null if there is none. Throws Error(storage).
     std::shared_ptr<CachedFile> find(const std::string& url) const;
-    /// The cached file of this version, created if missing, after deleting any other version. Throws
-    /// Error(storage).
+    /// The cached file of this version. If it is missing, any other version is deleted and the file is
+    /// created. Throws Error(storage).
     std::shared_ptr<CachedFile> find_or_make(const Origin& origin) const;
-    /// Deletes the least recently used files that no process has open until all files use at most this many
-    /// bytes on the disk. Returns the remaining usage, which open files may keep above the limit.
+    /// Deletes files that no process has open, least recently used first, until all files together use at
+    /// most `max_bytes` on the disk. Returns the space still used, which open files may keep above this
+    /// limit.
     std::uint64_t prune(std::uint64_t max_bytes) const;
 
   private:

@@ -8,15 +8,15 @@
 namespace vantage {
 
 /// Keeps the cache within its limit, first by deleting files that are not open, then by freeing blocks of the
-/// open one. Thread-safe.
+/// open file. Thread-safe.
 class CacheSpace {
   public:
-    /// `limit`: bytes on the disk. Both objects must outlive this one.
+    /// `limit`: bytes on the disk. `folder` and `file` must outlive this object.
     CacheSpace(const CacheFolder& folder, CachedFile& file, std::uint64_t limit);
 
-    /// Makes room for bytes that will be written next. Throws Error(storage).
+    /// Makes room for bytes that are about to be written. Throws Error(storage).
     void reserve(std::uint64_t bytes);
-    /// Releases a reservation after the bytes were written, or if they will not be.
+    /// Releases a reservation when the bytes have been written, or if they will not be written.
     void settle(std::uint64_t bytes);
 
   private:
@@ -24,7 +24,7 @@ class CacheSpace {
     CachedFile& file_;
     const std::uint64_t limit_;
     std::mutex mutex_;
-    std::uint64_t on_disk_ = 0;   ///< bytes counted last, plus those settled since
+    std::uint64_t on_disk_ = 0;   ///< bytes found at the last count, plus those settled since
     std::uint64_t reserved_ = 0;  ///< bytes
     std::uint64_t until_count_ =
         0;  ///< bytes to settle before the next count, since other processes also write

@@ -63,7 +63,7 @@ std::shared_ptr<CachedFile> CachedFile::open(const std::filesystem::path& folder
 }
 
 std::shared_ptr<CachedFile> CachedFile::create(const std::filesystem::path& folder, const Origin& origin) {
-    // Written first, to mark the folder as ours.
+    // The origin is written first, to mark the folder as ours.
     replace_file(folder / cached::origin, text_of(origin), 0600);
     auto data = MappedFile::create(folder / cached::data, origin.size, false, false);
     auto table = BlockTable::create(folder / cached::table, number_of_blocks(origin.size), hash_of(origin));
@@ -100,7 +100,7 @@ Kept CachedFile::keep(std::vector<BlockRun> runs) {
     return Kept(new Hold{shared_from_this(), std::move(runs)});
 }
 
-/// Blocks with some bytes on the disk: present ones, and remains of unfinished fetches.
+/// The blocks that have bytes on the disk: those that are present, and remains of unfinished fetches.
 std::vector<BlockRun> CachedFile::on_disk() const {
     std::vector<ByteRange> ranges;
     for (off_t at = 0;;) {
@@ -114,7 +114,7 @@ std::vector<BlockRun> CachedFile::on_disk() const {
 
 bool CachedFile::free(std::uint64_t block) {
     table_.clear(block);  // first, so that a process killed here leaves data without a mark
-    // Extends beyond the end of the last block, so that its last page is also freed.
+    // The range extends beyond the end of the last block, so that its last page is freed as well.
     return ::fallocate(data_.descriptor(), FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE,
                        off_t(block * block_bytes), off_t(block_bytes)) == 0;
 }

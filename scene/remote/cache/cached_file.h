@@ -20,19 +20,20 @@ using Kept = std::shared_ptr<const void>;
 
 /// The names of the files in the folder of a cached file.
 namespace cached {
-inline constexpr const char* origin = "origin";         ///< text_of() its origin; marks the folder as ours
-inline constexpr const char* table = "blocks";          ///< BlockTable
+inline constexpr const char* origin = "origin";  ///< contains text_of(origin); marks the folder as ours
+inline constexpr const char* table = "blocks";   ///< BlockTable
 inline constexpr const char* data = "package.vantage";  ///< as large as the original; absent blocks are holes
 }  // namespace cached
 
 /// The first 64 KiB of the origin in a folder; empty if it is missing, a link or unreadable.
 std::string origin_text(const std::filesystem::path& folder);
 
-/// An open file of the cache. It holds a shared lock (flock) on the data, so that no process deletes it. It
-/// stays readable if it is replaced by a newer version. Thread-safe.
+/// An open file in the cache. It holds a shared lock (flock) on the data, so that no process deletes it. The
+/// file stays readable even if a newer version replaces it. Thread-safe.
 class CachedFile : public std::enable_shared_from_this<CachedFile> {
   public:
-    /// Opens the cached file in a folder. Null if there is none, or if it is damaged. Throws Error(storage).
+    /// Opens the cached file in a folder. Returns null if there is none or if it is damaged. Throws
+    /// Error(storage).
     static std::shared_ptr<CachedFile> open(const std::filesystem::path& folder);
     /// Creates a cached file in a folder that has none of its files. Throws Error(storage).
     static std::shared_ptr<CachedFile> create(const std::filesystem::path& folder, const Origin& origin);
@@ -44,16 +45,16 @@ class CachedFile : public std::enable_shared_from_this<CachedFile> {
 
     BlockTable& table() { return table_; }
     bool present(BlockRun run) const;
-    /// Writes bytes that continue the last call or begin a block, and marks the completed blocks. The blocks
-    /// must be kept. Throws Error(storage).
+    /// Writes bytes and marks the blocks that are then complete. The bytes must start at the beginning of a
+    /// block or where the last call ended. The blocks must be kept (see keep()). Throws Error(storage).
     void write(std::uint64_t offset, std::span<const std::byte> bytes);
-    /// Waits while another process frees one of the blocks. Throws Error(storage).
+    /// Keeps blocks. Waits while another process frees one of them. Throws Error(storage).
     Kept keep(std::vector<BlockRun> runs);
-    /// Frees at least this many bytes on the disk, or all blocks that nobody keeps, least recently used
-    /// first. Returns the number of bytes freed. Throws Error(storage) if the file system does not support
-    /// holes.
+    /// Frees blocks that nobody keeps, least recently used first, until at least `bytes` are free on the disk
+    /// or no such block is left. Returns the number of bytes freed. Throws Error(storage) if the file system
+    /// does not support holes.
     std::uint64_t evict(std::uint64_t bytes);
-    /// Bytes that the files use on the disk.
+    /// The number of bytes that the files use on the disk.
     std::uint64_t disk_bytes() const;
 
   private:

@@ -25,7 +25,7 @@ MappedFile MappedFile::create(const std::filesystem::path& path, std::uint64_t s
     file.fd_ = Descriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
     if (!file.fd_) throw storage_error(path, "create");
     if (::ftruncate(file.descriptor(), off_t(size)) != 0) throw storage_error(path, "set the size");
-    // Without reserved space, writing to a mapped page on a full disk would kill the process.
+    // If the space were not reserved, writing to a mapped page on a full disk would kill the process.
     if (reserve)
         if (const int error = ::posix_fallocate(file.descriptor(), 0, off_t(size)); error != 0) {
             errno = error;

@@ -10,11 +10,11 @@ namespace vantage {
 /// An open file, mapped as a whole and shared with other processes.
 class MappedFile {
   public:
-    /// Opens a file of exactly this size (bytes); the result is empty if there is no such file. Links are not
+    /// Opens a file of exactly `size` bytes; the result is empty if there is no such file. Links are not
     /// followed. Throws Error(storage).
     static MappedFile open(const std::filesystem::path& path, std::uint64_t size, bool writable);
-    /// Creates a file of zeros, without blocks on the disk unless `reserve`. Throws Error(storage) if it
-    /// exists or the disk is full.
+    /// Creates a file of zeros. It has no blocks on the disk unless `reserve` is set. Throws Error(storage)
+    /// if the file exists or the disk is full.
     static MappedFile create(const std::filesystem::path& path, std::uint64_t size, bool writable,
                              bool reserve);
     MappedFile() = default;
@@ -26,7 +26,7 @@ class MappedFile {
     std::byte* data() const { return data_; }
     std::uint64_t size() const { return size_; }
     int descriptor() const { return fd_.get(); }
-    /// Bytes that the file uses on the disk.
+    /// The number of bytes that the file uses on the disk.
     std::uint64_t disk_bytes() const;
 
   private:

@@ -140,8 +140,8 @@ TEST_F(RemoteFaults, ValidatorThatChangesIsReported) {
 
 TEST_F(RemoteFaults, ServerWithoutValidatorsIsRefused) {
     const std::string expected =
-        "the response has neither a strong ETag nor Last-Modified, by which a change of the file would be "
-        "recognized";
+        "the response has neither a strong ETag nor Last-Modified, so a change to the file could not be "
+        "detected";
     EXPECT_EQ(opening_error(changed([](Reply& r, const Asked&) { r.etag = ""; })), expected);
     EXPECT_EQ(opening_error(changed([](Reply& r, const Asked&) { r.etag = "ETag: W/\"one\"\r\n"; })),
               expected);
@@ -282,7 +282,8 @@ TEST_F(RemoteFaults, RedirectsAreFollowedButNotForever) {
               "the server redirects more than 5 times");
     const std::string elsewhere =
         opening_error([&](const Asked& asked) { return redirect(asked, "file:///etc/passwd"); });
-    EXPECT_TRUE(elsewhere.starts_with("the server does not redirect to http or https")) << elsewhere;
+    EXPECT_TRUE(elsewhere.starts_with("the server redirects to a URL that is neither http nor https"))
+        << elsewhere;
 }
 
 TEST_F(RemoteFaults, FailureOfOneRangeLeavesTheFileUsable) {

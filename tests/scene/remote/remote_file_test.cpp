@@ -210,7 +210,7 @@ TEST_F(RemoteFileFetches, OpeningCanBeStopped) {
     });
     options.stall_timeout = std::chrono::seconds(100);
     EXPECT_EQ(error_of([&] { RemoteFile(server.url(), options, stop.get_token()); }, Exit::interrupted),
-              server.url() + ": stopped while it was opened");
+              server.url() + ": stopped while being opened");
 }
 
 TEST_F(RemoteFileFetches, ConnectionsAreKept) {
@@ -297,7 +297,7 @@ TEST_F(RemoteFileOverTlsAtLength, RefusesARedirectToHttp) {
     const Nginx nginx(dir / "nginx", dir / "served", "return 302 " + plain.url() + ";", tls_settings(), true);
     options.certificates = certificate();
     EXPECT_EQ(error_of([&] { RemoteFile(nginx.url(), options); }),
-              nginx.url() + ": the server redirects from https to http, which is not followed");
+              nginx.url() + ": the server redirects from https to http; such redirects are not followed");
 }
 
 }  // namespace vantage

@@ -106,7 +106,7 @@ TEST_F(SceneFile, MatricesAreReadAsOtherProgramsWriteThem) {
             << bad;
     const std::string one = "matrix = [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]\n";
     EXPECT_EQ(error_of(objects + one + "scale = 1\n"),
-              ": object 2: matrix: stands for move, turn and scale, expected it without them");
+              ": object 2: matrix: replaces move, turn and scale, which must not be given as well");
     EXPECT_EQ(error_of("[[object]]\npackage = \"a\"\n" + one), "accepted");
     EXPECT_EQ(error_of("[[object]]\npackage = \"a\"\nmatrix = [1,0,0,1, 0,1,0,0, 0,0,1,0, 0,0,0,1]\n"),
               ": object 1: the scene has this object's coordinates, so it cannot be moved, turned or scaled");
@@ -152,8 +152,7 @@ TEST_F(SceneFile, ErrorsNameTheObjectAndWhatWasExpected) {
     EXPECT_EQ(error_of("object = 3\n"), ": unknown key 'object', expected [[object]]");
     EXPECT_EQ(error_of("[[objects]]\npackage = \"a\"\n"), ": unknown key 'objects', expected [[object]]");
     EXPECT_EQ(error_of("[[object]]\nname = \"a\"\n"), ": object 1: has no package");
-    EXPECT_EQ(error_of("[[object]]\npackage = 3\n"),
-              ": object 1: package: expected a text that is not empty");
+    EXPECT_EQ(error_of("[[object]]\npackage = 3\n"), ": object 1: package: expected a non-empty string");
     EXPECT_EQ(error_of(first + "move = [1, 0, 0]\n"),
               ": object 1: the scene has this object's coordinates, so it cannot be moved, turned or scaled");
     for (const char* move : {"[1, 2]", "[1, 2, \"x\"]", "1", "[nan, 0, 0]", "[inf, 0, 0]", "[1e13, 0, 0]"})
@@ -172,8 +171,8 @@ TEST_F(SceneFile, ErrorsNameTheObjectAndWhatWasExpected) {
     EXPECT_EQ(error_of("[[object]]\ninput = \"scan\"\n"),
               ": object 1: has no package; 'vantage prepare' makes packages of a scene's inputs");
     const std::string no_input =
-        ": object 1: has no input, expected input, a folder; mesh, cameras and photos together; or points in "
-        "place of mesh, alone or with both of the others";
+        ": object 1: has no input, expected input (a folder), or mesh, cameras and photos, or points, alone "
+        "or with cameras and photos";
     EXPECT_EQ(error_of("[[object]]\npoints = \"a.ply\"\nphotos = \"p\"\n", SceneUse::prepare), no_input);
     EXPECT_EQ(error_of("[[object]]\npoints = []\n", SceneUse::prepare), no_input);
     EXPECT_EQ(error_of("[[object]]\npoints = \"a.ply\"\n"),

@@ -132,13 +132,14 @@ TEST_F(StoryFile, ErrorsNameThePlaceWhatWasFoundAndWhatWasExpected) {
               "opening.target: found an array of 2, expected three numbers, such as [1, 0, 0.5]");
     EXPECT_EQ(error_with(R"("opening": {"eye": [0, 0, 0]})"), "opening.target: is missing");
     EXPECT_EQ(error_with(R"("opening": {"eye": [2, 0, 0], "target": [2, 0, 0]})"),
-              "opening: found an object, expected a target that is not the eye");
+              "opening: found an object, expected a target that differs from the eye");
     EXPECT_EQ(error_with(R"("notes": [{"id": "a"}, {"id": "b", "anchor": [0, "1", 2]}])"),
               "notes[1].anchor[1]: found \"1\", expected a number from -1e+12 to 1e+12");
     EXPECT_EQ(error_with(R"("notes": [{"id": "a"}, {"id": "a"}])"),
               "notes[1].id: found \"a\", expected a unique id");
     EXPECT_EQ(error_with(R"("notes": [{"id": "the clock"}])"),
-              "notes[0].id: found \"the clock\", expected an id of letters, digits, '-', '_' and '.'");
+              "notes[0].id: found \"the clock\", expected an id that consists of letters, digits, '-', '_' "
+              "and '.'");
     EXPECT_EQ(error_with(R"("tours": [{"id": "a", "stops": [{"fly": 1}]}])"),
               "tours[0].stops[0]: found an object, expected either a note or a view");
     EXPECT_EQ(error_with(R"("background": {"top": "#000000"})"),
@@ -150,7 +151,7 @@ TEST_F(StoryFile, ErrorsNameThePlaceWhatWasFoundAndWhatWasExpected) {
     EXPECT_EQ(error_with(R"("title": {"english": "x", "e": "y"})"),
               "title[\"e\"]: found \"y\", expected a language, such as \"en\" or \"pt-BR\"");
     EXPECT_EQ(error_with(R"("title": 7)"),
-              "title: found 7, expected a text, or an object with a text for each language");
+              "title: found 7, expected a string, or an object with a string for each language");
 }
 
 TEST_F(StoryFile, APasserBysFileDoesNoHarm) {

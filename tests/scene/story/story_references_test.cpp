@@ -49,6 +49,6 @@ TEST(StoryAnchors, MayLieATenthOfTheDiagonalOutside) {
         story.notes.push_back({std::to_string(x), {}, {}, "", {}, Eigen::Vector3d(x, 1, 1)});
     const std::vector<std::string> found = anchors_outside(story, box);
     ASSERT_EQ(found.size(), 2u);
-    EXPECT_EQ(found[0], "notes[2].anchor: is 0.5 outside the model, expected a place on it");
+    EXPECT_EQ(found[0], "notes[2].anchor: is 0.5 outside the model, expected a point on it");
     EXPECT_TRUE(found[1].starts_with("notes[3].anchor")) << found[1];
 }
