@@ -1,6 +1,6 @@
-// A level of the two pyramids that fill holes of the mesh and of the background (where the mesh has little
-// weight): tent-filtered weighted means of 4x4 texels of the finer level. Square roots of light times weight;
-// weights are at most 1, so that a texel without holes outweighs any number of holes.
+// Computes a level of the two pyramids that fill holes in the mesh and in the background (where the mesh has
+// little weight). Texels are tent-filtered weighted means of 4x4 texels of the finer level: square roots of
+// light times weight. Weights are at most 1, so that a texel without holes outweighs any number of holes.
 #include "contract.glsl"
 
 layout(location = 0) out vec4 averaged;
@@ -13,7 +13,7 @@ layout(location = frame_size_uniform) uniform ivec2 size;       // used size of 
 layout(location = average_samples_uniform) uniform float samples;  // per frame pixel; 0: `finer` is a level
 
 void main() {
-    // The frame has many pixels, so only 2x2 of them are averaged.
+    // The frame has many pixels, so only 2x2 of them are averaged per texel.
     const float tent[4] = float[](0.25, 0.75, 0.75, 0.25);
     int side = samples > 0.0 ? 2 : 4;
     ivec2 first = 2 * ivec2(gl_FragCoord.xy) - 1;

@@ -1,13 +1,13 @@
-// Blends photos at background pixels: the photo with which their directions are labeled, photos taken near
-// the viewer, and the background color (robust mean) where no photo is reliable (docs/method.md). Sums of
-// square roots of light, as in blend.frag.
+// Blends the colors of background pixels: from the photo with which their directions are labeled, from photos
+// taken near the viewer, and, where no photo is reliable, from the background color, which is a robust mean
+// (docs/method.md). The results are sums of square roots of light, as in blend.frag.
 #include "photo_color.glsl"
 #include "visible_triangle.glsl"
 
 layout(std430, binding = colors_buffer) readonly buffer Colors { uint colors[]; };
 layout(location = 0) out vec4 accumulated;
 
-// Bits of the pass's photos: for each label, and for the photos nearest to the viewer.
+// Bit masks of the pass's photos: one for each label, and one for the photos nearest to the viewer.
 layout(location = label_bits_uniform) uniform uint label_bits[background_labels];
 layout(location = nearest_bits_uniform) uniform uint nearest_bits;
 layout(location = near_distance_uniform) uniform float near_distance;                // the nearest photos are not used beyond this
@@ -15,7 +15,7 @@ layout(location = background_triangles_uniform) uniform uvec2 background_triangl
 layout(location = background_distance_uniform) uniform float background_distance;
 layout(location = viewer_away_uniform) uniform float viewer_away;         // the viewer's distance from the nearest camera, in units of background_distance
 
-// Interpolated from the background's vertices.
+// Values interpolated from the background's vertices.
 vec3 calm = vec3(0.0);    // background color, square root of light
 float trust = 0.0;        // in the labeled photo
 uvec3 labels = uvec3(0u);  // of the corners
@@ -29,11 +29,12 @@ void read_paint() {
     }
 }
 
-// Fraction of the area around a photo pixel that does not show the mesh; 0 on the mesh and its edge.
+// The fraction of the area around a photo pixel that does not show the mesh; 0 on the mesh and at its edge.
 float beyond_mesh(uint photo, vec2 pixel, float lod) {
     float level = max(lod, log2(background_margin * photos[photo].size_weight.x / reference_width)), open = 0.0;
     bool near = false;
-    // Coarse first, then fine only if the coarse area contains mesh, which saves time in software renderers.
+    // The coarse level is tested first, and the fine level only if the coarse area contains mesh. This saves
+    // time in software renderers.
     do {
         WeightPlace at = weight_place(photo, pixel, level);
         if (at.level < 0) return 0.0;
@@ -50,7 +51,7 @@ float beyond_mesh(uint photo, vec2 pixel, float lod) {
     return open;
 }
 
-// A photo of the pass at this pixel, and its weights.
+// A photo of the pass with its position and weights at this pixel.
 struct Candidate {
     uint photo;
     vec3 place;    // in camera space
@@ -62,7 +63,7 @@ struct Candidate {
     float theta;   // angle between the viewer's and the photo's rays to a near point in this direction
 };
 
-// The candidate for the first photo in these bits.
+// The candidate for the first photo in this bit mask.
 Candidate candidate_of(uint bits, vec3 seen_near) {
     uint photo = uint(max(findLSB(bits), 0));
     Candidate c = Candidate(photo, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
@@ -82,26 +83,27 @@ Candidate candidate_of(uint bits, vec3 seen_near) {
     return c;
 }
 
-// Weight of a photo's color, versus the background color, for a viewer away from all cameras.
+// The weight of a photo's color relative to the background color, for a viewer away from all cameras.
 float sure(float trust) { return 1.0 - smoothstep(calm_from * trust, calm_to * trust, viewer_away); }
 
 bool is_sky() { return distance(surface_position, weight_eye) > sky_distance * background_distance; }
 
 vec3 calmed(vec3 root, float share) {
     vec3 off = (root - calm) / sky_spread;
-    // Objects that stand out from the sky are not infinitely far, and would appear twice.
+    // Objects that stand out from the sky are not infinitely far away, and would appear twice.
     if (is_sky()) share /= 1.0 + dot(off, off);
     return max(mix(calm, root, share), vec3(0.0));
 }
 
-// Square root of a photo's color. Photos chosen by label are corrected to match adjacent photos. Unreliable
-// colors fade to the background color, except from the photo's own camera.
+// The square root of a photo's color. Photos chosen by label are corrected to match adjacent photos.
+// Unreliable colors fade to the background color, except from the photo's own camera.
 vec3 painted(vec3 root, Candidate c) {
     vec3 labeled = calmed(root + surface_normal, sure(max(trust, 1e-3))), near = calmed(root, sure(1.0));
     return (c.label * labeled + c.near * near + c.own * root) / (c.label + c.near + c.own);
 }
 
-// Bits of the pass's photos that match the pixel's labels, and of the nearest photos.
+// The bit mask of the pass's photos that match the pixel's labels, and of the nearest photos if `near` is
+// set.
 uint photos_here(bool near) {
     uint here = near ? nearest_bits : 0u;
     for (int i = 0; i < 3; ++i) here |= label_bits[labels[i]];
@@ -130,14 +132,15 @@ void main() {
     vec3 along_x, along_y, across;
     read_surface(triangle - 1u, along_x, along_y, across);
     read_paint();
-    // The background may be infinitely far; for photos near their own cameras, it is treated as near.
+    // The background may be infinitely far away; for photos near their own cameras, it is treated as near.
     vec3 away = surface_position - weight_eye;
     vec3 seen_near = weight_eye + away * min(1.0, background_distance / length(away));
     uint here = photos_here(length(away) < near_distance);
     Candidate best[2];
     best[0] = best[1] = Candidate(0u, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
     float third = 0.0;
-    // The condition is at the end, because software renderers run a loop once more if it is at the start.
+    // The condition is at the end, because with a condition at the start, software renderers run the loop
+    // once more.
     do {
         Candidate c = candidate_of(here, seen_near);
         if (c.weight > best[0].weight) {
@@ -150,7 +153,7 @@ void main() {
         } else third = max(third, c.weight);
         here &= here - 1u;
     } while (here != 0u);
-    // The third-best weight is subtracted, so that photos appear and disappear gradually.
+    // The third-best weight is subtracted from the two best, so that photos appear and disappear gradually.
     third = max(third, negligible * best[0].weight);
     // A photo that shows the mesh there does not see the sky, even where the mesh is hidden.
     if (show == show_colors && trust > 0.8 && is_sky()) accumulated = vec4(calm, 1.0) * background_least;

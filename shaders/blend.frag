@@ -1,11 +1,11 @@
 // One blending pass: weighted average (de Melo 2017, eq. 3.1), unstructured lumigraph (after Buehler et al.
 // 2001) or best photo (Princ 2014, eq. 2.8). TAKES_ONE: the photo with the largest weight determines the
 // color; otherwise square roots of light are averaged by weight, which is perceptually closest to all photos
-// where they disagree. BLEND_*: the weight, as in player/render/passes/blend_table.cpp.
+// where they disagree. BLEND_* selects the weight, as in player/render/passes/blend_table.cpp.
 #include "photo_color.glsl"
 
 #ifdef ON_POINTS
-// The surface is the point cloud as drawn in the frame, read pixel by pixel.
+// The surface is the point cloud as it is drawn in the frame; it is read pixel by pixel.
 layout(binding = places_unit) uniform sampler2D places;      // linear depth, 0: no point; spacing of the points
 layout(location = frame_uniform) uniform vec4 frame;         // fx fy cx cy of the view
 layout(location = frame_axes_uniform) uniform mat3 axes;     // right, down and forward
@@ -43,8 +43,8 @@ layout(binding = first_sums_unit) uniform sampler2D first_sums;
 const float least = 0.001;           // minimum of each weight map, so that a photo that sees the surface retains some weight
 const float transient_scale = 0.08;  // square root of linear color: this difference halves the weight
 
-// Visibility of a fragment in a photo, from the four depths around its pixel: 1 if it is behind none of them,
-// `beside` if behind some, 0 if behind all of them.
+// The visibility of a fragment in a photo, from the four depths around its pixel: 1 if it is behind none of
+// them, `beside` if it is behind some of them, 0 if it is behind all of them.
 float seen(uint photo, vec3 p, WeightPlace at) {
     vec3 n = mat3(photos[photo].cam_from_origin) * surface_normal;
     float cosine = max(abs(dot(normalize(n), normalize(p))), least_cosine);
@@ -57,7 +57,7 @@ float seen(uint photo, vec3 p, WeightPlace at) {
     return p.z > z.y + slack ? 0.0 : (p.z > z.x + slack ? beside : 1.0);
 }
 
-// Areal sampling rate, relative to the finest of all photos; the weight map holds its log2 in sixths
+// The sampling rate by area, relative to the finest of all photos. The weight map holds six times its log2
 // (scene/package/FORMAT.md).
 float density(vec4 weight_maps) {
     return (switches & depth_weight_switch) != 0u ? max(exp2((weight_maps.g * 255.0 - 255.0) / 6.0), 1e-6) : 1.0;
@@ -70,24 +70,24 @@ float static_weight(vec4 weight_maps) {
     return w;
 }
 
-// Bounded below, far above float underflow, so that a single photo still yields a color.
+// The weight has a lower bound, far above float underflow, so that a single photo still yields a color.
 float angle_weight(float theta) { return (switches & angle_switch) != 0u ? max(exp(-theta / sharpness), 1e-12) : 1.0; }
 
-// Factor by which a photo outweighs the others near its own camera.
+// The factor by which a photo outweighs the others near its own camera.
 float own_view(float theta) {
     return (switches & angle_switch) == 0u ? 1.0 : 1.0 + own_factor(theta);
 }
 
-// A photo with less than one pixel per sample of the picture has less weight; more pixels than the picture
-// can show do not add weight.
+// A photo that has less than one pixel per sample of the picture gets less weight. Having more pixels than
+// the picture can show does not add weight.
 float sampling(Footprint footprint) {
     return (switches & depth_weight_switch) != 0u ? clamp(footprint.shorter, 0.001, 1.0) : 1.0;
 }
 
 float weight_of(uint photo, vec2 pixel, vec4 weight_maps, float theta, Footprint footprint) {
 #ifdef BLEND_BEST
-    // [P] eq. 2.8, with the sign for which a frontal photo wins, divided by the squared angle: from a photo's own
-    // viewpoint that photo wins wherever it sees the surface.
+    // [P] eq. 2.8, with the sign for which a frontal photo wins, divided by the squared angle. From a photo's
+    // own viewpoint, that photo wins wherever it sees the surface.
     const float limit = 0.342020143;  // cos 70 degrees
     float frontal = max(1.0 - (1.0 + dot(normalize(surface_normal), photos[photo].direction.xyz)) / (1.0 - limit), 0.0) + 0.05;
     float p = max(dot(view_direction, photos[photo].direction.xyz), 0.01) * frontal * max(photos[photo].center_hull.w, 0.01);
@@ -142,13 +142,14 @@ void main() {
     float chosen_theta = 0.0;
 #endif
     uint left = draw_photos & ((1u << pass_count) - 1u);
-    // The condition is at the end, because software renderers run a loop once more if it is at the start.
+    // The condition is at the end, because with a condition at the start, software renderers run the loop
+    // once more.
     do {
         if (left == 0u) break;
         uint photo = uint(findLSB(left));
         left &= left - 1u;
 #ifndef ON_POINTS
-        // A photo taken from behind shows the surface's other side.
+        // A photo taken from behind shows the other side of the surface.
         if (dot(facing, photos[photo].center_hull.xyz - surface_position) < 0.0) continue;
 #endif
         vec3 p = (photos[photo].cam_from_origin * vec4(surface_position, 1.0)).xyz;
@@ -170,7 +171,7 @@ void main() {
         float theta = ray_angle(surface_position, photo);
         w *= weight_of(photo, pixel, weight_maps, theta, footprint);
 #ifdef PHOTO_TRANSIENTS
-        // 1 of 255: visible, but contradicted by other photos.
+        // A value of 1 of 255 means that the surface is visible but contradicted by other photos.
         if ((switches & transient_weight_switch) != 0u) w *= mix((max(weight_maps.a * 255.0, 1.0) - 1.0) / 254.0, 1.0, own_share(theta));
 #endif
         if (!(w > 0.0)) continue;

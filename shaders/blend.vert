@@ -1,4 +1,4 @@
-// The model for a blending pass of PASS_PHOTOS photos.
+// Draws the model for a blending pass with PASS_PHOTOS photos.
 #include "contract.glsl"
 
 layout(location = position_attribute) in vec3 position;
@@ -12,7 +12,7 @@ flat out uint draw_photos;
 invariant gl_Position;
 
 #ifndef PER_FRAGMENT
-// Texture coordinates: a slot per photo, with one pair per vertex.
+// Texture coordinates: one slot per photo, with one pair per vertex.
 layout(std430, binding = coordinates_buffer) readonly buffer Coordinates { vec2 coordinates[]; };
 layout(location = vertex_count_uniform) uniform uint vertex_count;
 layout(location = pass_slots_uniform) uniform uint pass_slots[PASS_PHOTOS];
@@ -27,7 +27,7 @@ void main() {
 #ifndef PER_FRAGMENT
     for (uint i = 0u; i < PASS_PHOTOS; ++i) {
         vec2 uv = coordinates[pass_slots[i] * vertex_count + uint(gl_VertexID)];
-        // Far enough outside the photo to discard every triangle with a hidden vertex, as in [M].
+        // This is far enough outside the photo to discard every triangle with a hidden vertex, as in [M].
         coordinate[i] = uv.x < 0.0 ? vec2(-1e6) : uv;
     }
 #endif

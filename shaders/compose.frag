@@ -1,5 +1,5 @@
-// Composites several objects into one picture, at each pixel nearer ones over farther ones, in linear light.
-// Translucent objects show the objects behind their nearest surface.
+// Composites several objects into one picture, in linear light. At each pixel, nearer objects are drawn over
+// farther ones. Through translucent objects, the objects behind their nearest surface are visible.
 #include "contract.glsl"
 #include "background.glsl"
 #include "srgb.glsl"

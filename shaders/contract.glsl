@@ -1,5 +1,6 @@
-// Shared definitions of C++ code and shaders, valid as GLSL and as C++ (shaders/contract.h includes this
-// file). It contains only constants and structs whose layouts in blocks and buffers are the same in C++.
+// Definitions that C++ code and shaders share. They are valid as GLSL and as C++ (shaders/contract.h includes
+// this file). The file contains only constants and structs whose layouts in blocks and buffers are the same
+// in C++.
 
 // Attributes of the model.
 const int position_attribute = 0;
@@ -28,8 +29,8 @@ const int fragments_buffer = 3;
 const int coordinates_buffer = 4;
 const int touched_buffer = 5;
 const int point_sizes_buffer = 6;
-// The model, read pixel by pixel: three vertices per triangle; positions and normals, three floats each;
-// colors, four bytes each; the cluster of each triangle; the photos' bits of each cluster.
+// The model, which is read pixel by pixel: three vertices per triangle; positions and normals of three floats
+// each; colors of four bytes each; the cluster of each triangle; and the photo bits of each cluster.
 const int indices_buffer = 7;
 const int positions_buffer = 8;
 const int normals_buffer = 9;
@@ -112,7 +113,7 @@ const int section_planes_uniform = 30;  // surface, an array, SECTION long
 const int frame_uniform = 1;  // blend, for point clouds
 const int frame_axes_uniform = 14;
 
-// Size in pixels of the frame, or in texels of the level, that blend, resolve, show, average_holes,
+// The size of the frame (in pixels) or level (in texels) that blend, resolve, show, average_holes,
 // fill_holes, compose, enlarge, stereo and panorama read. Its texture may be larger.
 const int frame_size_uniform = 29;
 // For blend, background, resolve, show and average_holes: samples per side of a pixel. Each sample has a
@@ -144,8 +145,8 @@ const int veils_holes_uniform = 25;
 const int fill_background_uniform = 26;
 const int plain_background_bottom_uniform = 27;
 
-// Several objects in one picture: uniforms of object_depth and of compose. The background, and pixels without
-// a surface, count as this far away.
+// Uniforms of object_depth and of compose, for several objects in one picture. The last two constants are the
+// distances given to the background and to pixels without a surface.
 const int depth_terms_uniform = 0;
 const int objects_uniform = 0;
 const int nearest_shown_uniform = 1;  // nearest_object
@@ -158,13 +159,13 @@ const int compose_soft_edges_uniform = 21;
 const float background_away = 1e30f;
 const float nothing_away = 2e30f;
 
-// Uniforms of point; clip_from_origin_uniform is as above.
+// Uniforms of point, in addition to clip_from_origin_uniform.
 const int point_size_uniform = 1;
 const int depth_per_w_uniform = 2;
 const int nearer_uniform = 3;
 
-// The number of the point at a pixel, 0 for none: 1 + its index in its node + this times the index of the
-// node among the drawn ones.
+// The number of the point at a pixel is 1 + the point's index in its node + points_per_node times the index
+// of the node among the drawn nodes; 0 means no point.
 const uint points_per_node = 16384u;
 
 // Uniforms of show.
@@ -208,8 +209,9 @@ const uint stereo_checkerboard = 4u;
 const int vignette_lens_uniform = 0;
 const int vignette_uniform = 1;
 
-// Uniforms of panel and mark, in addition to clip_from_origin_uniform; their remaining opacity behind the
-// model, and the fraction of its distance by which the model must be nearer, because marks lie on surfaces.
+// Uniforms of panel and mark, in addition to clip_from_origin_uniform. Behind the model, panels and marks
+// keep `share_behind` of their opacity. The model hides them only if it is nearer by the fraction
+// `hiding_slack` of the distance, because marks lie on surfaces.
 const int hides_uniform = 1;
 const int hiding_terms_uniform = 2;
 const int hiding_scale_uniform = 3;
@@ -257,7 +259,7 @@ const uint border_weight_switch = 4u;
 const uint angle_switch = 8u;
 const uint transient_weight_switch = 16u;
 
-// Kinds of surface in the alpha channel of the bare surface; 1: the mesh.
+// Kinds of surface, stored in the alpha channel of the bare surface; 1 means the mesh.
 const float shows_background = 2.0f;
 const float shows_value = 3.0f;
 const float shows_light = 4.0f;
@@ -292,41 +294,41 @@ const uint image_sets_mixed = 1u;
 const uint image_sets_side_by_side = 2u;
 const uint image_sets_swipe = 3u;
 
-// Tiles: texels per side, including a border on each side that repeats the neighbors.
+// Sizes in tiles: texels per side, including a border on each side that repeats the neighbors.
 const int tile_texels = 256;
 const int tile_border_texels = 4;
 const int tile_content_texels = 248;
 const int first_weight_level = 1;  // weight maps and depth have no finer level
 const int lens_cells = 64;       // cells of a lens table, per side
 
-// The lumigraph's weight (docs/method.md), computed by shaders/blend.frag and by pipeline/refine.
+// Constants of the lumigraph's weight (docs/method.md), which shaders/blend.frag and pipeline/refine compute.
 const float default_sharpness = 0.07f;  // radians: the angle between rays at which the weight is 1/e
-// Ramps in reference pixels: pixels of a photo scaled to this width.
+// Lengths of ramps, in reference pixels. These are the pixels of a photo that is scaled to this width.
 const float reference_width = 3072.0f;
 const float frame_ramp = 16.0f;  // from the photo's frame inward, to avoid a seam
 const float frame_least = 0.001f;
 const float edge_ramp = 24.0f;  // from the nearest depth discontinuity, where pose and mesh errors show most
 const float edge_least = 0.2f;  // at a discontinuity itself: other photos may not see the surface at all
-// Within about this angle of a photo's own camera, in radians, the picture becomes that photo (the epipole consistency of
-// Buehler et al. 2001): ramps and weight maps that prefer other photos must not apply there.
+// Within about this angle of a photo's own camera, in radians, the picture becomes that photo (the epipole
+// consistency of Buehler et al. 2001). Ramps and weight maps that prefer other photos must not apply there.
 const float own_angle = 0.01f;
 const float own_least = 0.00001f;  // lower limit on the angle; bounds the factor at 10^6
-// Photos are gradually treated as overexposed where all channels are at least this, in linear light, because
-// exposure correction must not turn white into gray.
+// Photos are gradually treated as overexposed where all channels are at least this bright, in linear light,
+// because exposure correction must not turn white into gray.
 const float overexposed = 0.9f;
-// A photo sees surfaces behind its depth map by less than this fraction of the depth, or by one texel of the
-// map along a surface slanted by at most 84 degrees. If this holds for only some of the four depths around
-// the pixel, the photo's pixel may show a nearer surface instead.
+// A photo sees a surface that lies behind its depth map by less than this fraction of the depth, or by less
+// than the depth changes over one texel of the map along a surface slanted by at most 84 degrees. If only
+// some of the four depths around the pixel satisfy this, the photo's pixel may show a nearer surface instead.
 const float depth_slack = 0.004f;
 const float least_cosine = 0.1f;
 const float beside = 0.03f;  // the weight in that case
 
-// The background is taken from pixels that certainly show it.
+// The background's colors are taken only from pixels that certainly show it.
 const float background_margin = 8.0f;    // reference pixels per depth texel that must not show the mesh
 const float background_least = 0.001f;   // the weight next to the mesh, whose silhouette is inexact
-// The photo with which a direction is labeled outweighs the nearest ones by this factor, but less so as the
-// angle between the rays at the background grows: photos taken near the viewer show near objects, while
-// distant ones never depend on the viewer.
+// The photo with which a direction is labeled outweighs the photos nearest to the viewer by this factor, but
+// less so as the angle between the rays at the background grows. Near objects are shown by photos taken near
+// the viewer, while distant ones never depend on the viewer.
 const float label_weight = 2.0f;
 const float background_sharpness = 0.1f;  // radians: the angle at which a weight is 1/e
 const float near_reach = 4.0f;  // labels decide beyond this times the cameras' spread
@@ -335,12 +337,13 @@ const int background_labels = 32;    // 0: none
 const float mesh_behind = 1.0f / 64.0f;  // weight of the mesh's colors for holes of the background
 const float near_ramp = 0.1f;   // fraction of a photo's width over which the nearest photos fade in from their frame
 const float negligible = 0.3f;  // photos below this fraction of the best photo's weight are not shown
-// The background fades to its mean color as the viewer moves away from all cameras, between these distances
-// from the nearest camera, multiplied by the trust and in units of the distance at which angles are measured.
+// The background fades to its mean color as the viewer moves away from all cameras. The fade starts and ends
+// at these distances from the nearest camera, multiplied by the trust, in units of the distance at which
+// angles are measured.
 const float calm_from = 0.5f, calm_to = 1.0f;
-// The background is sky beyond this times the distance at which angles are measured. This is a third of the
-// distance of its vertices, so that triangles between a hill and the sky have the sky's mean color where they
-// show sky.
+// Beyond this multiple of the distance at which angles are measured, the background is sky. It is a third of
+// the distance of the sky's vertices, so that triangles between a hill and the sky have the sky's mean color
+// where they show sky.
 const float sky_distance = 700.0f;
 const float sky_spread = 0.15f;     // square root of light: half the weight at this distance from the mean color
 
@@ -363,8 +366,8 @@ struct Photo {
     uvec4 weight_base[level_count / 4];
 };
 
-// A drawn node of a point cloud: which of its children are drawn (bit i: octant i), the index of the first of
-// them among the drawn nodes, the spacing of its points, and the index of its first vertex.
+// A drawn node of a point cloud: the children that are drawn (bit i stands for octant i), the index of the
+// first of these among the drawn nodes, the spacing of the node's points, and the index of its first vertex.
 struct PointSizes {
     uint children;
     uint first;
@@ -372,8 +375,9 @@ struct PointSizes {
     uint vertex;
 };
 
-// A fragment of a transparent surface: the next one at its pixel, from 1 (0: none); triangle; depth; color in
-// linear light, as half floats, with alpha times 65535 in the upper half of `blue_alpha`.
+// A fragment of a transparent surface: the number of the next fragment at its pixel, from 1 (0: none); its
+// triangle; its depth; and its color in linear light, as half floats, with alpha times 65535 in the upper
+// half of `blue_alpha`.
 struct TransparentFragment {
     uint next;
     uint triangle;

@@ -4,7 +4,7 @@
 
 #include "base/values/tiling.h"
 
-/// Locations, bits and layouts shared by C++ and GLSL.
+/// Locations, bits and layouts that C++ and GLSL share.
 namespace vantage::shader {
 
 using uint = std::uint32_t;
@@ -14,8 +14,8 @@ using mat4 = float[16];  ///< column-major
 
 #include "shaders/contract.glsl"
 
-// std140, and std430 except for PointSizes and TransparentFragment: vectors are aligned to 16 bytes, and
-// sizes are multiples of 16.
+// In std140 (and in std430, except for PointSizes and TransparentFragment), vectors are aligned to 16 bytes,
+// and sizes are multiples of 16.
 static_assert(offsetof(Photo, focal_center) == 64 && offsetof(Photo, color_base) == 176);
 static_assert(sizeof(PointSizes) == 16);
 static_assert(sizeof(TransparentFragment) == 20);

@@ -1,4 +1,5 @@
-// Fills a level of the hole-filling pyramids from the coarser one, blended behind its own content.
+// Fills the holes in a level of the hole-filling pyramids: the coarser level is blended behind the level's
+// own content.
 #include "contract.glsl"
 
 layout(location = 0) out vec4 filled;

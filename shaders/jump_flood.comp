@@ -1,5 +1,6 @@
-// One step of jump flooding (Rong and Tan 2006): each texel keeps the nearest seed among those found so far
-// by itself and its eight neighbors at distance `stride`. Seeds are texel positions; (-1,-1): none found.
+// One step of jump flooding (Rong and Tan 2006): each texel keeps the nearest of the seeds that the texel
+// itself and its eight neighbors at the distance `stride` have found so far. Seeds are texel positions;
+// (-1,-1): none found.
 #include "contract.glsl"
 
 layout(local_size_x = flood_group_texels, local_size_y = flood_group_texels) in;

@@ -1,4 +1,5 @@
-// A mark in the scene, over a finished picture. Its coverage of the pixel is computed from its shape.
+// Draws a mark in the scene over a finished picture. The fraction of a pixel that the mark covers is computed
+// from its shape.
 #include "contract.glsl"
 #include "hidden.glsl"
 #include "srgb.glsl"
@@ -16,25 +17,25 @@ layout(location = 0) out vec4 shown;
 layout(binding = shown_picture_unit) uniform sampler2DArray picture;
 layout(location = picture_decodes_uniform) uniform bool decodes;
 
-// The fraction of a pixel around x that lies between two edges; `pixel` in their unit.
+// The fraction of a pixel around x that lies between two edges. `pixel`: its size in the unit of the edges.
 float between(float low, float high, float x, float pixel) {
     return clamp((min(high, x + 0.5 * pixel) - max(low, x - 0.5 * pixel)) / pixel, 0.0, 1.0);
 }
 
-// Size of a pixel in the unit of each component.
+// The size of a pixel in the unit of each component.
 vec2 pixel_of(vec2 v) { return max(sqrt(dFdx(v) * dFdx(v) + dFdy(v) * dFdy(v)), 1e-30); }
 
 float line_share() {
     if (within.x < 0.0 || within.y <= 0.0) return 0.0;
-    // The width is inversely proportional to z, and thus linear in the picture.
+    // The line's width is inversely proportional to z, and thus linear in the picture.
     float half_width = mix(line_halves.x, line_halves.y, clamp(on_line.x / max(line_length, 1e-4), 0.0, 1.0));
     half_width = max(half_width, 0.5 * mark_sizes.y);
     float beyond = max(max(-on_line.x, on_line.x - line_length), 0.0);
     return between(-half_width, half_width, length(vec2(beyond, on_line.y)), 1.0);
 }
 
-// The rim around the center of a ball or ring; the gradient of the distance from it is measured across the
-// rim.
+// The fraction of a pixel that the disc or rim between two distances from the center of a ball or ring
+// covers. The gradient of the distance is measured across the rim.
 float rim_share(float low, float high, vec2 x, vec2 y) {
     float far = length(on_plane);
     vec2 out_of = on_plane / max(far, 1e-30);

@@ -1,4 +1,4 @@
-// A mark in the scene: the quad in which mark.frag draws its shape.
+// Places the quad in which mark.frag draws the shape of a mark in the scene.
 #include "contract.glsl"
 
 layout(location = points_attribute) in vec3 points[4];
@@ -30,8 +30,8 @@ float pixel_at(vec3 point) { return max(clip_of(point).w, nearest) / focal; }  /
 
 vec2 pixel_of(vec4 clip) { return clip.xy / clip.w * half_frame; }
 
-// The end `a` of the line to `b`, clipped to its visible part; `cut_off`: the fraction of the line clipped
-// off.
+// The end `a` of the line to `b`, moved to the line's visible part. `cut_off`: the fraction of the line that
+// is clipped.
 vec4 seen_end(vec4 a, vec4 b, out float cut_off) {
     cut_off = a.w < nearest ? (nearest - a.w) / (b.w - a.w) : 0.0;
     return mix(a, b, cut_off);
@@ -42,8 +42,8 @@ vec2 direction(vec2 from, vec2 to) {
     return far > 1e-4 ? (to - from) / far : vec2(0.0);
 }
 
-// Where lines meet, each ends at the bisector of their directions, so that they neither overlap nor leave a
-// gap. Zero at a round end, which has no bisector.
+// Where two lines meet, each ends at the bisector of their directions, so that they neither overlap nor leave
+// a gap. The result is zero at a round end, which has no bisector.
 vec2 bisector(vec2 along, vec4 end, vec3 neighbor, bool is_round) {
     vec4 clip = clip_of(neighbor);
     float cut_off;
@@ -64,8 +64,8 @@ vec4 line_corner(vec2 corner) {
     bool at_end = corner.x > 0.0;
     line_halves = 0.5 * sizes.x * focal / vec2(a.w, b.w);
     vec2 reach = max(line_halves, 0.5 * sizes.y) + margin;
-    // The trapezoid tangent to the circles around both ends, or a rectangle if one circle nearly contains the
-    // other.
+    // This is the trapezoid tangent to the circles around both ends, or a rectangle if one circle nearly
+    // contains the other.
     float growth = (reach.y - reach.x) / max(line_length, 1e-4), wide = sqrt((1.0 + growth) / max(1.0 - growth, 0.01));
     float far = at_end ? max(line_length + reach.y, reach.x) : min(-reach.x, line_length - reach.y);
     float high = abs(growth) > 0.9 ? max(reach.x, reach.y) : at_end ? reach.y * wide : reach.x / wide;
@@ -89,7 +89,7 @@ vec4 ring_corner(vec2 corner) {
     return clip_of(points[0] + u * on_plane.x + v * on_plane.y);
 }
 
-// A disc with the same outline as the ball, which it touches all around.
+// A corner of the quad for a disc that has the same outline as the ball and touches it all around.
 vec4 ball_corner(vec2 corner) {
     vec3 sight = eye - points[0];
     float away = length(sight), pixel = pixel_at(points[0]), radius = max(sizes.x, sizes.y * pixel);

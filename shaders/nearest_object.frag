@@ -1,4 +1,4 @@
-// Depth `near / z` of the nearest of several objects, top row first; 0 where there is no object.
+// The depth `near / z` of the nearest of several objects, top row first; 0 where there is no object.
 #include "contract.glsl"
 
 layout(location = 0) out float depth;

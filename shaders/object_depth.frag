@@ -1,4 +1,5 @@
-// Distance of the surface of one of several objects, in the scene's unit; 0 where it has no surface.
+// The distance of the surface of one of several objects, in the scene's unit; 0 where the object has no
+// surface.
 #include "contract.glsl"
 
 layout(location = 0) out float distance_along_axis;

@@ -1,5 +1,5 @@
-// A user interface on a plane in the scene, over a finished picture. Its letters are stored as a distance
-// field (Green 2007), so that their edges are one pixel wide at any distance and angle.
+// Draws a user interface on a plane in the scene over a finished picture. The letters are stored as a
+// distance field (Green 2007), so that their edges are one pixel wide at any distance and angle.
 #include "contract.glsl"
 #include "hidden.glsl"
 
@@ -14,14 +14,14 @@ layout(location = clip_rectangle_uniform) uniform vec4 clip;  // left, top, righ
 layout(location = panel_fill_uniform) uniform uint fill;
 layout(location = spread_uniform) uniform float spread;  // of the field, texels
 
-// Texels per pixel at which strokes become too thin for distances, and from which letters are drawn
-// unmodified.
+// The number of texels per pixel at which strokes become too thin for the distance field, and the number from
+// which letters are drawn unmodified.
 const float begin_small = 6.0, all_small = 10.0;
 
 float distance_at(vec2 position) { return (2.0 * textureLod(field, position, 0.0).r - 1.0) * spread; }
 
-// Size of a pixel across the outline, in texels. In the middle of a stroke, where the gradient vanishes, the
-// mean over all directions is used.
+// The size of a pixel across the outline, in texels. In the middle of a stroke, where the gradient vanishes,
+// it is the mean over all directions.
 float pixel_across(vec2 x, vec2 y) {
     vec2 texel = 1.0 / vec2(textureSize(field, 0));
     vec2 slope = 0.5 * vec2(distance_at(at + vec2(texel.x, 0.0)) - distance_at(at - vec2(texel.x, 0.0)),
@@ -31,7 +31,7 @@ float pixel_across(vec2 x, vec2 y) {
     return sqrt(dot(across, across) + (1.0 - dot(slope, slope)) * 0.5 * (dot(x, x) + dot(y, y)));
 }
 
-// The fraction of the pixel covered by letters. `x`, `y`: texels to the next pixel.
+// The fraction of the pixel that letters cover. `x`, `y`: distances to the next pixels, in texels.
 float letter_share(vec2 x, vec2 y) {
     float sharp = clamp(0.5 + distance_at(at) / max(pixel_across(x, y), 1e-6), 0.0, 1.0);
     float pixel = sqrt(max(dot(x, x), dot(y, y)));
@@ -41,7 +41,8 @@ float letter_share(vec2 x, vec2 y) {
     return mix(sharp, mean, min((pixel - begin_small) / (all_small - begin_small), 1.0));
 }
 
-// Opacity within the clip rectangle: 1 inside, falling to 0 one pixel outside, for smooth edges.
+// The opacity that the clip rectangle permits. It is 1 inside and falls to 0 one pixel outside, for smooth
+// edges.
 float clip_share() {
     vec2 pixel = max(sqrt(dFdx(place) * dFdx(place) + dFdy(place) * dFdy(place)), 1e-6);
     vec2 outside = max(clip.xy - place, place - clip.zw) / pixel;

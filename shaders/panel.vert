@@ -1,4 +1,4 @@
-// A vertex of a user interface on a plane.
+// Places a vertex of a user interface on a plane.
 #include "contract.glsl"
 
 layout(location = position_attribute) in vec2 position;  // panel pixels

@@ -1,5 +1,5 @@
-// An equirectangular panorama around an eye, assembled from the pictures of its faces: longitude along rows,
-// latitude along columns.
+// Assembles an equirectangular panorama around an eye from the pictures of its faces. Longitude runs along
+// rows, latitude along columns.
 #include "contract.glsl"
 #include "srgb.glsl"
 
@@ -16,13 +16,13 @@ layout(location = face_from_panorama_uniform) uniform mat3 face_from_panorama[ma
 const float pi = 3.14159265358979;
 const int taps = 2;  // per side of a pixel
 
-// Light times coverage, and coverage, of a texel.
+// A texel's light times its coverage, and its coverage.
 vec4 light_of(ivec3 texel) {
     vec4 c = texelFetch(faces, texel, 0);
     return vec4(decode(c.rgb) * c.a, c.a);
 }
 
-// The same, interpolated between four texels.
+// The result of light_of(), interpolated between four texels.
 vec4 light_at(vec2 at, int face) {
     ivec2 first = clamp(ivec2(floor(at - 0.5)), ivec2(0), textureSize(faces, 0).xy - 2);
     vec2 share = clamp(at - 0.5 - vec2(first), 0.0, 1.0);
@@ -32,7 +32,7 @@ vec4 light_at(vec2 at, int face) {
     return mix(above, below, share.y);
 }
 
-// Overlapping faces are cross-faded, because each fills holes from its own content.
+// Overlapping faces are cross-faded, because each face fills holes from its own content.
 vec4 seen(vec2 at) {
     float longitude = (at.x / float(frame_size.x) - 0.5) * 2.0 * pi, below = (at.y / float(frame_size.y) - 0.5) * pi;
     vec3 d = vec3(cos(below) * sin(longitude), sin(below), cos(below) * cos(longitude));

@@ -9,20 +9,21 @@ bool inside(uint photo, vec2 pixel) {
     return all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, photos[photo].size_weight.xy));
 }
 
-// Angle in radians between the rays from a point to the viewer and to a photo's camera; accurate for small
-// angles.
+// The angle in radians between the rays from a point to the viewer and to a photo's camera; accurate for
+// small angles.
 float ray_angle(vec3 at, uint photo) {
     vec3 a = normalize(weight_eye - at), b = normalize(photos[photo].center_hull.xyz - at);
     return atan(length(cross(a, b)), dot(a, b));
 }
 
-// Weight of a photo near its own camera, relative to ordinary weights of 1.
+// The weight of a photo near its own camera, relative to an ordinary weight of 1.
 float own_factor(float theta) {
     float r = own_angle / max(theta, own_least);
     return r * r;
 }
 
-// Fraction in [0, 1] of a photo in its own view: 1 at its camera, 1/2 at `own_angle`.
+// The fraction, in [0, 1], to which the picture near a photo's own camera is that photo: 1 at the camera, 1/2
+// at `own_angle`.
 float own_share(float theta) { return own_angle * own_angle / (own_angle * own_angle + theta * theta); }
 
 // The area of a photo that a sample covers.
@@ -34,10 +35,11 @@ struct Footprint {
     int taps;
 #endif
 };
-// Level of detail from the photo pixels along the sample's two sides, by the projection's Jacobian, because
-// dFdx and dFdy are undefined if neighboring fragments have left the loop. A footprint up to 4 times as long
-// as it is wide (TAPS times with taps) is sampled at the level of its shorter side. 0.02 levels and 0.1 taps
-// are subtracted to absorb rounding: at one photo pixel per sample, only level 0 is read, with one tap.
+// The level of detail follows from the lengths of the sample's two sides in photo pixels. They are computed
+// with the projection's Jacobian, because dFdx and dFdy are undefined if neighboring fragments have left the
+// loop. A footprint up to 4 times as long as it is wide (TAPS times with taps) is sampled at the level of its
+// shorter side. 0.02 levels and 0.1 taps are subtracted to absorb rounding: at one photo pixel per sample,
+// only level 0 is read, with one tap.
 Footprint footprint_of(uint photo, vec3 p, vec3 along_x, vec3 along_y) {
     mat3 R = mat3(photos[photo].cam_from_origin);
     vec3 x = R * along_x, y = R * along_y;
@@ -80,8 +82,8 @@ vec4 filtered(uint photo, vec2 pixel, Footprint f) {
 #endif
 }
 
-// Color in the mean photo's exposure, with vignetting corrected. Overexposed areas are not darkened, except
-// near the photo's own camera, where the picture has that photo's exposure.
+// The color in the mean photo's exposure, with vignetting corrected. Overexposed areas are not darkened,
+// except near the photo's own camera, where the picture has that photo's exposure.
 vec3 refined(uint photo, vec2 pixel, vec3 taken, float theta) {
     vec3 c = taken;
 #ifdef PHOTO_GAIN

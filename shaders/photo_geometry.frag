@@ -1,10 +1,10 @@
-// Linear depth, viewing angle and triangle at each pixel of a photo.
+// Writes the linear depth, the viewing angle and the triangle at each pixel of a photo.
 #include "contract.glsl"
 
 in vec3 cam_normal;
 layout(location = focal_center_uniform) uniform vec4 focal_center;  // fx fy cx cy, pixels
 layout(location = linear_z_output) out float linear_z;
-// Callieri et al. 2008: cosine between the normal and the direction to the camera.
+// The cosine of the angle between the normal and the direction to the camera (Callieri et al. 2008).
 layout(location = angle_output) out float angle;
 layout(location = triangle_output) out uint triangle;
 

@@ -1,4 +1,4 @@
-// The model as seen by a photo's camera.
+// Draws the model as a photo's camera sees it.
 #include "contract.glsl"
 
 layout(location = position_attribute) in vec3 position;

@@ -1,9 +1,10 @@
 // The photos of a pass, with access to their pixels, weight maps and depth.
 #include "contract.glsl"
 
-// A uniform block, because software renderers read buffers lane by lane.
+// This is a uniform block, because software renderers read buffers lane by lane.
 layout(std140, binding = photos_block) uniform Photos { Photo photos[pass_photos]; };
-// Per tile: layer in the low 16 bits, fade-in progress above, 0 to 255; or not_resident.
+// For each tile, the layer in the low 16 bits and the progress of its fade-in (0 to 255) above, or
+// not_resident.
 layout(std430, binding = pages_buffer) readonly buffer Pages { uint pages[]; };
 layout(binding = color_tiles_unit) uniform sampler2DArray color_tiles;
 layout(binding = weight_tiles_unit) uniform sampler2DArray weight_tiles;
@@ -12,7 +13,8 @@ layout(binding = depth_tiles_unit) uniform sampler2DArray depth_tiles;
 const float tile_size = float(tile_texels), tile_border = float(tile_border_texels), tile_content = float(tile_content_texels);
 
 #ifdef TRACE_TEXELS
-// One bit per texel, in all layers of color, then of weight maps, then of depth: set if the picture reads it.
+// One bit per texel, in all layers of color, then of weight maps, then of depth. It is set if the picture
+// reads the texel.
 layout(std430, binding = touched_buffer) buffer Touched { uint touched[]; };
 layout(location = first_layers_uniform) uniform uvec2 first_layers;  // of weight maps and of depth
 void touch(uint first_layer, vec3 at) {
@@ -27,7 +29,7 @@ void touch(uint first_layer, vec3 at) {
 
 ivec2 level_size(vec2 size, int level) { return (ivec2(size) + (1 << level) - 1) >> level; }
 
-// The tile of a level that holds a texel position, and the position in the tile's array layer.
+// The tile of a level that holds a position, and the position in the tile's array layer.
 struct TilePlace {
     uint page;
     vec2 coordinate;
@@ -41,8 +43,8 @@ TilePlace tile_place(vec2 size, int level, vec2 texel, uint base) {
 }
 
 #ifdef PHOTO_LENS
-// The photo pixel that corresponds to a pixel of the pinhole camera, from the photo's lens table in `pages`
-// (scene/package/contents/lens_table.h).
+// The photo pixel that corresponds to a pixel of the pinhole camera. It is computed from the photo's lens
+// table in `pages` (scene/package/contents/lens_table.h).
 struct LensPlace {
     vec2 pixel;
     mat2 along;   // derivative with respect to the pinhole camera's pixel
@@ -77,14 +79,15 @@ LensPlace lens_place(uint photo, vec2 pixel) {
 }
 #endif
 
-// Linear color at a photo pixel on one level. A tile that is fading in is mixed with the next coarser
-// resident one, at the latest with the base level that every displayed photo has.
+// The linear color at a photo pixel on one level. A tile that is fading in is mixed with the next coarser
+// resident tile. Such a tile always exists, because every displayed photo has its base level.
 vec4 color_at_level(uint photo, int level, vec2 pixel) {
     vec2 size = photos[photo].size_weight.xy;
     int levels = int(photos[photo].size_weight.z), next = level;
     vec4 c = vec4(0.0);
     float open = 1.0;
-    // The condition is at the end, because software renderers run a loop once more if it is at the start.
+    // The condition is at the end, because with a condition at the start, software renderers run the loop
+    // once more.
     do {
         int l = next < levels ? next : max(levels - levels_of_base, 0);
         TilePlace p = tile_place(size, l, pixel / float(1 << l), photos[photo].color_base[l >> 2][l & 3]);
@@ -100,7 +103,7 @@ vec4 color_at_level(uint photo, int level, vec2 pixel) {
     return open < 1.0 ? c / (1.0 - open) : vec4(0.0);
 }
 
-// Linear color, trilinear between the two levels around `lod`.
+// The linear color, interpolated trilinearly between the two levels around `lod`.
 vec4 color_at(uint photo, vec2 pixel, float lod) {
     lod = clamp(lod, 0.0, photos[photo].size_weight.z - 1.0);
     int fine = int(lod);
@@ -109,7 +112,8 @@ vec4 color_at(uint photo, vec2 pixel, float lod) {
     return mix_in > 0.0 ? mix(c, color_at_level(photo, fine + 1, pixel), mix_in) : c;
 }
 
-// Weight maps and depth at a photo pixel, on the level given by `lod` or the next coarser resident one.
+// Where to read weight maps and depth for a photo pixel: on the level that `lod` selects, or on the next
+// coarser resident level.
 struct WeightPlace {
     vec3 coordinate;
     int level;  // -1: none is resident
@@ -130,10 +134,10 @@ WeightPlace weight_place(uint photo, vec2 pixel, float lod) {
     return found;
 }
 
-// Angle, depth, border and transient mask.
+// The four weight maps: angle, depth, border and transient mask.
 vec4 weights_at(WeightPlace at) { return textureLod(weight_tiles, at.coordinate, 0.0); }
 
-// Minimum and maximum of the four depths around a photo pixel; +inf where the photo shows no surface.
+// The minimum and maximum of the four depths around a photo pixel; +inf where the photo shows no surface.
 vec2 depths_at(WeightPlace at) {
     vec4 z = textureGather(depth_tiles, at.coordinate);
     return vec2(min(min(z.x, z.y), min(z.z, z.w)), max(max(z.x, z.y), max(z.z, z.w)));

@@ -1,4 +1,4 @@
-// A round splat in linear light.
+// Draws a round splat in linear light.
 #include "contract.glsl"
 
 flat in vec3 point_color;

@@ -1,4 +1,4 @@
-// One point of a cloud.
+// Places one point of a cloud.
 #include "contract.glsl"
 #include "srgb.glsl"
 
@@ -20,7 +20,7 @@ flat out uint point_number;
 const float shift = 0.5;
 #endif
 
-// The spacing of the smallest drawn node that contains the point (Schuetz 2016, adaptive point sizes).
+// The spacing of the smallest drawn node that contains the point (adaptive point sizes, Schuetz 2016).
 float spacing(uvec3 cell) {
     uint at = node;
     for (int bit = 20; bit >= 0; --bit) {
@@ -42,8 +42,8 @@ void main() {
     point_number = 1u + node * points_per_node + uint(gl_VertexID) - nodes[node].vertex;
 #endif
     point_size = clamp(size.x + (size.y + size.z * apart) / far, 1.0, size.w);
-    // Moved half a spacing nearer at the same pixel, so that points on a surface of the model appear in front
-    // of it.
+    // The point is moved nearer by half a spacing, at the same pixel, so that points on a surface of the
+    // model appear in front of it.
     float nearer = max(gl_Position.w - shift * apart, 0.5 * gl_Position.w);
     if (gl_Position.w > 0.0)
         gl_Position = vec4(gl_Position.xy * (nearer / gl_Position.w),

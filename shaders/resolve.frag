@@ -1,6 +1,6 @@
-// Converts the sums of each pixel's drawn samples into colors and adds these to the pixel's samples, each
-// with weight 1. A sample without weight is a hole, whatever its color; with a background, holes to be filled
-// have a small weight.
+// Converts the sums of the drawn samples to colors and adds these to each pixel's samples, each with a weight
+// of 1. A sample without weight is a hole, whatever its color is. With a background, holes that will be
+// filled have a small weight.
 #include "contract.glsl"
 #include "background.glsl"
 
@@ -21,7 +21,8 @@ layout(location = frame_size_uniform) uniform ivec2 frame_size;  // in samples, 
 layout(location = fine_uniform) uniform int fine;
 layout(location = lens_uniform) uniform vec3 lens;              // principal point, pixels; 2 / diagonal, 1/pixels
 
-// From dark blue through green to yellow, after viridis (van der Walt and Smith 2015), in linear light.
+// The color of a count in linear light, from dark blue through green to yellow, similar to viridis (van der
+// Walt and Smith 2015).
 vec3 count_color(float share) {
     const vec3 stops[5] = vec3[](vec3(0.058, 0.0, 0.089), vec3(0.042, 0.084, 0.258), vec3(0.014, 0.279, 0.262),
                                  vec3(0.114, 0.584, 0.119), vec3(0.983, 0.799, 0.019));
@@ -53,7 +54,7 @@ layout(location = points_alone_uniform) uniform bool points_alone;  // without t
 layout(location = photos_on_points_uniform) uniform bool photos_on_points;  // otherwise the points' own colors
 layout(location = eye_dome_uniform) uniform vec4 eye_dome;  // x, y: depth is x + y / z; z: strength; w: distance of neighbors, px
 
-// log2 of the depth; the background counts as infinitely far.
+// The log2 of the depth; the background counts as infinitely far away.
 float log_depth(ivec2 at) {
     ivec2 inside = clamp(at, ivec2(0), frame_size - 1);
     float d = texelFetch(depth, inside, 0).r;
@@ -79,10 +80,11 @@ layout(binding = transmitted_unit) uniform sampler2D transmitted;
 layout(location = shows_transparent_uniform) uniform bool shows_transparent;
 layout(location = veils_holes_uniform) uniform bool veils_holes;
 
-// Light added by transparent surfaces, and the fraction of the light behind them that they transmit.
+// The combination of two layers of transparent surfaces. A layer is the light that the surfaces add, and the
+// fraction of the light behind them that they transmit.
 vec4 in_front(vec4 front, vec4 behind) { return vec4(front.rgb + front.a * behind.rgb, front.a * behind.a); }
 
-// Weighted blended transparency (McGuire and Bavoil 2013).
+// A layer computed by weighted blended transparency (McGuire and Bavoil 2013).
 vec4 blended(vec4 sums, float through) {
     return vec4(sums.a > 0.0 ? sums.rgb / sums.a * (1.0 - through) : vec3(0.0), through);
 }
@@ -97,8 +99,8 @@ layout(std430, binding = fragments_buffer) readonly buffer Fragments { Transpare
 
 const float one_plane = 2e-6;  // relative depth difference of fragments from coplanar triangles
 
-// Nearer fragments first; for coplanar triangles, whose depths may differ by rounding, the lower number
-// first.
+// The order of two fragments: the nearer one comes first. Of coplanar triangles, whose depths may differ by
+// rounding errors, the one with the lower number comes first.
 bool nearer(uint a, uint b) {
     float of_a = fragments[a].depth, of_b = fragments[b].depth;
     if (abs(of_a - of_b) > one_plane * max(of_a, of_b)) return of_a > of_b;
@@ -111,8 +113,8 @@ vec4 color_of(uint f) {
                 float(fragments[f].blue_alpha >> 16) / 65535.0);
 }
 
-// Composites the pixel's list: the nearest fragments sorted (Yang et al. 2010), the others as a weighted mean
-// behind them.
+// Composites the fragments in the pixel's list. The nearest fragments are sorted (Yang et al. 2010); the
+// others are a weighted mean behind them.
 vec4 sorted_layers(uint first) {
     uint order[max_sorted_fragments];
     order[0] = 0u;  // some compilers warn otherwise
@@ -166,7 +168,7 @@ vec4 transparent_layers(ivec2 at) {
 }
 #endif
 
-// The mean of square roots of light.
+// The light that corresponds to the weighted mean of square roots of light.
 vec3 mean_light(vec4 sums) {
     vec3 root = sums.rgb / sums.a;
     return root * root;
@@ -178,8 +180,8 @@ vec3 exposed(vec3 c, ivec2 at) {
     return c * exposure * exp(-r2 * (vignetting.x + r2 * (vignetting.y + r2 * vignetting.z)));
 }
 
-// Mixes two pictures in square roots of light, as everywhere; if only one of them has a hole, takes the
-// other.
+// Mixes two pictures in square roots of light, as everywhere. If only one of them has a hole, the other is
+// used.
 vec4 mixed(vec4 replaced, vec4 c) {
     if (!(replaced.a > 0.0)) return c;
     if (!(c.a > 0.0)) return replaced;
@@ -190,7 +192,7 @@ vec4 mixed(vec4 replaced, vec4 c) {
 #ifdef WIREFRAME
 layout(binding = wire_unit) uniform usampler2D triangles;
 
-// Whether the pixel to the right or below shows another triangle.
+// Whether the pixel to the right or below shows a different triangle.
 bool at_edge(ivec2 at) {
     uint own = texelFetch(triangles, at, 0).r;
     ivec2 last = frame_size - 1;
@@ -254,7 +256,7 @@ vec4 sample_at(ivec2 at) {
         if (hole) color = vec4(exposed(bare.rgb, at), 1.0);
         color.rgb *= background_light;
     }
-    // Where the background has no photo, its mean color is as good as the surrounding colors, except in
+    // Where the background has no photo, its mean color is as suitable as the surrounding colors, except in
     // narrow gaps.
     if (hole) color *= bare.a == shows_background ? min(8.0 * hole_weight, 1.0) : bare.a > 0.0 ? hole_weight : plain_background_weight;
 #endif
@@ -264,7 +266,8 @@ vec4 sample_at(ivec2 at) {
     if (shows_transparent) {
         vec4 layers = transparent_layers(at);
         if (hole && veils_holes) {
-            // Transparent surfaces over the part of the sample that is filled later, and over its own color.
+            // These are the transparent surfaces over the part of the sample that is filled later, and over
+            // the sample's own color.
             veil = (1.0 - color.a) * vec4(layers.rgb, 1.0 - layers.a);
             color.rgb = color.a * layers.rgb + layers.a * color.rgb;
         } else color = vec4(layers.rgb + layers.a * color.rgb, 1.0 - layers.a + layers.a * color.a);

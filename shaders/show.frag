@@ -1,5 +1,5 @@
-// Shows the accumulated samples: averaged in linear light, encoded as sRGB, coverage in alpha. Optionally compares them
-// with a photo: side by side, with a swipe, or as a difference.
+// Shows the accumulated samples, averaged in linear light and encoded as sRGB, with their coverage in alpha.
+// Optionally compares them with a photo: side by side, with a swipe, or as a difference.
 #include "photos.glsl"
 #include "background.glsl"
 #include "srgb.glsl"
@@ -29,14 +29,14 @@ layout(location = fills_uniform) uniform bool fills;      // show `filled` in pl
 layout(binding = veil_unit) uniform sampler2D veil;  // transparent surfaces over samples that are holes
 layout(location = veils_uniform) uniform bool veils;
 
-// Mean veil over the holes of a pixel; `share`: fraction of samples without holes.
+// The mean veil over the holes of a pixel. `share`: the fraction of samples without holes.
 vec4 veil_of(ivec2 at, float share) {
     vec4 v = veils ? texelFetch(veil, at, 0) / (samples * max(1.0 - share, 1e-3)) : vec4(0.0);
     return v / max(v.a, 1.0);
 }
 #endif
 
-// The photo's color at a frame pixel; alpha 0 outside the photo.
+// The photo's color at a frame pixel; alpha is 0 outside the photo.
 vec4 photo_at(vec2 frame_pixel) {
     vec3 h = photo_from_frame * vec3(frame_pixel, 1.0);
     vec2 pixel = h.xy / h.z;
@@ -50,7 +50,7 @@ vec4 photo_at(vec2 frame_pixel) {
     return inside ? color_at(0u, pixel, lod) : vec4(0.0);
 }
 
-// Mean of a pixel's samples; alpha: fraction of samples without holes.
+// The mean of a pixel's samples; alpha is the fraction of samples without holes.
 vec4 shown_color(vec4 a, ivec2 at, bool fills) {
 #ifdef BACKGROUND
     float share = a.a / samples;
@@ -87,7 +87,7 @@ layout(location = image_sets_uniform) uniform uint image_sets;
 layout(location = image_set_share_uniform) uniform float image_set_share;  // weight of the other image set, or its start as a fraction of the width
 layout(location = other_fills_uniform) uniform bool other_fills;
 
-// Mixes two colors in square roots of light, as everywhere; holes in either of them fade.
+// Mixes two colors in square roots of light, as everywhere. Holes in either of them fade.
 vec4 mixed(vec4 a, vec4 b, float share) {
     float alpha = mix(a.a, b.a, share);
     if (!(alpha > 0.0)) return vec4(0.0);

@@ -1,6 +1,6 @@
 // Lambertian shading with a lamp at the viewer, in linear light, with the mesh's own colors if the effect is
-// on. The background has its robust mean color, and areas with a value in the displayed scalar field have its
-// color in the color map.
+// on. The background is drawn in its robust mean color. Areas that have a value in the displayed scalar field
+// are drawn in the value's color in the color map.
 #ifndef EYES
 #define EYES 1
 #endif
@@ -38,7 +38,7 @@ layout(location = field_scale_uniform) uniform vec3 field_scale;  // value at th
                                                                   // not 0: logarithmic
 layout(location = isolines_uniform) uniform float isolines;       // intervals between lines; 0: no lines
 
-// Alpha is 0 without a value.
+// The color of the field's value; alpha is 0 where there is no value.
 vec4 field_color() {
     bool logarithmic = field_scale.z != 0.0;
     float v = logarithmic ? log(max(surface_value.x, 1e-38)) : surface_value.x;
@@ -58,8 +58,8 @@ layout(location = lamp_uniform) uniform vec4 lamp[EYES];      // direction to th
 layout(location = light_uniform) uniform uint light_kind;     // light_lamp, light_raking or light_normals
 layout(location = camera_rows_uniform) uniform mat3 camera[EYES];  // rows in the scene's axes: right, down, forward
 
-// The brightness of a matte surface according to Phong's model (1975), relative to one that faces the viewer;
-// or the normal in the viewer's axes (right, up, toward the viewer), as a color.
+// The brightness of a matte surface according to Phong's model (1975), relative to a surface that faces the
+// viewer; or, as a color, the normal in the viewer's axes (right, up, toward the viewer).
 vec3 lit(vec3 n, vec3 v) {
     if (dot(n, v) < 0.0) n = -n;
     if (light_kind == light_normals) {
@@ -74,8 +74,8 @@ vec3 lit(vec3 n, vec3 v) {
 #endif
 
 #ifdef TRANSPARENT
-// The color of a transparent surface: its own color where it faces the viewer, darker at a slant like the
-// bare surface; lit and colored like the opaque surface with its photos.
+// The color of a transparent surface: its own color where it faces the viewer, and a darker color at a slant,
+// like that of the bare surface. It is lit and shows scalar fields like the opaque surface with its photos.
 vec3 own_color(vec3 n, vec3 v) {
     vec3 base = decode(max(surface_color.rgb, vec3(0.0))), color = base * (0.12 + 0.35 * abs(dot(n, v))) / bare_gray;
 #ifdef LIGHT

@@ -1,5 +1,6 @@
-// The bare model: depth and triangles for the blending passes, and plain shading for holes. FLAT: uniform
-// gray, for frames in motion. With EYES 2, each instance is an eye with its own layer.
+// Draws the bare model: depth and triangles for the blending passes, and plain shading for holes. With FLAT,
+// it is a uniform gray, for frames in motion. If EYES is 2, each instance is drawn for one eye, in a layer of
+// its own.
 #ifndef EYES
 #define EYES 1
 #endif

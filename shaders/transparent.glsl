@@ -1,5 +1,5 @@
-// Stores fragments of transparent surfaces: with FRAGMENT_LISTS, in a list per pixel, with weighted sums for
-// fragments that do not fit; otherwise, only in weighted sums.
+// Stores fragments of transparent surfaces. With FRAGMENT_LISTS, they are stored in a list for each pixel,
+// and those that do not fit are added to weighted sums. Otherwise, all are added to weighted sums.
 #ifdef FRAGMENT_LISTS
 layout(early_fragment_tests) in;  // fragments behind the opaque surface are not stored
 layout(std430, binding = fragment_heads_buffer) buffer Heads {
@@ -18,14 +18,14 @@ layout(location = own_field_share_uniform) uniform float field_share;
 layout(location = own_light_on_photos_uniform) uniform bool light_on_photos;
 layout(location = own_light_scale_uniform) uniform float light_scale;
 
-// Falls back to the viewer's axis if the vector has no direction.
+// Normalizes a vector. The result is the viewer's axis if the vector has no direction.
 vec3 unit(vec3 v) {
     float length2 = dot(v, v);
     return length2 > 0.0 && length2 < 1e38 ? v * inversesqrt(length2) : vec3(0.0, 0.0, 1.0);
 }
 
-// The weight of McGuire and Bavoil (2013, equation 9), with the position in the depth range instead of 1/200
-// units.
+// The weight of McGuire and Bavoil (2013, equation 9), with the position in the depth range in place of z /
+// 200.
 float weight() {
     float z = clamp(nearness.x + nearness.y / gl_FragCoord.w, 0.0, 1.0);
     return clamp(0.03 / (1e-5 + z * z * z * z), 0.01, 3000.0);

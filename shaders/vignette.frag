@@ -1,4 +1,4 @@
-// Darkens a picture away from the center of the lens.
+// Darkens a picture toward the edges, according to the distance from the center of the lens.
 #include "contract.glsl"
 
 layout(location = 0) out vec4 shade;

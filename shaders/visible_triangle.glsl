@@ -1,6 +1,6 @@
-// The surface at a pixel, from the visible triangle in the frame (a visibility buffer: Burns and Hunt 2013).
-// It is computed once per pixel, while drawing the model again would shade a block of pixels for every
-// triangle.
+// The surface at a pixel, computed from the triangle that is visible there (a visibility buffer: Burns and
+// Hunt 2013). This is done once per pixel, while drawing the model again would shade a block of pixels for
+// every triangle.
 
 layout(binding = triangles_unit) uniform usampler2D triangles;  // numbers plus 1; 0: none
 layout(std430, binding = indices_buffer) readonly buffer Indices { uint indices[]; };
@@ -16,7 +16,7 @@ vec3 surface_position = vec3(0.0), surface_normal = vec3(0.0);
 uvec3 corners = uvec3(0u);      // vertex indices of the triangle
 vec3 corner_shares = vec3(0.0);  // barycentric weights at the pixel
 
-// The triangle at a pixel, numbered from 1; 0: none.
+// The number of the triangle at a pixel, from 1; 0 means none.
 uint visible_triangle(ivec2 at) {
 #ifdef BEHIND_POINTS
     if (texelFetch(places, at, 0).x > 0.0) return 0u;
@@ -28,15 +28,15 @@ vec3 position_of(uint v) { return vec3(positions[3u * v], positions[3u * v + 1u]
 vec3 normal_of(uint v) { return vec3(normals[3u * v], normals[3u * v + 1u], normals[3u * v + 2u]); }
 float cross_of(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
-// A corner in clip coordinates x, y and w relative to the pixel, where x and y are 0.
+// A corner in clip coordinates x, y and w relative to the pixel, at which x and y are 0.
 vec3 seen_from(vec2 pixel, vec3 corner) {
     vec3 c = (clip_from_origin * vec4(corner, 1.0)).xyw;
     return vec3(c.xy - pixel * c.z, c.z);
 }
 
-// Sets the surface of a triangle, numbered from 0, at this sample, its derivatives by pixel, and the
-// triangle's normal. The barycentric weights come from homogeneous edge functions (Olano and Greer 1997),
-// which are also valid for corners behind the viewer.
+// Sets the surface of a triangle, whose number starts from 0, at this sample. Also sets the derivatives of
+// its position by pixel, and the triangle's normal. The barycentric weights come from homogeneous edge
+// functions (Olano and Greer 1997), which are also valid for corners behind the viewer.
 void read_surface(uint triangle, out vec3 along_x, out vec3 along_y, out vec3 across) {
     uvec3 v = uvec3(indices[3u * triangle], indices[3u * triangle + 1u], indices[3u * triangle + 2u]);
     vec3 corner = position_of(v.x), ab = position_of(v.y) - corner, ac = position_of(v.z) - corner;
@@ -47,7 +47,7 @@ void read_surface(uint triangle, out vec3 along_x, out vec3 along_y, out vec3 ac
     bool degenerate = !(abs(sum) > 0.0);
     vec3 shares = degenerate ? vec3(1.0 / 3.0) : clamp(edges / sum, 0.0, 1.0);
     vec3 from_corner = shares.y * ab + shares.z * ac;
-    // The derivatives of the edge functions with respect to the pixel's position.
+    // These are the derivatives of the edge functions with respect to the pixel's position.
     vec3 by_x = vec3(b.y * c.z - b.z * c.y, c.y * a.z - c.z * a.y, a.y * b.z - a.z * b.y),
          by_y = vec3(b.z * c.x - b.x * c.z, c.z * a.x - c.x * a.z, a.z * b.x - a.x * b.z);
     vec2 scale = degenerate ? vec2(0.0) : 2.0 * float(fine) / (sum * vec2(frame_size));
