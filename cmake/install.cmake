@@ -1,5 +1,5 @@
-# Installation under any prefix, in two components: vantage and vantage-player. The programs find their files
-# relative to themselves (pipeline/run/config_files.cpp, pipeline/photos/image_files.cpp).
+# Installs the programs under any prefix, in two components: vantage and vantage-player. The programs find
+# their files relative to themselves (pipeline/run/config_files.cpp, pipeline/photos/image_files.cpp).
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # only the programs and the manual must be built
 set(manual ${CMAKE_BINARY_DIR}/manual)
 

@@ -25,7 +25,7 @@ struct Option::Entry {
 };
 
 struct Command::Node {
-    std::string program;  ///< name of the program, for a verb
+    std::string program;  ///< for a verb, the name of its program
     std::string version;
     std::shared_ptr<CLI::App> app;
     std::deque<Option::Entry> options;  ///< options and arguments
@@ -40,7 +40,7 @@ namespace {
     throw Error(Exit::usage, "expected " + expected + ", not '" + text + "'");
 }
 
-/// Parses the whole text as a number within limits.
+/// Parses the whole text as a number that must be within limits.
 template <class T>
 T number_in(const std::string& text, T least, T most, const std::string& expected) {
     T value{};

@@ -114,13 +114,15 @@ class Command {
     /// the options.
     void action(std::function<int(const Command&)> run) const;
     void action(std::function<int()> run) const;
-    /// Adds a verb, with the options of all verbs: --help, -q, --json and --version (the program's).
+    /// Adds a verb with the options that all verbs have: --help, -q, --json and --version (that of the
+    /// program).
     Command verb(const std::string& name, const std::string& description) const;
 
     /// Parses the arguments (without the program's name) and prints the help (--help, or "help VERB"), or
     /// runs the action of the verb or program. The hidden option `--describe` prints described() as one line,
-    /// from which the build makes the manual and the shell completions. Returns the exit code. Throws the
-    /// actions' exceptions, and Error(usage) for an unknown option or verb, suggesting the most similar one.
+    /// from which the build makes the manual and the shell completions. Returns the exit code. Throws
+    /// whatever the action throws. For an unknown option or verb, throws Error(usage), which suggests the
+    /// most similar one.
     int run(const std::vector<std::string>& arguments) const;
     /// Sets the option --`name` to these values (at least one) unless the command line sets it. Throws
     /// Error(usage) for an unknown option or an invalid value; the message starts with `place`, such as a

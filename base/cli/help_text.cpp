@@ -85,7 +85,7 @@ std::string common_options(const DescribedCommand& c, const std::string& command
     return out;
 }
 
-/// The notes, with at most `max_examples` examples unless `all`.
+/// The notes, with at most `max_examples` examples unless `all` is set.
 std::string notes_of(const DescribedCommand& c, bool all) {
     const Notes notes = divided(c.notes);
     std::string out;

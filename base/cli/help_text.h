@@ -5,9 +5,9 @@
 
 namespace vantage {
 
-/// The limits of a number as text: "from 1 to 8" or "from 1 up".
+/// The limits of a number as text, such as "from 1 to 8" or "from 1 up".
 std::string limits_text(const DescribedOption& number);
-/// Label of an option's value in --help: "NUMBER (from 1 to 8, default 2)".
+/// The label of an option's value in --help, such as "NUMBER (from 1 to 8, default 2)".
 std::string label_of(const DescribedOption& option);
 
 /// The text of --help, at most 80 columns wide except for examples. If the command has common options, only

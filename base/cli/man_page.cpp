@@ -36,7 +36,7 @@ std::string sentence(std::string text) {
     return text.empty() || text.ends_with('.') ? text : text + ".";
 }
 
-/// "Prepare a package." becomes "prepare a package".
+/// Turns "Prepare a package." into "prepare a package".
 std::string summary(std::string text) {
     if (text.ends_with('.')) text.pop_back();
     const auto lower = [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; };
@@ -44,7 +44,7 @@ std::string summary(std::string text) {
     return text;
 }
 
-/// The option's value: "FILE", or the permitted values.
+/// The option's value as the manual shows it, such as "FILE", or the permitted values.
 std::string value_of(const DescribedOption& o) {
     if (o.values.empty()) return italic(o.type);
     std::string out;
@@ -53,7 +53,7 @@ std::string value_of(const DescribedOption& o) {
     return o.type == "FILE" ? out + next + italic(o.type) : out;
 }
 
-/// Limits and default of the value, such as "1 to 4096, default 256".
+/// The limits and the default of the value, such as "1 to 4096, default 256".
 std::string limits_of(const DescribedOption& o) {
     std::string out;
     const auto add = [&](const std::string& text) { out += (out.empty() ? "" : ", ") + text; };
@@ -82,7 +82,8 @@ std::string argument_entry(const DescribedOption& o) {
     return ".TP\n" + italic(o.names.front()) + (o.several ? " ..." : "") + "\n" + described(o);
 }
 
-/// Options by group, as in --help. The first group, which includes --help itself, needs no heading.
+/// The options in their groups, as in --help. The first group, which includes --help itself, needs no
+/// heading.
 std::string option_sections(const DescribedCommand& c) {
     if (c.options.empty()) return {};
     const std::string plain = "Options";

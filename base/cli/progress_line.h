@@ -13,7 +13,7 @@ enum class ProgressStyle { automatic, bar, lines, json, none };
 /// Shows progress on stderr, with the rate and the remaining time of the current stage.
 class ProgressLine {
   public:
-    /// `seconds_between_lines`: minimum interval, for operations with many short steps.
+    /// `seconds_between_lines`: the minimum interval between lines, for operations with many short steps.
     explicit ProgressLine(ProgressStyle style, double seconds_between_lines = 0);
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;

@@ -4,8 +4,8 @@
 
 namespace vantage {
 
-/// Form of a verb's report on standard output: lines for people, nothing (-q), or one JSON object (--json)
-/// that follows docs/results.schema.json.
+/// The form of a verb's report on standard output: lines for people, nothing (-q), or one JSON object
+/// (--json) that follows docs/results.schema.json.
 enum class OutputForm { lines, none, json };
 
 /// Called by Command before an action runs; clears results().

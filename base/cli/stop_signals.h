@@ -12,8 +12,8 @@ enum class InFlight {
     abandoned  ///< system calls are interrupted, so that unfinished results can be removed
 };
 
-/// Installs handlers for SIGINT, SIGTERM and, unless it is ignored (as under nohup), SIGHUP. They set the
-/// returned flag.
+/// Installs handlers for SIGINT, SIGTERM and, unless it is ignored (as under nohup), SIGHUP. The handlers set
+/// the returned flag.
 const std::atomic<bool>& stop_on_signals(InFlight work);
 
 }  // namespace vantage

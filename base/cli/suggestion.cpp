@@ -7,7 +7,8 @@
 namespace vantage {
 namespace {
 
-/// Edit distance: insertions, deletions and replacements of letters (Levenshtein 1966).
+/// The edit distance between two words: the number of letters that must be inserted, deleted or replaced
+/// (Levenshtein 1966).
 std::size_t edits(const std::string& a, const std::string& b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t(0));

@@ -125,7 +125,7 @@ void PartFile::reserve(std::uint64_t bytes) const {
         errno = error;
         fail("reserve " + std::to_string((bytes >> 20) + 1) + " MiB");
     }
-    // An existing part may be longer than this, because an interrupted run appended to it.
+    // An existing part may be longer than `bytes`, because an interrupted run appended to it.
     struct stat st {};
     const bool longer = ::fstat(fd_, &st) == 0 && std::uint64_t(st.st_size) > bytes;
     if (error != 0 || longer) resize(bytes);

@@ -15,7 +15,7 @@ std::filesystem::path packing_of(const std::filesystem::path& file);
 std::filesystem::path displaced_part_of(const std::filesystem::path& file);
 
 /// A file that is written as part_of(file), or under another name in the same folder, and is renamed when it
-/// is complete. Only one process at a time can have it open; the lock ends with the process, even if it
+/// is complete. Only one process at a time can have the file open; the lock ends with the process, even if it
 /// crashes. Offsets and lengths are in bytes. Reading and writing are thread-safe. Functions throw
 /// Error(storage) if a system call fails.
 class PartFile {
@@ -47,7 +47,7 @@ class PartFile {
     void resize(std::uint64_t bytes) const;
     /// Zeroes a range, and frees its space if the file system supports holes.
     void punch_hole(std::uint64_t offset, std::uint64_t length) const;
-    /// Waits until everything written is on the disk.
+    /// Waits until everything that was written is on the disk.
     void flush() const;
     /// Starts writing a range to the disk without waiting, so that the disk is busy while photos are
     /// prepared.

@@ -8,8 +8,8 @@
 namespace vantage {
 
 /// A PNG picture that is written row by row, so that its size is not limited by memory: RGBA, 8 bits, sRGB.
-/// It is written to FILE.part-RANDOM, which is renamed to the file at the end, or removed if the picture is
-/// not finished.
+/// The picture is written to FILE.part-RANDOM, which is renamed at the end, or removed if the picture is not
+/// finished.
 class PngRows {
   public:
     static constexpr int max_pixels = 1'000'000;  ///< per side

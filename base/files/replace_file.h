@@ -7,8 +7,9 @@
 
 namespace vantage {
 
-/// A file that is written in the same folder under a name that no other process or thread uses. It is renamed
-/// when it is finished, so that readers see either the old or the new content; otherwise it is removed.
+/// A file that is written in the same folder under a name that no other process or thread uses. The file is
+/// renamed when it is finished, so that readers see either the old or the new content; an unfinished file is
+/// removed.
 class UnfinishedFile {
   public:
     /// Creates an empty file FILE.part-RANDOM with the permissions in `mode` that the umask does not remove.
@@ -34,10 +35,10 @@ class UnfinishedFile {
 /// Suffix of an unfinished file's name, followed by random characters.
 inline constexpr std::string_view unfinished_mark = ".part-";
 
-/// Replaces a file atomically: after a crash or a power cut, it has either the old or the new content. On
-/// failure, throws Error(storage) and leaves the file unchanged.
+/// Replaces a file atomically: after a crash or a power cut, the file has either the old or the new content.
+/// On failure, throws Error(storage) and leaves the file unchanged.
 void replace_file(const std::filesystem::path& file, std::string_view text, unsigned mode = 0666);
-/// Replaces the file with the output of `write` in the same way.
+/// Replaces the file atomically with the output of `write`.
 void replace_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write,
                   unsigned mode = 0666);
 

@@ -9,8 +9,8 @@ namespace vantage {
 /// The factor by which side_by_side amplifies differences, so that small ones are visible.
 inline constexpr int shown_gain = 8;
 
-/// One picture, 3 * width pixels wide. From left to right, it shows two RGBA8 pictures of the same size and,
-/// opaque, the absolute difference of their colors times `shown_gain`.
+/// Places two RGBA8 pictures of the same size and their difference side by side, in a picture that is 3 *
+/// width pixels wide. The difference is opaque: the absolute difference of the colors times `shown_gain`.
 std::vector<std::uint8_t> side_by_side(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b,
                                        std::size_t width);
 

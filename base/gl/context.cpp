@@ -63,7 +63,7 @@ Devices listed_devices() {
     return out;
 }
 
-/// The EGL devices, hardware before software. They make it possible to find a GPU without a display server.
+/// The EGL devices, hardware before software. Through them, a GPU is found even without a display server.
 std::vector<EGLDeviceEXT> hardware_first() {
     Devices all = listed_devices();
     all.hardware.insert(all.hardware.end(), all.software.begin(), all.software.end());
@@ -137,8 +137,8 @@ Device current_device() {
 
 namespace {
 
-/// The first serious message since the last check(). It is stored because exceptions must not propagate
-/// through the driver.
+/// The first serious message since the last check(). The message is stored because exceptions must not
+/// propagate through the driver.
 thread_local std::string pending;
 
 void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* text,

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-/// Self-releasing OpenGL objects. They are move-only, are created with direct state access on the context's
-/// thread, and are labeled for debuggers. The context must outlive them.
+/// Self-releasing OpenGL objects. These objects are move-only, are created with direct state access on the
+/// context's thread, and are labeled for debuggers. The context must outlive them.
 namespace vantage::gl {
 
 template <auto Release>
@@ -65,9 +65,10 @@ Texture make_texture_array(const char* label, GLenum format, int width, int heig
 /// One layer of an array texture of this format, as a 2D texture that shares its storage and keeps it alive.
 Texture make_layer_view(const char* label, const Texture& array, GLenum format, int layer);
 /// A framebuffer with the given color textures (in order of attachment, 8 at most) and depth texture (0 for
-/// none). It is layered if they are array textures. Throws Failure if it is incomplete.
+/// none). The framebuffer is layered if these are array textures. Throws Failure if the framebuffer is
+/// incomplete.
 Framebuffer make_framebuffer(const char* label, std::span<const GLuint> colors, GLuint depth);
-/// A framebuffer with one layer of an array texture. Throws Failure if it is incomplete.
+/// A framebuffer with one layer of an array texture. Throws Failure if the framebuffer is incomplete.
 Framebuffer make_layer_framebuffer(const char* label, const Texture& array, int layer);
 VertexArray make_vertex_array(const char* label);
 /// `target`: as for glCreateQueries.

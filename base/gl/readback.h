@@ -9,7 +9,7 @@
 namespace vantage::gl {
 
 /// A mapped buffer of 32-bit words that GPU commands fill. The CPU reads the buffer when these commands have
-/// finished, and does not wait for them unless asked to. Belongs to the OpenGL thread.
+/// finished, and does not wait for them unless asked to. The buffer belongs to the OpenGL thread.
 class Readback {
   public:
     Readback() = default;
@@ -17,7 +17,7 @@ class Readback {
     Readback(const Readback&) = delete;
     Readback& operator=(const Readback&) = delete;
 
-    /// Allocates the buffer. Returns false if it cannot be mapped.
+    /// Allocates the buffer. Returns false if the buffer cannot be mapped.
     bool allocate(const char* label, std::size_t words);
     void release();
     /// Whether the buffer is allocated.
@@ -26,7 +26,8 @@ class Readback {
 
     /// Marks the end of the commands that fill the buffer.
     void begin();
-    /// Whether those commands may still be running; if so, the buffer must not be refilled yet.
+    /// Whether the commands that fill the buffer may still be running; if so, the buffer must not be refilled
+    /// yet.
     bool pending() const { return fence_ != nullptr; }
     /// Returns the words once, after the commands have finished. With `wait`, waits up to ten seconds.
     std::optional<std::span<const std::uint32_t>> take(bool wait);

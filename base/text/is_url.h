@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// True for http:// and https://, in any case.
+/// True for http:// and https://, in upper or lower case.
 inline bool is_url(std::string_view text) {
     const auto starts_with = [&](std::string_view scheme) {
         return text.size() > scheme.size() && ::strncasecmp(text.data(), scheme.data(), scheme.size()) == 0;

@@ -10,11 +10,12 @@ namespace vantage {
 /// compile, so it is compiled only here.
 nlohmann::json json_of(std::string_view text);
 
-/// The strings in a list that is a member of an object. Items of another type become empty strings; without
-/// the list, there are no strings.
+/// The strings in a list that is a member of an object. Items that are not strings become empty strings. If
+/// the object has no such list, there are no strings.
 std::vector<std::string> texts_in(std::string_view object, const char* list);
 
-/// Formats JSON, indented, or as one line if `indent` is negative. Bytes that are not UTF-8 are replaced.
+/// Formats JSON, indented, or as one line if `indent` is negative. Bytes that are not valid UTF-8 are
+/// replaced.
 std::string json_text(const nlohmann::json& json, int indent = 1);
 
 }  // namespace vantage

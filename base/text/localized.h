@@ -3,11 +3,11 @@
 #include <string>
 #include <string_view>
 
-/// Numbers as the window shows them, with the decimal separator of its language. Not for files or the command
-/// line. Use these functions on the same thread as those of translation.h.
+/// Numbers as the window shows them, with the decimal separator of its language. These numbers are not for
+/// files or the command line. Use these functions on the same thread as those of translation.h.
 namespace vantage {
 
-/// "." or ",", as defined in the catalog.
+/// The decimal separator: "." or ",", as defined in the catalog.
 const char* decimal_separator();
 
 /// Like formatted(), but with decimal_separator() in numbers with a fraction.

@@ -14,7 +14,7 @@ namespace vantage {
 /// throws Error(input): one line with the file, the location, the value found and the value expected.
 class LocatedJson {
   public:
-    /// The root value of a file. The arguments must outlive it; unknown keys are added to `unknown`.
+    /// The root value of a file. The arguments must outlive this object; unknown keys are added to `unknown`.
     LocatedJson(const std::string& file, const nlohmann::json& value, std::vector<std::string>& unknown)
         : file_(&file), value_(&value), unknown_(&unknown) {}
 

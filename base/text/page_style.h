@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// CSS shared by all HTML pages. Each page's own rules come after it and may override it.
+/// CSS shared by all HTML pages. Each page's own rules follow this CSS and may override it.
 inline constexpr std::string_view page_style = R"(
 :root { --ink: #222; --soft: #666; --paper: #fff; --line: #ddd; --worse: #b02a20; --better: #117733; }
 body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 78rem; padding: 0 1rem;

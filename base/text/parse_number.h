@@ -23,7 +23,7 @@ std::optional<T> parse_not_finite(std::string_view text) {
 
 /// Parses the whole of `text` as a number, independently of the locale. Accepts forms that other programs
 /// write: "+1.5", "1e-400" (which becomes 0), and for integers also "331.0" and "1e3". Returns false and
-/// leaves `value` unchanged if it is not a number or does not fit T.
+/// leaves `value` unchanged if the text is not a number or the number does not fit T.
 template <class T>
 bool parse_number(std::string_view text, T& value) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);

@@ -30,8 +30,8 @@ std::string variable(const char* name) {
     return value ? value : "";
 }
 
-/// gettext follows LANGUAGE in every locale but C. Before glibc 2.39, it does so in C.UTF-8 as well, which
-/// always exists.
+/// gettext follows LANGUAGE in every locale but C. Before glibc 2.39, gettext does so in C.UTF-8 as well,
+/// which always exists.
 void use_locale_with_languages() {
     for (const char* name : {"", "en_US.UTF-8", "en_GB.UTF-8", "de_DE.UTF-8", "fr_FR.UTF-8"}) {
         const char* const taken = std::setlocale(LC_MESSAGES, name);

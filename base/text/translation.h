@@ -9,13 +9,14 @@ namespace vantage {
 
 /// Marks a text for the catalogs; it is translated where it is shown.
 constexpr const char* marked(const char* text) { return text; }
-/// Marks a text that has several meanings. The context distinguishes them in the catalogs; it is not shown.
+/// Marks a text that has several meanings. The context distinguishes the meanings in the catalogs; it is not
+/// shown.
 #define MARKED_IN(context, text) context "\004" text
 /// The text without its context, if it has one.
 const char* without_context(const char* text);
 
-/// Translates a text. Without a translation, returns the text minus its context. Valid until the language
-/// changes.
+/// Translates a text. Without a translation, returns the text minus its context. The result is valid until
+/// the language changes.
 [[gnu::format_arg(1)]] const char* tr(const char* text);
 /// Translates a text in a context.
 [[gnu::format_arg(2)]] const char* tr_in(const char* context, const char* text);

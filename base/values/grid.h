@@ -4,8 +4,8 @@
 
 namespace vantage {
 
-/// A view of `width` x `height` elements, stored row by row, top row first. It does not own the elements and
-/// does not check bounds.
+/// A view of `width` x `height` elements, stored row by row, top row first. The view does not own the
+/// elements and does not check bounds.
 template <class T>
 struct Grid {
     T* data = nullptr;

@@ -17,12 +17,12 @@ struct MainBox {
 };
 
 /// At most 1 % of the vertices are strays (or 3, if that is more, but never more than a quarter). A stray is
-/// more than 20 times as far from the median of the coordinates as any vertex that is not one. Only vertices
-/// of triangles count, or all vertices if there are no triangles. If there are no strays, the box contains
-/// all vertices. Positions must be finite. The box is zero if there are no vertices.
+/// more than 20 times as far from the median of the coordinates as any vertex that is not a stray. Only
+/// vertices of triangles count, or all vertices if there are no triangles. If there are no strays, the box
+/// contains all vertices. Positions must be finite. The box is zero if there are no vertices.
 MainBox main_box(std::span<const Eigen::Vector3d> positions,
                  std::span<const std::array<std::uint32_t, 3>> triangles);
-/// The box of a mesh. Computing it takes a moment, so callers compute it once and pass it on.
+/// The box of a mesh. Computing the box takes a moment, so callers do it once and pass the box on.
 MainBox main_box(const auto& mesh) { return main_box(mesh.positions, mesh.triangles); }
 
 /// Whether a corner of the triangle is a stray, that is, whether its distance from `bounds`, the box without

@@ -27,8 +27,9 @@ T upper_median(std::span<T> values) {
     return *middle;
 }
 
-/// The jackknife standard error of an estimate: sqrt((n - 1) / n sum(d^2)), where d are its differences from
-/// n estimates that each omit part of the data. Returns 0 if there are no differences.
+/// The jackknife standard error of an estimate: sqrt((n - 1) / n sum(d^2)), where each d is the difference
+/// between the estimate and one of n estimates that omit part of the data. Returns 0 if there are no
+/// differences.
 inline double jackknife_error(std::span<const double> distances) {
     const double n = double(distances.size());
     double squares = 0;

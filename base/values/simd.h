@@ -2,17 +2,18 @@
 #include <cstdint>
 #include <cstring>
 
-/// Marks a function that loops over pixels. It is compiled both for AVX2 and for the baseline; one version is
-/// selected at program start. The two versions give bit-identical results, because AVX2 without FMA has no
-/// fused multiply-add. This is disabled under sanitizers, which are initialized after that selection.
+/// Marks a function that loops over pixels. The function is compiled both for AVX2 and for the baseline; one
+/// version is selected at program start. The two versions give bit-identical results, because AVX2 without
+/// FMA has no fused multiply-add. Under sanitizers, there is only one version, because they are initialized
+/// after the selection.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(VANTAGE_SANITIZED)
 #define VANTAGE_SIMD __attribute__((target_clones("avx2", "default")))
 #else
 #define VANTAGE_SIMD
 #endif
 
-/// Marks a function called in such a loop. It must be inlined so that it is compiled for the same instruction
-/// set.
+/// Marks a function that is called in a loop over pixels. The function must be inlined so that it is compiled
+/// for the same instruction set as the loop.
 #define VANTAGE_INLINE __attribute__((always_inline)) inline
 
 namespace vantage {

@@ -33,7 +33,7 @@ struct TilePart {
     int height() const { return bottom - top; }
 };
 
-/// Position of a tile's first texel in its level; negative in the border of the first tile.
+/// The position of a tile's first texel in its level; negative in the border of the first tile.
 inline int tile_left(const Level& level, std::size_t tile) {
     return int(tile % std::size_t(level.columns())) * tile_content - tile_border;
 }

@@ -197,7 +197,7 @@ std::vector<int> photos_of(std::span<const std::uint32_t> lens, std::size_t lens
     return count;
 }
 
-/// Fits vignetting, for each lens with as many terms as give a plausible result. If vignetting does not help,
+/// Fits vignetting. Each lens gets as many terms as give a plausible result. If vignetting does not help,
 /// the model remains without it.
 void fit_vignetting(const SharedDiscs& obs, Model& m, std::vector<double>& weights) {
     const Model without = m;
@@ -230,7 +230,7 @@ void center_gains(Model& m, const std::vector<std::uint32_t>& component,
 }
 
 /// Measures the color differences between consecutive photos of each disc, the last and the first included.
-/// Sets their median over all discs and the median for each photo.
+/// Stores the median over all discs and the median for each photo.
 void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<double>& of_photo) {
     std::vector<float> differences;
     std::vector<std::vector<float>> by_photo(of_photo.size());

@@ -29,8 +29,9 @@ inline double percent(double ln) { return 100 * std::expm1(ln); }
 struct ColorFit {
     std::vector<std::array<double, 3>> ln_gain;  ///< per photo; the mean over a component is 0
     std::vector<Vignetting> vignetting;          ///< per lens
-    std::vector<std::uint32_t> component;  ///< per photo: the same for photos that shared surface connects
-    std::vector<std::size_t> samples;      ///< per photo: discs that another photo also shows
+    std::vector<std::uint32_t>
+        component;  ///< per photo: the number of the group of photos that shared surface connects
+    std::vector<std::size_t> samples;  ///< per photo: discs that another photo also shows
     /// Median |ln ratio| between photos of the same disc, averaged over the channels: without and with the
     /// correction.
     double before = 0, after = 0;
@@ -43,16 +44,16 @@ struct ColorFit {
     }
 };
 
-/// The number of each photo's lens, from 0. Photos of the same size, in either orientation, and the same
-/// focal length to within 0.5 % share a lens, unless they belong to different image sets.
+/// The number of each photo's lens, counted from 0. Photos of the same size, in either orientation, and the
+/// same focal length to within 0.5 % share a lens, unless they belong to different image sets.
 std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photos);
 
 /// A least-squares fit over all discs that several photos show; the discs' colors are eliminated. Residuals e
 /// are iteratively reweighted by 1 / (1 + (e / s)^2) (Cauchy). The scale s starts at 0.6, so that photos two
-/// stops apart are not outliers, and ends at 0.12. A photo with fewer than 30 such discs keeps gain 1; all
-/// gains are from 1/4 to 4. Vignetting is fitted for lenses with at least three photos. It is kept if the
-/// light loss grows outward, reaches 5 to 60 % in the corner, and lowers the cost by at least 2 %. `lens`:
-/// per photo.
+/// stops apart are not outliers, and ends at 0.12. A photo with fewer than 30 shared discs keeps gain 1; all
+/// gains are from 1/4 to 4. Vignetting is fitted for lenses with at least three photos. The vignetting is
+/// kept if the light loss grows outward, reaches 5 to 60 % in the corner, and lowers the cost by at least 2
+/// %. `lens`: per photo.
 ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool with_vignetting);
 
 /// Gains and vignetting per photo.

@@ -37,8 +37,8 @@ class SharedSurface {
     /// 30 discs), in descending order; ties are ordered by the other photo's number.
     std::vector<PhotoPair> most_shared(std::uint32_t photo, std::size_t count) const;
     /// Up to `count` pairs of `photo` with the photos that see the most of the same surface from similar
-    /// directions, best first. They are selected from the `candidates_of(count)` pairs with the most surface
-    /// in common.
+    /// directions, best first. The pairs are selected from the `candidates_of(count)` pairs with the most
+    /// surface in common.
     std::vector<PhotoPair> best_pairs(std::uint32_t photo, std::size_t count) const;
     static std::size_t candidates_of(std::size_t count) { return 4 * count; }
 

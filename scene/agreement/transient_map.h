@@ -22,8 +22,8 @@ struct TransientMap {
 /// photos see the place, or if these disagree among themselves. At most six other photos are used per texel.
 TransientMap transient_of(const TransientView& photo, std::span<const TransientView* const> others);
 
-/// Compares one of many photos with the views of its `partners` in the same way. Empty if it has fewer than
-/// two partners.
+/// Compares one of many photos with the views of its `partners` in the same way. Empty if the photo has fewer
+/// than two partners.
 TransientMap transient_of(std::uint32_t photo, std::span<const std::uint32_t> partners,
                           const LruCache<TransientView>& views);
 

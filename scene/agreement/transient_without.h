@@ -15,11 +15,11 @@ namespace vantage {
 /// from the package.
 class TransientWithout {
   public:
-    /// `samples`: those read from the package. Throws Error(damaged).
+    /// `samples`: the samples read from the package. Throws Error(damaged).
     TransientWithout(const PackageReader& package, const PhotoSamples& samples);
 
-    /// Chooses the photo to hold out. `colors`: gains and vignetting fitted without it. `photos`: the
-    /// package's records with the poses refined without it.
+    /// Chooses the photo to hold out. `colors`: gains and vignetting fitted without this photo. `photos`: the
+    /// package's records with the poses refined without this photo.
     void hold_out(std::uint32_t photo, PhotoColors colors, std::span<const package::PhotoRecord> photos);
     /// The transient mask of another photo, as `prepare --hold-out` writes it to the weight maps; null if it
     /// has fewer than two partners. Valid until the next call of hold_out(). Throws Error(damaged).

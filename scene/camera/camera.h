@@ -51,16 +51,16 @@ inline bool in_frame(const Intrinsics& k, const Eigen::Vector2d& pixel) {
     return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < k.width && pixel.y() < k.height;
 }
 
-/// The OpenGL clip-from-camera matrix. Its pixels are exactly those of `intrinsics`, including the principal
-/// point; row 0 of the framebuffer is the photo's top row. For the clip range [0, 1], depth runs from 1 at
-/// `near` to 0 at `far` (both must be positive). It is reversed so that floats keep their precision at all
-/// depths.
+/// The OpenGL clip-from-camera matrix. It projects to exactly the pixels of `intrinsics`, including the
+/// principal point; row 0 of the framebuffer is the photo's top row. For the clip range [0, 1], depth runs
+/// from 1 at `near` to 0 at `far` (both must be positive). Depth is reversed so that floats keep their
+/// precision at all distances.
 Eigen::Matrix4d clip_from_cam(const Intrinsics& intrinsics, double near, double far);
 
-/// The distances of the near and far planes for depths from `nearest` to `farthest`, a slightly wider range.
-/// The near distance is at least 1e-7 (the resolution of single-precision positions) times the smaller of
-/// `farthest` and `reach`, the distance up to which the surface should be drawn accurately. {0, 0} if nothing
-/// is in front of the camera.
+/// The distances of the near and far planes for depths from `nearest` to `farthest`; the range is slightly
+/// widened. The near distance is at least 1e-7 (the resolution of single-precision positions) times the
+/// smaller of `farthest` and `reach`, the distance up to which the surface should be drawn accurately. {0, 0}
+/// if nothing is in front of the camera.
 Eigen::Vector2d clip_range(double nearest, double farthest, double reach);
 
 /// Throws Error(input) naming `who` unless sizes and focal lengths are positive, all values (including the

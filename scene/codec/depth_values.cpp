@@ -12,13 +12,12 @@
 namespace vantage::codec {
 namespace {
 
-constexpr int dropped = 24 - depth_bits;  ///< number of bits that are dropped from a float's 24 significant
-                                          ///< bits (one of which is implicit)
+constexpr int dropped = 24 - depth_bits;  ///< of the 24 significant bits of a float (one is implicit)
 constexpr std::uint32_t infinite = 0x7f800000u >> dropped;
 constexpr std::uint32_t max_steps = 0xffff;
 
-/// The bits of a positive, finite depth that are stored. The depth that they stand for is positive and finite
-/// as well.
+/// The bits of a positive, finite depth that are stored. The depth that these bits stand for is positive and
+/// finite as well.
 std::uint32_t kept_bits(float z) {
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(z);
     return std::clamp((bits + (1u << (dropped - 1))) >> dropped, 1u, infinite - 1);
@@ -26,8 +25,8 @@ std::uint32_t kept_bits(float z) {
 
 float depth_of(std::uint32_t kept) { return std::bit_cast<float>(kept << dropped); }
 
-/// Depths as numbers of steps, 0 for +inf. They are not valid if a value is not a depth or if the range is
-/// too large.
+/// Depths as numbers of steps, 0 for +inf. The steps are not valid if a value is not a depth or if the range
+/// is too large.
 struct Steps {
     std::uint32_t least = infinite;
     std::vector<std::uint16_t> values;

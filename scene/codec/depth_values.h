@@ -15,8 +15,8 @@ inline constexpr double depth_error = 1.0 / (1 << depth_bits);  ///< the largest
 /// depth_bits significant bits, halves upward. Its remaining IEEE 754 bits, shifted to the right, form a
 /// number q. A texel's value is q - least q + 1, or 0 for +inf, and is coded as the folded difference from
 /// its median prediction. The result is one zstd frame: the least q as a u32, the low bytes of all
-/// differences, and their high bytes. It is empty if the depths differ by more than 2^16 steps (a factor of 4
-/// billion) or are not positive; they must then be stored raw.
+/// differences, and their high bytes. The result is empty if the depths differ by more than 2^16 steps (a
+/// factor of 4 billion) or are not positive; they must then be stored raw.
 std::vector<std::byte> encode_depth(std::span<const std::byte> texels, int width, int height);
 
 /// Decodes the depth. Returns false if the bytes are damaged; the content of `texels` is then unspecified.

@@ -50,8 +50,8 @@ unsigned restart_interval(const jpeg_decompress_struct& from) {
     return unsigned(interval_for(divided_up(int(from.image_width), width), width));
 }
 
-/// Re-encodes the coefficients in one scan with restarts. False if the JPEG is damaged or unsupported. This
-/// function has no destructors to run, because libjpeg leaves it with longjmp on an error.
+/// Re-encodes the coefficients in one scan with restarts. Returns false if the JPEG is damaged or
+/// unsupported. This function has no destructors to run, because libjpeg leaves it with longjmp on an error.
 bool transcode(std::span<const std::byte> jpeg, Buffer& out) {
     jpeg_decompress_struct from{};
     jpeg_compress_struct to{};
@@ -105,7 +105,7 @@ void append_word(std::vector<std::byte>& out, std::size_t value) {
     out.push_back(std::byte(value >> 8));
 }
 
-/// Number of MCU rows in the cells of row `row`.
+/// The number of MCU rows in the cells of row `row`.
 int rows_in_cell(const CellGrid& g, int row) { return std::min(g.band, g.header.mcu_rows() - row * g.band); }
 
 /// The MCU row `row` of a cell that has `rows` MCU rows; empty if the cell is damaged.
@@ -163,7 +163,8 @@ bool assemble(std::span<const std::byte> header, const CellGrid& g, const Window
     return true;
 }
 
-/// Puts segments, which come MCU row by MCU row, into cells. Empty if they do not match the header's grid.
+/// Puts segments, which come MCU row by MCU row, into cells. Empty if the segments do not match the header's
+/// grid.
 std::optional<JpegCells> in_cells(std::vector<std::byte> header,
                                   std::span<const std::span<const std::byte>> segments) {
     const auto grid = cell_grid(header);

@@ -10,7 +10,8 @@ namespace {
 constexpr int start_of_image = 0xd8, baseline_frame = 0xc0, arithmetic_tables = 0xcc, restart_marker = 0xdd,
               start_of_scan = 0xda;
 
-/// `segment` begins with its length. False if this kind of frame is not supported.
+/// Reads the header of a frame; `segment` begins with its length. Returns false if this kind of frame is not
+/// supported.
 bool read_frame(std::span<const std::byte> segment, JpegHeader& out) {
     if (segment.size() < 8 || byte_at(segment, 2) != 8) return false;
     out.height = word_at(segment, 3);

@@ -64,7 +64,7 @@ bool fill(HuffmanTable& t, std::span<const std::byte> counts, std::span<const st
 bool has_marker_byte(std::uint32_t w) { return ((w & 0x7f7f7f7fu) + 0x01010101u) & w & 0x80808080u; }
 
 /// Reads entropy-coded data, most significant bit first, and omits the zeros stuffed after 0xff. After a
-/// marker or the end, it supplies zeros.
+/// marker or the end, the reader supplies zeros.
 class BitReader {
   public:
     explicit BitReader(std::span<const std::byte> data) : data_(data) {}
@@ -295,7 +295,7 @@ HuffmanTable::Found take(BitReader& in, const HuffmanTable& t) {
     return {t.symbols[std::size_t(place)], std::uint8_t(length)};
 }
 
-/// The difference that its extra bits stand for (F.2.2.1).
+/// The difference that its extra bits encode (F.2.2.1).
 int extended(std::uint32_t bits, int size) {
     return size == 0 || bits >> (size - 1) ? int(bits) : int(bits) - (1 << size) + 1;
 }

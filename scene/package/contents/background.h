@@ -34,8 +34,8 @@ struct BackgroundContent {
 /// The content of the chunk SURR, see FORMAT.md.
 std::vector<std::byte> background_chunk(const BackgroundContent& content);
 
-/// The package's background; empty if it has none. It is a copy, because the file may be overwritten while it
-/// is shown. Throws Error(damaged) if the chunk does not match its checksum or its own counts.
+/// The package's background; empty if it has none. The result is a copy, because the file may be overwritten
+/// while it is shown. Throws Error(damaged) if the chunk does not match its checksum or its own counts.
 std::optional<BackgroundContent> read_background(const PackageReader& package);
 
 }  // namespace vantage

@@ -30,7 +30,7 @@ enum class Effect : int {
     count
 };
 
-/// The data that decide whether an effect is on.
+/// The data that decides whether an effect is on.
 enum class Basis {
     scene,      ///< the cameras and the mesh, before any photo is prepared
     colors,     ///< the surface colors in all photos, after all are prepared

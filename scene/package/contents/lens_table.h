@@ -39,8 +39,8 @@ SplinePlace spline_place(double share);
 /// Outside the frame, the displacement is that of the nearest pixel inside.
 Eigen::Vector2d photo_pixel(const LensTable& table, const Eigen::Vector2d& pixel);
 
-/// The largest displacement in pixels relative to a pinhole camera, sampled on a grid over the photo. It is 0
-/// for a camera without distortion, and never NaN.
+/// The largest displacement in pixels relative to a pinhole camera, sampled on a grid over the photo. The
+/// result is 0 for a camera without distortion, and never NaN.
 double largest_displacement(const Camera& camera);
 
 /// The bounds of the lens's image of a rectangle of pinhole pixels. Beyond the lens's range, the spline is
@@ -48,7 +48,7 @@ double largest_displacement(const Camera& camera);
 Eigen::AlignedBox2d photo_bounds(const LensTable& table, const Eigen::AlignedBox2d& pixels);
 
 /// For each texel of a level of the pinhole camera's frame, 1 if its image lies inside the photo and at least
-/// a texel from the edge; empty if that is so for all texels.
+/// a texel from the edge; empty if this applies to all texels.
 std::vector<std::uint8_t> inside_photo(const LensTable& table, int level);
 
 }  // namespace vantage

@@ -14,8 +14,8 @@ namespace {
 constexpr int reach = 2;       ///< radius of the interpolation in texels
 constexpr int band_rows = 64;  ///< number of rows converted and sampled at a time
 
-/// Rows of an image as numbers, with premultiplied alpha. They are padded with the edge texels as far as the
-/// interpolation reaches.
+/// Rows of an image as numbers, with premultiplied alpha. The rows are padded with the edge texels as far as
+/// the interpolation reaches.
 struct Texels {
     int first_row, width;  ///< width of a row in texels
     std::vector<float> values;

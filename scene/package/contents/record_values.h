@@ -24,7 +24,7 @@ Eigen::AlignedBox3d bounds_from_origin(const package::SceneRecord& scene);
 /// An upper bound on the distance from the camera to the part of the model within its bounds.
 double model_reach(const package::SceneRecord& scene, const Pose& cam_from_origin);
 /// The distance from a photo's camera to the surface that the photo sees, or to the origin if it sees none.
-/// It is always positive.
+/// The distance is always positive.
 double seen_distance(const package::PhotoRecord& photo);
 /// The up direction, of length 1.
 inline Eigen::Vector3d up_of(const package::SceneRecord& scene) { return Eigen::Vector3d(scene.up); }
