@@ -6,8 +6,8 @@ vec3 plain_background_at(vec3 top, vec3 bottom, int row, int rows) {
     return root * root;
 }
 
-// The opacity of the picture at a pixel. It falls to 0 at the edges over `width`, a fraction of the shorter
-// side.
+// The opacity of the picture at a pixel. The opacity falls to 0 at the edges over `width`, a fraction of the
+// shorter side.
 float edge_share(ivec2 at, ivec2 size, float width) {
     if (!(width > 0.0)) return 1.0;
     vec2 inward = min(vec2(at), vec2(size - 1 - at)) + 0.5;

@@ -57,8 +57,8 @@ float seen(uint photo, vec3 p, WeightPlace at) {
     return p.z > z.y + slack ? 0.0 : (p.z > z.x + slack ? beside : 1.0);
 }
 
-// The sampling rate by area, relative to the finest of all photos. The weight map holds six times its log2
-// (scene/package/FORMAT.md).
+// The sampling rate by area, relative to the finest of all photos. The weight map holds six times the log2 of
+// this rate (scene/package/FORMAT.md).
 float density(vec4 weight_maps) {
     return (switches & depth_weight_switch) != 0u ? max(exp2((weight_maps.g * 255.0 - 255.0) / 6.0), 1e-6) : 1.0;
 }

@@ -17,7 +17,7 @@ layout(location = compose_soft_edges_uniform) uniform float soft_edges;
 layout(location = compose_opacity_uniform) uniform float opacity[MAX_OBJECTS];
 
 // At an outline, color samples may hit the object while the depth sample misses it, so the nearest depth
-// around it is used.
+// around the pixel is used.
 float distance_of(ivec2 at, int object) {
     float own = texelFetch(depths, ivec3(at, object), 0).r;
     if (own > 0.0) return own;

@@ -1,6 +1,6 @@
-// Definitions that C++ code and shaders share. They are valid as GLSL and as C++ (shaders/contract.h includes
-// this file). The file contains only constants and structs whose layouts in blocks and buffers are the same
-// in C++.
+// Definitions that C++ code and shaders share. The definitions are valid as GLSL and as C++
+// (shaders/contract.h includes this file). The file contains only constants and structs whose layouts in
+// blocks and buffers are the same in C++.
 
 // Attributes of the model.
 const int position_attribute = 0;
@@ -96,7 +96,7 @@ const int background_distance_uniform = 13;
 const int viewer_away_uniform = 31;
 const int field_scale_uniform = 14;
 const int isolines_uniform = 15;
-// Uniforms of surface: the kind of light; arrays of EYES.
+// Uniforms of surface: the kind of light, and arrays of EYES elements.
 const int light_uniform = 3;
 const int clip_from_eye_uniform = 5;
 const int surface_eye_uniform = 7;
@@ -114,7 +114,7 @@ const int frame_uniform = 1;  // blend, for point clouds
 const int frame_axes_uniform = 14;
 
 // The size of the frame (in pixels) or level (in texels) that blend, resolve, show, average_holes,
-// fill_holes, compose, enlarge, stereo and panorama read. Its texture may be larger.
+// fill_holes, compose, enlarge, stereo and panorama read. The texture may be larger than this.
 const int frame_size_uniform = 29;
 // For blend, background, resolve, show and average_holes: samples per side of a pixel. Each sample has a
 // texel in surface and sums.
@@ -210,7 +210,7 @@ const int vignette_lens_uniform = 0;
 const int vignette_uniform = 1;
 
 // Uniforms of panel and mark, in addition to clip_from_origin_uniform. Behind the model, panels and marks
-// keep `share_behind` of their opacity. The model hides them only if it is nearer by the fraction
+// keep `share_behind` of their opacity. The model hides an overlay only if it is nearer by the fraction
 // `hiding_slack` of the distance, because marks lie on surfaces.
 const int hides_uniform = 1;
 const int hiding_terms_uniform = 2;
@@ -341,9 +341,9 @@ const float negligible = 0.3f;  // photos below this fraction of the best photo'
 // at these distances from the nearest camera, multiplied by the trust, in units of the distance at which
 // angles are measured.
 const float calm_from = 0.5f, calm_to = 1.0f;
-// Beyond this multiple of the distance at which angles are measured, the background is sky. It is a third of
-// the distance of the sky's vertices, so that triangles between a hill and the sky have the sky's mean color
-// where they show sky.
+// Beyond this multiple of the distance at which angles are measured, the background is sky. This distance is
+// a third of that of the sky's vertices, so that triangles between a hill and the sky have the sky's mean
+// color where they show sky.
 const float sky_distance = 700.0f;
 const float sky_spread = 0.15f;     // square root of light: half the weight at this distance from the mean color
 

@@ -17,7 +17,8 @@ layout(location = 0) out vec4 shown;
 layout(binding = shown_picture_unit) uniform sampler2DArray picture;
 layout(location = picture_decodes_uniform) uniform bool decodes;
 
-// The fraction of a pixel around x that lies between two edges. `pixel`: its size in the unit of the edges.
+// The fraction of a pixel around x that lies between two edges. `pixel`: the size of a pixel in the unit of
+// the edges.
 float between(float low, float high, float x, float pixel) {
     return clamp((min(high, x + 0.5 * pixel) - max(low, x - 0.5 * pixel)) / pixel, 0.0, 1.0);
 }
@@ -34,8 +35,8 @@ float line_share() {
     return between(-half_width, half_width, length(vec2(beyond, on_line.y)), 1.0);
 }
 
-// The fraction of a pixel that the disc or rim between two distances from the center of a ball or ring
-// covers. The gradient of the distance is measured across the rim.
+// The fraction of a pixel that is covered by a rim, which lies between two distances from the center of a
+// ball or ring. The gradient of the distance is measured across the rim.
 float rim_share(float low, float high, vec2 x, vec2 y) {
     float far = length(on_plane);
     vec2 out_of = on_plane / max(far, 1e-30);

@@ -64,7 +64,7 @@ vec4 line_corner(vec2 corner) {
     bool at_end = corner.x > 0.0;
     line_halves = 0.5 * sizes.x * focal / vec2(a.w, b.w);
     vec2 reach = max(line_halves, 0.5 * sizes.y) + margin;
-    // This is the trapezoid tangent to the circles around both ends, or a rectangle if one circle nearly
+    // The quad is the trapezoid tangent to the circles around both ends, or a rectangle if one circle nearly
     // contains the other.
     float growth = (reach.y - reach.x) / max(line_length, 1e-4), wide = sqrt((1.0 + growth) / max(1.0 - growth, 0.01));
     float far = at_end ? max(line_length + reach.y, reach.x) : min(-reach.x, line_length - reach.y);

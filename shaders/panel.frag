@@ -21,7 +21,7 @@ const float begin_small = 6.0, all_small = 10.0;
 float distance_at(vec2 position) { return (2.0 * textureLod(field, position, 0.0).r - 1.0) * spread; }
 
 // The size of a pixel across the outline, in texels. In the middle of a stroke, where the gradient vanishes,
-// it is the mean over all directions.
+// the size is the mean over all directions.
 float pixel_across(vec2 x, vec2 y) {
     vec2 texel = 1.0 / vec2(textureSize(field, 0));
     vec2 slope = 0.5 * vec2(distance_at(at + vec2(texel.x, 0.0)) - distance_at(at - vec2(texel.x, 0.0)),
@@ -41,8 +41,8 @@ float letter_share(vec2 x, vec2 y) {
     return mix(sharp, mean, min((pixel - begin_small) / (all_small - begin_small), 1.0));
 }
 
-// The opacity that the clip rectangle permits. It is 1 inside and falls to 0 one pixel outside, for smooth
-// edges.
+// The opacity that the clip rectangle permits. The opacity is 1 inside and falls to 0 one pixel outside, for
+// smooth edges.
 float clip_share() {
     vec2 pixel = max(sqrt(dFdx(place) * dFdx(place) + dFdy(place) * dFdy(place)), 1e-6);
     vec2 outside = max(clip.xy - place, place - clip.zw) / pixel;

@@ -22,8 +22,8 @@ float own_factor(float theta) {
     return r * r;
 }
 
-// The fraction, in [0, 1], to which the picture near a photo's own camera is that photo: 1 at the camera, 1/2
-// at `own_angle`.
+// The fraction, in [0, 1], by which a photo replaces the others near its own camera: 1 at the camera, 1/2 at
+// `own_angle`.
 float own_share(float theta) { return own_angle * own_angle / (own_angle * own_angle + theta * theta); }
 
 // The area of a photo that a sample covers.
@@ -35,11 +35,11 @@ struct Footprint {
     int taps;
 #endif
 };
-// The level of detail follows from the lengths of the sample's two sides in photo pixels. They are computed
-// with the projection's Jacobian, because dFdx and dFdy are undefined if neighboring fragments have left the
-// loop. A footprint up to 4 times as long as it is wide (TAPS times with taps) is sampled at the level of its
-// shorter side. 0.02 levels and 0.1 taps are subtracted to absorb rounding: at one photo pixel per sample,
-// only level 0 is read, with one tap.
+// The level of detail follows from the lengths of the sample's two sides in photo pixels. These lengths are
+// computed with the projection's Jacobian, because dFdx and dFdy are undefined if neighboring fragments have
+// left the loop. A footprint up to 4 times as long as it is wide (TAPS times with taps) is sampled at the
+// level of its shorter side. 0.02 levels and 0.1 taps are subtracted to absorb rounding: at one photo pixel
+// per sample, only level 0 is read, with one tap.
 Footprint footprint_of(uint photo, vec3 p, vec3 along_x, vec3 along_y) {
     mat3 R = mat3(photos[photo].cam_from_origin);
     vec3 x = R * along_x, y = R * along_y;

@@ -1,7 +1,7 @@
 // The photos of a pass, with access to their pixels, weight maps and depth.
 #include "contract.glsl"
 
-// This is a uniform block, because software renderers read buffers lane by lane.
+// The photos are in a uniform block, because software renderers read buffers lane by lane.
 layout(std140, binding = photos_block) uniform Photos { Photo photos[pass_photos]; };
 // For each tile, the layer in the low 16 bits and the progress of its fade-in (0 to 255) above, or
 // not_resident.
@@ -13,7 +13,7 @@ layout(binding = depth_tiles_unit) uniform sampler2DArray depth_tiles;
 const float tile_size = float(tile_texels), tile_border = float(tile_border_texels), tile_content = float(tile_content_texels);
 
 #ifdef TRACE_TEXELS
-// One bit per texel, in all layers of color, then of weight maps, then of depth. It is set if the picture
+// One bit per texel, in all layers of color, then of weight maps, then of depth. A bit is set if the picture
 // reads the texel.
 layout(std430, binding = touched_buffer) buffer Touched { uint touched[]; };
 layout(location = first_layers_uniform) uniform uvec2 first_layers;  // of weight maps and of depth
@@ -43,8 +43,8 @@ TilePlace tile_place(vec2 size, int level, vec2 texel, uint base) {
 }
 
 #ifdef PHOTO_LENS
-// The photo pixel that corresponds to a pixel of the pinhole camera. It is computed from the photo's lens
-// table in `pages` (scene/package/contents/lens_table.h).
+// The photo pixel that corresponds to a pixel of the pinhole camera. The position is computed from the
+// photo's lens table in `pages` (scene/package/contents/lens_table.h).
 struct LensPlace {
     vec2 pixel;
     mat2 along;   // derivative with respect to the pinhole camera's pixel

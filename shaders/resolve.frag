@@ -180,8 +180,8 @@ vec3 exposed(vec3 c, ivec2 at) {
     return c * exposure * exp(-r2 * (vignetting.x + r2 * (vignetting.y + r2 * vignetting.z)));
 }
 
-// Mixes two pictures in square roots of light, as everywhere. If only one of them has a hole, the other is
-// used.
+// Mixes two pictures in square roots of light, as everywhere. If only one of them has a hole, the color of
+// the other is used.
 vec4 mixed(vec4 replaced, vec4 c) {
     if (!(replaced.a > 0.0)) return c;
     if (!(c.a > 0.0)) return replaced;
@@ -266,8 +266,8 @@ vec4 sample_at(ivec2 at) {
     if (shows_transparent) {
         vec4 layers = transparent_layers(at);
         if (hole && veils_holes) {
-            // These are the transparent surfaces over the part of the sample that is filled later, and over
-            // the sample's own color.
+            // Transparent surfaces are applied to the part of the sample that is filled later (as a veil) and
+            // to the sample's own color.
             veil = (1.0 - color.a) * vec4(layers.rgb, 1.0 - layers.a);
             color.rgb = color.a * layers.rgb + layers.a * color.rgb;
         } else color = vec4(layers.rgb + layers.a * color.rgb, 1.0 - layers.a + layers.a * color.a);

@@ -8,8 +8,9 @@ layout(location = frame_size_uniform) uniform ivec2 frame_size;
 layout(location = stereo_mode_uniform) uniform uint mode;
 layout(location = stereo_flip_uniform) uniform bool flip;  // for a window, which has the bottom row first
 
-// Matrices for red-cyan glasses, column-major. They minimize the squared differences in the colors that each
-// eye sees through the glasses (Dubois, "A projection method to generate anaglyph stereo images", 2001).
+// Matrices for red-cyan glasses, column-major. These matrices minimize the squared differences in the colors
+// that each eye sees through the glasses (Dubois, "A projection method to generate anaglyph stereo images",
+// 2001).
 const mat3 of_left = mat3(0.456, -0.040, -0.015, 0.500, -0.038, -0.021, 0.176, -0.016, -0.005);
 const mat3 of_right = mat3(-0.043, 0.378, -0.072, -0.088, 0.734, -0.113, -0.002, -0.018, 1.226);
 

@@ -1,6 +1,6 @@
 // Draws the bare model: depth and triangles for the blending passes, and plain shading for holes. With FLAT,
-// it is a uniform gray, for frames in motion. If EYES is 2, each instance is drawn for one eye, in a layer of
-// its own.
+// the model is a uniform gray, for frames in motion. If EYES is 2, each instance is drawn for one eye, in a
+// layer of its own.
 #ifndef EYES
 #define EYES 1
 #endif

@@ -1,5 +1,6 @@
-// Stores fragments of transparent surfaces. With FRAGMENT_LISTS, they are stored in a list for each pixel,
-// and those that do not fit are added to weighted sums. Otherwise, all are added to weighted sums.
+// Stores fragments of transparent surfaces. With FRAGMENT_LISTS, the fragments are stored in a list for each
+// pixel, and those that do not fit are added to weighted sums. Otherwise, all fragments are added to weighted
+// sums.
 #ifdef FRAGMENT_LISTS
 layout(early_fragment_tests) in;  // fragments behind the opaque surface are not stored
 layout(std430, binding = fragment_heads_buffer) buffer Heads {

@@ -1,6 +1,6 @@
 // The surface at a pixel, computed from the triangle that is visible there (a visibility buffer: Burns and
-// Hunt 2013). This is done once per pixel, while drawing the model again would shade a block of pixels for
-// every triangle.
+// Hunt 2013). The surface is computed once per pixel, while drawing the model again would shade a block of
+// pixels for every triangle.
 
 layout(binding = triangles_unit) uniform usampler2D triangles;  // numbers plus 1; 0: none
 layout(std430, binding = indices_buffer) readonly buffer Indices { uint indices[]; };
@@ -34,9 +34,9 @@ vec3 seen_from(vec2 pixel, vec3 corner) {
     return vec3(c.xy - pixel * c.z, c.z);
 }
 
-// Sets the surface of a triangle, whose number starts from 0, at this sample. Also sets the derivatives of
-// its position by pixel, and the triangle's normal. The barycentric weights come from homogeneous edge
-// functions (Olano and Greer 1997), which are also valid for corners behind the viewer.
+// Sets the surface at this sample from the triangle with this number, counted from 0. Also sets the
+// position's derivatives by pixel and the triangle's normal. The barycentric weights come from homogeneous
+// edge functions (Olano and Greer 1997), which are also valid for corners behind the viewer.
 void read_surface(uint triangle, out vec3 along_x, out vec3 along_y, out vec3 across) {
     uvec3 v = uvec3(indices[3u * triangle], indices[3u * triangle + 1u], indices[3u * triangle + 2u]);
     vec3 corner = position_of(v.x), ab = position_of(v.y) - corner, ac = position_of(v.z) - corner;

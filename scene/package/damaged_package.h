@@ -20,8 +20,8 @@ enum class Defect {
     invalid_record    ///< a value in a record is out of range, or the number of records is wrong
 };
 
-/// An error that states the defect. It is Error(damaged), or Error(input) if the package may be valid but has
-/// a different version.
+/// An error that states the defect. The error is Error(damaged), or Error(input) if the package may be valid
+/// but has a different version.
 class DamagedPackage : public Error {
   public:
     DamagedPackage(Defect defect, const std::string& message)

@@ -50,15 +50,17 @@ struct Inputs {
 
 /// The file to write: `file` or, if it is a link, its target. For a package, also checks the names under
 /// which the package is written until it is complete. Every command calls this before it does any work.
-/// Throws Error(usage) if the file is an input, a folder, a device or a pipe. Unless `force` is set, it also
-/// throws if the file exists, has content and is not of a kind that may be replaced. `force`: the option
+/// Throws Error(usage) if the file is an input, a folder, a device or a pipe. Unless `force` is set, also
+/// throws Error(usage) if the file exists, has content and is not of a kind that may be replaced. `force`:
+/// the option
 /// --force; empty if the command does not have it.
 std::filesystem::path output_file(const std::filesystem::path& file, Product product, const Inputs& inputs,
                                   std::optional<bool> force);
 
-/// Checks a folder of results that are written together. If it contains the product `mark`, it was written by
-/// this command, and the other files may be replaced. Throws Error(usage) for the mark if output_file()
-/// would, or, unless `force` is set, if the mark is missing but one of the other files exists.
+/// Checks a folder of results that are written together. If the folder contains the product `mark`, this
+/// command wrote it, and the other files may be replaced. Throws Error(usage) if output_file() throws it for
+/// the mark. Unless `force` is set, also throws Error(usage) if the mark is missing but one of the other
+/// files exists.
 void expect_result_folder(const std::filesystem::path& folder, const char* mark, Product product,
                           const std::vector<std::filesystem::path>& others, const Inputs& inputs, bool force);
 

@@ -27,8 +27,8 @@ enum class Form : std::uint32_t {
     depth    ///< tiles of rounded depth
 };
 
-/// The maximum ratio of the content's length to the length of a zstd chunk. It prevents a small file from
-/// claiming much memory. A chunk may be padded with zeros to satisfy it.
+/// The maximum ratio of the content's length to the length of a zstd chunk. This limit prevents a small file
+/// from claiming much memory. A chunk may be padded with zeros to stay within it.
 inline constexpr std::uint64_t max_expansion = 32;
 /// Bytes per block in the head of a coded chunk, for the block's checksum and end.
 inline constexpr std::uint64_t coded_block_entry = 16;
@@ -41,7 +41,7 @@ struct Header {
     std::uint64_t file_size;
     std::uint64_t directory_checksum;  ///< XXH3-64 of the directory
     std::uint64_t layout;              ///< XXH3-64 of the photos' names and the positions of their chunks
-    std::uint32_t share, shares;       ///< shard number, from 1, and number of shards; 0, 0 for none
+    std::uint32_t share, shares;       ///< shard number, from 1, and number of shards; 0 and 0 for a package
     std::uint64_t header_checksum;     ///< XXH3-64 of the preceding bytes
 };
 
@@ -69,14 +69,13 @@ struct SceneRecord {
         bounds_max[3];  ///< bounds of the input, in its units, without strays (base/values/main_box.h)
     std::uint64_t vertices, triangles, clusters, photos;
     double reference_density;  ///< pixels per unit at which the depth weight is 255
-    double border_width;    ///< distance at which the border weight is 255, in pixels of a photo that is 3072
-                            ///< pixels wide
-    std::uint64_t effects;  ///< bit i: Effect i is on
+    double border_width;       ///< pixels of a photo 3072 px wide at which the border weight is 255
+    std::uint64_t effects;     ///< bit i: Effect i is on
     std::uint64_t scalar_fields;
     double up[3]{0, 0, 1};  ///< unit vector
     double shade[3]{};      ///< linear light of the background in the median photo; 0, 0, 0: unknown
-    /// The player's first view: from the position of a photo toward a point relative to the origin. If this
-    /// is not the number of a photo, the view shows the whole model.
+    /// The player's first view: from the position of a photo toward a point relative to the origin. If
+    /// `first_photo` is not the number of a photo, the view shows the whole model.
     std::uint64_t first_photo = ~0ull;
     double first_target[3]{};
     double first_fov = 45;    ///< vertical angle that must fit into the frame, degrees
@@ -108,7 +107,7 @@ struct PhotoRecord {
     double gain[3];           ///< factors that match the photo's linear light to the mean photo's
     std::uint64_t source_bytes, source_checksum;  ///< length and XXH3-64 of the photo's file
     float vignetting[3];      ///< light lost at radius r (see SampleRecord), as -ln: f0 r^2 + f1 r^4 + f2 r^6
-    std::uint32_t image_set;  ///< number of its image set in BAND; 0 if there is no BAND
+    std::uint32_t image_set;  ///< number of the photo's image set in BAND; 0 if there is no BAND
 };
 
 /// Identifies the inputs of a photo's artifacts, so that a later run can decide which artifacts to keep.
@@ -139,8 +138,8 @@ struct BackgroundRecord {
 };
 
 /// A point of a cloud. The coordinates x, y and z, from the lowest bit, are in units of 1/2^21 of the side of
-/// its node's cube. They are rounded down to a cell, whose center represents the point. The color is sRGB and
-/// 255.
+/// its node's cube. The coordinates are rounded down to a cell, whose center represents the point. The color
+/// is sRGB and 255.
 struct PackedPoint {
     std::uint32_t low, high;
     std::uint8_t color[4];
@@ -154,8 +153,8 @@ inline constexpr std::uint32_t point_node = 16384;   ///< maximum number of poin
 struct PointNode {
     float low[3], size;                 ///< lowest corner and side of the cube, relative to the origin
     float spacing;                      ///< in input units
-    std::uint32_t block, first, count;  ///< block of its points, index of the first one there, number
-    std::uint32_t children;             ///< index of its first child; its other children follow
+    std::uint32_t block, first, count;  ///< its points: block, index of the first one in the block, count
+    std::uint32_t children;             ///< index of the node's first child; the other children follow
     std::uint8_t child_octants;         ///< bit i: there is a child in octant i = x + 2 y + 4 z
     std::uint8_t reserved[3];
 };
@@ -176,7 +175,7 @@ struct LensRecord {
 
 /// The visibility of one cluster in one photo.
 struct CoverageRecord {
-    std::uint16_t seen;            ///< fraction of its triangles that are at least partly visible, unorm16
+    std::uint16_t seen;  ///< fraction of the cluster's triangles that are at least partly visible, unorm16
     std::uint16_t u0, v0, u1, v1;  ///< bounds of its texture coordinates with a margin for filtering, unorm16
     std::int16_t log2_density;     ///< log2(pixels per unit at the cluster's center) * 256
 };

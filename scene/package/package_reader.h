@@ -21,14 +21,14 @@ namespace vantage {
 /// cannot be called on a temporary.
 ///
 /// If the package is on a server, bytes are fetched before they are read, and any function may throw
-/// Error(input) if that fails. Content and records are fetched on demand and kept. Blocks, and heads of
-/// chunks with blocks, must be held by the caller, see hold().
+/// Error(input) if that fails. Content and records are fetched on demand and kept. The caller must hold
+/// blocks, and the heads of chunks with blocks (see hold()).
 class PackageReader {
   public:
     using Part = PackageSource::Part;
     /// Which files are accepted: only whole packages, or also packages that are still being prepared. In a
-    /// package that is still being prepared, only those photos' chunks are found that have been sealed so
-    /// far, and scene-wide chunks may not have been written yet. The caller must check the records.
+    /// package that is still being prepared, only the photo chunks that have been sealed so far are found,
+    /// and scene-wide chunks may not have been written yet. The caller must check the records.
     enum class Expect { whole, part };
     /// Opens a package. Throws Error(input) if the file cannot be opened, and Error(damaged) if it is not as
     /// expected.

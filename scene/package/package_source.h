@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// Keeps bytes of a package readable as long as it lives.
+/// Keeps bytes of a package readable as long as this object lives.
 using Held = std::shared_ptr<const void>;
 
 /// Traffic with a server since a package was opened.

@@ -212,8 +212,8 @@ PackageWriter::PackageWriter(const std::filesystem::path& file, std::span<const 
     s.resumed = s.holds_photos = s.resume();
     if (!s.resumed) s.file.displace();
     try {
-        // Marks the file before it has a size, so that it is recognized as a part after a crash or a power
-        // cut.
+        // The file is marked before it has a size, so that it is recognized as a part after a crash or a
+        // power cut.
         s.file.write(0, std::as_bytes(std::span(package::part_magic)));
         if (!s.resumed) s.file.flush();
         s.layout.compact() ? s.file.resize(s.layout.bytes) : s.file.reserve(s.layout.bytes);

@@ -47,7 +47,7 @@ class PackageWriter {
     PackageWriter(const PackageWriter&) = delete;
     PackageWriter& operator=(const PackageWriter&) = delete;
 
-    /// True if FILE.part existed with this layout; a PackageReader can read it to decide which chunks to
+    /// True if FILE.part existed with this layout; a PackageReader can then read it to decide which chunks to
     /// keep.
     bool resumed() const;
 
@@ -75,8 +75,8 @@ class PackageWriter {
     void keep(const package::DirectoryEntry& entry);
     /// Copies a chunk from another package for photo `photo`. The caller must check that the chunk is valid.
     void copy(const PackageReader& from, const package::DirectoryEntry& entry, std::uint32_t photo);
-    /// Skips the chunks of an unusable photo; their range stays empty, and takes no space if the file system
-    /// supports holes.
+    /// Skips the chunks of an unusable photo. The range of these chunks stays empty, and takes no space if
+    /// the file system supports holes.
     void skip(std::uint32_t photo);
 
     /// Reads back a sealed chunk without blocks. Throws Error(storage).

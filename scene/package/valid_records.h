@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// A copy of the records of a chunk without blocks; empty if it is missing or damaged.
+/// A copy of the records of a chunk without blocks; empty if the chunk is missing or damaged.
 template <class T>
 std::vector<T> valid_records(const PackageReader& package, package::Type type) {
     const package::DirectoryEntry* e = package.find(type);

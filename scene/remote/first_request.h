@@ -12,8 +12,8 @@
 
 namespace vantage {
 
-/// The request that opens a file. It determines the file's size and holds the first bytes in memory, because
-/// the cached file is selected only later.
+/// The request that opens a file. The request determines the file's size and holds the first bytes in memory,
+/// because the cached file is selected only later.
 class FirstRequest : public Request {
   public:
     /// `bytes`: the number of bytes to request. `cached`: a cached copy that is complete enough to be used if

@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// The maximum size of a file in bytes. It is limited because the cache keeps a table of all blocks of a
-/// file.
+/// The maximum size of a file in bytes. The size is limited because the cache keeps a table of all blocks of
+/// a file.
 inline constexpr std::uint64_t largest_remote_file = std::uint64_t(1) << 40;
 
 /// The origin of a cached file, with the values that reveal whether the file has changed on the server.

@@ -65,8 +65,8 @@ struct RemoteFile::Impl {
     Transfers transfers;  ///< the last member, because its thread uses the others
 };
 
-/// A request for a run of blocks. It keeps the blocks until the transfer thread is done, even if its waiters
-/// are gone.
+/// A request for a run of blocks. The part keeps its blocks until the transfer thread is done, even if nobody
+/// waits for them any longer.
 struct RemoteFile::Impl::Part : Request {
     Part(Impl& owner, BlockRun blocks, std::uint64_t turn, Kept blocks_kept)
         : Request(bytes_of(blocks, owner.file->origin().size), turn),
@@ -166,8 +166,8 @@ std::vector<BlockRun> RemoteFile::Impl::blocks_within(std::span<const ByteRange>
     return blocks_of(ranges);
 }
 
-/// Marks blocks as used, and counts the bytes that come from the cache, each once. Returns the number of
-/// bytes that are absent.
+/// Marks blocks as used, and counts the bytes that come from the cache; each block counts only once. Returns
+/// the number of bytes that are absent.
 std::uint64_t RemoteFile::Impl::use(const std::vector<BlockRun>& runs) {
     const std::scoped_lock lock(mutex);
     const std::uint32_t tick = file->table().tick();

@@ -21,7 +21,7 @@ struct RemoteOptions {
     std::uint64_t cache_bytes = std::uint64_t(4) << 30;  ///< limit on all cached files on the disk
     std::chrono::milliseconds connect_timeout{10'000};
     std::chrono::seconds stall_timeout{20};  ///< maximum time below 256 bytes per second
-    /// The pause before the second try. It is four times as long before the third.
+    /// The pause before the second try. The pause before the third try is four times as long.
     std::chrono::milliseconds retry_pause{250};
     int max_requests = 6;  ///< in flight at once, 1 to 64; each takes 64 KiB of memory for bodies
     std::uint64_t first_bytes = 256 << 10;  ///< fetched on opening; rounded up to 64 KiB, at most 64 MiB
@@ -36,9 +36,9 @@ struct Traffic {
     double bytes_per_second = 0;         ///< rate of reception over the last two seconds
 };
 
-/// A file on a server, read with HTTP range requests. It is cached in a sparse file of the same size, which
-/// is mapped. Ranges are fetched into the sparse file before they are read; bytes that have not been fetched
-/// read as zero. All sizes are in bytes. Blocks are 64 KiB, and ranges are fetched in whole blocks.
+/// A file on a server, read with HTTP range requests. The file is cached in a sparse file of the same size,
+/// which is mapped. Ranges are fetched into the sparse file before they are read; bytes that have not been
+/// fetched read as zero. All sizes are in bytes. Blocks are 64 KiB, and ranges are fetched in whole blocks.
 ///
 /// The size of the cache is limited. When the limit is exceeded, files that no process has open are deleted.
 /// Then blocks of this file are freed, least recently fetched first, and read as zero again. Blocks are not
@@ -75,7 +75,7 @@ class RemoteFile {
     /// Waits until all ranges are present. Ranges that another thread is fetching are not requested again.
     /// Returns false when stopped; requests that nobody else waits for are then canceled. A call for many
     /// bytes does not block other calls: their requests are interleaved in the order in which they are
-    /// needed. Throws Error(input) after up to three tries or if the file has changed on the server,
+    /// needed. Throws Error(input) if up to three tries fail or the file has changed on the server,
     /// Error(storage), and Error(internal) if a range extends beyond the file.
     [[nodiscard]] bool fetch(std::span<const ByteRange> ranges, std::stop_token stop = {});
     /// True if all bytes of the range have been fetched and have not been freed since.
@@ -83,8 +83,8 @@ class RemoteFile {
     /// Discards bytes that do not match a checksum, so that the next fetch() replaces them in place. Other
     /// bytes in the same blocks are discarded as well.
     void discard(ByteRange range);
-    /// Prevents the blocks of these ranges from being freed as long as the result lives. Keep them first,
-    /// then fetch. The result may outlive this object. Throws Error(storage).
+    /// Prevents the blocks of these ranges from being freed as long as the result lives. Ranges must be kept
+    /// first and then fetched. The result may outlive this object. Throws Error(storage).
     [[nodiscard]] std::shared_ptr<const void> keep(std::span<const ByteRange> ranges);
 
     Traffic traffic() const;

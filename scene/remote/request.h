@@ -19,7 +19,7 @@ struct Failure {
     bool unreachable = false;  ///< the server was not reached or is busy, or the connection broke
 };
 
-/// A GET request for a range of a file. Its member functions are called on the Transfers thread.
+/// A GET request for a range of a file. The member functions are called on the Transfers thread.
 class Request {
   public:
     /// `turn`: requests with a lower turn go first, so that a caller with many requests does not block other
@@ -39,8 +39,8 @@ class Request {
     virtual std::string flaw(const Answer& answer, ByteRange asked) = 0;
     /// Stores the next bytes of the body, which lie within the range. May throw Error(storage).
     virtual void store(std::uint64_t offset, std::span<const std::byte> bytes) = 0;
-    /// Called once: with null when all bytes are stored, or with a failure when the last try has failed. It
-    /// is not called if the request is canceled.
+    /// Called once: with null when all bytes are stored, or with a failure when the last try has failed. This
+    /// function is not called if the request is canceled.
     virtual void done(const Failure* failure) = 0;
 
     /// Cancels the request; may be called from any thread. Transfers::cancel() also wakes its thread.

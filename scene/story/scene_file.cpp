@@ -49,7 +49,7 @@ class ObjectTable {
         if (!value || value->empty()) fail(std::string(key) + ": expected a non-empty string");
         return *value;
     }
-    /// Resolves a path relative to the file's folder; empty if it is not given.
+    /// Resolves a path relative to the file's folder; the result is empty if the path is not given.
     fs::path path(const char* key) const { return has(key) ? from_folder(text(key)) : fs::path(); }
     std::vector<fs::path> points() const {
         std::vector<fs::path> out;

@@ -33,9 +33,9 @@ enum class SceneUse { show, prepare };
 /// Whether the path names a scene file (*.toml).
 bool is_scene_file(const std::filesystem::path& file);
 
-/// Reads a list of objects. Each has a `package` or inputs: `input`, or `mesh`, `cameras` and `photos`;
-/// `points`; and `align`, 3 rows of 4 numbers. Optional keys are `name`; `move`, `turn` and `scale`, or
-/// instead `matrix`, 4 rows of 4 numbers; `shown`; and `opacity`. For example:
+/// Reads a list of objects. Each object has a `package` or inputs: `input`, or `mesh`, `cameras` and
+/// `photos`; `points`; and `align`, 3 rows of 4 numbers. Optional keys are `name`; `move`, `turn` and
+/// `scale`, or instead `matrix`, 4 rows of 4 numbers; `shown`; and `opacity`. For example:
 ///
 ///     [[object]]
 ///     package = "altar.vantage"

@@ -26,8 +26,8 @@ struct TilePlace {
     Level level;
     std::size_t tile;
 };
-/// If the package is on a server, fetches the bytes of these tiles in one batch. They stay readable as long
-/// as the result lives. Throws whatever read_tile() throws.
+/// If the package is on a server, fetches the bytes of these tiles in one batch. The bytes stay readable as
+/// long as the result lives. Throws whatever read_tile() throws.
 [[nodiscard]] Held hold_tiles(const PackageReader& package, std::span<const TilePlace> tiles,
                               std::stop_token stop);
 

@@ -10,10 +10,10 @@
 namespace vantage {
 
 /// Records which blocks of a cached file are present and when they were last used. The table is a mapped file
-/// that all processes that use the cached file share. It consists of a header of 32 bytes and a little-endian
-/// u32 for each block, which is 0 if the block is absent, otherwise the tick of its last use. A block is
-/// marked after it is written, so that a killed process never leaves a mark without data; a power cut may.
-/// Thread-safe.
+/// that all processes that use the cached file share. The table consists of a header of 32 bytes and a
+/// little-endian u32 for each block, which is 0 if the block is absent, otherwise the tick of its last use. A
+/// block is marked after it is written, so that a killed process never leaves a mark without data; a power
+/// cut may. Thread-safe.
 class BlockTable {
   public:
     /// Opens a table; the result is empty if the file is missing or does not match. `origin`: a hash of the
@@ -31,7 +31,7 @@ class BlockTable {
     /// while.
     std::uint32_t tick();
     void mark(std::uint64_t block, std::uint32_t tick);
-    /// Marks the block with this tick, but only if it is present.
+    /// Marks the block with this tick, but only if the block is present.
     void touch(std::uint64_t block, std::uint32_t tick);
     void clear(std::uint64_t block) { mark(block, 0); }
     std::uint64_t blocks() const { return blocks_; }

@@ -117,7 +117,7 @@ Descriptor CacheFolder::lock() const {
     return fd;
 }
 
-/// The folder for a URL. It is ours, empty or missing; folders that other programs use are skipped.
+/// The folder for a URL. This folder is ours, empty or missing; folders that other programs use are skipped.
 fs::path CacheFolder::folder_of(const std::string& url) const {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         fs::path folder = root_ / folder_name(url, seed);

@@ -25,8 +25,8 @@ class CacheFolder {
 
     /// The cached file of a URL that shown_url() returned, or null if there is none. Throws Error(storage).
     std::shared_ptr<CachedFile> find(const std::string& url) const;
-    /// The cached file of this version. If it is missing, any other version is deleted and the file is
-    /// created. Throws Error(storage).
+    /// The cached file of this version. If this version is missing, any other version is deleted and a new
+    /// file is created. Throws Error(storage).
     std::shared_ptr<CachedFile> find_or_make(const Origin& origin) const;
     /// Deletes files that no process has open, least recently used first, until all files together use at
     /// most `max_bytes` on the disk. Returns the space still used, which open files may keep above this

@@ -15,7 +15,7 @@
 
 namespace vantage {
 
-/// Keeps blocks from being freed as long as it lives.
+/// Keeps blocks from being freed as long as this object lives.
 using Kept = std::shared_ptr<const void>;
 
 /// The names of the files in the folder of a cached file.
@@ -28,8 +28,8 @@ inline constexpr const char* data = "package.vantage";  ///< as large as the ori
 /// The first 64 KiB of the origin in a folder; empty if it is missing, a link or unreadable.
 std::string origin_text(const std::filesystem::path& folder);
 
-/// An open file in the cache. It holds a shared lock (flock) on the data, so that no process deletes it. The
-/// file stays readable even if a newer version replaces it. Thread-safe.
+/// An open file in the cache. While it is open, it holds a shared lock (flock) on the data, so that no
+/// process deletes the file. The file stays readable even if a newer version replaces it. Thread-safe.
 class CachedFile : public std::enable_shared_from_this<CachedFile> {
   public:
     /// Opens the cached file in a folder. Returns null if there is none or if it is damaged. Throws
@@ -48,7 +48,7 @@ class CachedFile : public std::enable_shared_from_this<CachedFile> {
     /// Writes bytes and marks the blocks that are then complete. The bytes must start at the beginning of a
     /// block or where the last call ended. The blocks must be kept (see keep()). Throws Error(storage).
     void write(std::uint64_t offset, std::span<const std::byte> bytes);
-    /// Keeps blocks. Waits while another process frees one of them. Throws Error(storage).
+    /// Keeps blocks, after waiting for any process that is freeing one of them. Throws Error(storage).
     Kept keep(std::vector<BlockRun> runs);
     /// Frees blocks that nobody keeps, least recently used first, until at least `bytes` are free on the disk
     /// or no such block is left. Returns the number of bytes freed. Throws Error(storage) if the file system

@@ -13,8 +13,8 @@ class MappedFile {
     /// Opens a file of exactly `size` bytes; the result is empty if there is no such file. Links are not
     /// followed. Throws Error(storage).
     static MappedFile open(const std::filesystem::path& path, std::uint64_t size, bool writable);
-    /// Creates a file of zeros. It has no blocks on the disk unless `reserve` is set. Throws Error(storage)
-    /// if the file exists or the disk is full.
+    /// Creates a file of zeros. The file has no blocks on the disk unless `reserve` is set. Throws
+    /// Error(storage) if the file exists or the disk is full.
     static MappedFile create(const std::filesystem::path& path, std::uint64_t size, bool writable,
                              bool reserve);
     MappedFile() = default;
