@@ -29,7 +29,7 @@ endfunction()
 #                      only, so the calling convention does not matter.
 # The global property vantage_modules has a line for each module, with the modules that it uses.
 # All sources of a module are compiled as one, which saves most of the build time. With
-# -DCMAKE_UNITY_BUILD=OFF, they are compiled separately.
+# -DCMAKE_UNITY_BUILD=OFF, the sources are compiled separately.
 function(vantage_module folder)
   cmake_parse_arguments(MODULE "" "" "USES;LIBRARIES;PRIVATE_LIBRARIES;SOURCES;LOOPS" ${ARGN})
   string(REPLACE "/" "_" target vantage_${folder})

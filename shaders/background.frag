@@ -33,8 +33,8 @@ void read_paint() {
 float beyond_mesh(uint photo, vec2 pixel, float lod) {
     float level = max(lod, log2(background_margin * photos[photo].size_weight.x / reference_width)), open = 0.0;
     bool near = false;
-    // The coarse level is tested first, and the fine level only if the coarse area contains mesh. This saves
-    // time in software renderers.
+    // The coarse level is tested first, and the fine level only if the coarse area contains mesh. This order
+    // saves time in software renderers.
     do {
         WeightPlace at = weight_place(photo, pixel, level);
         if (at.level < 0) return 0.0;

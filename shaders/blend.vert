@@ -27,7 +27,7 @@ void main() {
 #ifndef PER_FRAGMENT
     for (uint i = 0u; i < PASS_PHOTOS; ++i) {
         vec2 uv = coordinates[pass_slots[i] * vertex_count + uint(gl_VertexID)];
-        // This is far enough outside the photo to discard every triangle with a hidden vertex, as in [M].
+        // A coordinate far enough outside the photo discards every triangle with a hidden vertex, as in [M].
         coordinate[i] = uv.x < 0.0 ? vec2(-1e6) : uv;
     }
 #endif

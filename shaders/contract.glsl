@@ -303,7 +303,8 @@ const int lens_cells = 64;       // cells of a lens table, per side
 
 // Constants of the lumigraph's weight (docs/method.md), which shaders/blend.frag and pipeline/refine compute.
 const float default_sharpness = 0.07f;  // radians: the angle between rays at which the weight is 1/e
-// Lengths of ramps, in reference pixels. These are the pixels of a photo that is scaled to this width.
+// Lengths of ramps, in reference pixels. Reference pixels are the pixels of a photo that is scaled to this
+// width.
 const float reference_width = 3072.0f;
 const float frame_ramp = 16.0f;  // from the photo's frame inward, to avoid a seam
 const float frame_least = 0.001f;

@@ -47,7 +47,7 @@ void read_surface(uint triangle, out vec3 along_x, out vec3 along_y, out vec3 ac
     bool degenerate = !(abs(sum) > 0.0);
     vec3 shares = degenerate ? vec3(1.0 / 3.0) : clamp(edges / sum, 0.0, 1.0);
     vec3 from_corner = shares.y * ab + shares.z * ac;
-    // These are the derivatives of the edge functions with respect to the pixel's position.
+    // The derivatives of the edge functions with respect to the pixel's position.
     vec3 by_x = vec3(b.y * c.z - b.z * c.y, c.y * a.z - c.z * a.y, a.y * b.z - a.z * b.y),
          by_y = vec3(b.z * c.x - b.x * c.z, c.z * a.x - c.x * a.z, a.z * b.x - a.x * b.z);
     vec2 scale = degenerate ? vec2(0.0) : 2.0 * float(fine) / (sum * vec2(frame_size));

@@ -15,7 +15,8 @@
 /// Command lines of the programs, parsed by CLI11, which only command.cpp includes.
 namespace vantage {
 
-/// An option, flag or argument, configured by chained calls. It refers to its Command, which must outlive it.
+/// An option, flag or argument, configured by chained calls. An Option refers to its Command, which must
+/// outlive it.
 class Option {
   public:
     Option group(const std::string& heading) const;  ///< heading in --help; default "Options"

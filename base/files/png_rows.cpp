@@ -26,15 +26,15 @@ struct PngRows::State {
     }
     static void ignore(png_structp, png_const_charp) {}
 
-    // Each of these functions returns false if libpng fails. They construct no objects, because libpng leaves
-    // them with longjmp on an error.
+    // Each of these functions returns false if libpng fails. These functions construct no objects, because
+    // libpng leaves them with longjmp on an error.
     bool begin(png_uint_32 width, png_uint_32 height, png_textp xmp) {
         if (setjmp(png_jmpbuf(png))) return false;
         png_init_io(png, out);
         png_set_user_limits(png, max_pixels, max_pixels);
         png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        // This takes a sixth of the time that the default level and filters take, but files are a sixth
+        // These settings take a sixth of the time of the default level and filters, but files are a sixth
         // larger.
         png_set_compression_level(png, 1);
         png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);

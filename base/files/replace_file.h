@@ -24,8 +24,7 @@ class UnfinishedFile {
     const std::filesystem::path& part() const { return part_; }
     /// Renames the file. Throws Error(storage) if renaming fails.
     void finish() const;
-    /// Throws Error(storage) with the message that the file cannot be written, and with the reason unless it
-    /// is empty.
+    /// Throws Error(storage), which says that the file cannot be written and, unless `why` is empty, why.
     [[noreturn]] void fail(const std::string& why) const;
 
   private:

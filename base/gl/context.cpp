@@ -63,7 +63,7 @@ Devices listed_devices() {
     return out;
 }
 
-/// The EGL devices, hardware before software. Through them, a GPU is found even without a display server.
+/// The EGL devices, hardware before software. EGL devices make a GPU available even without a display server.
 std::vector<EGLDeviceEXT> hardware_first() {
     Devices all = listed_devices();
     all.hardware.insert(all.hardware.end(), all.software.begin(), all.software.end());

@@ -23,7 +23,7 @@ class HeadlessContext {
     std::unique_ptr<State> state_;
 };
 
-/// True if EGL lists a hardware device. This is quick, because it creates no context.
+/// True if EGL lists a hardware device. The check is quick, because it creates no context.
 bool has_hardware();
 
 /// Properties of the current context.

@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// Exit codes of both programs. They are documented for users, so the meaning of a number never changes.
+/// Exit codes of both programs. The codes are documented for users, so the meaning of a number never changes.
 enum class Exit : int {
     ok = 0,
     usage = 2,        ///< the command line or a configuration file is wrong
@@ -21,8 +21,8 @@ enum class Exit : int {
     misplaced = 13    ///< the mesh is not in view: its scale, frame or position differs from the cameras'
 };
 
-/// An error to report to the user. It has an exit code and a one-line message that states the file, the item,
-/// the expected value and the actual value.
+/// An error to report to the user. An Error has an exit code and a one-line message that states the file, the
+/// item, the expected value and the actual value.
 class Error : public std::runtime_error {
   public:
     Error(Exit code, const std::string& message) : std::runtime_error(message), code_(code) {}

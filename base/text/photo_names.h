@@ -10,7 +10,7 @@ namespace vantage {
 /// A file name without its extension.
 std::string_view stem_of(std::string_view name);
 
-/// The indices of the photos that a user means by `wanted`. These are the exact match if there is one,
+/// The indices of the photos that a user means by `wanted`. The result is the exact match if there is one,
 /// otherwise the names that match without the extension, otherwise the names with the same comparable_name(),
 /// with or without the extension. If there are several indices, `wanted` is ambiguous.
 std::vector<std::size_t> photos_meant(std::span<const std::string_view> names, std::string_view wanted);

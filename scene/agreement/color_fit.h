@@ -24,13 +24,13 @@ double log_vignetting_at_square(const Vignetting& vignetting, double radius2);
 /// Converts a difference of natural logarithms to percent.
 inline double percent(double ln) { return 100 * std::expm1(ln); }
 
-/// The gains and the vignetting with which photos of the same surface have the same value of ln I +
+/// The gains and the vignetting that make photos of the same surface agree in the value of ln I +
 /// ln_gain[photo][channel] + log_vignetting(vignetting[lens], r).
 struct ColorFit {
     std::vector<std::array<double, 3>> ln_gain;  ///< per photo; the mean over a component is 0
     std::vector<Vignetting> vignetting;          ///< per lens
     std::vector<std::uint32_t>
-        component;  ///< per photo: the number of the group of photos that shared surface connects
+        component;  ///< per photo: the number of its group of photos connected by shared surface
     std::vector<std::size_t> samples;  ///< per photo: discs that another photo also shows
     /// Median |ln ratio| between photos of the same disc, averaged over the channels: without and with the
     /// correction.

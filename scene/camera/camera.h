@@ -51,9 +51,9 @@ inline bool in_frame(const Intrinsics& k, const Eigen::Vector2d& pixel) {
     return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < k.width && pixel.y() < k.height;
 }
 
-/// The OpenGL clip-from-camera matrix. It projects to exactly the pixels of `intrinsics`, including the
-/// principal point; row 0 of the framebuffer is the photo's top row. For the clip range [0, 1], depth runs
-/// from 1 at `near` to 0 at `far` (both must be positive). Depth is reversed so that floats keep their
+/// The OpenGL clip-from-camera matrix. The matrix projects to exactly the pixels of `intrinsics`, including
+/// the principal point; row 0 of the framebuffer is the photo's top row. For the clip range [0, 1], depth
+/// runs from 1 at `near` to 0 at `far` (both must be positive). Depth is reversed so that floats keep their
 /// precision at all distances.
 Eigen::Matrix4d clip_from_cam(const Intrinsics& intrinsics, double near, double far);
 

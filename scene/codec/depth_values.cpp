@@ -12,7 +12,7 @@
 namespace vantage::codec {
 namespace {
 
-constexpr int dropped = 24 - depth_bits;  ///< of the 24 significant bits of a float (one is implicit)
+constexpr int dropped = 24 - depth_bits;  ///< dropped bits of a float's 24 significant bits (one is implicit)
 constexpr std::uint32_t infinite = 0x7f800000u >> dropped;
 constexpr std::uint32_t max_steps = 0xffff;
 

@@ -143,7 +143,7 @@ class BitWriter {
     static constexpr std::size_t room = std::size_t(max_blocks) * 64 * 8;
 
     explicit BitWriter(std::size_t expected) : out_(expected + room) {}
-    /// Makes room for an MCU. This must be called before each MCU.
+    /// Makes room for an MCU. The function must be called before each MCU.
     void make_room() {
         if (out_.size() - at_ < room) out_.resize(2 * out_.size());
     }

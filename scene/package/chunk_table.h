@@ -79,7 +79,7 @@ struct ChunkRow {
     std::uint64_t length(const package::SceneRecord& scene, const package::PhotoRecord& photo) const;
 };
 
-/// All types, in the order in which the file has their chunks.
+/// All types, in the order of their chunks in the file.
 std::span<const ChunkRow> chunk_table();
 const ChunkRow& chunk_row(package::Type type);
 

@@ -58,9 +58,9 @@ std::filesystem::path output_file(const std::filesystem::path& file, Product pro
                                   std::optional<bool> force);
 
 /// Checks a folder of results that are written together. If the folder contains the product `mark`, this
-/// command wrote it, and the other files may be replaced. Throws Error(usage) if output_file() throws it for
-/// the mark. Unless `force` is set, also throws Error(usage) if the mark is missing but one of the other
-/// files exists.
+/// command wrote the results, and the other files may be replaced. Throws Error(usage) if output_file()
+/// throws it for the mark. Unless `force` is set, also throws Error(usage) if the mark is missing but one of
+/// the other files exists.
 void expect_result_folder(const std::filesystem::path& folder, const char* mark, Product product,
                           const std::vector<std::filesystem::path>& others, const Inputs& inputs, bool force);
 

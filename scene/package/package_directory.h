@@ -16,8 +16,8 @@ bool is_valid(const package::Header& header);
 
 /// Reads and checks the header and the directory, and fetches them again from a server if the local copy is
 /// damaged. Both stay readable as long as `held` exists. An unfinished package is accepted only with
-/// `part_too`. Its entries are written one by one, so incomplete ones are skipped. Throws Error(damaged), or
-/// Error(input) if bytes cannot be fetched.
+/// `part_too`. The entries of such a package are written one by one, so incomplete ones are skipped. Throws
+/// Error(damaged), or Error(input) if bytes cannot be fetched.
 std::vector<package::DirectoryEntry> read_directory(PackageSource& source, bool part_too,
                                                     std::vector<Held>& held);
 

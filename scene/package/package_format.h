@@ -41,7 +41,7 @@ struct Header {
     std::uint64_t file_size;
     std::uint64_t directory_checksum;  ///< XXH3-64 of the directory
     std::uint64_t layout;              ///< XXH3-64 of the photos' names and the positions of their chunks
-    std::uint32_t share, shares;       ///< shard number, from 1, and number of shards; 0 and 0 for a package
+    std::uint32_t share, shares;       ///< shard number, from 1, and number of shards; 0 and 0: not a shard
     std::uint64_t header_checksum;     ///< XXH3-64 of the preceding bytes
 };
 

@@ -54,7 +54,7 @@ class PackageReader {
     std::span<const std::byte> bytes(const package::DirectoryEntry*) const&& = delete;
     /// The length of the content that bytes() returns; 0 if `entry` is null.
     std::uint64_t content_length(const package::DirectoryEntry* entry) const;
-    /// The number of stored blocks. For color in cells, these are not tiles.
+    /// The number of stored blocks. For color in cells, blocks are not tiles.
     std::size_t blocks(const package::DirectoryEntry& entry) const;
     /// The data shared by the blocks of a coded chunk; empty for other chunks.
     std::span<const std::byte> shared(const package::DirectoryEntry& entry) const&;

@@ -19,8 +19,8 @@ struct SourceTraffic {
     bool offline = false;         ///< the server cannot be reached; only cached data can be shown
 };
 
-/// The source of a package's bytes. They are mapped, but if the package is on a server, they must be fetched
-/// before they are read. Thread-safe.
+/// The source of a package's bytes. The bytes are mapped, but if the package is on a server, they must be
+/// fetched before they are read. Thread-safe.
 class PackageSource {
   public:
     using Part = std::span<const std::byte>;  ///< a range of bytes()

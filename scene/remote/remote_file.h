@@ -75,7 +75,7 @@ class RemoteFile {
     /// Waits until all ranges are present. Ranges that another thread is fetching are not requested again.
     /// Returns false when stopped; requests that nobody else waits for are then canceled. A call for many
     /// bytes does not block other calls: their requests are interleaved in the order in which they are
-    /// needed. Throws Error(input) if up to three tries fail or the file has changed on the server,
+    /// needed. Throws Error(input) if three tries fail or the file has changed on the server,
     /// Error(storage), and Error(internal) if a range extends beyond the file.
     [[nodiscard]] bool fetch(std::span<const ByteRange> ranges, std::stop_token stop = {});
     /// True if all bytes of the range have been fetched and have not been freed since.

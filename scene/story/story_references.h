@@ -9,7 +9,7 @@
 namespace vantage {
 
 /// Dangling references within a story: to the notes at which tours stop, to the views of these notes, and to
-/// the tour of the attract loop. Each has one line, which states its location.
+/// the tour of the attract loop. Each reference is one line, which states its location.
 std::vector<std::string> dangling_references(const Story& story);
 
 /// Pictures of notes that are missing from the story's folder `folder` or lack the signature of a PNG or JPEG

@@ -28,8 +28,8 @@ inline constexpr const char* data = "package.vantage";  ///< as large as the ori
 /// The first 64 KiB of the origin in a folder; empty if it is missing, a link or unreadable.
 std::string origin_text(const std::filesystem::path& folder);
 
-/// An open file in the cache. While it is open, it holds a shared lock (flock) on the data, so that no
-/// process deletes the file. The file stays readable even if a newer version replaces it. Thread-safe.
+/// An open file in the cache. This object holds a shared lock (flock) on the data, so that no process deletes
+/// the file. The file stays readable even if a newer version replaces it. Thread-safe.
 class CachedFile : public std::enable_shared_from_this<CachedFile> {
   public:
     /// Opens the cached file in a folder. Returns null if there is none or if it is damaged. Throws
