@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Sets up, generates the demo scene, prepares and checks its package, and shows the package in a window.
-# Without a display, it renders pictures instead.
+# Without a display, the script renders pictures instead.
 set -euo pipefail
 cd "$(dirname "$0")"
 ./setup.sh

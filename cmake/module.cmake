@@ -15,11 +15,11 @@ endfunction()
 
 # vantage_module(FOLDER [USES folder...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...] [SOURCES file...] [LOOPS file...])
 #
-# Makes a library from a folder. Its name is vantage_ followed by the folder's path with _ in place of /
-# (player/plan: vantage_player_plan). Its sources see only its own headers and those of the modules that it
-# uses, directly or indirectly. For this purpose, the source folder is linked into an include directory of the
-# module's own, and the repository root is not on any module's include path. An include that violates the
-# order of dependencies does not compile.
+# Makes a library from a folder. The library's name is vantage_ followed by the folder's path with _ in place
+# of / (player/plan: vantage_player_plan). A module's sources see only its own headers and those of the
+# modules that it uses, directly or indirectly. For this purpose, the source folder is linked into an include
+# directory of the module's own, and the repository root is not on any module's include path. An include that
+# violates the order of dependencies does not compile.
 #   USES               the folders of the modules that it uses; they are part of the module's interface
 #   LIBRARIES          libraries that the module's headers include
 #   PRIVATE_LIBRARIES  libraries that only its sources include

@@ -22,7 +22,7 @@ struct DescribedOption {
     std::vector<std::string> needs{};  ///< other options; used only in --help
 };
 
-/// A program or one of its verbs, as its command line describes it.
+/// A program or one of its verbs, as described by its command line.
 struct DescribedCommand {
     std::string name;  ///< for a verb, without the program's name
     std::string description;

@@ -2,7 +2,7 @@
 
 namespace vantage {
 
-/// Seconds since this process started, according to the kernel, to a hundredth of a second.
+/// The number of seconds since this process started, according to the kernel, to a hundredth of a second.
 double seconds_since_start();
 
 }  // namespace vantage

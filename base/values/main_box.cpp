@@ -43,8 +43,8 @@ std::size_t max_strays(std::size_t vertices) {
 }
 
 /// Proves cheaply, without medians, that no vertex is a stray: along the longest axis, the outer 45 % at each
-/// end contain more vertices than the number of permitted strays. Wherever the median is, the vertices at one
-/// end are at least 5 % of the length away from it, and no vertex is more than 20 times as far away.
+/// end contain more vertices than there may be strays. Wherever the median is, the vertices at one end are at
+/// least 5 % of the length away from it, and no vertex is more than 20 times as far away.
 bool fills_both_ends(std::span<const Eigen::Vector3d> positions, std::span<const std::uint32_t> vertices) {
     constexpr double share = 0.5 - 1 / stray_ratio;
     Eigen::AlignedBox3d box;

@@ -229,7 +229,7 @@ void center_gains(Model& m, const std::vector<std::uint32_t>& component,
     m.gain = m.gain.cwiseMax(-std::log(max_gain)).cwiseMin(std::log(max_gain));
 }
 
-/// Measures the color differences between consecutive photos of each disc, the last and the first included.
+/// Measures the color differences between consecutive photos of each disc, including the last and the first.
 /// Stores the median over all discs and the median for each photo.
 void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<double>& of_photo) {
     std::vector<float> differences;

@@ -32,8 +32,8 @@ struct ColorFit {
     std::vector<std::uint32_t>
         component;  ///< per photo: the number of its group of photos connected by shared surface
     std::vector<std::size_t> samples;  ///< per photo: discs that another photo also shows
-    /// Median |ln ratio| between photos of the same disc, averaged over the channels: without and with the
-    /// correction.
+    /// The median |ln ratio| between photos of the same disc, averaged over the channels, without and with
+    /// the correction.
     double before = 0, after = 0;
     std::vector<double> photo_before,
         photo_after;  ///< the same for each photo; 0 if the photo shares no disc

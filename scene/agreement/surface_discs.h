@@ -18,7 +18,7 @@ struct SurfaceDisc {
 /// Discs spread over the model, half of them in proportion to area and half in proportion to triangle count,
 /// so that neither a large ground plane nor a densely meshed object receives all of them. Deterministic.
 /// The radius of a disc is 48 px at `density` (pixels per unit in the finest photo). Triangles with strays
-/// count as having no area (see has_stray; `bounds` are relative to the origin). Empty if the model has no
+/// count as having no area (see has_stray). `bounds`: relative to the origin. Empty if the model has no
 /// triangles.
 std::vector<SurfaceDisc> surface_disc_set(std::span<const Eigen::Vector3f> positions,
                                           std::span<const std::uint32_t> indices, double density,

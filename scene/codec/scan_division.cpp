@@ -295,7 +295,7 @@ HuffmanTable::Found take(BitReader& in, const HuffmanTable& t) {
     return {t.symbols[std::size_t(place)], std::uint8_t(length)};
 }
 
-/// The difference that its extra bits encode (F.2.2.1).
+/// The value of a difference, decoded from its extra bits (F.2.2.1).
 int extended(std::uint32_t bits, int size) {
     return size == 0 || bits >> (size - 1) ? int(bits) : int(bits) - (1 << size) + 1;
 }

@@ -18,10 +18,10 @@ struct DividedScan {
 };
 
 /// Divides the scan of a baseline JPEG (Huffman codes, ITU-T T.81, Annex F) by copying its codes: only the DC
-/// differences at the beginning of segments change. Copying takes a tenth of the time of decoding and
-/// re-encoding the coefficients. `interval` must divide the number of MCUs in a row. If the photo's own table
-/// lacks codes for the differences that begin segments, all DC differences are encoded with the table of
-/// Annex K. Empty if the data is damaged, or if there is more than one scan.
+/// differences at the beginning of segments change. Copying takes a tenth of the time that decoding and
+/// re-encoding the coefficients takes. `interval` must divide the number of MCUs in a row. If the photo's own
+/// table lacks codes for the differences that begin segments, all DC differences are encoded with the table
+/// of Annex K. Empty if the data is damaged, or if there is more than one scan.
 std::optional<DividedScan> divide_scan(std::span<const std::byte> jpeg, const JpegHeader& header,
                                        int interval);
 

@@ -64,8 +64,8 @@ std::filesystem::path output_file(const std::filesystem::path& file, Product pro
 void expect_result_folder(const std::filesystem::path& folder, const char* mark, Product product,
                           const std::vector<std::filesystem::path>& others, const Inputs& inputs, bool force);
 
-/// Checks in the same way the PNG pictures in the folder whose names, without the extension, satisfy
-/// `is_result`.
+/// Like expect_result_folder(), for the PNG pictures in the folder whose names, without the extension,
+/// satisfy `is_result`.
 void expect_result_pictures(const std::filesystem::path& folder,
                             const std::function<bool(const std::string& name)>& is_result,
                             const Inputs& inputs, bool force);

@@ -138,8 +138,8 @@ struct BackgroundRecord {
 };
 
 /// A point of a cloud. The coordinates x, y and z, from the lowest bit, are in units of 1/2^21 of the side of
-/// its node's cube. The coordinates are rounded down to a cell, whose center represents the point. The color
-/// is sRGB and 255.
+/// its node's cube. The coordinates are rounded down to a cell, whose center represents the point. `color` is
+/// sRGB, followed by 255.
 struct PackedPoint {
     std::uint32_t low, high;
     std::uint8_t color[4];
@@ -184,8 +184,8 @@ struct CoverageRecord {
 inline constexpr std::size_t surface_discs = 8192;
 
 /// The mean color of a disc of the surface in a photo, in linear light, as unorm16; all 0 if the disc is not
-/// clearly visible. `radius` is its distance from the principal point, divided by half the photo's diagonal,
-/// as unorm16.
+/// clearly visible. `radius` is the disc's distance from the principal point, divided by half the photo's
+/// diagonal, as unorm16.
 struct SampleRecord {
     std::uint16_t linear[3];
     std::uint16_t radius;

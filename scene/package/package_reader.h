@@ -16,9 +16,9 @@
 
 namespace vantage {
 
-/// A mapped package, in a file or on a server. Opening it reads and checks only the header and the directory.
-/// Spans point into the mapping and are valid as long as the reader lives, so functions that return one
-/// cannot be called on a temporary.
+/// A mapped package, in a file or on a server. Opening a package reads and checks only the header and the
+/// directory. Spans point into the mapping and are valid as long as the reader lives, so functions that
+/// return one cannot be called on a temporary.
 ///
 /// If the package is on a server, bytes are fetched before they are read, and any function may throw
 /// Error(input) if that fails. Content and records are fetched on demand and kept. The caller must hold

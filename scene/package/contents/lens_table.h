@@ -43,8 +43,8 @@ Eigen::Vector2d photo_pixel(const LensTable& table, const Eigen::Vector2d& pixel
 /// result is 0 for a camera without distortion, and never NaN.
 double largest_displacement(const Camera& camera);
 
-/// The bounds of the lens's image of a rectangle of pinhole pixels. Beyond the lens's range, the spline is
-/// extrapolated.
+/// The bounds of the image that the lens forms of a rectangle of pinhole pixels. Beyond the lens's range, the
+/// spline is extrapolated.
 Eigen::AlignedBox2d photo_bounds(const LensTable& table, const Eigen::AlignedBox2d& pixels);
 
 /// For each texel of a level of the pinhole camera's frame, 1 if its image lies inside the photo and at least

@@ -41,8 +41,8 @@ struct ValueRange {
     bool operator==(const ValueRange&) const = default;
 };
 
-/// The whole range of the field. With `centered`, it is symmetric about 0; with `logarithmic`, it is the
-/// range of the positive values. In any case, low < high, and if `logarithmic` is set, low > 0.
+/// The whole range of the field. With `centered`, the range is symmetric about 0; with `logarithmic`, it is
+/// that of the positive values. In any case, low < high, and if `logarithmic` is set, low > 0.
 ValueRange whole_range(const ScalarField& field, bool centered, bool logarithmic);
 
 }  // namespace vantage
