@@ -10,12 +10,14 @@
 namespace vantage {
 
 /// Expects that the rows of a table in a document match those of a program. The table follows the line "<!--
-/// NAME: VANTAGE_WRITE_DOCS=1 writes the rows -->"; with that variable set, the rows are written.
+/// NAME: VANTAGE_WRITE_DOCS=1 writes the rows -->". If that variable is set, writes the rows into the
+/// document instead.
 inline void expect_table(const std::filesystem::path& document, const std::string& name,
                          const std::string& rows) {
     std::stringstream text;
     text << std::ifstream(document).rdbuf();
-    const std::string all = text.str(), mark = "<!-- " + name + ": VANTAGE_WRITE_DOCS=1 writes the rows -->\n";
+    const std::string all = text.str(),
+                      mark = "<!-- " + name + ": VANTAGE_WRITE_DOCS=1 writes the rows -->\n";
     const std::size_t marked = all.find(mark);
     ASSERT_NE(marked, all.npos) << document << " lacks " << mark;
     const std::size_t heading = all.find("|---", marked), begin = all.find('\n', heading) + 1;
@@ -25,7 +27,7 @@ inline void expect_table(const std::filesystem::path& document, const std::strin
         std::ofstream(document) << all.substr(0, begin) << rows << all.substr(end);
     else
         EXPECT_EQ(all.substr(begin, end - begin), rows)
-            << document << ": VANTAGE_WRITE_DOCS=1 and the same test write it";
+            << document << ": to update it, run this test with VANTAGE_WRITE_DOCS=1";
 }
 
 }  // namespace vantage

@@ -11,11 +11,11 @@ namespace vantage {
 /// A glTF 2.0 file, written according to the specification (Khronos 2021): one buffer, and hand-written JSON.
 struct GltfFile {
     std::string bytes;                            ///< of the buffer
-    std::string views, accessors, meshes, nodes;  ///< items of these lists
+    std::string views, accessors, meshes, nodes;  ///< the items of these JSON lists
     std::string roots = "0";                      ///< nodes of the scene
-    std::string more;                             ///< further members, each with a comma before it
+    std::string more;  ///< further members of the root object, each preceded by a comma
 
-    /// Appends values to the buffer, `n` numbers each; returns the number of their accessor.
+    /// Appends values of `n` numbers each to the buffer; returns the index of their accessor.
     template <class T, std::size_t n>
     std::string add(const std::vector<std::array<T, n>>& values) {
         constexpr const char* types[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
@@ -30,11 +30,11 @@ struct GltfFile {
         bytes.resize((bytes.size() + 3) / 4 * 4);
         return count;
     }
-    /// A mesh of one primitive with these members: attributes, indices, mode.
+    /// Adds a mesh with one primitive that has the given members: attributes, indices, mode.
     void add_mesh(const std::string& primitive) { item(meshes, "{\"primitives\": [{" + primitive + "}]}"); }
     void add_node(const std::string& members) { item(nodes, "{" + members + "}"); }
 
-    /// `uri`: the file with the buffer; none in a .glb.
+    /// Returns the JSON. `uri` is the file that contains the buffer; it is empty for a .glb.
     std::string json(const std::string& uri = "") const {
         return "{\"asset\": {\"version\": \"2.0\"}, \"scene\": 0, \"scenes\": [{\"nodes\": [" + roots +
                "]}], \"nodes\": [" + nodes + "], \"meshes\": [" + meshes + "], \"accessors\": [" + accessors +

@@ -10,7 +10,8 @@
 
 namespace vantage {
 
-/// An RGB color space: primaries and white point as CIE 1931 x and y; a gamma, or 0 for the sRGB curve.
+/// An RGB color space: the primaries and the white point as CIE 1931 x and y, and a gamma, or 0 for the sRGB
+/// curve.
 struct RgbSpace {
     const char* name;
     std::array<double, 2> red, green, blue, white;
@@ -32,7 +33,7 @@ inline Curve curve_of(double gamma) {
             cmsFreeToneCurve};
 }
 
-/// Closes a profile and returns its bytes, with another description.
+/// Replaces a profile's description, closes the profile, and returns its bytes.
 inline std::string icc_bytes(cmsHPROFILE profile, const char* description) {
     const std::unique_ptr<void, decltype(&cmsCloseProfile)> owned(profile, cmsCloseProfile);
     const std::unique_ptr<cmsMLU, decltype(&cmsMLUfree)> text(cmsMLUalloc(nullptr, 1), cmsMLUfree);
@@ -62,8 +63,8 @@ inline std::string gray_profile(double gamma) {
     return icc_bytes(cmsCreateGrayProfile(&white, curve_of(gamma).get()), "Gray");
 }
 
-/// Converts a color in [0, 1] to linear sRGB with the equations: to XYZ, to the other white point (Bradford,
-/// as in ICC profiles), from XYZ.
+/// Converts a color in [0, 1] to linear sRGB according to the equations: converts it to XYZ, adapts it to the
+/// other white point (Bradford, as in ICC profiles), and converts it from XYZ.
 inline Eigen::Vector3d srgb_light(const RgbSpace& space, const Eigen::Vector3d& color) {
     using Eigen::Matrix3d, Eigen::Vector3d;
     const auto xyz = [](const std::array<double, 2>& xy) {
@@ -87,7 +88,7 @@ inline Eigen::Vector3d srgb_light(const RgbSpace& space, const Eigen::Vector3d& 
     return to_xyz(srgb).inverse() * adapt * to_xyz(space) * light;
 }
 
-/// The sRGB value, from 0 to 255, of linear light, clipped and not rounded.
+/// The sRGB value of linear light, from 0 to 255, clipped but not rounded.
 inline double srgb_value(double light) {
     const double l = std::min(std::max(light, 0.0), 1.0);
     return 255 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055);

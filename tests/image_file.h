@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// Writes an image in the format of the file's extension with OpenImageIO; false if it cannot be written.
-/// `pixels` are interleaved values of this type.
+/// Writes an image with OpenImageIO, in the format given by the file's extension; returns false on failure.
+/// `pixels` are interleaved values of type `type`.
 inline bool write_image_file(const std::filesystem::path& file, const OIIO::ImageSpec& spec,
                              OIIO::TypeDesc type, const void* pixels) {
     const auto out = OIIO::ImageOutput::create(file.string());

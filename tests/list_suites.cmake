@@ -1,5 +1,5 @@
-# Writes one ctest entry per suite of a test program, as cmake -DPROGRAM=... -DTO=... -DTIMEOUT=... -DSLOWEST=...
-# [-DAT_LENGTH=ON] -P list_suites.cmake
+# Writes one ctest entry for each suite of a test program.
+# Usage: cmake -DPROGRAM=... -DTO=... -DTIMEOUT=... -DSLOWEST=... [-DAT_LENGTH=ON] -P list_suites.cmake
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE failed)
 if(failed)
   file(REMOVE ${PROGRAM})  # so that the next build lists again

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string key_of(const SynthSpec& s) {
-    static_assert(sizeof(SynthSpec) == 272, "a new member belongs to the key");
+    static_assert(sizeof(SynthSpec) == 272, "add new members to the key");
     std::ostringstream out;
     out << std::hexfloat;
     const auto add = [&](const auto&... values) { ((out << values << ' '), ...); };
@@ -57,7 +57,7 @@ std::string key_of(const fs::path& scan) {
     return out.str();
 }
 
-/// The folder for scenes made by this build of the program: scenes from an earlier build may be outdated.
+/// The folder for scenes made by this build of the program; scenes from an earlier build may be outdated.
 fs::path collection() {
     static const fs::path folder = [] {
         const fs::path program = fs::read_symlink("/proc/self/exe");
@@ -114,7 +114,7 @@ void copy_scene(const SynthSpec& spec, const fs::path& folder) {
 
 fs::path made_package(const fs::path& scan, const PrepareSettings& settings) {
     if (!settings.points.empty() || !settings.deviation_from.empty())
-        throw std::invalid_argument("the key has the names of further files, not their contents");
+        throw std::invalid_argument("the key covers only the names of further files, not their contents");
     return once(key_of(scan) + settings_json(settings).dump(), ".vantage", [&](const fs::path& file) {
         prepare(read_scene(discover(scan)), settings, file, [](const Progress&) {});
     });

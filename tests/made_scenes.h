@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// The specification data/NAME.toml; `tiny` with one ray per pixel, which suffices if picture quality does
-/// not matter.
+/// The specification data/NAME.toml. tiny_spec() is `tiny` with only one ray per pixel, which suffices where
+/// picture quality does not matter.
 SynthSpec spec_named(const char* name);
 SynthSpec tiny_spec();
 
@@ -15,10 +15,10 @@ SynthSpec tiny_spec();
 /// makes it, and others reuse it until the test program is rebuilt.
 void copy_scene(const SynthSpec& spec, const std::filesystem::path& folder);
 
-/// The package of a scan, as written by prepare(), made for the first test that has the same files and
-/// settings. Tests must not write to it.
+/// The package of a scan as written by prepare(). The first test that needs it makes it, and tests with the
+/// same files and settings reuse it. Tests must not write to it.
 std::filesystem::path made_package(const std::filesystem::path& scan, const PrepareSettings& settings = {});
-/// Copies such a package to a test's file, replacing an existing one.
+/// Copies such a package to a test's file, which is replaced if it exists.
 void copy_package(const std::filesystem::path& scan, const PrepareSettings& settings,
                   const std::filesystem::path& to);
 

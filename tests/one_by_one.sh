@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Usage: one_by_one.sh SOURCE BUILD
-# Checks that source files of the programs compile separately, which a unity build does not show: a tenth of them, a different one
-# for each commit, or all if EVERY=1. Nothing is linked. Results are kept in BUILD until a source changes.
+# Checks that source files of the programs compile separately, which a unity build does not show. It checks a tenth of the
+# files, a different tenth for each commit, or all files if EVERY=1. Nothing is linked. Results are kept in BUILD until a source
+# changes.
 set -euo pipefail
 every=${EVERY:-10}
 commits=$(git -C "$1" rev-list --count HEAD 2>/dev/null || echo 0)

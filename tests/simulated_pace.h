@@ -10,19 +10,20 @@
 
 namespace vantage {
 
-/// A renderer whose frame times have a fixed part and a part proportional to pixels and photos.
+/// A renderer whose frame times have a fixed part and a part proportional to the number of pixels and photos.
 struct Machine {
-    double fixed, full;  ///< ms; `full` at full size with all photos
+    double fixed, full;  ///< ms; `full` is the time at full size with all photos
     double time(const Pace& p) const { return fixed + full * p.scale * p.scale * (p.reduced ? 0.4 : 1); }
 };
 
-/// The conditions under which a motion's frames are paced.
+/// The conditions under which the frames of a motion are paced.
 struct PacedMotion {
     Machine machine;
     double goal_ms;
-    int delay = 0;  ///< frames until a frame's time is known, beyond the next one
-    std::function<double(int frame)> load = {};  ///< factor of every frame's time; if empty, 1
-    double noise = 0.04;                         ///< relative standard deviation of a frame's time
+    int delay = 0;  ///< number of additional frames before a frame's time is known
+    std::function<double(int frame)> load =
+        {};               ///< factor by which each frame's time is multiplied; 1 if empty
+    double noise = 0.04;  ///< relative standard deviation of a frame's time
     int frames = 1000;
 };
 
@@ -51,8 +52,8 @@ inline std::vector<PacedFrame> paced(const PacedMotion& m) {
     return out;
 }
 
-/// Loads for PacedMotion: 2.5 times the duration for 300 frames; 4 times for one frame in 150; a slow rise to
-/// 3 times and back.
+/// Loads for PacedMotion: 300 frames that take 2.5 times as long; one frame in 150 that takes 4 times as
+/// long; a slow rise to 3 times as long and back.
 inline double step_load(int i) { return i >= 200 && i < 500 ? 2.5 : 1.0; }
 inline double spike_load(int i) { return i % 150 == 149 ? 4.0 : 1.0; }
 inline double drift_load(int i) {

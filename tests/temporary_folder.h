@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// A test with its own folder, which is removed afterward.
+/// A test fixture with its own folder, which is removed after the test.
 class TemporaryFolder : public ::testing::Test {
   protected:
     const std::filesystem::path dir =

@@ -17,7 +17,7 @@ std::string content_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A file, independent of its name: flushed content and pending operations.
+/// A file's content, independent of its name: the flushed content and the pending operations.
 struct Inode {
     std::string flushed;
     std::vector<const DiskOperation*> pending;
@@ -79,7 +79,7 @@ class Disk {
     Files after_power_cut(std::mt19937& random) const {
         Names names = flushed_names_;
         std::size_t kept = random() % (pending_names_.size() + 1);
-        // A rename is a single change.
+        // A rename consists of two entries, which take effect together.
         if (kept > 0 && kept < pending_names_.size() && pending_names_[kept].inode == nothing &&
             pending_names_[kept - 1].inode != nothing)
             ++kept;

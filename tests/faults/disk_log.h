@@ -14,7 +14,7 @@ namespace vantage {
 struct DiskOperation {
     enum class Kind : char { create = 'c', write = 'w', size = 's', flush = 'f', rename = 'r', remove = 'u' };
     Kind kind;
-    std::uint64_t offset;  ///< of the data; size: the new size
+    std::uint64_t offset;  ///< offset of the data; if `kind` is `size`, the new size of the file
     std::string path, other, data;
 };
 std::vector<DiskOperation> read_disk_log(const std::filesystem::path& file);
@@ -22,12 +22,13 @@ std::vector<DiskOperation> read_disk_log(const std::filesystem::path& file);
 /// File contents by path.
 using Files = std::map<std::string, std::string>;
 Files files_below(const std::filesystem::path& folder);
-/// Replaces all files of the folder.
+/// Replaces all files in the folder.
 void restore(const std::filesystem::path& folder, const Files& files);
 
 /// A possible state of the disk after these operations and a power cut, starting from `before`. Files have
-/// all flushed data, and a random selection of later writes and size changes, complete or only some pages.
-/// Names change in order: all changes flushed with their folder, and any number of later ones.
+/// all flushed data and a random selection of the later writes and size changes; a write may be complete or
+/// have reached the disk only in part. Changes to names take effect in order: all that were flushed with
+/// their folder, and any number of the later ones.
 Files after_power_cut(const Files& before, std::span<const DiskOperation> operations, std::mt19937& random);
 
 }  // namespace vantage

@@ -1,4 +1,4 @@
-// Each operation of a command on its files fails once.
+// Makes each file operation of a command fail once.
 #include <algorithm>
 #include <array>
 #include <set>
@@ -16,8 +16,8 @@ class EveryOperation : public WrittenPackage {
     std::string fault(int n, const std::string& how) const {
         return "FAULT=any:" + std::to_string(n) + ":" + how + " FAULT_FOLDER=" + dir.string();
     }
-    /// The number of operations of the undisturbed command; with "BAD_PAGE", the number of pages that it
-    /// maps.
+    /// The number of file operations of the undisturbed command; if `how` is "BAD_PAGE", the number of pages
+    /// that it maps.
     int operations_of(const WritingCommand& c, const std::string& how = "SHORT_ONCE") const {
         start(c);
         const fs::path count = fs::temp_directory_path() / (dir.filename().string() + ".count");
@@ -33,7 +33,7 @@ class EveryOperation : public WrittenPackage {
         const bool fails = o.code != int(Exit::ok) && o.code != int(Exit::incomplete);
         EXPECT_EQ(std::ranges::count(o.err, '\n'), fails ? 1 : 0) << when << ": " << o.err;
     }
-    /// Makes about `at_most` operations of each command fail, one per run, in each of these ways.
+    /// Makes about `at_most` operations of each command fail, one per run, in each of the given ways.
     void expect_nothing_lost(int at_most, const std::vector<const char*>& ways) const {
         for (const WritingCommand& c : commands) {
             const int operations = operations_of(c);
@@ -86,7 +86,7 @@ TEST_F(EveryOperationAtLength, MayMeetAPageThatCannotBeRead) {
                 expect_old_or_new(c, when);
             expect_finished_by_next_run(c, when);
         }
-        std::printf("%-24s %5d pages mapped, %4d runs, %4d of them met the page\n", c.name.c_str(), pages,
+        std::printf("%-24s %5d pages mapped, %4d runs, %4d of which read the page\n", c.name.c_str(), pages,
                     runs, met);
         EXPECT_GT(met, 0) << c.name;
     }

@@ -1,11 +1,13 @@
-// Simulates disk failures in a program that preloads this library, as set by FAULT="CALL:N:HOW". CALL:
-// pwrite, fallocate, fsync, rename, flock, statvfs, or "any" operation on a file below FAULT_FOLDER. HOW:
-// ENOSPC, EIO or EACCES, the N-th call and all later ones fail; statvfs reports no free space instead;
-//      EIO_ONCE, only the N-th fails; SHORT_ONCE, only the N-th reads or writes half of its bytes;
-//      KILL or KILL_AFTER, the process is killed before or after the N-th call is executed;
-//      WAIT, the N-th call waits until the file FAULT_CONTINUE exists (flock only);
-//      BAD_PAGE, the N-th page of mapped files cannot be read: touching it raises SIGBUS (mmap
-//      only).
+// Simulates disk failures in a program that preloads this library, as set by FAULT="CALL:N:HOW".
+// CALL is pwrite, fallocate, fsync, rename, flock or statvfs, or "any" for all operations on files below
+// FAULT_FOLDER.
+// HOW is one of:
+// - ENOSPC, EIO or EACCES: the N-th call and all later ones fail; statvfs reports no free space instead.
+// - EIO_ONCE: only the N-th call fails.
+// - SHORT_ONCE: the N-th call reads or writes only half of its bytes.
+// - KILL or KILL_AFTER: the process is killed before or after the N-th call is executed.
+// - WAIT: the N-th call waits until the file FAULT_CONTINUE exists (flock only).
+// - BAD_PAGE: the N-th page of mapped files cannot be read; touching it raises SIGBUS (mmap only).
 // FAULT_CLOCK=1 moves the clock forward and back by a year on alternate calls.
 // FAULT_LOG=FILE records all operations that change files below FAULT_FOLDER (tests/faults/disk_log.h).
 // FAULT_COUNT=FILE receives the number of calls (or mapped pages) at exit.
@@ -42,7 +44,7 @@ struct Fault {
     int from = 0, calls = 0;
     std::string folder;
     int log = -1;
-    std::mutex mutex;  ///< guards `calls` and each operation with its record, so that the log is in order
+    std::mutex mutex;  ///< guards `calls`; held while an operation is executed and recorded, to order the log
 
     Fault() {
         if (const char* text = std::getenv("FAULT")) std::sscanf(text, "%15[^:]:%d:%15s", call, &from, how);
@@ -68,8 +70,8 @@ Fault& fault() {
 
 constexpr std::size_t page_bytes = 4096;
 
-/// Counts the pages of a file mapping that are not holes. If the page that is to fail is among them, it is
-/// replaced by a page beyond the end of a file.
+/// Counts the pages of a file mapping that are not holes. If the page that should fail is among them,
+/// replaces it with a page beyond the end of a file.
 void spoil_page(void* mapping, std::size_t size, int fd) {
     Fault& f = fault();
     off_t end = 0;
@@ -91,8 +93,8 @@ void spoil_page(void* mapping, std::size_t size, int fd) {
 
 enum class Fate { real, fails, is_short };
 
-/// Counts a call and returns its fate; `path`: the path of its file. Kills the process if it is to be killed
-/// before the call.
+/// Counts a call on the file at `path` and returns the call's fate. Kills the process if FAULT says to kill
+/// it before this call.
 Fate fate_of(const char* name, const std::string& path, bool& killed_after) {
     Fault& f = fault();
     if (f.is("BAD_PAGE")) return Fate::real;
@@ -107,7 +109,7 @@ Fate fate_of(const char* name, const std::string& path, bool& killed_after) {
     return n >= f.from ? Fate::fails : Fate::real;
 }
 
-/// The return value of a failed call: -1, or null.
+/// The return value of a failed call: -1, or null for calls that return pointers.
 template <class T>
 T failed() {
     if constexpr (std::is_pointer_v<T>)
@@ -116,8 +118,8 @@ T failed() {
         return -1;
 }
 
-/// The result of the real call, or the simulated failure. `real` gets the number of bytes, 0 for calls that
-/// transfer none; `record` gets the result of a successful call.
+/// Returns the result of the real call or simulates its failure. `real` receives the number of bytes (0 if
+/// the call transfers none), and `record` the result of a successful call.
 template <class Real, class Record>
 auto perform(const char* name, const std::string& path, std::size_t bytes, Real real, Record record)
     -> decltype(real(bytes)) {
@@ -152,7 +154,8 @@ std::string path_of(int fd) {
     return n > 0 ? std::string(path, std::size_t(n)) : std::string();
 }
 
-/// Writes one record: kind, offset, sizes of path, second path and data, then these three.
+/// Writes one record: the kind, the offset, and the sizes of the path, the second path and the data, followed
+/// by these three strings.
 void record(char kind, const std::string& path, std::uint64_t offset = 0, std::string_view data = {},
             const std::string& other = {}) {
     const std::uint64_t numbers[] = {std::uint64_t(kind), offset, path.size(), other.size(), data.size()};
@@ -193,7 +196,7 @@ int open_file(const char* path, int flags, mode_t mode) {
         });
 }
 
-/// Records data that write() has written, which ends at the current position.
+/// Records data that write() has just written: its end is the file's current position.
 void record_written(int fd, const std::string& path, std::string_view data) {
     const long end = ::syscall(SYS_lseek, fd, 0, SEEK_CUR);
     record('w', path, std::uint64_t(end) - data.size(), data);
@@ -209,7 +212,7 @@ time_t clock_error() {
 
 }  // namespace
 
-// Where off_t has 64 bits, the names that end in 64 are the same functions.
+// Where off_t has 64 bits, each function whose name ends in 64 is the same as the one without the suffix.
 extern "C" {
 
 int open(const char* path, int flags, ...) {

@@ -1,4 +1,4 @@
-// A power cut after any operation, with any selection of unflushed changes on the disk.
+// Simulates power cuts after any operation, with any selection of the unflushed changes on the disk.
 #include <random>
 
 #include "tests/faults/disk_log.h"
@@ -32,7 +32,7 @@ class PowerCut : public WrittenPackage {
                 ++(fs::exists(package) && slurp(package) == c.after ? fresh : old);
                 expect_finished_by_next_run(c, when);
             }
-            std::printf("%-24s %4zu operations, %3d times the old state, %3d times the new package\n",
+            std::printf("%-24s %4zu operations, %3d cuts left the old state, %3d the new package\n",
                         c.name.c_str(), operations.size(), old, fresh);
         }
     }

@@ -3,14 +3,14 @@
 
     soak.py --vantage PROGRAM --player PROGRAM FOLDER [--minutes 10] [--workers 3] [--packages 4] [--seed 1]
 
-Each package has its inputs, which the soak test changes: photos are exchanged, truncated, repaired, added and removed; the package
-is damaged, truncated, deleted or replaced by another. Then a command is run on it: prepare (with several settings, killed at a
-random time, with little memory, with little disk space; then again without disturbance), check, check --against, refine, extract,
-or the player's picture from a photo's camera. The expected answer follows from the changes. While one worker changes a package,
-others read it: they may see the old one or the new one.
+Each package has its own inputs. The test changes the inputs (photos are exchanged, truncated, repaired, added and removed) and
+the package (it is damaged, truncated or deleted). It also runs commands on the package: prepare (with several settings, killed
+at a random time, with little memory or with little disk space, and then again undisturbed), check, check --against, refine,
+extract, and the player, which renders a view from a photo's camera. The expected verdict follows from the changes. While one
+worker changes a package, others read it; they may see either the old package or the new one.
 
-Prints a line per wrong verdict and, at the end, the operations by kind, the wrong verdicts and the largest
-memory of a command in each tenth of the run. Exit code 1 if a verdict was wrong."""
+Prints a line for each wrong verdict and, at the end, the number of operations of each kind, the wrong verdicts, and the largest
+amount of memory that a command used in each tenth of the run. The exit code is 1 if any verdict was wrong."""
 import argparse
 import collections
 import os
@@ -74,7 +74,10 @@ class Soak:
         return min(9, int(10 * (time.time() - self.start) / (60 * self.o.minutes)))
 
     def run(self, words, limit=120, kill_after=None, resources=()):
-        """Exit code (negative: signal, None: killed by us or hung) and output. `resources`: limits as (kind, bytes)."""
+        """Returns the exit code (negative: signal; None: killed by the test or hung) and the output.
+
+        `resources`: limits as (kind, bytes).
+        """
 
         def set_limits():
             for kind, most in resources:
@@ -174,14 +177,14 @@ class Soak:
         if kind == 'delete':
             os.remove(p.file)
         else:
-            # In a copy that replaces the file, since readers may have it open.
+            # Change a copy, which then replaces the file, because readers may have the file open.
             with open(p.file, 'rb') as f:
                 content = bytearray(f.read())
             if kind == 'truncate':
                 content = content[:r.randrange(200, len(content) - 1)]
             else:
                 at = r.randrange(len(content))
-                # Padding between chunks is not part of the package: damage a whole page.
+                # Damage a whole page: a single byte could be padding between chunks, which is not part of the package.
                 for i in range(at, min(at + 4096, len(content))):
                     content[i] ^= 0x55
             with open(p.file + '.new', 'wb') as f:
@@ -224,7 +227,7 @@ class Soak:
             os.remove(picture)
 
     def read_while_written(self, p):
-        """Any state is allowed, but the answer must be correct for a complete package, without a crash."""
+        """Any verdict is allowed, but it must be right if the package is complete, and the command must not crash."""
         code, text = self.run([self.o.vantage, 'check', '--deep', p.file])
         self.expect('check while it may change', code, text, {0, 3, DAMAGED, INCOMPLETE})
         code, text = self.run([self.o.vantage, 'info', p.file])

@@ -9,10 +9,12 @@ namespace vantage {
 /// A command that writes a package, with its inputs in `inputs` and its output in `out`.
 struct WritingCommand {
     std::string name, words;
-    std::string before, after;  ///< the package, empty if there is none
+    std::string before,
+        after;  ///< the package's content before and after the command; empty if there is none
 };
 
-/// Commands on a small scene: a first preparation, one that updates a package, a merge and a refinement.
+/// Commands on a small scene: a first preparation, a preparation that updates a package, a merge and a
+/// refinement.
 class WrittenPackage : public Overnight {
   protected:
     const fs::path out = dir / "out", package = out / "scene.vantage";
@@ -20,9 +22,9 @@ class WrittenPackage : public Overnight {
     void SetUp() override;
     /// Restores the output folder to its state before the command.
     void start(const WritingCommand& c) const;
-    /// Runs the command with the variables of faulty_disk.cpp, or undisturbed.
+    /// Runs the command with `fault`, the variables that faulty_disk.cpp reads; if it is empty, undisturbed.
     Outcome run_command(const WritingCommand& c, const std::string& fault = "") const;
-    /// Expects the old or the new package; no package only if there was none before.
+    /// Expects the old or the new package; the package may be missing only if there was none before.
     void expect_old_or_new(const WritingCommand& c, const std::string& when) const;
     /// Runs the command again, undisturbed, and expects the new package.
     void expect_finished_by_next_run(const WritingCommand& c, const std::string& when) const;

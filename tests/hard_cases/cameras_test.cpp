@@ -1,4 +1,4 @@
-// Invalid and nearly invalid cameras, and lenses that fold back.
+// Invalid and nearly invalid cameras, and lenses whose distortion folds back.
 #include "pipeline/formats/cameras/cameras.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ void expect_rejected(const char* what, const Change& change) {
     }
 }
 
-/// A photo whose colors encode the pixel's position.
+/// A photo in which each pixel's color encodes its position.
 RgbaImage chart(int width, int height) {
     RgbaImage p{width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 4, 255)};
     for (int y = 0; y < height; ++y)
@@ -58,10 +58,10 @@ RgbaImage chart(int width, int height) {
     return p;
 }
 
-/// A lens with the radius at which it folds back.
+/// A lens and the radius at which its distortion folds back.
 struct Known {
     Lens lens;
-    double fold;  ///< pinhole radius at which it folds back, from the closed form
+    double fold;  ///< undistorted radius at which the distortion folds back, computed in closed form
 };
 
 std::vector<Known> folding_lenses() {
@@ -172,7 +172,7 @@ TEST(Lenses, PhotoIsShownExactlyWithinTheFold) {
                     ASSERT_EQ(alpha > 0, inside) << name(k.lens.model) << " at " << x << ',' << y;
                 }
             }
-        EXPECT_TRUE(k.fold > 1 || beyond > 100) << "the frame extends beyond the fold";
+        EXPECT_TRUE(k.fold > 1 || beyond > 100) << "the frame should extend beyond the fold";
         const double off = largest_displacement(c);
         EXPECT_TRUE(std::isfinite(off));
     }

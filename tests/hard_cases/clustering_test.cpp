@@ -1,4 +1,5 @@
-// Photo covers and frustum culling: degenerate cases, and planes that just touch a sphere.
+// Tests the selection of photos that cover a view, and frustum culling: degenerate cases, and planes that
+// just touch a sphere.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -29,7 +30,7 @@ double random_in(std::mt19937& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// Not inlined: GCC 12 would vectorize it and skip the rounding to single precision.
+/// Must not be inlined: GCC 12 would vectorize it and skip the rounding to single precision.
 [[gnu::noinline]] ClusterRecord sphere(const Eigen::Vector3d& c, double r) {
     ClusterRecord cluster{};
     for (int i = 0; i < 3; ++i) cluster.center[i] = float(c[i]);
@@ -45,7 +46,8 @@ View random_view(std::mt19937& random, double fov) {
     return view_towards(10 * random_unit(random), random_unit(random), random_unit(random), fov, 640, 480);
 }
 
-/// Signed distance of a point inside the nearest of the frustum's five planes, in long double.
+/// The signed distance from the nearest of the frustum's five planes to a point (positive inside the
+/// frustum), in long double.
 long double inside_by(const View& view, const Eigen::Vector3d& point) {
     using V = Eigen::Matrix<long double, 3, 1>;
     const Intrinsics& k = view.intrinsics;
@@ -161,7 +163,7 @@ TEST(FrustumHardCases, KeepsEverySphereThatIntersectsIt) {
         for (int trial = 0; trial < 40; ++trial) {
             const View view = random_view(random, fov);
             std::vector<ClusterRecord> clusters;
-            // Near the line of sight, so that narrow views contain some.
+            // Near the line of sight, so that even narrow views contain some of the spheres.
             for (int i = 0; i < 400; ++i) {
                 const Eigen::Vector3d on_axis = view.cam_from_origin.center() +
                                                 random_in(random, -5, 30) * view.cam_from_origin.direction();
@@ -223,7 +225,7 @@ TEST(FrustumHardCases, KeepsPointsOnItsPlanes) {
             const std::vector all{sphere(p, 0)};
             EXPECT_EQ(clusters_in_view(make_cluster_tree(all), all, view).size(), 1u) << p.transpose();
         }
-    // The same rotated, so that the planes are rounded.
+    // Randomly rotated views, so that the planes' coordinates are rounded.
     std::mt19937 random(7);
     for (int trial = 0; trial < 500; ++trial) {
         const View turned = view_towards(Eigen::Vector3d::Zero(), random_unit(random), random_unit(random),
@@ -273,7 +275,8 @@ TEST(FrustumHardCases, KeepsTheClustersOfAllVerticesInTheFrame) {
                 }
                 const Eigen::Vector2d range = depth_range(clusters, found, view);
                 ASSERT_TRUE(range.allFinite() && range.x() >= 0 && range.y() >= range.x());
-                ASSERT_TRUE(range.y() == 0 || range.x() > 0) << "a finite near/far ratio";
+                ASSERT_TRUE(range.y() == 0 || range.x() > 0)
+                    << "the ratio of the far to the near distance should be finite";
             }
     }
 }

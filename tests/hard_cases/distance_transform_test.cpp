@@ -1,4 +1,4 @@
-// Distances to borders in degenerate images, and the error of jump flooding.
+// Tests distances to borders in degenerate images, and measures the error of jump flooding.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -32,7 +32,7 @@ class DistanceTransform : public ::testing::Test {
         std::vector<float> distance;
         bool exact;
     };
-    /// The results of every method.
+    /// The results of all methods.
     std::vector<Result> all(const std::vector<std::uint8_t>& borders, Size s) const {
         return {{"exact", exact_distance(borders, s.width, s.height), true},
                 {"jump flooding", flood_distance(jump_flood, borders, s.width, s.height), false}};
@@ -130,7 +130,7 @@ TEST_F(DistanceTransform, FloodingErrorsAreRareAndSmall) {
             for (int x = 0; x < s.width; ++x, ++pixels) {
                 const float truth = brute_force(seeds, x, y),
                             off = d[std::size_t(y) * std::size_t(s.width) + std::size_t(x)] - truth;
-                ASSERT_GE(off, -1e-3f) << "nearer than any seed";
+                ASSERT_GE(off, -1e-3f) << "jump flooding found a distance smaller than that of any seed";
                 worst = std::max(worst, double(off));
                 wrong += off > 1e-3f;
             }

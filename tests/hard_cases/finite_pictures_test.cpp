@@ -36,7 +36,7 @@ class FinitePictures : public PreparedScene {
                 {"along up", towards({0, 0, 0}, up)},
                 {"from behind", towards(-photo.center(), {0, 0, 0})},
                 {"far away", towards(1e6 * photo.center(), {0, 0, 0})},
-                {"as far as can be", towards({1e17, 0, 0}, {0, 0, 0})},
+                {"extremely far away", towards({1e17, 0, 0}, {0, 0, 0})},
                 {"looking away", towards(photo.center(), 2 * photo.center())},
                 {"a tenth of a degree", towards(photo.center(), {0, 0, 0}, 0.1)},
                 {"170 degrees", towards(photo.center(), {0, 0, 0}, 170)},
@@ -160,7 +160,7 @@ TEST_F(FinitePictures, CountsInjectedNonFiniteValues) {
     std::string all = std::to_string(4 * pixels);
     all += " of the sums";  // in two steps, since g++ 12 warns about the sum of temporaries
     EXPECT_NE(words(count_non_finite(t)).find(all), std::string::npos);
-    EXPECT_EQ(count(view, {}, "the next frame clears it all"), 0u);
+    EXPECT_EQ(count(view, {}, "the next frame clears all targets"), 0u);
 }
 
 TEST_F(FinitePictures, NonFiniteViewIsRejectedAndTheNextOneDrawn) {

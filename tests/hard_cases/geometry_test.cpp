@@ -55,7 +55,7 @@ TEST_F(Geometry, DuplicateTrianglesChangeNothing) {
     const Result twice = shown(other_corners);
     expect_same(valid.pictures, twice.pictures);
     for (std::size_t i = 0; i < twice.seen.size(); ++i)
-        EXPECT_NEAR(twice.seen[i], valid.seen[i], 0.01) << "a surface does not occlude its duplicate";
+        EXPECT_NEAR(twice.seen[i], valid.seen[i], 0.01) << "a surface should not occlude its duplicate";
 }
 
 // Unused vertices would move the origin and the near plane.
@@ -83,7 +83,8 @@ TEST_F(Geometry, TrianglesWithNonFiniteVerticesAreDropped) {
     EXPECT_NE(with.warnings[0].find("15 invalid triangles"), std::string::npos) << with.warnings[0];
 }
 
-// Corners are welded by position: NaN would break their order, and valid corners would be lost.
+// Corners are sorted by position to weld them; a NaN would break their order, and valid corners would be
+// lost.
 TEST_F(Geometry, NanCornersInStlDoNotAffectOtherTriangles) {
     std::ofstream out(dir / "mesh.stl");
     out << "solid\n";
@@ -100,7 +101,7 @@ TEST_F(Geometry, NanCornersInStlDoNotAffectOtherTriangles) {
     std::vector<std::string> warnings;
     const Mesh mesh = read_mesh(dir / "mesh.stl", warnings);
     EXPECT_EQ(mesh.triangles.size(), 2u);
-    EXPECT_EQ(mesh.positions.size(), 4u) << "shared corners are merged";
+    EXPECT_EQ(mesh.positions.size(), 4u) << "shared corners should be merged";
 }
 
 TEST_F(Geometry, InvalidNormalsAreRecomputed) {
@@ -148,7 +149,8 @@ TEST_F(GeometryAtLength, VisibilityDoesNotDependOnWindingOrNormals) {
 
 TEST_F(Geometry, NonManifoldOpenAndClosedSurfacesAreShown) {
     Mesh mesh;
-    // Seven triangles at one edge, two fans that meet at a point, a closed and an open tetrahedron.
+    // Seven triangles that share one edge, two fans that meet at a point, and a closed and an open
+    // tetrahedron.
     const Eigen::Vector3d low(-1, -3, 1), high(-1, -3, 4);
     const std::uint32_t i = add(mesh, low), j = add(mesh, high);
     for (int leaf = 0; leaf < 7; ++leaf) {
@@ -288,7 +290,7 @@ TEST_F(GeometryAtLength, TenMillionTrianglesAreAllClustered) {
     };
     const std::uint64_t before = checksum();
     const auto clusters = make_clusters(positions, indices, 256);
-    EXPECT_EQ(checksum(), before) << "the same triangles, in another order";
+    EXPECT_EQ(checksum(), before) << "the triangles should be the same, in a different order";
     std::uint64_t next = 0;
     for (const package::ClusterRecord& c : clusters) {
         ASSERT_EQ(c.first_triangle, next);

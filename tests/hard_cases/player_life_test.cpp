@@ -32,8 +32,8 @@ class PlayerLifetime : public PreparedScene {
         s.photos = 4;
         return s;
     }
-    /// Draws every thirtieth of a second, starting at `now`, until the picture has settled; empty if it never
-    /// does.
+    /// Draws a frame every thirtieth of a second, starting at `now`, until the picture has settled; empty if
+    /// it never does.
     std::optional<FrameReport> settle(Renderer& r, const View& view, const RenderSettings& s, double now,
                                       int frames = 300) {
         for (int i = 0; i < frames; ++i) {
@@ -66,7 +66,7 @@ class PlayerLifetime : public PreparedScene {
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(message)};
     }
 
-    /// Renders many views, and calls `happen` when the first picture is written.
+    /// Renders many views, and calls `happen` after the first picture has been written.
     template <class Happen>
     Outcome play_while(const Happen& happen) const {
         const fs::path path = dir / "many.path", message = dir / "message", out = dir / "pictures";
@@ -174,7 +174,8 @@ TEST_F(PlayerLifetime, ViewsAndPathsKeepTheirRollAsText) {
         return parse_view(text, *package, {64, 48}).cam_from_origin;
     };
     const Pose level = turned("0,-9,0,0,0,0,45"), clockwise = turned("0,-9,0,0,0,0,45,90");
-    EXPECT_LT((clockwise.R.row(0) - level.R.row(1)).norm(), 1e-12) << "the right side goes down";
+    EXPECT_LT((clockwise.R.row(0) - level.R.row(1)).norm(), 1e-12)
+        << "the right side of the picture tilts down";
     EXPECT_LT((clockwise.center() - level.center()).norm(), 1e-9);
 }
 
@@ -214,11 +215,12 @@ TEST_F(PlayerLifetime, BudgetSmallerThanATileIsExceededAndStillWorks) {
         Renderer small(*package, {bytes, 1});
         const RenderSettings s = streamed();
         ASSERT_TRUE(settle(small, view, s, 0)) << bytes;
-        EXPECT_GT(small.planner().graphics_budget(), bytes) << "the excess is reported";
+        EXPECT_GT(small.planner().graphics_budget(), bytes) << "the excess should be reported";
         EXPECT_LT(small.planner().graphics_budget(), std::uint64_t(64) << 20);
         EXPECT_GE(small.planner().graphics_budget(), small.held());
     }
-    // With a ring of one byte and uploads of one byte per frame, one piece gets through at a time.
+    // With a ring buffer of one byte and an upload budget of one byte per frame, only one piece of data can
+    // be uploaded at a time.
     Renderer slow(*package, {0, 1});
     RenderSettings s = streamed();
     for (const std::size_t budget : {std::size_t(1), std::size_t(256) << 10}) {

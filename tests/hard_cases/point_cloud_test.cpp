@@ -1,5 +1,5 @@
-// Random clouds, views and boxes: no visible point is culled, and stored positions have the accuracy stated
-// in FORMAT.md.
+// Tests on random clouds, views and boxes that no visible point is culled and that stored positions have the
+// accuracy stated in FORMAT.md.
 #include "scene/package/contents/point_cloud.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,8 @@ namespace {
 double share() { return *rc::gen::inRange(-1'000'000, 1'000'001) / 1e6; }
 Eigen::Vector3d vector() { return {share(), share(), share()}; }
 
-/// A random view from in or around a cube of this size centered at zero, with any direction and focal length.
+/// A random view from inside or around a cube of this size centered at the origin, with any direction and
+/// focal length.
 View view(double size) {
     const Eigen::Vector3d eye = 2 * size * vector(), aside = size * (vector() + Eigen::Vector3d(1.1, 0, 0));
     const int width = *rc::gen::inRange(1, 2000), height = *rc::gen::inRange(1, 2000);
@@ -45,7 +46,7 @@ RC_GTEST_PROP(PointCulling, NoVisiblePointIsCulled, ()) {
     const int count = *rc::gen::inRange(1, 40'000);
     const auto seed = *rc::gen::arbitrary<std::uint32_t>();
     Mesh cloud;
-    // Half of the points are on a sheet, the others anywhere.
+    // Half of the points are on a sheet, and the others are anywhere.
     std::uint64_t state = seed;
     const auto next = [&] {
         state = state * 6364136223846793005u + 1442695040888963407u;
@@ -100,7 +101,8 @@ RC_GTEST_PROP(PointStorage, PositionsAreOffByHalfACellAtMost, ()) {
     for (int axis = 0; axis < 3; ++axis)
         p[axis] = double(node.low[axis]) + (share() + 1) / 2 * double(node.size);
     const Eigen::Vector3d back = unpacked(packed(p, node), node);
-    // FORMAT.md: the middle of one of 2^21 cells along each axis; the rest is rounding in double precision.
+    // According to FORMAT.md, a stored position is the middle of one of 2^21 cells along each axis; any
+    // further error is due to rounding in double precision.
     const double half = double(node.size) / (1 << 22), rounding = 1e-12 * size * 1001;
     RC_ASSERT((back - p).cwiseAbs().maxCoeff() <= half + rounding);
     const package::PackedPoint again = packed(back, node), before = packed(p, node);

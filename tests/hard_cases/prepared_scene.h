@@ -11,7 +11,7 @@
 
 namespace vantage {
 
-/// A package of five small photos, and its renderer.
+/// A package with five small photos, and a renderer for it.
 class PreparedScene : public TemporaryFolder {
   protected:
     std::filesystem::path file = dir / "scene.vantage";
@@ -39,7 +39,7 @@ class PreparedScene : public TemporaryFolder {
     }
     virtual SynthSpec spec() const { return spec_named("tiny"); }
     virtual PrepareSettings settings() const { return {}; }
-    /// Hook to change the scene's files before they are prepared.
+    /// A hook for changing the scene's files before they are prepared.
     virtual void change(const std::filesystem::path&) const {}
 
     Picture picture(const View& view, const RenderSettings& s, int side = 1) {

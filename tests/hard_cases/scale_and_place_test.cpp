@@ -1,5 +1,5 @@
-// A scene that is in other units, rotated or far from the origin gives the same weight maps, coordinates and
-// pictures.
+// Tests that a scene that is in other units, rotated or far from the origin gives the same weight maps,
+// coordinates and pictures.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -64,11 +64,11 @@ struct Opened {
     Picture picture(const View& view, Blend blend) {
         RenderSettings s;
         s.blend = blend;
-        // Background depths are discrete: between equally good ones, rounding decides.
+        // Background depths are discrete, and rounding decides between equally good depths.
         s.background = ShowBackground::off;
         return take_picture(renderer, view, s, photos, 1);
     }
-    /// The input vertex numbers of all triangles, in package order.
+    /// The numbers of the input vertices of all triangles, in package order.
     std::vector<float> order() const {
         const auto number = package.records<float>(Type::scalars);
         std::vector<float> out;
@@ -143,7 +143,8 @@ class ScaleAndPlace : public TemporaryFolder {
             const package::PhotoRecord& theirs = other.package.photos()[photo];
             EXPECT_NEAR(record.hull_area, theirs.hull_area, 1e-4);
         }
-        EXPECT_LE(double(flipped), 1e-4 * double(all)) << "vertices seen in only one of them";
+        EXPECT_LE(double(flipped), 1e-4 * double(all))
+            << "vertices that are visible in only one of the two packages";
     }
 
     /// Angle and border weights agree; depth and the density in the depth weight agree after scaling. Corners
@@ -176,8 +177,8 @@ class ScaleAndPlace : public TemporaryFolder {
         EXPECT_LE(double(differ), 1e-4 * double(all)) << "texels";
     }
 
-    /// Expects no byte to differ by more than 2. If the order of triangles differs, this excludes a few
-    /// pixels where an edge snaps to the other side of the pixel center.
+    /// Expects no byte to differ by more than 2. If the order of triangles differs, a few pixels are
+    /// excluded: those where an edge snaps to the other side of the pixel center.
     void expect_same_pictures(Opened& other, const OtherFrame& by) const {
         const double most = given->order() == other.order() ? 0 : 1e-4;
         const Eigen::Vector3d origin = given->origin();
@@ -212,7 +213,7 @@ class ScaleAndPlace : public TemporaryFolder {
     }
 };
 
-/// PSNR of two pictures of the same size, dB.
+/// The PSNR between two pictures of the same size, in dB.
 double psnr(const Picture& a, const Picture& b) {
     double squares = 0;
     for (std::size_t i = 0; i < a.rgba.size(); ++i)
@@ -267,8 +268,8 @@ TEST_F(ScaleAndPlace, ScalingByAPowerOfTwoIsBitExact) {
     EXPECT_EQ(given->picture(a, Blend::lumigraph).rgba, other->picture(b, Blend::lumigraph).rgba);
 }
 
-// A distant triangle costs the rest no precision: the prediction of a held-out photo is as good, and the
-// clusters and the extent of the scene stay the same.
+// A distant triangle does not make the rest of the scene less precise: the prediction of a held-out photo is
+// as good, and the clusters and the extent of the scene stay the same.
 TEST_F(ScaleAndPlace, StrayTriangleCostsNoPrecision) {
     struct Case {
         const char* name;

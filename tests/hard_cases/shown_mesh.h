@@ -69,7 +69,7 @@ class Geometry : public TemporaryFolder {
 
     struct Result {
         std::vector<std::string> warnings;
-        std::vector<Picture> pictures;  ///< from each photo's camera, in each blend mode
+        std::vector<Picture> pictures;  ///< pictures from each photo's camera, in each blend mode
         std::vector<double> seen;       ///< fraction of the vertices that each photo sees
         std::size_t triangles = 0;
     };
@@ -131,7 +131,7 @@ class Geometry : public TemporaryFolder {
         }
     }
 
-    /// Expects all but a few pixels to be equal.
+    /// Expects all but a few pixels of two pictures to be equal.
     static void expect_same(const std::vector<Picture>& a, const std::vector<Picture>& b) {
         ASSERT_EQ(a.size(), b.size());
         for (std::size_t i = 0; i < a.size(); ++i) {
@@ -147,7 +147,7 @@ class Geometry : public TemporaryFolder {
         mesh.normals.emplace_back(0, 0, 1);
         return std::uint32_t(mesh.positions.size() - 1);
     }
-    /// By value, since the arguments may be elements of the mesh.
+    /// Takes its arguments by value, because they may be elements of the mesh.
     static void add(Mesh& mesh, Eigen::Vector3d a, Eigen::Vector3d b, Eigen::Vector3d c) {
         const std::uint32_t i = add(mesh, a), j = add(mesh, b), k = add(mesh, c);
         mesh.triangles.push_back({i, j, k});

@@ -1,5 +1,5 @@
-// The solvers on underdetermined, inconsistent and invalid problems: the cost never rises, and results are
-// finite and within bounds.
+// Runs the solvers on underdetermined, inconsistent and invalid problems: the cost must never rise, and the
+// results must be finite and within bounds.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 const Intrinsics k{1200, 900, 1100, 1100, 600, 450};
 constexpr double distance = 10;
 
-/// Cameras side by side in front of a wavy wall, with exact tracks of points on it.
+/// Cameras side by side in front of a wavy wall, with exact tracks of points on the wall.
 struct Rig {
     std::vector<FittedCamera> cameras;
     std::vector<Track> tracks;
@@ -133,7 +133,7 @@ TEST(PoseSolver, DisconnectedGroupsAreSolvedSeparately) {
     disturb(together, 2);
     solve(together);
     EXPECT_LT(largest(together), 20);
-    // One group alone gives the same result.
+    // Solving one group alone gives the same result.
     Rig alone = rig(6, 300, 2);
     disturb(alone, 2);
     std::erase_if(alone.tracks, [](const Track& s) { return s.photo != 0; });
@@ -267,7 +267,7 @@ TEST(ColorSolver, DiscsAtOneRadiusGiveNoVignetting) {
 }
 
 TEST(ColorSolver, BridgeBetweenTwoGroupsJoinsThem) {
-    // 0-1 and 2-3 share many discs, 1-2 just enough.
+    // Photos 0 and 1 share many discs, as do photos 2 and 3; photos 1 and 2 share just enough.
     SamplesByPhoto photos(4, std::vector<SampleRecord>(400, SampleRecord{}));
     for (int d = 0; d < 180; ++d)
         for (const std::size_t i : {0u, 1u}) photos[i][std::size_t(d)] = sample(i ? 0.2 : 0.1, 0.3);

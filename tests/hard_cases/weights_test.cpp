@@ -74,7 +74,8 @@ std::vector<double> reference(const View& view, const std::vector<package::Photo
     return out;
 }
 
-/// Pixels colored in only one of two pictures, and the differences between those colored in both.
+/// Pixels that are colored in only one of two pictures, and the color differences in pixels that are colored
+/// in both.
 struct Compared {
     std::size_t lost = 0, colored = 0, off = 0;
     int worst = 0;
@@ -199,7 +200,7 @@ TEST(DynamicWeights, AreDefinedForOppositeDirectionsAndAtACamera) {
 TEST(DynamicWeights, AreFiniteForExtremeFieldsOfView) {
     for (const double own : {0.1, 60.0, 170.0})
         for (const double wanted : {0.1, 60.0, 170.0}) {
-            // In front of the model, at its center, and facing away from it.
+            // Views from in front of the model, from its center, and facing away from it.
             std::vector<package::PhotoRecord> photos{photo_at({0, 0, -10}, turned(0, 0, 0), own),
                                                      photo_at({0, 0, 0}, turned(0, 0, 0), own),
                                                      photo_at({0, 0, -10}, turned(0, 3.1, 0), own)};
@@ -210,7 +211,7 @@ TEST(DynamicWeights, AreFiniteForExtremeFieldsOfView) {
             s.exponent = 1;
             const auto w = dynamic_weights(view, photos, s);
             for (const double x : w) EXPECT_TRUE(x > 0 && x <= 1) << own << ' ' << wanted << ' ' << x;
-            EXPECT_EQ(w[2], 1) << "sees nothing, so it stays at the viewpoint";
+            EXPECT_EQ(w[2], 1) << "the camera sees nothing, so it stays at the viewpoint";
             // [M] 4.1 to 4.3: w = 2 d tan(f / 2), d' = w / (2 tan(f' / 2)), with d = 10.
             const double rad = std::numbers::pi / 360;
             const double moved = 10 * (1 - std::tan(own * rad) / std::tan(wanted * rad));
@@ -271,7 +272,8 @@ TEST_F(BlendedWeights, ExtremeSettingsLoseNoPixel) {
 
 namespace {
 
-/// The weighted mean of `colors`, one pass each, accumulated as resolve accumulates the output of blend.frag.
+/// The weighted mean of `colors`, with one pass per color, accumulated in the same way as resolve accumulates
+/// the output of blend.frag.
 double summed(const std::vector<double>& weights, const std::vector<double>& colors) {
     FrameTargets t = make_frame_targets({1, 1});
     const std::array<float, 4> zero{};
@@ -293,16 +295,16 @@ double summed(const std::vector<double>& weights, const std::vector<double>& col
     glUniform1f(shader::progress_uniform, 1);
     glBindVertexArray(none.id());
     for (std::size_t i = 0; i < weights.size(); ++i) {
-        // resolve squares the root and outputs (color, 1); blending with a constant turns it into (color *
-        // weight, weight).
+        // resolve squares the stored square root and outputs (color, 1); blending with a constant turns that
+        // into (color * weight, weight).
         const auto c = float(std::sqrt(colors[i])), w = float(weights[i]);
         const std::array<float, 4> texel{c, c, c, 1};
         glTextureSubImage2D(one.id(), 0, 0, 0, 1, 1, GL_RGBA, GL_FLOAT, texel.data());
         glUniform3f(shader::exposure_uniform, w, w, w);
         glBindTextureUnit(shader::sums_unit, one.id());
         glBindTextureUnit(shader::surface_unit, one.id());
-        // Color is scaled by the uniform, alpha by the constant: constants are clamped to 1, which no weight
-        // exceeds.
+        // Color is scaled by the uniform and alpha by the blend constant; blend constants are clamped to 1,
+        // which no weight exceeds.
         glBlendFuncSeparate(GL_ONE, GL_ONE, GL_CONSTANT_ALPHA, GL_ONE);
         glBlendColor(0, 0, 0, w);
         glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs the .deb packages in a bare system and uses them as a user would: file type, double-click, manual, completion,
-# thumbnail, removal. Run it manually, as root: it downloads several hundred megabytes. Needs debootstrap.
-# usage: bare_system.sh FOLDER DEB...
-#   FOLDER: contains the system, which is kept for the next run; screenshot.png is written there
-#   SUITE (bookworm), MIRROR (http://deb.debian.org/debian): the system's, on which the packages were built
+# Installs the .deb packages in a bare system and tests what a user would use: file type, double-click, manual pages, shell
+# completion, thumbnails, removal. Run it manually, as root: it downloads several hundred megabytes. Needs debootstrap.
+# Usage: bare_system.sh FOLDER DEB...
+#   FOLDER: receives the system, which is kept for the next run, and screenshot.png
+#   SUITE (default: bookworm), MIRROR (default: http://deb.debian.org/debian): those of the system on which the packages were built
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 folder=$(realpath -m "$1") suite=${SUITE:-bookworm} mirror=${MIRROR:-http://deb.debian.org/debian}
@@ -25,7 +25,7 @@ cp "$@" "$root/debs"
 cp "$here/in_bare_system.sh" "$root"
 "$vantage" synth "$source/data/tiny.toml" -o "$root/scan" >/dev/null 2>&1
 
-# Mounts and processes end with the script.
+# The namespaces remove all mounts and processes when the script ends.
 unshare --mount --pid --fork bash -c '
   mount -t proc proc "$1/proc"
   mkdir -p "$1/dev/pts" "$1/dev/shm"

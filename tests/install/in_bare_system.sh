@@ -8,7 +8,7 @@ fail() { echo "failed: $*" >&2; exit 1; }
 step "install"
 apt-get update -qq
 apt-get install -y -qq /debs/*.deb >/tmp/install.log 2>&1 || { tail -n 20 /tmp/install.log; exit 1; }
-# Programs that every desktop has, and tools that inspect it.
+# Programs that every desktop has, and tools for inspecting the desktop.
 apt-get install -y -qq xdg-utils desktop-file-utils man-db bash-completion xvfb xauth xdotool scrot >/tmp/tools.log 2>&1
 dpkg-query -W vantage vantage-player
 id visitor >/dev/null 2>&1 || useradd --create-home --shell /bin/bash visitor

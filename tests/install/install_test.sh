@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs into a temporary prefix and uses the installed files: programs, presets, manual, completion, files for the desktop.
-# Checks that need a missing program (man, zsh, desktop-file-validate, update-mime-database) are skipped.
-# usage: install_test.sh BUILD_DIR SOURCE_DIR
+# Installs into a temporary prefix and tests the installed files: programs, presets, manual pages, shell completion, desktop
+# files. Checks that need a missing program (man, zsh, desktop-file-validate, update-mime-database) are skipped.
+# Usage: install_test.sh BUILD_DIR SOURCE_DIR
 set -euo pipefail
 build=$1 source=$2
 work=$(mktemp -d)
@@ -15,8 +15,8 @@ cd "$work/empty"
 fail() { echo "failed: $*" >&2; exit 1; }
 contains() { grep -qF -e "$2" <<<"$1" || fail "$3: expected '$2' in: $1"; }
 
-# Programs run from the prefix, with the files installed there. The source folder also has presets, so the installed one is
-# changed.
+# Programs run from the prefix and use the files installed there. The source folder contains presets, too, so the test changes
+# the installed one to tell them apart.
 for program in vantage vantage-player; do
   [ "$(command -v $program)" = "$prefix/bin/$program" ]
   $program --version >/dev/null
@@ -31,7 +31,7 @@ contains "$message" "$prefix/bin/../share/vantage/configs/ci.toml: sparkle: unkn
 LD_DEBUG=files vantage extract tiny.vantage -o files 2>loaded
 grep -q "calling init: $prefix/.*lib/vantage/libvantage_images.so" loaded || fail "the installed library is not loaded"
 
-# The manual has a page for each verb, and each page has all options of --help.
+# Each verb has a manual page, which lists all options of --help.
 page() { gzip -dc "$prefix/share/man/man1/$1.1.gz" | sed 's/\\-/-/g; s/\\f[BIR]//g'; }
 verbs() { $1 --help | sed -n '/^\(Subcommands\|Verbs\)/,/^$\|^Exit/s/^  \([a-z]\{1,\}\) .*/\1/p'; }
 options() { { "$@" --help-all 2>/dev/null || "$@" --help; } | grep -oE '^  (-[a-zA-Z],)?--[a-z-]+' | tr ', ' '\n' | grep .; }
@@ -72,7 +72,7 @@ if command -v man >/dev/null; then
   contains "$(man -l "$prefix/share/man/man1/vantage-thumbnail.1.gz" | col -b)" "--size NUMBER" "vantage-thumbnail(1)"
 fi
 
-# Completion offers values, also after "=" and a comma, packages, and folders.
+# Shell completion offers packages, folders, and the values of options, including after "=" and after a comma.
 offered() { candidates "$@" | sort | tr '\n' ' '; }
 expect_offered() {  # EXPECTED WORD...
   local expected=$1
@@ -97,7 +97,7 @@ if command -v zsh >/dev/null; then
   for file in "$prefix"/share/zsh/vendor-completions/*; do zsh -n "$file"; done
 fi
 
-# Files for the desktop. The thumbnailer is called as file managers do.
+# Desktop files. The thumbnailer is called in the same way as by file managers.
 if command -v desktop-file-validate >/dev/null; then
   desktop-file-validate "$prefix/share/applications/vantage-player.desktop"
 fi
@@ -118,7 +118,7 @@ eval "$call"
 size=$(od -An -tu1 -j16 -N8 thumbnail | awk '{w = $3 * 256 + $4; h = $7 * 256 + $8; print (w > h ? w : h)}')
 [ "$size" = 96 ] || fail "the thumbnail's long side is $size px, expected 96"
 
-# The documents' links to each other and to pictures point to existing files.
+# Links from the documents to each other and to pictures point to existing files.
 doc="$prefix/share/doc/vantage"
 for file in README.md $(cd "$doc" && ls docs/*.md); do
   for link in $(grep -ohE '\]\([^)#:]+\.(md|jpg|svg)' "$doc/$file" | cut -c3-); do

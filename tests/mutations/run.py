@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Applies each small edit of this folder to a copy of the sources, builds it, and reports whether a test notices.
+"""Applies each patch in this folder to a copy of the sources, builds it, and reports whether a test notices.
 
     tests/mutations/run.py                   # all, against the default set of tests
     tests/mutations/run.py --full            # against the full set
     tests/mutations/run.py tile-border ...   # some
 
-A patch begins with a sentence that says how a careless change could make it, and a line "likely: REGEX" with the tests
-that should notice: they run first, and the first failure ends a mutation. The copy of the last commit is in
-build-mutations/ and kept for the next run. Exit codes: 0 all were caught, 1 some were missed, 2 the sources,
+A patch begins with a sentence that describes the resulting fault and a line "likely: REGEX", which matches the tests that
+should notice. These tests run first, and the first failure ends a mutation. The copy of the last commit is in
+build-mutations/ and is kept for the next run. Exit codes: 0 all mutations were noticed, 1 some were not, 2 the sources,
 a patch or the unchanged tests do not work.
 """
 import argparse
@@ -32,7 +32,7 @@ def stop(message):
 
 
 def fresh_copy(copy):
-    """The sources of the last commit, without what an earlier mutation left."""
+    """Checks out the sources of the last commit into `copy`, without the changes of an earlier mutation."""
     steps = [] if (copy / ".git").exists() else [["clone", "--quiet", "--shared", "--no-checkout", root, copy]]
     steps += [["-C", copy, *words] for words in (["fetch", "--quiet", "origin", "HEAD"],
                                                  ["checkout", "--quiet", "--force", "--detach", "FETCH_HEAD"],
@@ -51,7 +51,7 @@ def build(copy, parallel, full):
 
 
 def failures(copy, parallel, *choice):
-    """Names of the tests that failed, of which there is one after the first failure."""
+    """The names of the tests that failed. ctest stops at the first failure."""
     environment = dict(os.environ)
     environment.setdefault("VANTAGE_DATASETS", str(root.parent / "shared" / "datasets"))
     tests = run("ctest", "--test-dir", copy / "build", "-j", parallel, "--stop-on-failure", *choice, env=environment)
@@ -62,7 +62,7 @@ def failures(copy, parallel, *choice):
 
 
 def judge(patch, copy, parallel, full):
-    """The test that noticed, or an empty text."""
+    """The test that noticed the mutation, or an empty string."""
     likely = re.search(r"^likely: (.+)$", patch.read_text(), re.MULTILINE).group(1)
     applied = run("git", "-C", copy, "apply", patch)
     if applied.returncode:

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Checks the structure of the repository. usage: check_structure.py SOURCE BUILD/modules.txt
+"""Checks the structure of the repository. Usage: check_structure.py SOURCE BUILD/modules.txt
 
-Top-level folders, files per folder, lines per source, parameters per function, duplicate names, modules and their diagram, and
-whether the mutations apply.
+It checks the top-level folders, the files per folder, lines per source and parameters per function, duplicate names, the
+modules and their diagram, and whether the mutations apply.
 The limits are those of docs/CONTRIBUTING.md."""
 import collections
 import pathlib
@@ -18,10 +18,10 @@ PROGRAMS = {"base", "pipeline", "player", "scene"}
 
 
 def parameters(text):
-    """(name, parameter count) of each function declared or defined, from top-level commas; 0 for OpenGL callbacks."""
+    """Yields (name, number of parameters) for each function declared or defined; 0 parameters for OpenGL callbacks."""
     text = re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S)
     text = re.sub(r'R"\(.*?\)"|"(\\.|[^"\\\n])*"', '""', text, flags=re.S)
-    # A type and a name at the beginning of a line, then parameters, up to the token after a declaration.
+    # Match a type and a name at the beginning of a line, followed by parameters, up to the token after the declaration.
     for m in re.finditer(r"^[ \t]*(?:[\w:<>,&*\[\] ]+[&*\s])?([A-Za-z_]\w*)\(", text, flags=re.M):
         depth, angle, commas, at = 1, 0, 0, m.end()
         empty = True

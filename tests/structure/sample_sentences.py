@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws random sentences from all texts of the project: documents, help, messages, labels, comments.
+"""Draws random sentences from all texts in the project: documents, help, messages, labels, comments.
 
     sample_sentences.py COUNT SEED     run from the root of the repository; prints PLACE: SENTENCE
 

@@ -1,5 +1,5 @@
-// Visibility with difficult depths, compared with double-precision ray casting against every triangle and
-// with closed forms.
+// Compares visibility at difficult depths with double-precision ray casting against every triangle and with
+// closed-form results.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,8 @@
 using namespace vantage;
 
 TEST_F(Depth, EveryPixelMatchesItsFirstRayHit) {
-    // Large and small triangles and slivers around the camera, some behind it or crossing its plane.
+    // Large and small triangles and slivers around the camera, some of them behind it or crossing the plane
+    // through its center.
     for (unsigned seed = 1; seed <= 6; ++seed) {
         Random random(seed);
         Soup soup;
@@ -62,7 +63,7 @@ TEST_F(Depth, DepthsAreExactOverANearFarRatioOfAMillion) {
 }
 
 TEST_F(Depth, ClosedModelHasNoHolesFromInside) {
-    // A cube around the camera, which is close to two of its sides.
+    // A cube around the camera, whose position is close to two of the cube's sides.
     const double half = 4;
     Soup soup;
     for (int axis = 0; axis < 3; ++axis)
@@ -78,7 +79,7 @@ TEST_F(Depth, ClosedModelHasNoHolesFromInside) {
         Pose pose{random.rotation(), {}};
         pose.t = -pose.R * eye;
         for (const Seen& s : seen(soup, depth_camera, pose)) {
-            // OpenGL has only 24-bit positions, some bits of which the offset to the near side uses up.
+            // OpenGL positions have only 24 bits, and the offset to the near side uses up some of them.
             EXPECT_LE(count_wrong(s.geometry, soup, depth_camera, pose, 1 / 64.0), s.by[0] == 'O' ? 4u : 0u)
                 << s.by << " turn " << turn;
             EXPECT_TRUE(std::ranges::all_of(s.geometry.z, [](float z) { return std::isfinite(z); })) << s.by;
@@ -92,7 +93,7 @@ TEST_F(Depth, ClosedModelHasNoHolesFromInside) {
     }
 }
 
-// Corners clamped to the frame would bend the edges.
+// Clamping corners to the frame would bend the edges.
 TEST_F(Depth, HugeFloorKeepsItsDepth) {
     Soup soup;
     soup.add({-1e6, 1, -3}, {2e6, 1, -7}, {-3e5, 1, 10});

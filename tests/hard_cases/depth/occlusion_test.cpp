@@ -1,4 +1,4 @@
-// Surfaces that occlude each other by a small distance or not at all.
+// Tests surfaces that are so close to each other that they barely occlude each other or do not.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -47,11 +47,12 @@ TEST_F(Depth, GeometryBehindTheCameraIsNotSeen) {
     for (const auto& uv : coordinates(soup, depth_camera, Pose{})) EXPECT_EQ(uv, Eigen::Vector2f(-1, -1));
     const PhotoProjection nothing = project_model(soup.positions, map_intrinsics(depth_camera), Pose{}, 0);
     for (std::size_t i = 0; i < soup.indices.size(); i += 3)
-        EXPECT_EQ(clipped(nothing, &soup.indices[i]).count, 0) << "nothing remains of infinitely near pieces";
+        EXPECT_EQ(clipped(nothing, &soup.indices[i]).count, 0)
+            << "nothing should remain of infinitely near pieces";
 }
 
 TEST_F(Depth, SurfacesOccludeEachOtherBeyondAThirdOfAPixel) {
-    // Distance along the line of sight, in pixel footprints; occlusion begins at a third.
+    // Distances along the line of sight are in pixel footprints; occlusion begins at a third of a footprint.
     const Intrinsics k{400, 300, 380, 380, 201.7, 148.2};
     for (const double tilt : {0.0, 0.6, -1.1})
         for (const double apart : {1.0, 0.5, 0.2, 0.0}) {
@@ -104,8 +105,8 @@ TEST_F(Depth, SurfacesOccludeEachOtherBeyondAThirdOfAPixel) {
 }
 
 TEST_F(Depth, FinelyTessellatedSphereDoesNotOccludeItsNearSide) {
-    // The facets lie inside the sphere, so they occlude no line of sight to its near side: the cap up to the
-    // horizon is visible, and a little beyond where facets are below the horizon.
+    // The facets lie inside the sphere, so they occlude no line of sight to its near side. The cap up to the
+    // horizon is visible, and so is a little beyond the horizon where facets are below it.
     constexpr std::uint32_t rings = 500, sectors = 1000;
     std::vector<std::uint32_t> indices;
     for (std::uint32_t r = 0; r < rings; ++r)
@@ -117,7 +118,7 @@ TEST_F(Depth, FinelyTessellatedSphereDoesNotOccludeItsNearSide) {
     struct Sight {
         double distance, focal;
     };
-    // The whole sphere, a part from close by, and its center through long lenses.
+    // The whole sphere, a part of it from close by, and its center through long lenses.
     for (const auto& [distance, focal] : {Sight{3, 700}, {1.06, 60}, {40, 15000}, {500, 3e5}}) {
         const Eigen::Vector3d center(0.1, -0.06, distance);
         std::vector<Eigen::Vector3f> positions;

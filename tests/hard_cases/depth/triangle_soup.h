@@ -36,7 +36,8 @@ class Depth : public TemporaryFolder {
         }
     };
 
-    /// Distance to a two-sided triangle along `ray`, in lengths of `ray`; `infinite` if it is missed.
+    /// Distance to a two-sided triangle along `ray`, in units of the length of `ray`; `infinite` if the ray
+    /// misses the triangle.
     static double met_at(const Eigen::Vector3d& from, const Eigen::Vector3d& ray,
                          const std::array<Eigen::Vector3d, 3>& p) {
         const Eigen::Vector3d a = p[0] - from, b = p[1] - from, c = p[2] - from;
@@ -69,7 +70,7 @@ class Depth : public TemporaryFolder {
         std::vector<std::array<Eigen::Vector3d, 3>> triangles_;
     };
 
-    /// A pixel's ray in the world, scaled to unit depth.
+    /// The ray through a pixel in world coordinates, scaled to unit depth.
     static Eigen::Vector3d ray_of(const Intrinsics& k, const Pose& pose, double u, double v) {
         return pose.R.transpose() * Eigen::Vector3d((u - k.cx) / k.fx, (v - k.cy) / k.fy, 1);
     }
@@ -95,7 +96,7 @@ class Depth : public TemporaryFolder {
         const char* by;
         PhotoGeometry geometry;
     };
-    /// The results of both renderers, from the clusters that intersect the frame.
+    /// The results of both rasterizers (processor and OpenGL) for the clusters that intersect the frame.
     static std::vector<Seen> seen(Soup soup, const Intrinsics& k, const Pose& pose) {
         const auto clusters = make_clusters(soup.positions, soup.indices, 64);
         const FrameTriangles in_frame = triangles_in_frame(clusters, soup.indices, k, pose);
@@ -112,7 +113,7 @@ class Depth : public TemporaryFolder {
             soup.indices, k);
     }
 
-    /// Counts depths outside the range that rays find within `reach` map pixels.
+    /// Counts the depths that lie outside the range that rays find within `reach` pixels of the map.
     static std::size_t count_wrong(const PhotoGeometry& g, const Soup& soup, const Intrinsics& k,
                                    const Pose& pose, double reach) {
         const Rays rays(soup.positions, soup.indices);
