@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
-# Measures the times that users wait for, as ratios within one run, and appends a line for the current commit
-# to docs/records/ledger.csv. Prints values that are a tenth worse than the best of the last ten lines. Run it
-# on an idle machine.
+# Measures how long users have to wait, as ratios within one run, and appends a line for the current commit to
+# docs/records/ledger.csv. Prints values that are a tenth worse than the best of the last ten lines. Run it on an idle machine.
 # Usage: tests/bench/ledger.sh [--build FOLDER] [--datasets FOLDER] [--records FILE] [--suite]
-#   --suite  also times the default tests, relative to a build from scratch (a quarter of an hour)
+#   --suite  also measure the time of the default tests, relative to a build from scratch (takes a quarter of an hour)
 set -euo pipefail
 source=$(cd "$(dirname "$0")/../.." && pwd)
 build=$source/build datasets=${VANTAGE_DATASETS:-$source/../shared/datasets} records=$source/docs/records/ledger.csv suite=
@@ -31,7 +30,8 @@ seconds() { local TIMEFORMAT=%R && { time "$@" >/dev/null 2>&1; } 2>&1; }
 prepare() { seconds "$vantage" prepare "$1" -o "$2" --no-report --progress none; }
 in_window() { xvfb-run -a -s '-screen 0 1280x1024x24' "$@" 2>&1; }
 
-# time of prepare relative to decoding and writing; size of the package relative to the photos
+# the time of prepare relative to decoding the photos and writing the package, and the size of the package relative to the
+# photos
 preparing() {
     local scan=$1 name=$2 took=() least=()
     for _ in 1 2 3; do
@@ -43,7 +43,7 @@ preparing() {
     record "prepare $name" "$(ratio "$(best "${took[@]}")" "$(best "${least[@]}")")"
     record "bytes $name" "$(ratio "$(stat -c %s "$name.vantage")" "$(cat "$scan"/images/* | wc -c)")"
 }
-# time to the first picture, relative to an empty window
+# the time to the first picture, relative to the time to show an empty window
 first_picture() {
     local shown=() empty=()
     for _ in 1 2 3 4 5 6; do
@@ -58,7 +58,7 @@ summary() { python3 -c 'import json, sys; print(json.load(open("bench/summary.js
 for name in sceaux fountain-P11 head; do
     if [ -d "$datasets/$name" ]; then preparing "$datasets/$name" $name; else record "prepare $name" "" && record "bytes $name" ""; fi
 done
-# a synthetic scene with another number and size of photos
+# a synthetic scene with a different number and size of photos
 with_photos() { sed "/^\[photos\]/,/^\[/{s/^count = .*/count = $2/;s/^width = .*/width = $3/;s/^height = .*/height = $4/}" "$source/data/$1.toml"; }
 with_photos garden 40 1400 1050 >demo40.toml
 "$vantage" synth demo40.toml -o demo40.scan >/dev/null 2>&1

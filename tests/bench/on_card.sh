@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Measures the player on a machine with a graphics card, offline, from the archive made by
-# tests/bench/pack_for_card.sh: its tests, frames at rest and in motion in each mode at three sizes, for one
-# eye and two, and pictures without a display. Writes one file. Usage:
+# tests/bench/pack_for_card.sh: the player's tests; frames at rest and in motion in each mode at three sizes, for one eye and
+# for two; and pictures rendered without a display. Writes one file. Usage:
 #   ./on_card.sh [--quick] [RESULTS]
-#   --quick  few frames at one size, to try the script
+#   --quick  draw only a few frames at one size, to try out the script
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 results=$PWD/on-card.txt sizes=(1280x720 1920x1080 3840x2160) frames=300 eye=1440x1600 seconds=1
@@ -23,7 +23,7 @@ export LD_LIBRARY_PATH=${LD_LIBRARY_PATH:+$LD_LIBRARY_PATH:}/lib/x86_64-linux-gn
 player=$here/bin/vantage-player
 : >"$results"
 note() { printf '%s\n' "$*" | tee -a "$results"; }
-# Records a command's time, or its exit code and errors. Arguments: its name in the results, the command
+# Records a command's time, or its exit code and errors. Arguments: the command's name in the results, and the command
 run() {
     local name=$1 before code
     shift

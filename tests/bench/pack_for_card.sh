@@ -19,16 +19,16 @@ programs=("$build/pipeline/vantage" "$build/player/vantage-player" "$build/tests
 cp "${programs[@]}" "$packed/bin"
 strip "$packed"/bin/*
 path_of() { ldconfig -p | awk -v name="$1" '$1 == name { print $NF; exit }'; }
-# The C library is not packed, because it must be the machine's. OpenGL's libraries, which libepoxy loads,
-# are packed, because some drivers lack them.
+# The C library is not packed, because the machine's own must be used. OpenGL's libraries, which libepoxy loads, are packed,
+# because some drivers lack them.
 {
     ldd "${programs[@]}" | awk '$3 ~ /^\// { print $3 }'
     for name in libEGL.so.1 libOpenGL.so.0; do path_of $name; done
 } | sort -u | grep -Ev '/(ld-linux|libc|libm|libpthread|libdl|librt|libresolv)[-._]' | xargs -I{} cp -L {} "$packed/lib"
 strip --strip-unneeded "$packed"/lib/* 2>/dev/null || true
 cp /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "$packed"
-# Photos are generated here, because OpenImageIO, which writes them, needs 200 more libraries, too large for
-# the archive.
+# The photos are generated here, because OpenImageIO, which writes them, needs 200 more libraries, which are too large for the
+# archive.
 "$build/pipeline/vantage" synth "$source/data/garden.toml" -o "$packed/demo.scan" >/dev/null 2>&1
 rm -r "$packed/demo.scan/truth"
 git -C "$source" describe --always --dirty >"$packed/commit"

@@ -3,9 +3,10 @@
 
     tests/bench/remote.py PACKAGE [--photo NAME]
 
-Prints, for each network, the time to the first picture of the window (under Xvfb); for a photo's view at 1280x720, the time until the
-window has all the tiles it wants, and until an exact picture is rendered (4 photos blended), with the bytes that the server sent; then the
-same for a second visit, from the cache. Requires nginx and Xvfb.
+For each network, prints the time to the window's first picture (under Xvfb). For a photo's view at 1280x720, also prints the
+times until the window has all the tiles it wants and until an exact picture is rendered (4 photos blended), each with the
+number of megabytes that the server sent. Then prints the same values for a second visit, with the files in the cache.
+Requires nginx and Xvfb.
 """
 import argparse, asyncio, os, random, subprocess, sys, tempfile, threading, time
 
@@ -16,8 +17,8 @@ PLAYER = os.path.join(os.path.dirname(__file__), "../../build/player/vantage-pla
 
 
 class Proxy:
-    """Forwards connections to a port with a round trip of `rtt` seconds and a total of `bits` per second.
-    A fraction `cut` of the connections is closed after at most a megabyte."""
+    """Forwards connections to a port with a round-trip time of `rtt` seconds and a total bandwidth of `bits` per second.
+    A fraction `cut` of the connections is closed after at most one megabyte."""
 
     def __init__(self, target, rtt, bits, cut):
         self.target, self.rtt, self.rate, self.cut = target, rtt, bits / 8, cut
@@ -94,25 +95,25 @@ def run(arguments, cache, before=()):
 
 
 def first_picture(package, cache):
-    """Seconds until the window shows a picture."""
+    """The time in seconds until the window shows a picture."""
     words = run([package, "--no-saved-settings", "--size", "1280x720", "--frames", "1"], cache, ["xvfb-run", "-a"])[1]
     return float(words.split("first picture after ")[1].split()[0]) / 1000
 
 
 def sharp_in_the_window(package, photo, folder, cache):
-    """Seconds until the window has all the tiles that it wants, including program start."""
+    """The time in seconds until the window has all the tiles that it wants, including program start."""
     return run(["bench", package, "--photo", photo, "--paths", "still", "--modes", "stream", "--repeats", "1", "--path-frames", "5000",
                 "--until-exact", "--size", "1280x720", "-o", f"{folder}/bench", "--force"], cache)[0]
 
 
 def exact_picture(package, photo, folder, cache):
-    """Seconds for a picture without skipped tiles."""
+    """The time in seconds to render a picture without skipped tiles."""
     return run(["render", package, "--photo", photo, "--size", "1280x720", "--samples", "1", "--max-photos", "4",
                 "-o", f"{folder}/picture.png"], cache)[0]
 
 
 def visit(url, proxy, folder, cache, photo):
-    """Table cells: seconds and bytes from the server, for three measurements with separate caches."""
+    """Table cells with the seconds and the bytes sent by the server, for three measurements with separate caches."""
     cells = [f"{first_picture(url, f'{cache}-first'):.1f} s"]
     for picture in (sharp_in_the_window, exact_picture):
         before = proxy.sent

@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Columns: name, longest, views, photos, repeats, points.
+// The columns are name, longest, views, photos, repeats and points.
 const Effort efforts[] = {
     {"smoke", 200, 2, 2, 1, 2000}, {"short", 400, 2, 2, 2, 20000}, {"full", 640, 2, 3, 3, 200000}};
 
@@ -45,7 +45,7 @@ fs::path datasets() {
     return root ? root : "../shared/datasets";
 }
 
-/// The default inputs of a set: synthetic scenes, and any real scans that are available.
+/// The default inputs of a set: synthetic scenes, and those real scans that are available.
 std::vector<fs::path> default_inputs(const std::string& set) {
     const fs::path data = fs::path(VANTAGE_SOURCE_DIR) / "data";
     if (set == "smoke") return {data / "tiny.toml"};
@@ -89,7 +89,7 @@ void run_job(Log& log, const std::string& key, const Sweep& sweep, const BenchSc
     log.add(key, ms / 1000, found);
 }
 
-/// Prints one line per job; its name appears when its measurement starts.
+/// Prints one line per job; the job's name appears when its measurement starts.
 void run_scene(const RunOptions& o, const Effort& effort, const BenchScene& scene, Log& log) {
     for (const Sweep& sweep : sweeps()) {
         if (!wanted(o, sweep.name)) continue;
@@ -106,7 +106,7 @@ void run_scene(const RunOptions& o, const Effort& effort, const BenchScene& scen
     }
 }
 
-/// Identifies the effort and this program; a run is resumed only if both are unchanged.
+/// Identifies the effort and this program; a run is resumed only if neither has changed.
 std::string identity(const Effort& effort) {
     return fmt::format("{} {:016x}", effort.name, identify(fs::read_symlink("/proc/self/exe")).checksum);
 }
@@ -136,11 +136,11 @@ void add_run_options(const Command& c, RunOptions& o) {
            "real scans from $VANTAGE_DATASETS")
         .type("FILE");
     c.choice("--set", o.set, {"smoke", "short", "full"},
-             "how much to measure: smoke (about a minute), short (about ten), full");
+             "how much to measure: smoke (about a minute), short (about ten minutes), full");
     c.list("--only", o.only, "sweeps to run; see --list").commas();
     c.file("-o,--output", o.folder, "output folder; an interrupted run there is resumed").type("FOLDER");
     c.file("--against", o.against, "results.json of an earlier run; the page shows what has changed since");
-    c.file("--redraw", o.redraw, "results.json of a run; write its page again without measuring");
+    c.file("--redraw", o.redraw, "results.json of a run, whose page is written again without measuring");
     c.flag("--list", o.list, "list the sweeps and exit");
     c.notes(
         "Writes index.html (self-contained), results.csv and results.json. An interrupted run resumes where\n"

@@ -15,10 +15,10 @@ struct RunOptions {
     std::filesystem::path folder = "accuracy", against, redraw;
     bool list = false;
 };
-/// `options` must outlive the command, which runs them.
+/// `options` must outlive the command.
 void add_run_options(const Command& command, RunOptions& options);
 
-/// Runs the sweeps, resuming an interrupted run, and writes the page. Returns the exit code. Throws Error.
+/// Runs the sweeps or resumes an interrupted run, and writes the page. Returns the exit code. Throws Error.
 int run(const RunOptions& options);
 
 }  // namespace vantage::bench

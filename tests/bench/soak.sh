@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The player flies randomly for MINUTES (default 30) over a package larger than its memory budget, while the
-# file is damaged in place, restored and replaced. Writes frames.csv, soak.svg (frame time and memory over
-# time) and soak.txt (summary) into FOLDER. Exits with the player's code if it is not 0.
+# Runs the player for MINUTES (default 30) on random flights over a package larger than its memory budget, while the file is
+# damaged in place, restored and replaced. Writes frames.csv, soak.svg (frame time and memory over time) and soak.txt (a
+# summary) into FOLDER. If the player's exit code is not 0, exits with that code.
 # usage: soak.sh PLAYER PACKAGE FOLDER [MINUTES [PLAYER-OPTIONS...]]
 set -euo pipefail
 player=$1
@@ -67,7 +67,8 @@ fi
   [ $code = 0 ] && figures
 } | tee "$folder/soak.txt"
 [ $code = 0 ] || exit $code
-# Per five seconds: minutes, slowest and mean frame in ms, anonymous memory and OpenGL objects in MB.
+# For every five seconds: the time in minutes, the slowest and the mean frame time in ms, and the anonymous memory and OpenGL
+# objects in MB.
 awk -F, 'NR > 1 {
     at += $5; sum += $5; ++n; slowest = $5 > slowest ? $5 : slowest
     if (at >= next_at) {

@@ -3,20 +3,21 @@
 
     disturb.py DATASET KIND OUT --kit KIT
 
-DATASET: images/, sparse/ (COLMAP text, PINHOLE) and mesh.ply. KIT: folder of the measurement kit, for its dataset.py.
-Photos are downscaled; all lengths in px refer to the downscaled photos. OUT/scan is the input of `vantage prepare`, OUT/truth has the
-reference photos and cameras. The same arguments give the same files.
+DATASET is a folder with images/, sparse/ (COLMAP text, PINHOLE) and mesh.ply. KIT is the folder of the measurement kit, whose
+dataset.py is used. Photos are downscaled; all lengths in px refer to the downscaled photos. OUT/scan is the input for
+`vantage prepare`; OUT/truth contains the reference photos and cameras. The same arguments always give the same files.
 
 KIND:
-  plain       only downscaled
-  cameras     each camera off by 1 to 3 px in a random direction, half by rotation and half by translation
-  slightly    each camera off by 0.5 to 1 px
-  camera      one camera off by 4 px
-  exposure    each photo +-0.3 stops, and each of its channels +-0.1 stops
-  vignetting     all photos lose 35 % of the light in the corners; so does the truth, since the player shows a photo's own vignetting
-  strangers   two textured figures in each of four photos, at different places
-  waves       the mesh displaced along its normals by waves of 0.3 % of its size
-  smooth      the mesh smoothed"""
+  plain       The photos are only downscaled.
+  cameras     Each camera is off by 1 to 3 px in a random direction, half by rotation and half by translation.
+  slightly    Each camera is off by 0.5 to 1 px.
+  camera      One camera is off by 4 px.
+  exposure    The exposure of each photo is changed by up to 0.3 stops, and that of each channel by up to 0.1 stops.
+  vignetting  All photos lose 35 % of the light in the corners, and so do the reference photos, because the player shows a
+              photo with its own vignetting.
+  strangers   Four photos each contain two textured figures, at different places.
+  waves       The mesh is displaced along its normals by waves of 0.3 % of its size.
+  smooth      The mesh is smoothed."""
 import argparse
 import os
 import sys
@@ -30,7 +31,7 @@ def rotation(axis_angle):
 
 
 def quaternion(R):
-    """Quaternion w x y z of a rotation matrix."""
+    """The quaternion (w, x, y, z) of a rotation matrix."""
     axis_angle = cv2.Rodrigues(R)[0].ravel()
     angle = np.linalg.norm(axis_angle)
     axis = axis_angle / angle if angle > 0 else axis_angle
@@ -78,11 +79,11 @@ class Scene:
                 f.write(self.V.astype('<f4').tobytes() + faces.tobytes())
 
     def size(self):
-        """Diagonal of the bounding box of the central 90 % of the vertices."""
+        """The diagonal of the bounding box of the central 90 % of the vertices."""
         return np.linalg.norm(np.subtract(*np.percentile(self.V, [95, 5], axis=0)))
 
     def depth(self, camera):
-        """Median depth of the vertices in the frame."""
+        """The median depth of the vertices in the frame."""
         x = self.V @ camera.R.T + camera.t
         x = x[x[:, 2] > 0]
         u, v = camera.fx * x[:, 0] / x[:, 2] + camera.cx, camera.fy * x[:, 1] / x[:, 2] + camera.cy
@@ -116,7 +117,7 @@ def darken_corners(scene):
 
 
 def paint_figure(photo, random):
-    """A striped and mottled figure with body and head, two fifths of the photo's height."""
+    """A striped and mottled figure with a body and a head, two fifths of the photo's height."""
     h, w = photo.shape[:2]
     x, y, tall = int(random.uniform(0.2, 0.8) * w), int(random.uniform(0.35, 0.7) * h), int(0.4 * h)
     mask = np.zeros((h, w), np.uint8)

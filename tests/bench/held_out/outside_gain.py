@@ -3,15 +3,15 @@
 
     outside_gain.py SCENE... --build BUILD --kit KIT [--every 2] [--results FOLDER]
 
-SCENE: folder made by disturb.py, with scan/ and truth/. The validation gain, its error and the decision come from preparing
-the whole scan. For the independent gain, each photo in turn is held out completely, so that only its camera is known, and
-its view is rendered with the effect off and on and the other effects as decided. Both pictures are compared with the true
-photo by the kit (compare.py: PSNR after the best gain per channel, on the pixels that all variants color). Errors are
-standard errors of the mean over the photos.
+SCENE is a folder made by disturb.py, with scan/ and truth/. The validation gain, its error and the decision come from
+preparing the whole scan. For the independent gain, each photo in turn is held out completely, so that only its camera is
+known. Its view is rendered with the effect off and on, with the other effects as decided. The kit compares both pictures
+with the true photo (compare.py computes the PSNR after the best gain per channel, over the pixels that all variants color).
+Errors are standard errors of the mean over the photos.
 
-The held-out photo has its TRUE camera, the others have those of the scan: a wrong camera of the held-out photo would
-hide what pose_refinement does to the others. Where pose_refinement was turned on, it is decided again for the rest of the photos,
-and forced if it is then off; otherwise "on" means `--effect pose-refinement=on`.
+The held-out photo has its TRUE camera, and the others have their cameras from the scan, because a wrong camera for the
+held-out photo would hide how pose_refinement affects the others. If pose_refinement was turned on for the whole scan, it is
+decided again for the rest of the photos and forced if it is then off; otherwise, "on" means `--effect pose-refinement=on`.
 
 A decision is right if the effect is on when the independent gain is above 0.05 dB, and off when it is below -0.05 dB."""
 import argparse
@@ -42,7 +42,7 @@ class Programs:
         self.compare = os.path.join(kit, 'compare.py')
 
     def prepare(self, scan, package, cameras=None, choices=None, hold_out=None):
-        """Prepares the scan and returns the package's effects, by name."""
+        """Prepares the scan and returns the package's effects by name."""
         command = [self.vantage, 'prepare', '--mesh', scan + '/mesh.ply', '--photos', scan + '/images',
                    '--cameras', cameras or scan + '/sparse', '-o', package, '--no-report', '--progress', 'none']
         if choices:
@@ -58,7 +58,7 @@ class Programs:
              '%s/%s.png' % (folder, name)])
 
     def scores(self, truth, folders, name):
-        """PSNR of each folder's picture after gains, by label."""
+        """The PSNR of each folder's picture after gains, by label."""
         renders = [x for label, folder in folders.items() for x in ('--renders', label + '=' + folder)]
         out = json.loads(run([sys.executable, self.compare, '--reference', truth, '--names', name, '--scale', '0.5', '--json',
                               *renders]))
@@ -66,7 +66,7 @@ class Programs:
 
 
 def cameras_with_true_one(scene, name, folder):
-    """Copies the scan's cameras, but with the true pose of one photo. Returns the folder."""
+    """Copies the scan's cameras, but gives one photo its true pose. Returns the folder."""
     def poses(which):
         with open(os.path.join(scene, which, 'sparse', 'images.txt')) as f:
             return [line.rstrip('\n') for line in f if line.strip()]
@@ -85,7 +85,7 @@ def applied(effects, effect):
 
 
 def gains_of_photo(programs, scene, name, decided, work):
-    """The gain of each effect for a held-out photo, in dB."""
+    """The gain of each effect in dB, measured on a held-out photo."""
     shutil.rmtree(work, ignore_errors=True)
     scan, package = os.path.join(scene, 'scan'), os.path.join(work, 'p.vantage')
     cameras = cameras_with_true_one(scene, name, os.path.join(work, 'sparse'))
@@ -113,7 +113,7 @@ def gains_of_photo(programs, scene, name, decided, work):
 
 
 def measure(programs, scene, every, work):
-    """The validation of each effect and the gains of the held-out photos."""
+    """The validation results of each effect, and its gains on the held-out photos."""
     effects = programs.prepare(os.path.join(scene, 'scan'), os.path.join(work, 'full.vantage'))
     decided = {e: effects[e]['on'] for e in EFFECTS}
     names = sorted(os.path.splitext(f)[0] for f in os.listdir(os.path.join(scene, 'truth', 'images')))[::every]
@@ -123,7 +123,8 @@ def measure(programs, scene, every, work):
 
 
 def judgment(effect):
-    """The validation gain and its error. For a rejected pose refinement, only the evidence has them, with the last attempt last."""
+    """The validation gain and its error. If a pose refinement was rejected, only the evidence contains
+    them; its last entry is the last attempt."""
     if effect['validated']:
         return '%+.2f ± %.2f dB' % (effect['validated']['gain'], effect['validated']['error'])
     found = re.findall(r'held-out photos (gain|lose) ([0-9.]+) dB \(standard error ([0-9.]+)', effect['evidence'])

@@ -1,5 +1,5 @@
-// Lower bound on the time of a first picture: a window with OpenGL 4.5, cleared and shown once. Prints the
-// milliseconds since the start of the process.
+// Measures a lower bound on the time to a first picture: opens a window with OpenGL 4.5, clears it and shows
+// it once. Prints the milliseconds since the start of the process.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <epoxy/gl.h>

@@ -1,5 +1,5 @@
-// Lower bound on the time to prepare photos on this machine: decodes every JPEG of a folder once and writes
-// as many bytes as the package has, on all cores. Prints the seconds.
+// Measures a lower bound on the time to prepare photos on this machine: on all cores, decodes every JPEG in a
+// folder once and writes as many bytes as the package has. Prints the seconds.
 #include <turbojpeg.h>
 
 #include <atomic>

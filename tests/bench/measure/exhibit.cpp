@@ -14,7 +14,7 @@ Window worst_window(const Picture& a, const Picture& b) {
     Window best{0, 0, std::min(360, a.width), std::min(240, a.height)};
     constexpr int step = 24;
     const int columns = (a.width + step - 1) / step, rows = (a.height + step - 1) / step;
-    // Sums over blocks first, then over all windows of whole blocks.
+    // Sum the differences over blocks first, then over all windows that consist of whole blocks.
     std::vector<double> blocks(std::size_t(columns * rows), 0);
     for (int y = 0; y < a.height; ++y)
         for (int x = 0; x < a.width; ++x) {

@@ -25,7 +25,7 @@ std::vector<bool> both(std::vector<bool> a, const std::vector<bool>& b) {
     return a;
 }
 
-/// Draws frames of one view like a window, waiting for each to finish.
+/// Draws frames of one view as a window does, and waits for each frame to finish.
 class Frames {
   public:
     Frames(Renderer& renderer, const TrueView& view, const PictureSetting& s)
@@ -39,7 +39,7 @@ class Frames {
         renderer.resources().trials = s.trials;
     }
     FrameReport draw() const {
-        // Milliseconds are passed as seconds, so that no photo is still fading in.
+        // Milliseconds are passed where seconds are expected, so that no photo is still fading in.
         const double now =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
                 .count();
@@ -58,13 +58,15 @@ class Frames {
     FlightTarget target_;
 };
 
-/// PSNR of a picture against the exact picture, without gains, over pixels that are colored in both.
+/// The PSNR of a picture against the exact picture, without gains, over the pixels that are colored in both
+/// pictures.
 double psnr_against(const Picture& exact, const Picture& picture, const TrueView& view) {
     const auto scored = both(both(scored_pixels(exact, 0), scored_pixels(picture, 0)), view.seeable);
     return std::min(psnr_cap, score(exact, picture, scored).psnr);
 }
 
-/// The exact setting with which to compare a curve, from the same curve if possible; settings.size() if none.
+/// The index of the exact setting with which to compare a curve, from the same curve if possible;
+/// settings.size() if no setting is exact.
 std::size_t exact_of(std::span<const PictureSetting> settings, const std::string& curve) {
     std::size_t found = settings.size();
     for (std::size_t i = settings.size(); i-- > 0;)
@@ -154,7 +156,7 @@ void settle(Renderer& renderer, const TrueView& view, const PictureSetting& s) {
 double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& s) {
     settle(renderer, view, s);
     const Frames frames(renderer, view, s);
-    // Samples are drawn successively, and all cost the same.
+    // Samples are drawn one after another, and all take the same time.
     return milliseconds([&] { frames.draw(); }) * (s.timed_whole ? s.side * s.side : 1);
 }
 

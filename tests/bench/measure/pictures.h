@@ -16,38 +16,39 @@ struct PictureSetting {
     std::string curve, setting;
     bool exact = false, chosen = false;
     RenderSettings settings;
-    int side = 2;              ///< samples per side of a pixel in pictures that are compared with the truth
-    bool timed_whole = false;  ///< time a frame with all samples instead of one
+    int side = 2;              ///< samples along a pixel's side in pictures that are compared with the truth
+    bool timed_whole = false;  ///< measure the time of a frame with all samples instead of one sample
     bool timed = true;         ///< measure frame times; false if they are known not to differ
     bool whole_frame = false;  ///< also measure psnr_frame
-    double photos = 1;         ///< fraction of the allowed photos to use, evenly spread
+    double photos = 1;         ///< fraction of the allowed photos to use; these are evenly spread
     std::map<std::string, double> known{};  ///< metrics given by the setting itself
     RenderTrials trials{};
 };
 
-/// Mean errors of a scene's views against the truth, over visible pixels.
+/// The mean errors of a scene's views compared with the truth, over visible pixels.
 struct PictureErrors {
     double psnr = 0, ssim = 0, worst = 0;  ///< as in PictureScore, after gains
     double uncolored = 0;                  ///< percent of the visible pixels
 };
 PictureErrors picture_errors(std::span<const TrueView> views, std::span<const Picture> pictures);
 
-/// Mean PSNR over the whole frame after gains, with holes as displayed.
+/// The mean PSNR over the whole frame after gains, with holes as the player displays them.
 double frame_psnr(std::span<const TrueView> views, std::span<const Picture> pictures);
 
-/// Renders all views of a scene with these settings.
+/// Renders all views of a scene with the given setting.
 std::vector<Picture> render_views(Renderer& renderer, const BenchScene& scene, const PictureSetting& setting);
 
-/// Draws frames of the view, at most 1000, until one has all its tiles.
+/// Draws frames of the view until one has all its tiles, but at most 1000.
 void settle(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
 
-/// Milliseconds per frame of a still view with everything resident; includes all samples if `timed_whole`.
+/// The milliseconds per frame of a still view with everything resident; if `timed_whole`, includes all
+/// samples.
 double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
 
 /// Measures each setting on a package of the scene: psnr, ssim, worst, uncoloured, photos, frame_ms,
-/// psnr_frame and psnr_exact against the exact setting of the same curve, or of another curve if the same
-/// curve has no exact setting. Exhibits show the window in which the worst setting differs most from the
-/// exact one.
+/// psnr_frame and psnr_exact. psnr_exact compares with the exact setting of the same curve, or of another
+/// curve if the same curve has no exact setting. Exhibits show the window in which the worst setting differs
+/// most from the exact one.
 std::vector<Measurement> measure_pictures(const std::filesystem::path& package, const BenchScene& scene,
                                           const Effort& effort, std::span<const PictureSetting> settings,
                                           const std::filesystem::path& folder, const std::string& tag);

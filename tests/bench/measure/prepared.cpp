@@ -18,7 +18,7 @@ std::string last_line(const std::filesystem::path& file) {
     return last;
 }
 
-/// The number in the line that starts with `word`; 0 if there is no such line.
+/// The number in the output line that starts with `word`; 0 if there is no such line.
 double number_after(const std::filesystem::path& file, const std::string& word) {
     std::ifstream in(file);
     for (std::string line; std::getline(in, line);)

@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
     const std::string folder = argc > 1 ? argv[1] : ".";
     std::printf(
         "%g Hz, 1000 frames, 1 ms of overhead per frame, 4 %% noise\n"
-        "| load | ms per full frame | known late, frames | missed | in a row | pixels | reduced | changes |\n"
+        "| load | ms per full frame | delay, frames | missed | in a row | pixels | reduced | changes |\n"
         "|---|---|---|---|---|---|---|---|\n",
         hertz);
     for (const NamedLoad& load : loads) {

@@ -15,7 +15,7 @@
 namespace vantage::bench {
 namespace {
 
-/// Appended to page_style.
+/// Style rules that are appended to page_style.
 constexpr const char* bench_style = R"(
 :root { color-scheme: light dark; --shade: #f5f5f3; --worse-back: #fdecea; --better-back: #e8f5ec; }
 body { max-width: 100rem; padding: 0 1.5rem; }
@@ -81,7 +81,7 @@ stroke-width=1.2 /><circle cx=18 cy=4 r=3 fill=#0072B2 /></svg>position of a cha
 
 bool is_presets(const SweepPart& part) { return std::string_view(part.sweep->name) == "presets"; }
 
-/// Sorts by sweep and then by scene in order of first appearance; rows of unknown sweeps come last.
+/// Sorts rows by sweep and then by scene, in order of first appearance; rows of unknown sweeps come last.
 void sort_rows(const PageInput& input, std::vector<Measurement>& rows) {
     std::vector<std::string> scenes;
     for (const Measurement& m : rows)
@@ -150,7 +150,7 @@ void write_defaults(std::ostream& out, const PageContent& page) {
     out << "</tbody></table></div></section>\n";
 }
 
-/// Lists measurements that are missing from the page.
+/// Lists the measurements that are missing from the page.
 void write_rest(std::ostream& out, const PageContent& page, std::size_t rows) {
     std::string unmeasured;
     for (const SweepPart& part : page.sweeps) {

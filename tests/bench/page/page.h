@@ -11,15 +11,15 @@ namespace vantage::bench {
 
 struct PageInput {
     std::string title;
-    std::span<const Sweep>
-        sweeps;  ///< sweeps in the order of the page; one named "presets" gets its own kind of section
+    std::span<const Sweep> sweeps;  ///< in the order of the page; "presets" gets its own kind of section
     Run now;
     std::optional<Run> before;  ///< an earlier run to compare with
 };
 
 /// Writes folder/index.html, a single file that contains all plots and exhibits, and saves the plots in
 /// folder/plots. Exhibits are read from `folder`; a missing one is marked as missing. Throws Error(input) if
-/// gnuplot is missing or fails, Error(storage), std::out_of_range for a plot of an unknown metric.
+/// gnuplot is missing or fails, Error(storage) if a file cannot be written, and std::out_of_range if a plot
+/// has an unknown metric.
 void write_page(const std::filesystem::path& folder, const PageInput& input);
 
 }  // namespace vantage::bench

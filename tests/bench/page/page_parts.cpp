@@ -1,4 +1,4 @@
-// Parts of the page's sections: plots, tables of rows, exhibits, verdicts.
+// The parts of the page's sections: plots, tables of rows, exhibits, verdicts.
 #include "tests/bench/page/page_parts.h"
 
 #include <algorithm>
@@ -24,12 +24,12 @@ namespace {
 
 constexpr std::size_t long_table = 16, many_exhibits = 12, few_exhibits = 6;
 
-/// Formats the numbers of one column: all with the decimal places that give the largest 4 significant digits,
-/// unless the smallest would lose too many.
+/// Formats the numbers in one column with the same number of decimal places, which gives the largest number 4
+/// significant digits, unless the smallest would lose too many.
 struct Column {
     const Metric* metric;
     Scale scale;
-    int places = -1;  ///< -1: each number has its own
+    int places = -1;  ///< number of decimal places; -1: each number has its own
 
     std::string text(const Measurement& row) const {
         const std::optional<double> v = finite_value(row, metric->name);
@@ -102,7 +102,8 @@ std::size_t pictures(std::span<const Measurement> rows) {
     return count;
 }
 
-/// Saves the plot on white, named for its title: "blending-sceaux-psnr-against-frame-time.svg".
+/// Saves the plot on a white background in a file named after its title, such as
+/// "blending-sceaux-psnr-against-frame-time.svg".
 void keep_plot(const std::filesystem::path& folder, const std::string& title, std::string svg) {
     std::string name;
     for (const char c : title) {
@@ -117,8 +118,8 @@ void keep_plot(const std::filesystem::path& folder, const std::string& title, st
         throw Error(Exit::storage, (folder / name).string() + ".svg: cannot be written");
 }
 
-/// The start tag of a picture grid. If no curve has more than 8 pictures and one has at least 3, a row of the
-/// grid holds one curve.
+/// The start tag of a grid of pictures. If no curve has more than 8 pictures and one has at least 3, a row of
+/// the grid holds one curve.
 std::string exhibits_grid(std::span<const Measurement> rows) {
     std::map<std::string, std::size_t> curves;
     for (const Measurement& row : rows) curves[row.curve] += row.exhibits.size();

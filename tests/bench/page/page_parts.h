@@ -19,7 +19,7 @@ struct ScenePart {
 };
 struct SweepPart {
     const Sweep* sweep;
-    std::vector<ScenePart> scenes;  ///< empty if it was not measured
+    std::vector<ScenePart> scenes;  ///< empty if the sweep was not measured
 };
 
 /// The data of all parts of a page.
@@ -30,27 +30,27 @@ struct PageContent {
     std::optional<Comparison> comparison;
 };
 
-/// The change of a value since the earlier run; null if it has not moved.
+/// The change in a value since the earlier run; null if the value has not moved.
 const Moved* find_moved(const PageContent& page, const Measurement& row, const char* metric);
 
-/// CSS class: "worse", "better", or "" if neither applies or the value is no longer measured.
+/// The CSS class of a change: "worse", "better", or "" if neither applies or the value is no longer measured.
 const char* verdict_class(const Moved& moved);
 
 /// Describes how far row `i` is from the front of a plot; empty if it is not on the plot.
 std::string verdict(std::span<const Measurement> rows, std::size_t i, const Plot& plot);
 
 PlotAxis axis_for(const char* metric, bool log);
-/// The row's point in the plot, except `quiet`, which is not set here.
+/// The row's point in the plot; `quiet` is not set here.
 PlotPoint point_for(const PageContent& page, const Measurement& row, const Plot& plot);
-/// Writes a plot with a list of the rows it cannot show, and saves it as folder/plots/SWEEP-TITLE.svg. Throws
-/// Error(storage).
+/// Writes a plot and a list of the rows that it cannot show, and saves the plot as
+/// folder/plots/SWEEP-TITLE.svg. Throws Error(storage).
 void write_plot(std::ostream& out, const PageContent& page, const Sweep& sweep, const PlotSpec& spec,
                 std::span<const Measurement> rows, const Plot& plot);
-/// Writes a table of all rows; those on the front of `plot`, if not null, are marked.
+/// Writes a table of all rows. If `plot` is not null, rows on its front are marked.
 void write_rows(std::ostream& out, const PageContent& page, std::span<const Measurement> rows,
                 const Plot* plot);
-/// Ends the grid of a scene's plots. The rows' pictures go into the grid if there are few, otherwise below
-/// it.
+/// Ends the grid of a scene's plots. If there are only a few pictures of the rows, they go into the grid,
+/// otherwise below it.
 void close_scene(std::ostream& out, const PageContent& page, std::span<const Measurement> rows);
 
 void write_moved(std::ostream& out, const PageContent& page);

@@ -19,7 +19,7 @@ std::string signed_quantity(double value, const std::string& unit) {
     return (value > 0 ? "+" : "") + quantity(value, unit, 3);
 }
 
-/// The change as text: a ratio for times and bytes, a difference for errors.
+/// The change as text: a ratio for times and bytes, and a difference for errors.
 std::string change(const Moved& m) {
     if (!m.now) return "no longer measured";
     const bool ratio = m.metric->kind == Metric::Kind::time || m.metric->kind == Metric::Kind::bytes;
@@ -75,7 +75,7 @@ std::string plot_title(const ScenePart& s, const Plot& plot) {
     return s.scene + ": " + metric(plot.y).title + " against " + metric(plot.x).title;
 }
 
-/// The curves of a sweep, in the order of measurement.
+/// The curves of a sweep, in the order in which they were measured.
 std::vector<PlotCurve> curves(const PageContent& page, std::span<const Measurement> rows, const Plot& plot) {
     std::vector<PlotCurve> out;
     for (const Measurement& row : rows) {
@@ -98,7 +98,7 @@ bool is_preset(const Measurement& row) {
 
 bool has(std::span<const Measurement> rows, const Plot& plot) { return !front(rows, plot.x, plot.y).empty(); }
 
-/// The standard plots of presets and those of the sweep, if they were measured.
+/// The standard plots of presets and the plots of the sweep, as far as their metrics were measured.
 std::vector<Plot> plots_of_presets(const Sweep& sweep, std::span<const Measurement> rows) {
     std::vector<Plot> out(std::begin(preset_plots), std::end(preset_plots));
     for (const Plot& p : sweep.plots)
@@ -110,7 +110,7 @@ std::vector<Plot> plots_of_presets(const Sweep& sweep, std::span<const Measureme
     return out;
 }
 
-/// Presets are labeled; other candidates are small and labeled only on the front.
+/// Presets are labeled; other candidates are drawn small, and only those on the front are labeled.
 std::vector<PlotCurve> preset_curves(const PageContent& page, std::span<const Measurement> rows,
                                      const Plot& plot) {
     std::vector<PlotCurve> out = {{"presets", {}, false, false}, {"candidates", {}, false, true}};
@@ -165,7 +165,7 @@ void write_moved(std::ostream& out, const PageContent& page) {
     else
         out << "<p>Of " << c.compared << " values, " << c.moved.size()
             << " moved by more than their noise, worst first:</p>\n";
-    // Two tables, so that neither hides the other.
+    // Accuracy and cost have separate tables, so that neither hides the other.
     std::vector<Moved> errors, costs;
     for (const Moved& m : c.moved)
         (m.metric->kind == Metric::Kind::time || m.metric->kind == Metric::Kind::bytes ? costs : errors)

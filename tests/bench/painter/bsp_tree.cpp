@@ -48,11 +48,11 @@ double extent_of(std::span<const BspTree::Triangle> triangles) {
     return extent;
 }
 
-/// The polygons on both sides of a plane.
+/// The polygons on each side of a plane.
 struct Sides {
     std::vector<PaintedPolygon> in_plane, front, behind;
     std::size_t cut = 0;
-    bool complete = true;  ///< false if splitting stopped at the limit
+    bool complete = true;  ///< false if splitting stopped at the maximum number of polygons
 };
 
 Sides divided(std::vector<PaintedPolygon> polygons, const Vector3d& normal, double offset, double thick,
@@ -117,7 +117,7 @@ void BspTree::back_to_front(const Vector3d& eye,
                             const std::function<void(const PaintedPolygon&)>& paint) const {
     struct Visit {
         std::uint32_t node;
-        bool plane;  ///< paint the polygons in its plane; otherwise visit its far side first
+        bool plane;  ///< paint the polygons in the node's plane; otherwise, visit its far side first
     };
     std::vector<Visit> todo;
     if (!nodes_.empty()) todo.push_back({0, false});

@@ -16,14 +16,14 @@ struct PaintedPolygon {
     std::uint32_t triangle;
 };
 
-/// The painter's algorithm over a binary space partition (Fuchs, Kedem and Naylor 1980) as in the reference
-/// [V]: planes of triangles divide space, triangles that cross a plane are split by a Sutherland-Hodgman
-/// clipper that keeps both sides, and planes are thick, so that corners near a plane are not cut off.
+/// The painter's algorithm over a binary space partition (Fuchs, Kedem and Naylor 1980), as in the reference
+/// [V]. The planes of triangles divide space. Triangles that cross a plane are split by a Sutherland-Hodgman
+/// clipper that keeps both sides. Planes are thick, so that corners near a plane are not cut off.
 class BspTree {
   public:
     using Triangle = std::array<Eigen::Vector3d, 3>;
-    /// Planes are used in random order. Degenerate triangles are skipped. Stops splitting at `most` polygons;
-    /// complete() is then false and the order is wrong.
+    /// The planes are processed in random order. Degenerate triangles are skipped. Splitting stops at `most`
+    /// polygons; complete() is then false, and the order is wrong.
     explicit BspTree(std::span<const Triangle> triangles, std::uint32_t seed = 1,
                      std::size_t most = std::numeric_limits<std::size_t>::max());
 
@@ -38,7 +38,7 @@ class BspTree {
     static constexpr std::uint32_t none = ~0u;
     struct Node {
         Eigen::Vector3d normal;
-        double offset;  ///< the plane: normal . p = offset
+        double offset;  ///< points p on the plane satisfy normal . p = offset
         std::vector<PaintedPolygon> in_plane;
         std::uint32_t front = none, behind = none;
     };

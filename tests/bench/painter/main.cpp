@@ -1,5 +1,5 @@
-// The cost of transparent triangles: compares the painter's algorithm over a BSP tree with per-pixel fragment
-// lists and weighted sums. Prints a table in Markdown.
+// Measures the cost of transparent triangles: compares the painter's algorithm over a BSP tree with per-pixel
+// fragment lists and with weighted sums. Prints a table in Markdown.
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -31,7 +31,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t max_polygons = 8'000'000;
 
-/// Duration of `work` in seconds, the fastest of `runs`.
+/// The duration of `work` in seconds: the fastest of `runs` runs.
 template <class Work>
 double seconds(int runs, const Work& work) {
     double best = 1e300;
@@ -44,7 +44,8 @@ double seconds(int runs, const Work& work) {
     return best;
 }
 
-/// Randomly oriented triangles of equal size in a cube: the more there are, the more intersect each other.
+/// Randomly oriented triangles of equal size in a cube. The more triangles there are, the more of them
+/// intersect each other.
 Mesh random_triangles(std::size_t count) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(-1, 1);
@@ -80,7 +81,7 @@ Tree partitioned(const Mesh& mesh) {
     return out;
 }
 
-/// Seconds per frame of 1280 x 720, with fragment counts.
+/// Seconds per frame at 1280 x 720, and fragment counts.
 struct Frames {
     double exact, approximate, off;
     FrameReport report;

@@ -42,13 +42,13 @@ std::optional<TransparentLayers::Fragment> TransparentLayers::at(const View& vie
     Eigen::Matrix3d corners;
     for (int i = 0; i < 3; ++i)
         corners.col(i) = view.cam_from_origin.R * positions_[v[i]] + view.cam_from_origin.t;
-    // corners * shares = z * ray, shares sum to 1.
+    // Solve corners * shares = z * ray, where the shares sum to 1.
     const Vector3d scaled = corners.fullPivLu().solve(ray);
     const double z = 1 / scaled.sum();
     const Vector3d shares = scaled * z;
     if (edge) {
-        // Converts a weight to the distance from its edge in the picture, for a triangle in front of the
-        // viewer.
+        // Converts a barycentric weight to the distance in the picture from the corresponding edge, for a
+        // triangle in front of the viewer.
         Vector2d at[3];
         for (int i = 0; i < 3; ++i) at[i] = corners.col(i).head<2>() / corners(2, i);
         const double area =
@@ -74,7 +74,7 @@ std::optional<TransparentLayers::Fragment> TransparentLayers::at(const View& vie
         alpha += shares[i] * c[3];
     }
     const Vector3d toward = (view.cam_from_origin.center() - position).normalized();
-    // 1 where the surface faces the viewer.
+    // The factor is 1 where the surface faces the viewer.
     const double light = (0.12 + 0.35 * std::abs(normal.normalized().dot(toward))) / 0.47;
     return Fragment{z, triangle, color.cwiseMax(0).unaryExpr(&linear_from_srgb) * light, alpha};
 }

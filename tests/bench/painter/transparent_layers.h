@@ -25,9 +25,9 @@ class TransparentLayers {
     };
     struct Pixel {
         std::vector<Fragment> fragments;
-        bool edge = false;  ///< so near a triangle's edge that rounding decides
+        bool edge = false;  ///< so near a triangle's edge that rounding decides about coverage
     };
-    /// The fragments at the pixel centers, row by row, in the order of triangles.
+    /// The fragments at the pixel centers, row by row; those of a pixel are in the order of their triangles.
     std::vector<Pixel> fragments(const View& view) const;
 
     /// The fragment of a triangle at a pixel's center; empty if the triangle does not cover it.
@@ -35,7 +35,7 @@ class TransparentLayers {
                                double* edge = nullptr) const;
 
     std::uint32_t first() const { return first_; }
-    /// Corners of each transparent triangle, relative to the origin.
+    /// The corners of each transparent triangle, relative to the package's origin.
     std::vector<std::array<Eigen::Vector3d, 3>> triangles() const;
 
   private:
@@ -46,7 +46,7 @@ class TransparentLayers {
 };
 
 /// Sorts fragments by distance, then by triangle (the lowest number is nearest), and blends them over
-/// `behind`: linear light and coverage.
+/// `behind`. Colors are linear light and coverage.
 Eigen::Vector4d blended(std::vector<TransparentLayers::Fragment> fragments, Eigen::Vector4d behind);
 
 }  // namespace vantage

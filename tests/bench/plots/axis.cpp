@@ -20,7 +20,7 @@ std::string with_places(double value, int places) {
     return (value < 0 && !zero ? "−" : "") + std::string(text);
 }
 
-/// The smallest of 1, 2 and 5 times a power of ten that is at least `least`.
+/// The smallest number of the form 1, 2 or 5 times a power of ten that is at least `least`.
 double round_step(double least) {
     const double decade = std::pow(10.0, std::floor(std::log10(least)));
     for (const double m : {1.0, 2.0, 5.0})

@@ -8,7 +8,7 @@
 
 namespace vantage::bench {
 
-/// An axis of a plot. Its range, in `scale.unit`, extends a little beyond the values.
+/// An axis of a plot. Its range, in `scale.unit`, extends slightly beyond the values.
 struct Axis {
     struct Tick {
         double at;  ///< position in `scale.unit`
@@ -17,16 +17,17 @@ struct Axis {
     Scale scale;
     bool log = false;
     double low = 0, high = 1;
-    std::optional<double> floor;  ///< position of values <= 0 on a log axis, if there are any
+    std::optional<double> floor;  ///< position of values <= 0 on a logarithmic axis, if there are any
     std::vector<Tick> ticks;
 };
 
-/// An axis for values in `unit`; non-finite ones are ignored. Logarithmic if `log` and any value is positive.
+/// An axis for values in `unit`; non-finite ones are ignored. The axis is logarithmic if `log` is set and any
+/// value is positive.
 Axis axis_of(std::span<const double> values, bool log, const std::string& unit);
 
-/// The position of a value, in `scale.unit`.
+/// The position of a value on the axis, in `scale.unit`.
 double drawn_at(const Axis& axis, double value);
-/// That position as a fraction of the axis length, from the low end.
+/// The position `at` as a fraction of the axis length, measured from the low end.
 double share_along(const Axis& axis, double at);
 
 }  // namespace vantage::bench

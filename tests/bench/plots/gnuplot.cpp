@@ -53,7 +53,7 @@ struct KeyEntry {
     std::size_t curve;
 };
 
-/// A plot with all positions in pixels, y down.
+/// A plot in which all positions are in pixels, with y pointing down.
 struct Layout {
     const PlotSpec& plot;
     Axis x, y;
@@ -149,7 +149,7 @@ void add_segments(const Layout& l, const std::vector<Spot>& path, Obstacles& o) 
 
 double radius(const PlotPoint& p) { return p.chosen ? 7.5 : 5.5; }
 
-/// Label requests for all drawn points, in order. Ranks: 0 for chosen and exact points, and for unmuted
+/// The label requests for all drawn points, in order. Ranks: 0 for chosen and exact points, and for unmuted
 /// points on a plot with muted curves; 1 for the extremes along each axis; 2 for the front; 3 for the rest.
 std::vector<LabelRequest> label_requests(const Layout& l) {
     std::vector<LabelRequest> out;
@@ -188,7 +188,7 @@ std::string axis_title(const PlotAxis& a, const Axis& axis) {
            (brackets.empty() ? "" : " (" + brackets + ")") + (a.less_is_better ? "" : "    better →");
 }
 
-/// gnuplot's commands. Text is placed in pixels by the layout, everything else in the axes' units.
+/// gnuplot's commands. The layout places text in pixels; everything else is placed in the axes' units.
 class Script {
   public:
     explicit Script(const Layout& l) : l_(l) {
@@ -348,7 +348,7 @@ std::string tips(const Layout& l) {
     return out + "</g>\n";
 }
 
-/// A prefix that is unique to the plot (FNV-1a).
+/// A prefix that is unique to the plot (its FNV-1a hash).
 std::string prefix(const std::string& script) {
     std::uint64_t hash = 14695981039346656037U;
     for (const char c : script) hash = (hash ^ std::uint8_t(c)) * 1099511628211U;

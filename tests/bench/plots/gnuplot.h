@@ -7,7 +7,7 @@
 namespace vantage::bench {
 
 struct PlotPoint {
-    double x = 0, y = 0;  ///< in the axes' units; drawn only if both are finite
+    double x = 0, y = 0;  ///< position in the axes' units; the point is drawn only if both are finite
     std::string label;
     bool chosen = false;                            ///< drawn with a ring
     bool exact = false;                             ///< drawn as a square
@@ -18,7 +18,7 @@ struct PlotPoint {
 struct PlotCurve {
     std::string name;  ///< shown in the key if there are several curves
     std::vector<PlotPoint> points;
-    bool line = true;    ///< connect the points, along the longer dimension
+    bool line = true;    ///< connect the points, in order along the longer dimension
     bool muted = false;  ///< small and gray
 };
 
@@ -36,8 +36,8 @@ struct PlotSpec {
 };
 
 /// The plot as an SVG element for HTML, as wide as its container. Its ids are unique to the plot, and points
-/// show their labels as tooltips. Throws Error(input) if gnuplot is missing or fails, Error(storage) if its
-/// script cannot be written.
+/// show their labels as tooltips. Throws Error(input) if gnuplot is missing or fails, and Error(storage) if
+/// its script cannot be written.
 std::string svg_plot(const PlotSpec& plot);
 
 }  // namespace vantage::bench

@@ -23,7 +23,7 @@ bool crosses(const std::pair<Spot, Spot>& line, const Box& box) {
     return enter <= leave;
 }
 
-/// Candidate boxes: on all sides and the diagonals, first close to the point and then farther away.
+/// Candidate boxes: on all sides and diagonals of the point, first close to it and then farther away.
 std::vector<Box> places(const LabelRequest& request, double font_size) {
     const double w = text_width(request.text, font_size), h = 1.15 * font_size;
     std::vector<Box> out;
@@ -44,7 +44,7 @@ std::vector<Box> places(const LabelRequest& request, double font_size) {
     return out;
 }
 
-/// Penalty for a label in `box`; empty if the label must not be placed there.
+/// The penalty for a label in `box`; empty if the label must not be placed there.
 std::optional<double> badness(const Box& box, const LabelRequest& request, const Obstacles& o,
                               const std::vector<Box>& taken) {
     if (box.left < o.area.left || box.right > o.area.right || box.top < o.area.top ||

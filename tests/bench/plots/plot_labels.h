@@ -8,20 +8,20 @@ namespace vantage::bench {
 struct Spot {
     double x = 0, y = 0;
 };
-/// A box in pixels, y down.
+/// A box in pixels, with y pointing down.
 struct Box {
     double left = 0, top = 0, right = 0, bottom = 0;
 };
 bool overlap(const Box& a, const Box& b);
 
-/// Approximate width of a text in a sans-serif font, in units of `font_size`.
+/// The approximate width of a text in a sans-serif font, in units of `font_size`.
 double text_width(const std::string& utf8, double font_size);
 
 struct LabelRequest {
     Spot point;
     std::string text;
     double radius = 5.5;  ///< radius of the point's mark
-    int rank = 0;         ///< lowest is placed first; 0 may cover another point's mark
+    int rank = 0;         ///< lower ranks are placed first; rank 0 may cover another point's mark
 };
 struct Mark {
     Spot at;
@@ -31,11 +31,11 @@ struct Mark {
 struct Obstacles {
     Box area;  ///< labels stay inside
     std::vector<Mark> marks;
-    std::vector<std::pair<Spot, Spot>> lines;  ///< crossed only if no other place is free
+    std::vector<std::pair<Spot, Spot>> lines;  ///< lines are crossed only if no other place is free
 };
 
-/// Anchor position at half the height of a text. The anchor is the end next to the point, so that a font
-/// wider than estimated extends away from it.
+/// The position of a label's anchor, at half the height of the text. The anchor is the end next to the point,
+/// so that text that is wider than estimated extends away from the point.
 struct LabelPlace {
     Spot at;
     enum Anchor { left, center, right } anchor = left;

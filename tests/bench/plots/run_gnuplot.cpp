@@ -11,7 +11,7 @@
 namespace vantage::bench {
 namespace {
 
-/// The line of gnuplot's output that states the reason for a failure; it follows the failed command.
+/// The line of gnuplot's output that states the reason for a failure; this line follows the failed command.
 std::string complaint(const std::filesystem::path& file) {
     std::ifstream in(file);
     std::string first, line;

@@ -26,7 +26,7 @@ std::string without(std::string text, std::string_view begin, std::string_view e
     return text;
 }
 
-/// Removes empty groups, of which gnuplot writes many.
+/// Removes empty groups; gnuplot writes many of them.
 std::string without_empty_groups(const std::string& text) {
     std::string out;
     std::size_t at = 0;
@@ -43,7 +43,7 @@ std::string without_empty_groups(const std::string& text) {
     return out.append(text, at);
 }
 
-/// Prefixes ids; changes only tags, never visible text.
+/// Adds a prefix to all ids. Changes only tags, never visible text.
 std::string with_own_ids(const std::string& text, const std::string& prefix) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {

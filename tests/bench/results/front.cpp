@@ -10,7 +10,7 @@ namespace {
 
 bool is_finite(const Tradeoff& t) { return std::isfinite(t.cost) && std::isfinite(t.error); }
 
-/// The value, negated if higher is better, so that lower is always better.
+/// The value, negated if higher values are better, so that lower is always better.
 double oriented(const Measurement& row, const Metric& metric) {
     const std::optional<double> value = finite_value(row, metric.name);
     if (!value) return std::numeric_limits<double>::quiet_NaN();

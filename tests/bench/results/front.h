@@ -14,24 +14,24 @@ struct Tradeoff {
     double cost = 0, error = 0;
 };
 
-/// The Pareto front: indices, sorted by cost, of the points that no other point dominates (is at least as
-/// good on both axes and better on one). Equal points are all included.
+/// The Pareto front: the indices, sorted by cost, of the points that no other point dominates. A point
+/// dominates another if it is at least as good on both axes and better on one. Equal points are all included.
 std::vector<std::size_t> front(std::span<const Tradeoff> points);
 
-/// Among the points that cost no more than point `i`, the one with the smallest error; the cheapest of
-/// equals. nullopt if point `i` has a non-finite value or does not exist.
+/// The index of the point with the smallest error among those that cost no more than point `i`; of several
+/// equally good points, the cheapest. nullopt if point `i` has a non-finite value or does not exist.
 std::optional<std::size_t> best_within_cost(std::span<const Tradeoff> points, std::size_t i);
 
-/// Two metrics of each row, negated if higher is better; NaN if a row lacks the metric or it is non-finite.
-/// Throws std::out_of_range for an unknown metric.
+/// Two metrics of each row, negated if higher values are better; NaN if a row lacks the metric or its value
+/// is not finite. Throws std::out_of_range for an unknown metric.
 std::vector<Tradeoff> tradeoffs(std::span<const Measurement> rows, const std::string& cost,
                                 const std::string& error);
 
-/// The Pareto front of the rows by two metrics. Throws std::out_of_range for an unknown metric.
+/// The Pareto front of the rows with respect to two metrics. Throws std::out_of_range for an unknown metric.
 std::vector<std::size_t> front(std::span<const Measurement> rows, const std::string& cost,
                                const std::string& error);
-/// By how much, in the metric's unit, the best row that costs no more beats row `i` in `error`: 0 on the
-/// front, NaN if row `i` lacks either metric. Throws std::out_of_range for an unknown metric.
+/// How much better in `error`, in that metric's unit, the best row that costs no more is than row `i`: 0 on
+/// the front, NaN if row `i` lacks either metric. Throws std::out_of_range for an unknown metric.
 double beaten_by(std::span<const Measurement> rows, std::size_t i, const std::string& cost,
                  const std::string& error);
 

@@ -20,7 +20,7 @@ class Log {
     void add(const std::string& job, double seconds, const std::vector<Measurement>& measurements);
 
     std::size_t jobs() const { return seconds_.size(); }
-    /// Total seconds of all jobs.
+    /// The total time of all jobs in seconds.
     double seconds() const;
     const std::vector<Measurement>& measurements() const { return measurements_; }
 

@@ -10,8 +10,8 @@ namespace {
 using Kind = Metric::Kind;
 constexpr double same = 0.002, timed = 0.25;
 
-// PSNR and SSIM compare with the truth after matching exposure; percentages refer to the pixels or points
-// that could be right.
+// PSNR and SSIM are measured against the truth after matching exposure. Percentages refer to the pixels or
+// points for which a correct result is possible.
 constexpr Metric table[] = {
     {"psnr", "PSNR", "dB", Kind::error, false, same},
     {"ssim", "SSIM", "", Kind::error, false, same},
@@ -22,8 +22,8 @@ constexpr Metric table[] = {
     {"weight_mean", "border weight, mean error", "of 255", Kind::error, true, same},
     {"weight_worst", "border weight, worst 0.1 %", "of 255", Kind::error, true, same},
     {"distance_worst", "border distance, worst", "px", Kind::error, true, same},
-    {"false_hidden", "visible, classified as hidden", "%", Kind::error, true, same},
-    {"false_visible", "hidden, classified as visible", "%", Kind::error, true, same},
+    {"false_hidden", "visible but classified as hidden", "%", Kind::error, true, same},
+    {"false_visible", "hidden but classified as visible", "%", Kind::error, true, same},
     {"px_median", "median error", "px", Kind::error, true, same},
     {"px_worst", "worst 0.1 %", "px", Kind::error, true, same},
     {"uncovered", "not covered, though visible in a photo", "%", Kind::error, true, same},
@@ -34,14 +34,14 @@ constexpr Metric table[] = {
     {"open_ms", "opening", "ms", Kind::time, true, timed},
     {"first_ms", "first picture", "ms", Kind::time, true, timed},
     {"plan_ms", "planning time per frame", "ms", Kind::time, true, timed},
-    {"fetch_ms", "per tile, from file to memory", "ms", Kind::time, true, timed},
-    {"tile_ms", "per tile, from file to texture", "ms", Kind::time, true, timed},
+    {"fetch_ms", "reading a tile into memory", "ms", Kind::time, true, timed},
+    {"tile_ms", "loading a tile into a texture", "ms", Kind::time, true, timed},
     {"point_ns", "per point", "ns", Kind::time, true, timed},
     {"photo_bytes", "per photo", "B", Kind::bytes, true, same},
     {"package_bytes", "package", "B", Kind::bytes, true, same},
     {"read_bytes", "read per view", "B", Kind::bytes, true, same},
     {"texel_bytes", "per texel", "B", Kind::bytes, true, same},
-    {"vertex_bytes", "per vertex and photo", "B", Kind::bytes, true, same},
+    {"vertex_bytes", "size per vertex and photo", "B", Kind::bytes, true, same},
     {"memory_bytes", "peak memory", "B", Kind::bytes, true, timed},
     {"photos", "photos blended", "", Kind::other, true, same},
     {"pixels", "photo pixels", "MP", Kind::other, true, same},

@@ -22,7 +22,7 @@ Rows by_name(std::span<const Measurement> rows) {
     return out;
 }
 
-/// Calls use(now, before, metric) for each finite value of the earlier run if its row is in both runs.
+/// Calls use(now, before, metric) for each finite value of the earlier run whose row is in both runs.
 template <class Use>
 void each_pair(const Rows& now, const Rows& before, const Use& use) {
     for (const auto& [key, row] : now) {
@@ -33,8 +33,8 @@ void each_pair(const Rows& now, const Rows& before, const Use& use) {
     }
 }
 
-/// The change in multiples of the noise: as a ratio for times, because machines differ in speed by a factor,
-/// otherwise as the difference relative to the larger value.
+/// The change as a multiple of the noise: as a ratio for times, because machine speeds differ by a constant
+/// factor; otherwise as the difference relative to the larger value.
 double change(const Metric& m, double now, double before) {
     const double larger = std::max(std::abs(now), std::abs(before));
     if (std::abs(now - before) < 1e-9) return 0;
@@ -43,7 +43,7 @@ double change(const Metric& m, double now, double before) {
     return (now - before) / larger / m.noise;
 }
 
-/// The largest value of each sweep and metric, in both runs.
+/// The largest value of each sweep and metric in both runs.
 using Largest = std::map<std::pair<std::string, std::string>, double>;
 Largest largest(std::span<const Measurement> now, std::span<const Measurement> before) {
     Largest out;
@@ -66,7 +66,8 @@ double machine_drift(const Rows& now, const Rows& before, std::size_t& times) {
     return times < 5 ? 1 : quantile(ratios, 0.5);
 }
 
-/// Rows that are only in `some`. If `other` has no rows of a sweep on a scene, they are listed as one entry.
+/// The names of rows that are only in `some`. If `other` has no rows of a sweep on a scene, that sweep is
+/// listed as one entry.
 std::vector<std::string> only_in(const Rows& some, const Rows& other) {
     std::set<Part> parts, listed;
     for (const auto& [key, row] : other) parts.insert(part(*row));

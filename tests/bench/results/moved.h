@@ -8,20 +8,20 @@
 
 namespace vantage::bench {
 
-/// A value that differs from its value in an earlier run by more than the noise of its metric.
+/// A measured value that differs from the value in an earlier run by more than the noise of its metric.
 struct Moved {
     const Measurement* row;  ///< current row
     const Metric* metric;
-    double before;              ///< times are multiplied by the drift
-    std::optional<double> now;  ///< nullopt if it is no longer measured, or non-finite
-    double by;                  ///< change in multiples of the noise, limited to 1e6; positive is worse
+    double before;              ///< the earlier value; times are multiplied by the drift
+    std::optional<double> now;  ///< nullopt if the value is no longer measured or not finite
+    double by;                  ///< change as a multiple of the noise, limited to 1e6; positive is worse
     double weight;              ///< 0 to 1; below 1 for values under 1 % of the sweep's largest
 };
 
-/// The differences between two runs; points into the rows of the later one.
+/// The differences between two runs; points into the rows of the later run.
 struct Comparison {
-    double drift = 1;          ///< median ratio of all times, now over before
-    std::size_t times = 0;     ///< number of times behind `drift`, which is 1 if there are fewer than 5
+    double drift = 1;          ///< median ratio of all times: now divided by before
+    std::size_t times = 0;     ///< number of times from which `drift` is computed; with fewer than 5, it is 1
     std::size_t compared = 0;  ///< number of values
     std::vector<Moved> moved;  ///< sorted by `by` times `weight`: worst first, most improved last
     std::vector<std::string> appeared, vanished;  ///< settings, or whole scenes of a sweep

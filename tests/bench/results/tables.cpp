@@ -26,7 +26,7 @@ std::string unit(const std::string& name) {
     return "";
 }
 
-/// The shortest text that reads back as the same number.
+/// The shortest text that is parsed as the same number.
 std::string exactly(double value) { return std::isfinite(value) ? nlohmann::json(value).dump() : ""; }
 
 Measurement finite_part(Measurement m) {

@@ -5,7 +5,7 @@
 
 namespace vantage::bench {
 
-/// `count` of the values, evenly spread and in order; all values if there are no more than `count`.
+/// Selects `count` of the values, evenly spread and in order; all values if there are no more than `count`.
 template <class T>
 std::vector<T> evenly_spread(const std::vector<T>& values, std::size_t count) {
     const std::size_t all = values.size(), some = std::min(count, all);

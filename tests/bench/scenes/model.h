@@ -7,8 +7,8 @@
 
 namespace vantage::bench {
 
-/// A scene's model on the graphics card as in the pipeline, with positions relative to the first vertex.
-/// Belongs to the OpenGL thread.
+/// A scene's model on the graphics card, as the pipeline stores it, with positions relative to the first
+/// vertex. It must be used on the OpenGL thread.
 class BenchModel {
   public:
     explicit BenchModel(SceneInput scene);
@@ -16,9 +16,10 @@ class BenchModel {
     const SceneInput& scene() const { return scene_; }
     const std::vector<Eigen::Vector3f>& positions() const { return positions_; }
     const std::vector<std::uint32_t>& indices() const { return indices_; }
-    /// At most `count` of the photos' cameras, evenly spread, relative to the same origin.
+    /// At most `count` of the photos' cameras, evenly spread, relative to the origin of positions().
     std::vector<Camera> some_cameras(std::size_t count) const;
-    /// Depth, angles and coordinates as prepare() computes them, in maps of half the intrinsics' size.
+    /// Depth, angles and coordinates as prepare() computes them, in maps of half the size given by the
+    /// intrinsics.
     PhotoGeometry geometry(const Intrinsics& intrinsics, const Pose& pose) const;
 
   private:

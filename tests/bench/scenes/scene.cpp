@@ -27,7 +27,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a product exists and was made from sources with this stamp, which is stored next to it.
+/// Whether a product exists and was made from sources with this stamp; the stamp is stored next to the
+/// product.
 bool made_from(const fs::path& product, const std::string& stamp) {
     std::ifstream in(product.string() + ".from");
     return fs::exists(product) && std::string(std::istreambuf_iterator<char>(in), {}) == stamp;
@@ -79,7 +80,7 @@ struct PhotoCamera {
     Eigen::Vector3d eye;
 };
 
-/// The pixels whose surface faces a photo and is visible in it.
+/// The pixels whose surface faces at least one photo and is visible in it.
 std::vector<bool> seeable_pixels(const PackageReader& package, const RayScene& rays, const View& view,
                                  const std::vector<std::uint32_t>& photos) {
     const auto positions = package.records<Eigen::Vector3f>(package::Type::positions);
@@ -120,7 +121,7 @@ int level_for(const Effort& effort, int width, int height) {
     return level;
 }
 
-/// A window at the center of a frame, within the effort's size limit, like a close-up view.
+/// A window at the center of a frame, within the effort's size limit, as in a close-up view.
 Intrinsics middle_of(const Intrinsics& k, const Effort& effort) {
     const int w = std::min(k.width, effort.longest), h = std::min(k.height, effort.longest * 2 / 3);
     return {w, h, k.fx, k.fy, k.cx - (k.width - w) / 2, k.cy - (k.height - h) / 2};
@@ -129,7 +130,7 @@ Intrinsics middle_of(const Intrinsics& k, const Effort& effort) {
 /// Every other view is a close-up: the center of a frame at full resolution.
 bool close_up(std::size_t view) { return view % 2 == 1; }
 
-/// Held-out photos, evenly spread.
+/// The views of held-out photos, which are evenly spread.
 std::vector<TrueView> held_out_views(const PackageReader& package, const Effort& effort) {
     std::vector<TrueView> views;
     const std::size_t photos = package.photos().size(), count = std::min(effort.views, photos);
@@ -211,7 +212,7 @@ BenchScene open_scene(const fs::path& input, const fs::path& work, const Effort&
     prepare_once(scene.folder, scene.package);
     const PackageReader package(scene.package);
     if (package.photos().size() < 2)
-        throw Error(Exit::input, input.string() + ": needs at least two photos to compare");
+        throw Error(Exit::input, input.string() + ": at least two photos are needed for a comparison");
     scene.views = scene.spec ? cast_views(package, *scene.spec, effort) : held_out_views(package, effort);
     const RayScene rays(package.records<Eigen::Vector3f>(package::Type::positions),
                         package.records<std::uint32_t>(package::Type::indices));

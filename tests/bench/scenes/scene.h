@@ -15,9 +15,9 @@ namespace vantage::bench {
 /// The extent of the measurements.
 struct Effort {
     std::string name;    ///< "smoke", "short" or "full"
-    int longest;         ///< px, limit for the long side of compared pictures
+    int longest;         ///< maximum long side of compared pictures, in px
     std::size_t views;   ///< reference views per scene
-    std::size_t photos;  ///< per scene, in sweeps whose time grows with them
+    std::size_t photos;  ///< photos per scene in sweeps whose time grows with the number of photos
     int repeats;         ///< repetitions of each timing
     std::size_t points;  ///< number of surface points, in sweeps that sample geometry
 };
@@ -27,22 +27,23 @@ struct TrueView {
     std::string name;
     View view;                          ///< relative to the package's origin
     Picture truth;                      ///< the photo itself, or the ray-cast picture
-    std::vector<std::uint32_t> photos;  ///< photos that may be blended: all but the one held out
-    std::vector<bool> seeable;  ///< per pixel: shows a surface that one of `photos` sees, by ray casting
-    std::string held_out;       ///< the photo used as `truth`, or empty
+    std::vector<std::uint32_t> photos;  ///< photos that may be blended: all except the held-out one
+    std::vector<bool> seeable;  ///< per pixel: shows a surface that at least one of `photos` sees, determined
+                                ///< by ray casting
+    std::string held_out;       ///< name of the photo used as `truth`, or empty
 };
 
-/// A scene to measure on: its input files, and its package as `vantage prepare` writes it by default.
+/// A scene to measure on: its input files, and its package as written by `vantage prepare` by default.
 struct BenchScene {
     std::string name;
     std::filesystem::path folder;   ///< mesh, cameras, photos
-    std::optional<SynthSpec> spec;  ///< specification of a synthetic scene, of which any view can be ray-cast
+    std::optional<SynthSpec> spec;  ///< of a synthetic scene; any of its views can be ray-cast
     std::filesystem::path package;
     std::vector<TrueView> views;
 };
 
-/// Prepares a scene in `work` from the folder of a scan, or from a specification (TOML), which is synthesized
-/// first. Results of an earlier call from the same files are reused. Throws Error.
+/// Prepares a scene in `work` from the folder of a scan, or from a specification (TOML) of a scene, which is
+/// synthesized first. The results of an earlier call with the same files are reused. Throws Error.
 BenchScene open_scene(const std::filesystem::path& input, const std::filesystem::path& work,
                       const Effort& effort);
 

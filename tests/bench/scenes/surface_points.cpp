@@ -32,7 +32,8 @@ std::vector<SurfacePoint> surface_points(std::span<const Eigen::Vector3f> positi
     while (out.size() < count) {
         const double at = double(engine()) * 0x1p-32 * area;
         const auto t = std::upper_bound(area_up_to.begin(), area_up_to.end(), at) - area_up_to.begin();
-        // Twenty bits each, so that 1 - u - v is also exact; points beyond the diagonal are mirrored.
+        // u and v have twenty bits each, so that 1 - u - v is also exact; points beyond the diagonal are
+        // mirrored.
         double u = double(engine() >> 12) * 0x1p-20, v = double(engine() >> 12) * 0x1p-20;
         if (u + v > 1) u = 1 - u, v = 1 - v;
         out.push_back({std::min(std::size_t(t), area_up_to.size() - 1), {1 - u - v, u, v}});

@@ -7,7 +7,7 @@
 
 namespace vantage::bench {
 
-/// A point on a triangle by its barycentric weights, which sum to 1 and are exact in single precision.
+/// A point on a triangle, given by its barycentric weights, which sum to 1 and are exact in single precision.
 struct SurfacePoint {
     std::size_t triangle;
     Eigen::Vector3d weights;
@@ -22,7 +22,7 @@ std::vector<SurfacePoint> surface_points(std::span<const Eigen::Vector3f> positi
 /// The corners of a triangle, one per column.
 Eigen::Matrix3d corners(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices,
                         std::size_t triangle);
-/// Normal toward the side from which the corners run counterclockwise; its length is twice the area.
+/// The normal toward the side from which the corners appear counterclockwise; its length is twice the area.
 Eigen::Vector3d area_vector(const Eigen::Matrix3d& corners);
 
 }  // namespace vantage::bench

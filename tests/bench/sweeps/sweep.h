@@ -10,8 +10,8 @@
 
 namespace vantage::bench {
 
-/// Measurements that are made together, so that compared values are timed close to each other. An interrupted
-/// job starts over.
+/// Measurements that are made together, so that values that are compared are measured at about the same time.
+/// An interrupted job starts over.
 struct Job {
     std::string name;  ///< unique within a sweep of a scene
     std::function<std::vector<Measurement>()> run;
@@ -24,7 +24,7 @@ struct Plot {
     bool log_x = true, log_y = false;
 };
 
-/// The measurements over one setting, or over several that interact.
+/// The measurements for different values of one setting, or of several settings that interact.
 struct Sweep {
     const char* name;
     const char* title;

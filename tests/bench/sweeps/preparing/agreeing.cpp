@@ -1,4 +1,4 @@
-// Gain and cost of the corrections that make photos agree before blending.
+// Measures the gain and the cost of the corrections that make photos agree before blending.
 #include <array>
 
 #include "tests/bench/measure/pictures.h"
@@ -46,9 +46,10 @@ extern const Sweep agreeing_sweep;
 const Sweep agreeing_sweep{
     "agreeing",
     "Making photos agree",
-    "What do color agreement, camera pose refinement and transient masks gain, and what do they cost?",
+    "How much do color matching, camera pose refinement and transient masks gain, and how much do they cost?",
     "the held-out photo, or the ray-cast picture",
-    "not applicable; the exact setting refines poses regardless of the evidence",
+    "not applicable, because no setting is exact; the one marked as exact refines poses regardless of the "
+    "evidence",
     {{"prepare_s", "psnr"}, {"prepare_s", "ssim"}},
     jobs};
 

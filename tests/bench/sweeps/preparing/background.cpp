@@ -1,4 +1,4 @@
-// Gain of the background over the whole frame, and its cost.
+// Measures the gain of the photographed background over the whole frame, and its cost.
 #include "tests/bench/measure/pictures.h"
 #include "tests/bench/measure/prepared.h"
 #include "tests/bench/sweeps/sweep.h"
@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Holds out the photos used as truth, because all photos contribute to the background.
+/// The photos used as truth must be held out, because all photos contribute to the background.
 std::vector<std::string> options(const BenchScene& scene, const std::string& choice) {
     std::vector<std::string> out{"--effect", "background=" + choice};
     std::string names;
@@ -41,10 +41,10 @@ extern const Sweep background_sweep;
 const Sweep background_sweep{
     "background",
     "Background",
-    "How much closer to the photo is the whole frame with the photographed background, and what does that "
-    "cost in preparation, bytes and frame time?",
-    "the held-out photo, prepared without it, or the ray-cast picture",
-    "not applicable; background is an estimate",
+    "How much closer to the photo is the whole frame if the photographed background is shown, and what does "
+    "that cost in preparation time, bytes and frame time?",
+    "the held-out photo, which is not in the package, or the ray-cast picture",
+    "not applicable, because the background is an estimate",
     {{"prepare_s", "psnr_frame"}, {"package_bytes", "psnr_frame"}, {"frame_ms", "psnr_frame"}},
     jobs};
 

@@ -1,4 +1,4 @@
-// Method and resolution of the border weight's distances.
+// Compares methods and resolutions for the distances in the border weight.
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -23,11 +23,11 @@
 namespace vantage::bench {
 namespace {
 
-// Chamfer distances (Borgefors 1986, OpenCV's 5x5) are not an option of prepare, because they are approximate
-// and slower here than exact distances.
+// Chamfer distances (Borgefors 1986, with OpenCV's 5x5 mask) are not an option of prepare, because they are
+// only approximate and, in this implementation, slower than exact distances.
 constexpr const char* methods[] = {"exact", "chamfer", "jfa^2"};
 
-/// A photo's depth at a fraction of its size, and the full border width in its pixels.
+/// A photo's depth map at a fraction of the photo's size, and the full border width in pixels of the map.
 struct Map {
     DepthMap depth;
     float full_width;
@@ -59,7 +59,7 @@ std::vector<float> distances(const std::string& method, const std::vector<std::u
     return flood_distance(jump_flood, borders, w, h);
 }
 
-/// The weight map, sampled bilinearly as in the player.
+/// The weight map, sampled bilinearly as it is in the player.
 float bilinear(const std::vector<std::uint8_t>& weights, int w, int h, double x, double y) {
     const double u = std::clamp(x - 0.5, 0.0, w - 1.0), v = std::clamp(y - 0.5, 0.0, h - 1.0);
     const int i = std::min(int(u), std::max(0, w - 2)), j = std::min(int(v), std::max(0, h - 2));
@@ -71,8 +71,8 @@ float bilinear(const std::vector<std::uint8_t>& weights, int w, int h, double x,
 }
 
 struct Errors {
-    std::vector<float> weights;  ///< absolute error per pixel of the full photo
-    double distance = 0;         ///< largest error, pixels of the full photo
+    std::vector<float> weights;  ///< absolute error of the weight at each pixel of the full photo
+    double distance = 0;         ///< largest error, in pixels of the full photo
     double bytes = 0;
 };
 

@@ -1,4 +1,4 @@
-// Texture coordinates, stored per vertex and interpolated, or computed per fragment.
+// Compares texture coordinates that are stored per vertex and interpolated with those computed per fragment.
 #include <meshoptimizer.h>
 
 #include <Eigen/Geometry>
@@ -34,7 +34,7 @@ constexpr std::array<Kind, kinds> kind_table{{{"16-bit unorm per vertex", 4},
 
 using Triangles = std::vector<std::uint32_t>;
 
-/// The model simplified to 1/`divisor` of its triangles, as far as meshoptimizer can.
+/// The model simplified to 1/`divisor` of its triangles, or as far as meshoptimizer can simplify it.
 Triangles simplified(const BenchModel& model, unsigned divisor) {
     const Triangles& all = model.indices();
     if (divisor == 1 || all.empty()) return all;
@@ -46,7 +46,7 @@ Triangles simplified(const BenchModel& model, unsigned divisor) {
     return out;
 }
 
-/// The triangles with all corners in the photo's frame.
+/// The triangles that have all corners in the photo's frame.
 Triangles in_photo(const BenchModel& model, const Triangles& triangles, const Camera& camera) {
     const auto inside = [&](std::uint32_t v) {
         const auto p = project(camera.intrinsics, camera.cam_from_world, model.positions()[v].cast<double>());
@@ -59,7 +59,7 @@ Triangles in_photo(const BenchModel& model, const Triangles& triangles, const Ca
     return out;
 }
 
-/// Coordinates of the vertices in a photo, in all representations.
+/// The coordinates of the vertices in a photo, in all representations.
 struct Vertices {
     std::vector<std::array<std::uint16_t, 2>> unorm16;
     std::vector<Eigen::Vector2f> floats;
@@ -84,13 +84,14 @@ Vertices vertices(const BenchModel& model, const Camera& camera) {
     return out;
 }
 
-/// A point on a triangle: its corners and, in single precision, their weights.
+/// A point on a triangle: the triangle's corners and their weights in single precision.
 struct Place {
     std::array<std::uint32_t, 3> corner;
     Eigen::Vector3f weights;
 };
 
-/// A value interpolated linearly in space from the corners, as between vertex and fragment shaders.
+/// A value interpolated linearly in space from the values at the corners, as it is between vertex and
+/// fragment shaders.
 template <class T>
 T interpolated(const std::vector<T>& values, const Place& at) {
     return values[at.corner[0]] * at.weights[0] + values[at.corner[1]] * at.weights[1] +
@@ -113,7 +114,7 @@ Single single(const Camera& camera) {
             {float(k.width), float(k.height)}};
 }
 
-/// The photo's pixel, computed in single precision.
+/// The position in the photo in pixels, computed in single precision.
 Eigen::Array2f pixel(Kept kept, const BenchModel& model, const Vertices& v, const Single& photo,
                      const Place& at) {
     switch (kept) {
@@ -135,7 +136,7 @@ Eigen::Array2f pixel(Kept kept, const BenchModel& model, const Vertices& v, cons
         case Kept::count:
             break;
     }
-    // As in shaders/blend.frag, from a position relative to the model's origin.
+    // Projects a position relative to the model's origin, as in shaders/blend.frag.
     const Eigen::Vector3f p = photo.R * interpolated(model.positions(), at) + photo.t;
     return photo.focal * p.head<2>().array() / p.z() + photo.center;
 }
@@ -145,7 +146,7 @@ struct Result {
     std::vector<double> point_ns;
 };
 
-/// Adds the results of all representations in one photo.
+/// Adds the results of all representations for one photo.
 void add(const BenchModel& model, const Triangles& triangles, const Camera& camera, const Effort& effort,
          std::array<Result, kinds>& results, std::vector<float>& triangle_px) {
     const Triangles shown = in_photo(model, triangles, camera);
@@ -225,9 +226,9 @@ extern const Sweep coordinates_sweep;
 const Sweep coordinates_sweep{
     "coordinates",
     "Texture coordinates",
-    "Coordinates stored per vertex are fast to look up, but perspective is not linear "
-    "over a triangle. Above which triangle size must every fragment be projected?",
-    "projection in double precision of random points on the triangles",
+    "Coordinates that are stored per vertex are fast to look up, but perspective is not linear over a "
+    "triangle. For which triangle sizes must every fragment be projected?",
+    "the projection of random points on the triangles in double precision",
     "0.001 px",
     {{"triangle_px", "px_median", true, true},
      {"triangle_px", "px_worst", true, true},

@@ -1,4 +1,4 @@
-// Size, bit depth and tolerance of depth maps needed to classify points as visible or hidden.
+// Measures the size, bit depth and tolerance that depth maps need to classify points as visible or hidden.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -24,8 +24,8 @@ namespace {
 
 enum class Bits { float32, unorm24, unorm16, half16 };
 
-/// How far a point may lie behind the surrounding depths: a fraction of its depth, the footprint of the map's
-/// pixel along the slope, or the larger of the two as in shaders/blend.frag.
+/// How far a point may lie behind the surrounding depths: a fraction of its depth, the footprint of a map
+/// pixel along the slope, or the larger of the two, as in shaders/blend.frag.
 struct Tolerance {
     float share;
     bool footprint;
@@ -34,7 +34,7 @@ constexpr Tolerance players{0.004f, true};
 
 struct Setting {
     const char *curve, *name;
-    int level;  ///< pyramid level of the photo that the map matches in size
+    int level;  ///< pyramid level of the photo that has the same size as the map
     Bits bits;
     Tolerance tolerance;
     bool chosen = false;
@@ -61,7 +61,7 @@ constexpr Setting settings[] = {
     {"rays", "one ray per point", 0, Bits::float32, {}, false, true},
 };
 
-/// A linear depth map as the player reads it, with its camera.
+/// A linear depth map as the player reads it, and its camera.
 struct Map {
     int width = 0, height = 0;
     std::vector<float> z;
@@ -88,13 +88,13 @@ Map render_map(const BenchModel& model, const Camera& camera, int level) {
             float(k.cy * s)};
 }
 
-/// The depths after quantization; +inf (off the model) is kept.
+/// The depths after quantization; +inf, which means that a pixel does not show the model, is kept.
 std::vector<float> stored(const std::vector<float>& z, Bits how) {
     if (how == Bits::float32) return z;
     float nearest = std::numeric_limits<float>::infinity(), farthest = 0;
     for (const float d : z)
         if (std::isfinite(d)) nearest = std::min(nearest, d), farthest = std::max(farthest, d);
-    // The last code is +inf.
+    // The last code represents +inf.
     const double codes = how == Bits::unorm24 ? 0xfffffe : 0xfffe;
     const double step = (double(farthest) - double(nearest)) / codes;
     std::vector<float> out = z;
@@ -111,11 +111,11 @@ std::vector<float> stored(const std::vector<float>& z, Bits how) {
 /// A surface point that faces the photo and lies in its frame.
 struct TestPoint {
     Eigen::Vector3d position;
-    Eigen::Vector3f normal;  ///< interpolated, as in shaders
-    bool seen;               ///< according to a ray from the photo
+    Eigen::Vector3f normal;  ///< normal, interpolated as in shaders
+    bool seen;               ///< whether the photo sees the point, according to a ray
 };
 
-/// Like `seen` in shaders/blend.frag.
+/// Computes the same as `seen` in shaders/blend.frag.
 bool seen(const Map& map, const Tolerance& tolerance, const TestPoint& point) {
     const Eigen::Vector3f p = map.R * point.position.cast<float>() + map.t;
     const int x = int(std::floor(map.fx * p.x() / p.z() + map.cx - 0.5f)),
@@ -143,12 +143,12 @@ bool seen_from_photo(const RayScene& rays, const Camera& camera, const Eigen::Ve
     return !rays.occluded(eye, point - eye, 0, 1 - near_enough(camera.intrinsics));
 }
 
-/// The exact method: the same line of sight, traced from the other end.
+/// The exact method: traces the same line of sight from the other end.
 bool sees_photo(const RayScene& rays, const Camera& camera, const Eigen::Vector3d& point) {
     return !rays.occluded(point, camera.cam_from_world.center() - point, near_enough(camera.intrinsics), 1);
 }
 
-/// A point of the mesh if it faces the photo and lies in its frame.
+/// The point of the mesh if it faces the photo and lies in its frame.
 std::optional<TestPoint> test_point(const BenchModel& model, const RayScene& rays, const Camera& camera,
                                     const SurfacePoint& place) {
     const Eigen::Matrix3d c = corners(model.positions(), model.indices(), place.triangle);
@@ -164,7 +164,7 @@ std::optional<TestPoint> test_point(const BenchModel& model, const RayScene& ray
     return TestPoint{p, normal, seen_from_photo(rays, camera, p)};
 }
 
-/// Classifies all points into `out`; returns the milliseconds.
+/// Classifies all points and writes the results to `out`; returns the time in milliseconds.
 double classify(const Setting& setting, const Map& map, const RayScene& rays, const Camera& camera,
                 const std::vector<TestPoint>& points, std::vector<char>& out) {
     return milliseconds([&] {
@@ -175,11 +175,11 @@ double classify(const Setting& setting, const Map& map, const RayScene& rays, co
 }
 
 struct Result {
-    double hidden = 0, visible = 0;  ///< numbers of points wrongly classified as such
+    double hidden = 0, visible = 0;  ///< numbers of points wrongly classified as hidden or visible
     std::vector<double> photo_ms, bytes, point_ns;
 };
 
-/// Adds the results of all settings on one photo.
+/// Adds the results of all settings for one photo.
 void add(const BenchModel& model, const RayScene& rays, const Camera& camera, int repeats,
          const std::vector<TestPoint>& points, std::array<Result, std::size(settings)>& results) {
     std::array<Map, 4> rendered;
@@ -212,8 +212,9 @@ void add(const BenchModel& model, const RayScene& rays, const Camera& camera, in
     }
 }
 
-/// The model from another camera: light where it is visible in the photo, dark where hidden, red where
-/// wrongly visible, blue where wrongly hidden, white where the surface does not face the photo.
+/// The model as seen from another camera. It is light where it is visible in the photo, dark where it is
+/// hidden, red where it is wrongly classified as visible, blue where it is wrongly classified as hidden, and
+/// white where the surface does not face the photo.
 Picture error_picture(const BenchModel& model, const RayScene& rays, const Camera& photo, const Camera& from,
                       const Setting& setting) {
     const Intrinsics& full = from.intrinsics;
@@ -282,7 +283,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
         if (!here.empty()) add(model, *rays, camera, effort.repeats, here, results);
     }
     if (points == 0) return {};
-    // Rays need no map, but a tree over the model, whose cost is shared by all photos.
+    // Rays need no map but a tree over the model; all photos share the cost of the tree.
     results.back().photo_ms = {tree_ms / double(model.scene().photos.size())};
     std::vector<Measurement> out = listed(results, points);
     for (std::size_t s = 0; s < out.size(); ++s) {
@@ -303,15 +304,16 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::
 }  // namespace
 
 extern const Sweep depth_sweep;
-const Sweep depth_sweep{"depth",
-                        "Visible or hidden",
-                        "Which size, bits and tolerance must a photo's depth map have to tell which surface "
-                        "points the photo sees?",
-                        "a ray from the photo to each of random points on the surface",
-                        "0.001 % of the points, where rays from the two ends of a line round differently",
-                        {{"photo_bytes", "false_visible", true, false},
-                         {"photo_bytes", "false_hidden", true, false},
-                         {"point_ns", "false_visible", true, false}},
-                        jobs};
+const Sweep depth_sweep{
+    "depth",
+    "Visible or hidden",
+    "Which size, bit depth and tolerance must a photo's depth map have to determine which surface points the "
+    "photo sees?",
+    "rays from the photo to random points on the surface",
+    "wrong at 0.001 % of the points, where rays from the two ends of a line are rounded differently",
+    {{"photo_bytes", "false_visible", true, false},
+     {"photo_bytes", "false_hidden", true, false},
+     {"point_ns", "false_visible", true, false}},
+    jobs};
 
 }  // namespace vantage::bench

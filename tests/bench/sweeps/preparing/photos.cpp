@@ -1,4 +1,4 @@
-// Gain from more photos, or from photos with more pixels.
+// Measures the gain from more photos, and from photos with more pixels.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::vector<Measurement> measure_counts(const BenchScene& scene, const Effort& e
     return out;
 }
 
-/// Packages prepared from downscaled photos, all of them blended.
+/// Packages are prepared from downscaled photos, and all photos are blended.
 std::vector<Measurement> measure_resolutions(const BenchScene& scene, const Effort& effort,
                                              const fs::path& folder) {
     std::uint32_t longest = 0;
@@ -58,13 +58,14 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const fs::p
 }  // namespace
 
 extern const Sweep photos_sweep;
-const Sweep photos_sweep{"photos",
-                         "Number and resolution of photos",
-                         "What would more photos, or photos with more pixels, have gained?",
-                         "the held-out photo, or the ray-cast picture",
-                         "not applicable; the exact setting is all photos at full size",
-                         {{"package_bytes", "psnr"}, {"photos", "psnr"}, {"pixels", "psnr"}},
-                         jobs,
-                         true};
+const Sweep photos_sweep{
+    "photos",
+    "Number and resolution of photos",
+    "How much would more photos, or photos with more pixels, have gained?",
+    "the held-out photo, or the ray-cast picture",
+    "not applicable, because no setting is exact; all photos at full size are marked as exact",
+    {{"package_bytes", "psnr"}, {"photos", "psnr"}, {"pixels", "psnr"}},
+    jobs,
+    true};
 
 }  // namespace vantage::bench

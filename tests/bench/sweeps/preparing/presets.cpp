@@ -1,4 +1,5 @@
-// Compares the presets in configs/ with other combinations of settings: preparation, bytes and frame times.
+// Compares the presets in configs/ with other combinations of settings, by preparation time, bytes and frame
+// time.
 #include <fmt/format.h>
 
 #include "base/values/quantile.h"
@@ -32,7 +33,8 @@ std::vector<Candidate> candidates(bool full) {
     return out;
 }
 
-/// Prepares all candidates, interleaved so that drift of the machine affects them equally.
+/// Prepares all candidates in an interleaved order, so that changes in the machine's speed affect them
+/// equally.
 std::vector<PrepareCost> prepare_all(const BenchScene& scene, const std::vector<Candidate>& all,
                                      int repeats) {
     std::vector<std::vector<double>> seconds(all.size());
@@ -74,7 +76,7 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const fs::p
 
 extern const Sweep presets_sweep;
 const Sweep presets_sweep{"presets",
-                          "Presets among other settings",
+                          "Presets compared with other settings",
                           "Which settings are on the Pareto front, and how far from it are the presets?",
                           "the held-out photo, or the ray-cast picture",
                           "not applicable: no setting is exact",

@@ -1,4 +1,4 @@
-// Settings of prepare, varied one at a time.
+// Measures the effects of prepare's settings, varied one at a time.
 #include "pipeline/run/settings.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,8 @@ std::vector<Knob> knobs() {
             {"compact", {"off", "on"}, "on"}};
 }
 
-/// For the thumbnail option, a picture from thumbnails alone; otherwise the final picture.
+/// For the thumbnail option, the picture is rendered from thumbnails alone; otherwise, it is the final
+/// picture.
 PictureSetting picture_setting(const Knob& knob, const std::string& value) {
     PictureSetting s{knob.option, value, false, value == knob.usual, {}};
     s.settings.photos = window_photos;
@@ -68,8 +69,8 @@ extern const Sweep preparing_sweep;
 const Sweep preparing_sweep{
     "preparing",
     "Settings of prepare, one at a time",
-    "How do border and thumbnail settings and the form of tiles affect the "
-    "picture and the package? (Thumbnails are judged by a picture made from them alone.)",
+    "How do border and thumbnail settings and the form of tiles affect the picture and the package? "
+    "(Thumbnails are judged by a picture rendered from thumbnails alone.)",
     "the held-out photo, or the ray-cast picture",
     "not applicable: no setting is exact",
     {{"prepare_s", "psnr"}, {"package_bytes", "psnr"}},

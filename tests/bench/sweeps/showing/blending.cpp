@@ -1,4 +1,5 @@
-// Blending of photos: mode, number, sharpness, and photos per pass.
+// Measures the blending of photos: the mode, the number of photos, the sharpness, and the number of photos
+// per pass.
 #include <fmt/format.h>
 
 #include "tests/bench/measure/pictures.h"
@@ -95,7 +96,7 @@ const Sweep blending_sweep{
     "Blending modes and number of photos",
     "More photos cost time in every frame. How many are enough, and which weighting is best?",
     "the held-out photo, or the ray-cast picture; also against the same mode with all photos",
-    "it is itself the picture of all photos",
+    "exact by definition, because it is the picture blended from all photos",
     {{"frame_ms", "psnr"}, {"photos", "psnr"}, {"photos", "psnr_exact"}},
     photo_jobs};
 const Sweep exponent_sweep{

@@ -1,4 +1,5 @@
-// Sampling of a photo's pixels: between levels, on slanted surfaces, sharpness, samples per pixel.
+// Measures the sampling of a photo's pixels: filtering between levels and on slanted surfaces, sharpness, and
+// samples per pixel.
 #include <fmt/format.h>
 
 #include "tests/bench/measure/pictures.h"
@@ -55,7 +56,7 @@ const Sweep filtering_sweep{
     "One sample per pixel shimmers and blurs, and four cost four times as much. What can anisotropic taps "
     "and level biases save?",
     "the held-out photo, or the ray-cast picture; also against 36 samples per pixel (smoke: 16)",
-    "it is itself the picture with the most samples",
+    "exact by definition, because it is the picture with the most samples",
     {{"frame_ms", "psnr_exact"}, {"frame_ms", "psnr"}},
     jobs};
 

@@ -1,4 +1,4 @@
-// Cost of checking files, lenses and pictures.
+// Measures the cost of checking files, lenses and pictures.
 #include <cstring>
 
 #include "base/gl/context.h"
@@ -18,7 +18,7 @@ namespace {
 
 using package::Type;
 
-/// Compares times with and without a guard; `time(guarded)` returns milliseconds.
+/// Compares the times with and without a guard; `time(guarded)` returns milliseconds.
 template <class Time>
 std::vector<Measurement> compare(const char* curve, const char* metric, int repeats, const Time& time) {
     const std::vector<double> ms =
@@ -31,7 +31,8 @@ std::vector<Measurement> compare(const char* curve, const char* metric, int repe
     return out;
 }
 
-/// The cost of copying tiles from the page cache into memory, as for streaming.
+/// Measures the cost of copying tiles from the page cache into memory, as in streaming, with and without
+/// checksums.
 std::vector<Measurement> tiles(const BenchScene& scene, const Effort& effort) {
     const PackageReader package(scene.package);
     const package::DirectoryEntry* chunk = package.find(Type::tiles, 0, 0);

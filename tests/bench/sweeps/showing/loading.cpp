@@ -1,4 +1,5 @@
-// Amount of data loaded before the first picture: thumbnails only, coarser levels, everything.
+// Compares the amounts of data loaded before the first picture: thumbnails only, coarser levels, or
+// everything.
 #include <fmt/format.h>
 
 #include "base/gl/context.h"
@@ -53,7 +54,8 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
     });
     std::vector<Measurement> out;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        // A new renderer for each setting, so that it does not show tiles loaded for another.
+        // Each setting has a new renderer, so that it does not show tiles that were loaded for another
+        // setting.
         const PackageReader package(scene.package);
         const gl::HeadlessContext context;
         Renderer renderer(package, ample_memory());
@@ -82,12 +84,13 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::
 }  // namespace
 
 extern const Sweep loading_sweep;
-const Sweep loading_sweep{"loading",
-                          "Time to the first picture",
-                          "Thumbnails load at once, tiles take longer. How good is the picture at each step?",
-                          "the held-out photo, or the ray-cast picture",
-                          "it is itself the picture at full resolution",
-                          {{"first_ms", "psnr"}, {"read_bytes", "psnr"}},
-                          jobs};
+const Sweep loading_sweep{
+    "loading",
+    "Time to the first picture",
+    "Thumbnails load immediately; tiles take longer. How good is the picture at each step?",
+    "the held-out photo, or the ray-cast picture",
+    "exact by definition, because it is the picture at full resolution",
+    {{"first_ms", "psnr"}, {"read_bytes", "psnr"}},
+    jobs};
 
 }  // namespace vantage::bench

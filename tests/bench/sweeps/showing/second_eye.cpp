@@ -1,4 +1,4 @@
-// Cost of the second eye, for different ways of drawing the bare surface for both eyes.
+// Measures the cost of the second eye for different ways of drawing the bare surface for both eyes.
 #include <deque>
 #include <span>
 #include <vector>
@@ -16,7 +16,7 @@
 namespace vantage::bench {
 namespace {
 
-constexpr int rounds = 10;  ///< per repeat, because the differences are small
+constexpr int rounds = 10;  ///< rounds per repeat; several, because the differences are small
 
 struct EyesSetting {
     const char* name;
@@ -29,7 +29,8 @@ constexpr EyesSetting eyes_settings[] = {
     {"two eyes, overlapped", StereoMode::side_by_side, EyeSurfaces::overlapped},
     {"two eyes, at once", StereoMode::side_by_side, EyeSurfaces::at_once}};
 
-/// Draws the frames of a path with the photos of a window. The tiles of complete pictures are resident.
+/// Draws the frames of a path with as many photos as a window blends. All tiles of complete pictures are
+/// resident.
 class EyesFlight {
   public:
     EyesFlight(const PackageReader& package, const EyesSetting& setting, std::span<const View> path,
@@ -116,9 +117,9 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::
 extern const Sweep second_eye_sweep;
 const Sweep second_eye_sweep{"second_eye",
                              "The second eye",
-                             "What does the second eye cost per frame?",
+                             "How much does the second eye cost per frame?",
                              "one eye",
-                             "not applicable: the pictures are the same to the bit",
+                             "not applicable: the pictures are identical, bit for bit",
                              {},
                              jobs,
                              true};

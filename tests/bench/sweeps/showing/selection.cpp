@@ -1,4 +1,4 @@
-// Selection of the photos to blend: method and hysteresis.
+// Measures the selection of the photos to blend: the method and the hysteresis.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
     return measure_pictures(scene.package, scene, effort, settings(), folder, "selection");
 }
 
-/// Changes of the selection per frame along a path, and the cost of planning.
+/// Measures the changes in the selection per frame along a path, and the cost of planning.
 Measurement fly(const PlanScene& scene, const CameraPath& path, PlanSettings settings, const char* name,
                 bool remembers, const TrueView& from) {
     std::vector<std::uint32_t> former;
@@ -115,16 +115,17 @@ std::vector<Job> path_jobs(const BenchScene& scene, const Effort&, const std::fi
 extern const Sweep selection_sweep, hysteresis_sweep;
 const Sweep selection_sweep{"selection",
                             "Which photos are blended",
-                            "The nearest photos may not see everything in view; a set cover does. What stays "
-                            "uncolored, and what does each choice cost?",
+                            "The nearest photos may not see everything in view; a set cover of photos does. "
+                            "How much is left uncolored, and what does each method cost?",
                             "the held-out photo, or the ray-cast picture; visibility by ray casting",
-                            "0 % uncolored, except at borders of depth maps (0.2 %)",
+                            "0 % uncolored, except at the borders of depth maps (0.2 %)",
                             {{"frame_ms", "psnr"}, {"photos", "uncoloured", true, true}, {"photos", "psnr"}},
                             jobs};
 const Sweep hysteresis_sweep{
     "hysteresis",
     "Hysteresis in the choice of photos",
-    "Photos that come and go cause flicker. How many change per frame on an orbit of 90 frames?",
+    "Photos that are selected only for a few frames cause flicker. How many photos change per frame on an "
+    "orbit of 90 frames?",
     "all photos, so that nothing changes",
     "0 changes, 0 % uncovered",
     {{"plan_ms", "changes"}, {"photos", "changes"}, {"photos", "uncovered", true, true}},

@@ -1,4 +1,5 @@
-// Stereo pictures: photos selected once for both eyes, or separately for each.
+// Compares stereo pictures whose photos are selected once for both eyes with those whose photos are selected
+// for each eye.
 #include <fmt/format.h>
 
 #include "base/gl/context.h"
@@ -31,8 +32,8 @@ RenderSettings render_settings_of(const PairSetting& s) {
     return out;
 }
 
-/// A viewer with the left eye at a reference view and the right eye next to it; both eyes converge on the
-/// scene's center.
+/// The views of a viewer whose left eye is at a reference view and whose right eye is next to it; both eyes
+/// converge on the scene's center.
 std::vector<View> eyes_at(const View& view, const PlanScene& scene) {
     const Eyes eyes{.share = 1.0 / 30};
     std::vector<View> out = eye_views(view, eyes, looked_at(view, scene));
@@ -43,7 +44,7 @@ std::vector<View> eyes_at(const View& view, const PlanScene& scene) {
     return out;
 }
 
-/// Draws frames for two eyes like a headset, with one sample per pixel.
+/// Draws frames for two eyes as for a headset, with one sample per pixel.
 class EyePairs {
   public:
     explicit EyePairs(const PackageReader& package)
@@ -62,7 +63,7 @@ class EyePairs {
         }
         glFinish();
     }
-    /// Draws, at most 1000 frames, until the left eye's picture has all its tiles.
+    /// Draws frames until the left eye's picture has all its tiles, but at most 1000.
     Picture left_picture(const PairSetting& s, const TrueView& view) {
         for (int n = 0; n < 1000; ++n) {
             draw(s, view);
@@ -120,12 +121,13 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::
 }  // namespace
 
 extern const Sweep two_eyes_sweep;
-const Sweep two_eyes_sweep{"two_eyes",
-                           "Photos for two eyes",
-                           "Chosen once, photos and tiles serve both eyes. Is each eye's picture as good?",
-                           "the held-out photo, or the ray-cast picture, as the left eye's",
-                           "it is itself all photos, planned for each eye",
-                           {{"frame_ms", "psnr"}, {"photos", "psnr"}},
-                           jobs};
+const Sweep two_eyes_sweep{
+    "two_eyes",
+    "Photos for two eyes",
+    "If photos and tiles are selected only once, they serve both eyes. Is each eye's picture still as good?",
+    "the held-out photo, or the ray-cast picture, for the left eye",
+    "exact by definition, because it blends all photos, planned separately for each eye",
+    {{"frame_ms", "psnr"}, {"photos", "psnr"}},
+    jobs};
 
 }  // namespace vantage::bench

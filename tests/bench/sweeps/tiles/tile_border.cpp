@@ -1,4 +1,4 @@
-// Overlap of tiles with their neighbors.
+// Measures how much tiles must overlap their neighbors.
 #include <array>
 #include <random>
 
@@ -11,7 +11,7 @@
 namespace vantage::bench {
 namespace {
 
-/// A level cut into tiles of 256x256 texels, of which `border` on each side belong to the neighbors.
+/// A level cut into tiles of 256x256 texels; on each side, `border` texels belong to the neighbors.
 struct Cut {
     int content, columns;
     std::vector<Picture> tiles;
@@ -44,7 +44,7 @@ std::array<double, 4> bilinear(const Picture& image, double x, double y) {
 void compare(const Picture& whole, int border, std::size_t points, Differences& all) {
     const Cut tiles = cut_all(whole, border);
     std::mt19937 engine(3);
-    // Positions in 256ths of a texel, as on graphics cards, so that rounding has no effect.
+    // Positions are multiples of 1/256 texel, as on graphics cards, so that rounding has no effect.
     const auto place = [&](int length) { return double(engine() % (std::uint32_t(length) * 256)) / 256; };
     for (std::size_t i = 0; i < points; ++i) {
         const double x = place(whole.width), y = place(whole.height);

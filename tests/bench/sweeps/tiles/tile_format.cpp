@@ -1,4 +1,4 @@
-// The encoding of color tiles.
+// Compares encodings of color tiles.
 #include <squish.h>
 #include <zstd.h>
 
@@ -90,7 +90,7 @@ Bytes encode(const Format& f, Texels tile) {
     return out;
 }
 
-/// Decodes into `tile`, which must have the size of a tile.
+/// Decodes a tile into `tile`, which must already have a tile's size.
 void decode(const Format& f, Texels coded, Bytes& tile) {
     if (f.codec == Codec::raw) {
         std::memcpy(tile.data(), coded.data(), tile.size());
@@ -109,7 +109,7 @@ void decode(const Format& f, Texels coded, Bytes& tile) {
     }
 }
 
-/// A stored tile, and the part of it inside the photo; beyond that, edge texels are repeated.
+/// A stored tile, and the part of it that is inside the photo; beyond that part, edge texels are repeated.
 struct Tile {
     Texels texels;
     int left, top, right, bottom;
@@ -126,7 +126,7 @@ Tile tile_of(std::span<const std::byte> block, const Level& level, int number) {
             std::min(tile_size, level.height - y0)};
 }
 
-/// Tiles of the photos' three finest levels, evenly spread.
+/// Evenly spread tiles of the photos' three finest levels.
 std::vector<Tile> some_tiles(const PackageReader& package, const Effort& effort) {
     std::vector<Tile> all;
     for (const std::uint32_t photo : some_photos(package, effort.photos))
@@ -141,7 +141,7 @@ std::vector<Tile> some_tiles(const PackageReader& package, const Effort& effort)
     return evenly_spread(all, most);
 }
 
-/// Mean number of tiles in a photo's pyramid.
+/// The mean number of tiles in a photo's pyramid.
 double tiles_per_photo(const PackageReader& package) {
     std::vector<double> out;
     for (const package::PhotoRecord& p : package.photos()) {
@@ -186,7 +186,7 @@ Coded coded(const Format& f, const std::vector<Tile>& tiles) {
     return out;
 }
 
-/// Milliseconds per tile, from its bytes in memory to a texture on the card.
+/// The time per tile in milliseconds, from its bytes in memory to a texture on the card.
 double upload_ms(const Format& f, const Coded& coded, const std::vector<Tile>& raw, Layers& rgba,
                  Layers* bc1) {
     Bytes tile(tile_bytes);
@@ -205,7 +205,8 @@ double upload_ms(const Format& f, const Coded& coded, const std::vector<Tile>& r
            double(raw.size());
 }
 
-/// The tile with the largest error among those entirely inside their photo, or the first if there is none.
+/// The tile with the largest error among those entirely inside their photo, or the first tile if there is
+/// none.
 std::size_t worst_tile(const Format& f, const Coded& coded, const std::vector<Tile>& tiles) {
     Bytes tile(tile_bytes);
     std::size_t worst = 0;
@@ -285,7 +286,7 @@ extern const Sweep tile_format_sweep;
 const Sweep tile_format_sweep{"tile-format",
                               "Tile formats",
                               "Tiles are stored as uncompressed texels for direct upload. What would a "
-                              "compressed format save, and cost?",
+                              "compressed format save, and what would it cost?",
                               "the prepared texels of the photo",
                               "0 of 255",
                               {{"texel_bytes", "psnr"}, {"tile_ms", "psnr"}, {"texel_bytes", "worst"}},

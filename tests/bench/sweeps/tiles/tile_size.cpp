@@ -1,4 +1,4 @@
-// Tile size: small tiles hold fewer unused texels, large tiles need fewer requests.
+// Compares tile sizes: small tiles contain fewer unused texels, but large tiles need fewer requests.
 #include <Eigen/Geometry>
 #include <array>
 #include <unordered_set>
@@ -20,7 +20,8 @@
 namespace vantage::bench {
 namespace {
 
-/// A square of 8x8 texels in a level of a photo; the content of every tile size is a multiple of it.
+/// A square of 8x8 texels in a level of a photo; at every tile size, a tile's content consists of whole
+/// squares.
 constexpr int block_size = 8;
 struct Block {
     std::uint32_t photo, level, x, y;
@@ -57,7 +58,7 @@ Surface surface(const PackageReader& package) {
 
 /// Marks the blocks that a trilinear sample of the photo reads.
 void mark(const Source& source, const SurfaceSample& sample, const Eigen::Vector2d& pixel, Blocks& out) {
-    // Like footprint_of() and color_at() in the shaders.
+    // Computes the level in the same way as footprint_of() and color_at() in the shaders.
     const double lod =
         std::clamp(level_of_detail(sample, source.k, source.pose) - 0.02, 0.0, double(source.levels - 1));
     for (int l = int(lod); l <= int(std::ceil(lod)); ++l) {
@@ -68,7 +69,7 @@ void mark(const Source& source, const SurfaceSample& sample, const Eigen::Vector
     }
 }
 
-/// Marks the blocks that a point needs from the (at most four) photos nearest in angle that see it.
+/// Marks the blocks that a point needs, from at most four photos: those nearest in angle that see it.
 void mark_point(const Surface& surface, const std::vector<Source>& sources, const View& view,
                 const Eigen::Vector3d& p, const Eigen::Vector3d& normal, Blocks& out) {
     const auto sample = surface_sample(view, p, normal, 1);
@@ -77,7 +78,7 @@ void mark_point(const Surface& surface, const std::vector<Source>& sources, cons
     std::vector<std::pair<double, const Source*>> by_angle;
     for (const Source& s : sources) {
         const Eigen::Vector3d to_photo = s.center - p;
-        // Photos from behind show the other side of the surface.
+        // Photos taken from behind show the other side of the surface.
         if (normal.dot(to_photo) * normal.dot(to_eye) > 0)
             by_angle.emplace_back(-to_photo.normalized().dot(to_eye), &s);
     }
@@ -94,7 +95,7 @@ void mark_point(const Surface& surface, const std::vector<Source>& sources, cons
     }
 }
 
-/// The blocks that a view shows, from one ray every `step` pixels.
+/// The blocks that a view shows, found with one ray every `step` pixels.
 Blocks shown_blocks(const PackageReader& package, const Surface& surface, const TrueView& view, int step) {
     std::vector<Source> sources;
     for (const std::uint32_t i : view.photos) {
@@ -119,7 +120,7 @@ Blocks shown_blocks(const PackageReader& package, const Surface& surface, const 
     return out;
 }
 
-/// Bytes of the tiles that hold these blocks, borders included.
+/// The bytes of the tiles that contain these blocks, including borders.
 double tile_bytes_of(const Blocks& blocks, int size) {
     if (size == block_size) return double(blocks.size()) * size * size * 4;
     constexpr std::uint64_t mask = (1u << 17) - 1;
@@ -130,7 +131,8 @@ double tile_bytes_of(const Blocks& blocks, int size) {
     return double(tiles.size()) * size * size * 4;
 }
 
-/// About 16 MB of tiles of one size, cut out of an image, too many for the processor's caches.
+/// About 16 MB of tiles of one size, which are cut out of an image and are too many for the processor's
+/// caches.
 std::vector<Bytes> cut_some(const Picture& image, int size) {
     const int count = std::clamp((1 << 22) / (size * size), 4, 256);
     std::vector<Bytes> out;
@@ -139,10 +141,10 @@ std::vector<Bytes> cut_some(const Picture& image, int size) {
     return out;
 }
 
-// The first size has no border: the visible blocks, as if they could be read individually.
+// The first size has no border: it stands for the visible blocks, as if they could be read individually.
 constexpr int tile_sizes[] = {block_size, 64, 128, 256, 512, 1024};
 
-/// Milliseconds to upload a tile of each size.
+/// The time in milliseconds to upload a tile of each size.
 std::vector<double> upload_ms(const Picture& image, int repeats) {
     std::vector<std::vector<Bytes>> tiles;
     std::vector<Layers> layers;
@@ -198,9 +200,9 @@ extern const Sweep tile_size_sweep;
 const Sweep tile_size_sweep{
     "tile-size",
     "Tile size",
-    "Tiles are 256 texels wide. How much must be read for a view if they are larger or smaller?",
-    "the blocks of 8x8 texels that the view shows, by ray casting",
-    "they are those blocks themselves",
+    "Tiles are 256 texels wide. How much must be read for a view if tiles are larger or smaller?",
+    "the blocks of 8x8 texels that the view shows, found by ray casting",
+    "exact by definition, because it reads only those blocks",
     {{"tile_ms", "read_bytes", true, true}},
     jobs};
 
