@@ -15,7 +15,7 @@
 
 namespace vantage {
 
-/// A package of a small building in a garden.
+/// A package that shows a small building in a garden.
 class GardenPackage : public TemporaryFolder {
   protected:
     void make_package(const std::map<Effect, EffectChoice>& effects) const {

@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// A small building with a lawn and a hill around it, in wide-angle photos of this size.
+/// A small building surrounded by a lawn and a hill, in wide-angle photos of the given size.
 inline SynthSpec garden_spec(int triangles, int width, int height) {
     SynthSpec spec = spec_named("small");
     spec.building.width = 7, spec.building.height = 4.5, spec.building.bays = 3;

@@ -48,7 +48,7 @@ class Overnight : public TemporaryFolder {
     Outcome with_fault(const std::string& fault, const std::string& options = "") const {
         return prepare_program(options, "FAULT=" + fault + " LD_PRELOAD=" FAULTY_DISK);
     }
-    /// The bytes of an undisturbed run's package.
+    /// The bytes of the package that an undisturbed run writes.
     std::string undisturbed(const PrepareSettings& settings = {}) const {
         const fs::path other = dir / "undisturbed.vantage";
         copy_package(scene, settings, other);

@@ -11,11 +11,11 @@
 namespace vantage {
 
 struct Outcome {
-    int code;  ///< -1 if killed by a signal
+    int code;  ///< exit code; -1 if killed by a signal
     std::string out, err;
 };
 
-/// Runs a shell command, with its output in files of a folder.
+/// Runs a shell command and redirects its output to files in a folder.
 inline Outcome run_command(const std::string& command, const std::filesystem::path& folder) {
     const std::filesystem::path out = folder / "out.txt", err = folder / "err.txt";
     const int status = std::system((command + " >" + out.string() + " 2>" + err.string()).c_str());
@@ -28,7 +28,7 @@ inline Outcome run_command(const std::string& command, const std::filesystem::pa
     return {exited ? WEXITSTATUS(status) : -1, text(out), text(err)};
 }
 
-/// Turns "VERB OPTIONS" into "VERB FILE OPTIONS".
+/// Changes "VERB OPTIONS" to "VERB FILE OPTIONS".
 inline std::string with_file(const std::string& words, const std::filesystem::path& file) {
     const bool verb = !words.starts_with('-');
     const std::size_t end = verb ? std::min(words.find(' '), words.size()) : 0;

@@ -15,11 +15,12 @@
 
 namespace vantage {
 
-/// The color of a photo's pixel beside the model.
+/// The color of a photo's pixel that does not show the model.
 using BesideModel = std::function<std::array<std::uint8_t, 3>(int x, int y)>;
 
-/// Writes a scan of this model into a folder, with one ray per pixel of its photos. Photos show the model or,
-/// if given, `worlds`: consecutive groups of equal size show one each.
+/// Writes a scan of this model into a folder. Its photos are made with one ray per pixel. Photos show the
+/// model or, if `worlds` are given, these: each is shown by one of equally large groups of consecutive
+/// photos.
 inline void write_scan(const std::filesystem::path& folder, const SynthModel& model,
                        const std::vector<Camera>& cameras, const BesideModel& beside = {},
                        const std::vector<SynthModel>& worlds = {}) {

@@ -8,14 +8,14 @@
 #include "pipeline/synth/model_builder.h"
 #include "tests/programs/scan_of_model.h"
 
-/// Synthetic scans of five kinds, with z up: mesh, world in the photos, and cameras.
+/// Synthetic scans of five kinds, with z up. Each consists of a mesh, the world in the photos, and cameras.
 namespace vantage::places {
 
 using Eigen::Vector3d;
 
 struct Place {
     SynthModel mesh;
-    std::vector<SynthModel> worlds;  ///< each shown in an equal part of the photos, in order
+    std::vector<SynthModel> worlds;  ///< worlds that the photos show: equally many photos for each, in order
     std::vector<Camera> cameras;
 };
 
@@ -26,7 +26,7 @@ inline Camera camera_at(const Vector3d& eye, const Vector3d& target, double f = 
     return c;
 }
 
-/// `count` cameras on a ring about the z axis, at two heights, starting at an angle in radians.
+/// Places `count` cameras on a ring about the z axis, at two heights, starting at an angle in radians.
 inline std::vector<Camera> ring(int count, double radius, double low, double high, const Vector3d& target,
                                 double from = 0, double arc = 2 * std::numbers::pi) {
     std::vector<Camera> out;
@@ -45,7 +45,7 @@ inline void bust(ModelBuilder& b) {
     b.box({0.02, -0.12, 0.62}, {0.02, 0.03, 0.03}, Material::text);
 }
 
-/// Floor, walls and ceiling, facing inward; with three walls, the side toward +x is open.
+/// The floor, walls and ceiling of a room, facing inward. With three walls, the side toward +x is open.
 inline void room(ModelBuilder& b, const Vector3d& low, const Vector3d& size, bool ceiling = true,
                  int walls = 4) {
     const Vector3d x(size.x(), 0, 0), y(0, size.y(), 0), z(0, 0, size.z());
@@ -57,7 +57,7 @@ inline void room(ModelBuilder& b, const Vector3d& low, const Vector3d& size, boo
     if (walls == 4) b.quad(low + x, z, y, Material::window);
 }
 
-/// The model rotated about a point.
+/// The model, rotated about a point.
 inline SynthModel turned(SynthModel m, const Eigen::Matrix3d& R, const Vector3d& about) {
     for (Vector3d& p : m.mesh.positions) p = about + R * (p - about);
     for (Eigen::Vector3f& n : m.mesh.normals) n = R.cast<float>() * n;
@@ -87,7 +87,7 @@ inline SynthModel built(const auto& build) {
     return std::move(b.model);
 }
 
-/// A room with a table on which the bust stands, off-center.
+/// A room with a table, on which the bust stands off-center.
 inline SynthModel study() {
     return built([](ModelBuilder& b) {
         room(b, {-2.6, -2.2, -0.9}, {4.9, 4.6, 2.9});
@@ -97,13 +97,13 @@ inline SynthModel study() {
     });
 }
 
-/// An object photographed from all sides, then laid on its back and photographed again.
+/// An object that is photographed from all sides, then laid on its back and photographed again.
 inline Place moved_object() {
     Place p{built(bust), {}, ring(10, 1.5, 0.5, 1, {0, 0, 0.35})};
     const Vector3d about(0, 0, 0.35);
     const Eigen::Matrix3d laid = turn(std::numbers::pi / 2, Vector3d::UnitX());
     for (Camera c : ring(8, 1.4, 0.5, 0.9, about, 0.2)) {
-        // In the object's frame, the room and its cameras are rotated.
+        // In the object's frame, the room and the cameras are rotated.
         Pose& pose = c.cam_from_world;
         const Vector3d eye = about + laid * (pose.center() - about);
         pose.R = pose.R * laid.transpose();
@@ -160,7 +160,7 @@ inline Place courtyard(bool open_side) {
     return p;
 }
 
-/// Houses in aerial photos, which show more than the mesh contains.
+/// Houses in aerial photos, which show more of the surroundings than the mesh contains.
 inline Place block(double tilt) {
     Place p{built([](ModelBuilder& b) {
                 b.quad({-30, -30, 0}, {60, 0, 0}, {0, 60, 0}, Material::paving);

@@ -1,19 +1,19 @@
-"""The code blocks of the README and the guides, and the commands in them."""
+"""Finds the code blocks in the README and the guides, and the commands in them."""
 import re
 import shlex
 
-# A line that runs one of the programs, possibly after others, with variables, or as a step of a workflow.
+# A line that runs one of the programs, possibly after other commands, with environment variables, or as a step of a workflow.
 COMMAND = re.compile(r'(?:^|&& |; |\| )(?:\w+=\S* )*(?:build/(?:pipeline|player)/)?vantage(?:-player)?(?: |$)')
 
 
 def pages(source):
-    """README.md and the guides, but not the measurements and the checks that are run by hand, which take hours."""
+    """README.md and the guides. The measurements and the checks are excluded, because they are run by hand and take hours."""
     by_hand = {'measurements.md', 'checks.md'}
     return ['README.md', *sorted(f'docs/{p.name}' for p in source.glob('docs/*.md') if p.name not in by_hand)]
 
 
 def blocks(file):
-    """The code blocks of a page, fenced or indented, as lists of (line number, text), divided at empty lines."""
+    """The code blocks in a page, fenced or indented, as lists of (line number, text). Blocks are divided at empty lines."""
     found, block, fenced = [], [], False
     for number, line in enumerate(file.read_text().splitlines(), 1):
         fence = line.lstrip().startswith('```')
@@ -28,7 +28,7 @@ def blocks(file):
 
 
 def command_of(line):
-    """The command in a line of a block, without its comment; None if there is none."""
+    """The command in a line of a block, without its comment; None if the line has no command."""
     line = re.sub(r'^\s*(- run: )?', '', line)
     return re.sub(r'\s+# .*', '', line).strip() if COMMAND.search(line) else None
 
@@ -45,10 +45,10 @@ def first_words(text):
 
 
 def block_after(file, text):
-    """The block of a page whose first line contains the text, for example the content of a file."""
+    """The block in a page whose first line contains the text. Such a block may show the content of a file."""
     return next('\n'.join(line for _, line in b) for b in blocks(file) if text in b[0][1])
 
 
 def comment_after(file, text):
-    """The comment on the line of a block that contains the text."""
+    """The comment on the line that contains the text, in any block."""
     return next(line.split('# ', 1)[1] for b in blocks(file) for _, line in b if text in line)

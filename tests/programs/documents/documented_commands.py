@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Runs every command of the README and the guides as it is written there.
+"""Runs every command in the README and the guides as it is written there.
 
-    documented_commands.py VANTAGE VANTAGE_PLAYER SOURCE_FOLDER [--all] [PAGE...]     --all: also commands that take long
+    documented_commands.py VANTAGE VANTAGE_PLAYER SOURCE_FOLDER [--all] [PAGE...]     --all: also run slow commands
 
 Commands are the lines of code blocks that run vantage or vantage-player. Each page has a temporary folder, in which its commands
-run in order through `bash -c`; an input that no command of the page writes is made first. A command must end with exit code 0,
-and its outputs must exist; a window is closed by SIGTERM after its first picture, and must not have reported an error; a
-turntable's video is interrupted by SIGINT after its first frames. Where a block shows the output of the commands before it, the
-first words of its lines must be printed. The only substitutions: https://example.org and https://museum.org are a server of this
-test, and the folders /collection and /scans are those of the page.
+run in order through `bash -c`. Inputs that no command of the page writes are made first. A command must end with exit code 0,
+and its outputs must exist. A window is closed by SIGTERM after its first picture, and must not have reported an error. A
+turntable's video is interrupted by SIGINT after its first frames. If a block shows the output of the commands before it, the
+first words of its lines must be printed. There are only two substitutions: https://example.org and https://museum.org are
+replaced by a server of this test, and the folders /collection and /scans by folders of the page.
 """
 import json
 import os
@@ -67,13 +67,13 @@ class Commands:
         return 'ffmpeg is not installed' if video and not shutil.which('ffmpeg') else ''
 
     def run(self, command, folder):
-        """Exit code and output."""
+        """The exit code and the output."""
         done = subprocess.run(['bash', '-c', command], cwd=folder, env=self.environment, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         return done.returncode, done.stdout
 
     def run_video(self, command, folder):
-        """Exit code of a video, 0 if it was interrupted while frames were drawn, as intended, and its output."""
+        """The exit code of a video command (0 if it was interrupted while frames were drawn, as intended) and its output."""
         log = self.home / 'log'
         with log.open('w') as out:
             video = subprocess.Popen(['bash', '-c', 'exec ' + command], cwd=folder, env=self.environment, stdin=subprocess.DEVNULL,
@@ -87,7 +87,7 @@ class Commands:
         return 0 if interrupted and code == INTERRUPTED else code, log.read_text()
 
     def run_window(self, command, folder):
-        """Exit code of a window that is closed after its first picture, or its fault, and its output."""
+        """The exit code of a window that is closed after its first picture, or a description of its fault, and its output."""
         log = self.home / 'log'
         with log.open('w') as out:
             window = subprocess.Popen(['bash', '-c', command], cwd=folder, env=self.environment, stdin=subprocess.DEVNULL, stdout=out,
@@ -118,7 +118,7 @@ class Commands:
     def faults(self, command, folder, page):
         """Runs a command; returns its faults and its output."""
         words = words_of(command)
-        # verify writes -o only if pictures differ.
+        # verify writes the output of -o only if pictures differ.
         named = {'>', '--junit'} if 'verify' in words else {'>', '--junit', '-o', '--output'}
         written = [after for word, after in zip(words, words[1:]) if word in named]
         try:
@@ -173,7 +173,7 @@ class Commands:
 
 
 def used():
-    """Seconds of processor time of all programs that have ended."""
+    """The processor time, in seconds, of all programs that have ended."""
     children = resource.getrusage(resource.RUSAGE_CHILDREN)
     return children.ru_utime + children.ru_stime
 

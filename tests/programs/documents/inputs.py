@@ -1,4 +1,4 @@
-"""The files that documented commands read: small scenes and packages, each made once and copied."""
+"""Makes the files that documented commands read: small scenes and packages, each of which is made once and then copied."""
 import functools
 import http.server
 import re
@@ -7,7 +7,7 @@ import subprocess
 
 from code_blocks import block_after, comment_after
 
-# Two units wide, so that orthophotos at the documented resolutions are small; photos 0000 to 0007.
+# The building is two units wide, so that orthophotos at the documented resolutions are small. There are photos 0000 to 0007.
 SMALL = '''
 scene = {seed = 3}
 building = {bays = 3, floors = 2, width = 2.0, height = 1.5, depth = 1.0, recess = 0.15}
@@ -17,7 +17,7 @@ photos = {count = 8, width = 331, height = 250, fov = 60, radius = 2.5, low = 0.
 
 
 class Inputs:
-    """Makes inputs by name, with the programs in FOLDER/bin."""
+    """Makes inputs by name, using the programs in FOLDER/bin."""
 
     def __init__(self, folder, source, environment, at_length):
         self.bin, self.made, self.source, self.environment = folder / 'bin', folder / 'made', source, environment
@@ -37,7 +37,7 @@ class Inputs:
         self.beside = {'docs/story.md': self.story, 'docs/video.md': self.quick_story}  # chapel.story.json, which no command names
 
     def need(self, to, name, page=None):
-        """Makes the input of that name, unless it exists."""
+        """Makes the input with that name, unless it exists."""
         make = self.of_page.get(page, {}).get(name) or self.makers.get(name)
         if make and (not to.exists() or name in ('scans', 'golden')):
             to.parent.mkdir(parents=True, exist_ok=True)
@@ -52,7 +52,7 @@ class Inputs:
         return make
 
     def two(self, make, extension=''):
-        """Makes two files or folders, chapel and altar, in a folder or, for a pattern of files, in its folder."""
+        """Makes two files or folders, chapel and altar, in a folder, or in the folder of a pattern of files."""
         def make_two(to):
             folder = to.parent if extension else to
             folder.mkdir(exist_ok=True)
@@ -63,7 +63,7 @@ class Inputs:
 
     @functools.lru_cache(None)
     def scan(self, spec=None):
-        """A small scan from a specification, in data/ or SMALL, whose mesh has a scalar field named deviation."""
+        """A small scan from the specification `spec` in data/, or from SMALL. Its mesh has a scalar field named deviation."""
         out = self.made / f'scan of {spec}'
         (self.made / 'scan.toml').write_text((self.source / 'data' / spec).read_text() if spec else SMALL)
         self.run('vantage', 'synth', 'scan.toml', '-o', out)
@@ -76,7 +76,7 @@ class Inputs:
         return out
 
     def mesh(self, scan):
-        """Header and body of the scan's mesh."""
+        """The header and the body of the scan's mesh file."""
         return (scan / 'mesh.ply').read_bytes().split(b'end_header\n', 1)
 
     @functools.lru_cache(None)
@@ -87,7 +87,7 @@ class Inputs:
 
     @functools.lru_cache(None)
     def other_package(self):
-        """The same scene with another decision on an effect."""
+        """A package of the same scene with a different decision on an effect."""
         self.run('vantage', 'refine', self.package(), '--effect', 'exposure=on', '-o', 'new.vantage')
         return self.made / 'new.vantage'
 
@@ -100,7 +100,7 @@ class Inputs:
         return out
 
     def points(self, to):
-        """The vertices of the mesh, without its faces."""
+        """Writes the vertices of the mesh, without its faces."""
         head, body = self.mesh(self.scan())
         to.write_bytes(head[:head.index(b'element face')] + b'end_header\n' + body)
 
@@ -110,7 +110,7 @@ class Inputs:
         self.points(to / 'cloud.ply')
 
     def panel(self, to):
-        """Photos named as image_sets.toml groups them: NUMBER_vis.jpg and ir/NUMBER.jpg."""
+        """Makes photos with the names by which image_sets.toml groups them: NUMBER_vis.jpg and ir/NUMBER.jpg."""
         self.run('vantage', 'synth', self.source / 'data/image_sets.toml', '-o', to)
         shutil.rmtree(to / 'truth')
         for photo in (to / 'images/visible').iterdir():
@@ -130,7 +130,7 @@ class Inputs:
             self.need(to.parent / name, name)
 
     def chapel(self, to):
-        """The scene file as align writes it; align itself runs in the full set of tests only."""
+        """Writes the scene file as align would write it; align itself runs only in the full set of tests."""
         self.need(to.parent / 'scans/chapel', 'scans/chapel')
         to.write_text('[[object]]\ninput = "scans/chapel"\n')
 
@@ -140,7 +140,7 @@ class Inputs:
         shutil.copy(self.scan() / 'images/0000.jpg', folder / 'pictures/clock.jpg')
 
     def quick_story(self, folder):
-        """The same story with a tour of less than a second, for a video."""
+        """Writes the same story, but with a tour of less than a second, for a video."""
         self.story(folder)
         told = folder / 'chapel.story.json'
         told.write_text(re.sub(r'"(fly|stay)": \d+', r'"\1": 0.1', told.read_text()))
@@ -150,7 +150,7 @@ class Inputs:
 
 
 def server(package):
-    """A web server that returns a package under every path, and supports range requests."""
+    """A web server that returns a package for every path and supports range requests."""
 
     class Server(http.server.BaseHTTPRequestHandler):
         protocol_version = 'HTTP/1.1'

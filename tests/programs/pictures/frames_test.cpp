@@ -1,4 +1,4 @@
-// Alternative ways to draw a frame, which must give the same picture: photos blended pixel by pixel or by
+// Tests that alternative ways to draw a frame give the same picture: photos blended pixel by pixel or by
 // drawing the model again, and frames smaller than their render targets.
 #include <gtest/gtest.h>
 
@@ -28,7 +28,8 @@ class Frames : public GardenPackage {
         GardenPackage::SetUp();
         make_package({{Effect::background, EffectChoice::on}, {Effect::per_fragment, EffectChoice::on}});
     }
-    /// A photo's own view, one between photos, and one so near that triangles extend behind the viewer.
+    /// A photo's own view, a view between photos, and a view from so near that triangles extend behind the
+    /// viewer.
     static std::vector<View> views(const PackageReader& package) {
         std::vector<View> out;
         for (const double ahead : {0.0, 1.5, 4.0}) {
@@ -67,7 +68,7 @@ double ms_of(const std::function<void()>& draw) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Compares a picture of sections with rays that the sections clip.
+/// Compares a picture of sections with rays that are clipped by the sections.
 void expect_cut(const PackageReader& package, const View& view, std::vector<SectionPlane> sections,
                 std::span<const std::uint32_t> photos) {
     Renderer renderer(package, MemoryBudget{});
@@ -90,12 +91,12 @@ void expect_cut(const PackageReader& package, const View& view, std::vector<Sect
             wrong += shown != (hit ? hit->triangle + 1 : 0);
             changed += cut[at] != whole[at];
         }
-    EXPECT_GT(changed, cut.size() / 50) << "the section removes a part";
+    EXPECT_GT(changed, cut.size() / 50) << "the section should remove a part of the model";
     EXPECT_LT(wrong, cut.size() / 200) << "except at edges";
 }
 
-/// The largest difference between two pictures of the frame last drawn, except at pixels whose triangle is
-/// seen at less than 3 degrees, where derivatives are not differences of neighbors.
+/// The largest difference between two pictures of the frame that was drawn last. Pixels whose triangle is
+/// seen at less than 3 degrees are excluded, because derivatives are not differences of neighbors there.
 int largest_difference(Renderer& renderer, const View& view, const Picture& a, const Picture& b) {
     constexpr double grazing = 0.05;
     const std::vector<std::uint32_t> triangles = read_triangles(renderer.resources().targets);
@@ -142,7 +143,7 @@ TEST_F(FramesAtLength, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
                 const Difference d = difference(by_pixel.rgba, by_model.rgba);
                 if (background == ShowBackground::on) {
                     // When the model is drawn again, the background's labels are not mixed across triangles
-                    // at seams.
+                    // at the seams.
                     EXPECT_LT(d.share_above_one, 1e-2) << "blend " << int(blend);
                     EXPECT_LE(d.share_above_24, 1e-3) << "blend " << int(blend);
                     continue;
@@ -181,7 +182,7 @@ TEST_F(Frames, ACoarseMeshInMotionLooksLikeTheMesh) {
     for (std::size_t i = 0; i < coarse.rgba.size(); ++i)
         squares += std::pow(int(coarse.rgba[i]) - int(of_mesh.rgba[i]), 2);
     EXPECT_GT(10 * std::log10(255 * 255 / (squares / double(coarse.rgba.size()))), 30);
-    // The triangle under a pixel belongs to the mesh.
+    // The triangle at a pixel belongs to the mesh.
     const auto triangles = renderer.planner().seen().triangles();
     ASSERT_FALSE(triangles.empty());
     EXPECT_LE(std::ranges::max(triangles), renderer.scene().triangles);
@@ -222,7 +223,7 @@ TEST_F(Frames, SmallerThanTheirTargetsLookAsWithTargetsOfTheirOwn) {
     for (const View& view : views(package)) {
         RenderSettings large = settings;
         large.capacity = {view.intrinsics.width, view.intrinsics.height};
-        // The preceding larger frame leaves its pixels beside those of the smaller one.
+        // The previous, larger frame leaves its pixels next to those of the smaller frame.
         take_picture(roomy, view, large, all(package), 1);
         const View small = scaled(view, 0.37);
         EXPECT_EQ(take_picture(roomy, small, large, all(package), 2).rgba,
@@ -258,8 +259,8 @@ TEST_F(Frames, SmallerOnesAreShownEnlarged) {
     EXPECT_GT(mean_off(half), 0);
     EXPECT_LT(mean_off(half), 8);
     EXPECT_LT(mean_off(half), mean_off(tiny));
-    EXPECT_LT(mean_off(tiny), 30) << "in the right position";
-    // The last rows and columns do not show the remains of larger frames beside the picture.
+    EXPECT_LT(mean_off(tiny), 30) << "the picture should be in the right position";
+    // The last rows and columns must not show remains of larger frames from beyond the picture's edges.
     const auto edge_off = [&](const Picture& p) {
         double sum = 0;
         for (int x = 0; x < p.width; ++x)
@@ -310,8 +311,8 @@ TEST_F(Frames, SamplesAreDrawnOneByOneWhereTargetsWouldBeTooLarge) {
     EXPECT_EQ(frames(any, 3000, 1000), 4u);
     GLint longest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &longest);
-    EXPECT_EQ(frames(any, longest / 2 + 1, 20), 4u) << "drawable, but not at twice the size";
-    EXPECT_EQ(frames(small, 1000, 1000), 4u) << "three quarters of graphics memory are for tiles";
+    EXPECT_EQ(frames(any, longest / 2 + 1, 20), 4u) << "the frame can be drawn, but not at twice the size";
+    EXPECT_EQ(frames(small, 1000, 1000), 4u) << "three quarters of graphics memory are reserved for tiles";
     EXPECT_EQ(frames(small, 100, 100), 1u);
 }
 
@@ -325,7 +326,7 @@ TEST_F(Frames, PassesThatAreTimedTakeNoMoreThanTheFrames) {
     take_picture(renderer, view, settings, all(package), 1);
     glFinish();
     PassClock& clock = renderer.resources().pass_clock;
-    EXPECT_EQ(clock.finish(), PassTimes()) << "nothing is timed unless requested";
+    EXPECT_EQ(clock.finish(), PassTimes()) << "passes should not be timed unless this is requested";
     PassTimes times{};
     const double all_ms = ms_of([&] {
         clock.start();

@@ -21,7 +21,7 @@ namespace {
 
 class Garden : public TemporaryFolder {
   protected:
-    /// Makes the photos and the package.
+    /// Makes the photos and prepares the package.
     void SetUp() override {
         TemporaryFolder::SetUp();
         spec = garden_spec(4000, 600, 450);
@@ -53,7 +53,7 @@ bool shows(const RayScene& world, const Camera& camera, const Eigen::Vector3d& p
 TEST_F(Garden, BackgroundHaveItsDepth) {
     const PackageReader package = prepared({});
     const auto found = read_background(package);
-    ASSERT_TRUE(found) << "lawn, hill and sky are a background";
+    ASSERT_TRUE(found) << "lawn, hill and sky should give a background";
     const RayScene world(build_world(spec).mesh), model(build_model(spec).mesh);
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
     for (const NamedCamera& c : cameras) center += c.camera.cam_from_world.center() / double(cameras.size());
@@ -76,11 +76,12 @@ TEST_F(Garden, BackgroundHaveItsDepth) {
     }
     ASSERT_GT(std::min({lawn.size(), hill.size(), sky.size()}), 100u);
     std::printf(
-        "median error of the distance: lawn %.3f (%zu directions), hill %.3f (%zu); sky at %.0f m (%zu)\n",
+        "median error of the distance: lawn %.3f (%zu directions), hill %.3f (%zu); distance of the sky %.0f "
+        "m (%zu)\n",
         median(lawn), lawn.size(), median(hill), hill.size(), median(sky), sky.size());
     EXPECT_LT(median(lawn), 0.03);
     EXPECT_LT(median(hill), 0.25);
-    EXPECT_GT(median(sky), 200) << "from cameras at most 16 m apart";
+    EXPECT_GT(median(sky), 200) << "the cameras are at most 16 m apart, so the sky should be far away";
 }
 
 TEST_F(Garden, FillsTheFrameOfAHeldOutPhoto) {
@@ -128,8 +129,8 @@ TEST_F(Garden, FillsTheFrameOfAHeldOutPhoto) {
     const Errors without = errors(ShowBackground::off), with = errors(ShowBackground::on);
     ASSERT_GT(with.beside.size(), 1000u);
     std::printf(
-        "beside the mesh: median error %.0f of 255, without a background %.0f; railings: %.0f %% of %zu "
-        "pixels within 10\n",
+        "next to the mesh: median error %.0f of 255, without a background %.0f; railings: %.0f %% of %zu "
+        "pixels are off by at most 10\n",
         median(with.beside), median(without.beside), 100.0 * double(with.near) / double(with.railing),
         with.railing);
     EXPECT_LT(median(with.beside), 20);

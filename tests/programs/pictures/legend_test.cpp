@@ -1,4 +1,4 @@
-// The legend of a scalar field in pictures from the command line.
+// Tests the legend of a scalar field in pictures from the command line.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ class Legend : public TemporaryFolder {
     }
 };
 
-/// The bounding box of the differences between two pictures of one size: left, top, right, bottom.
+/// The bounding box (left, top, right, bottom) of the differences between two pictures of the same size.
 std::array<int, 4> difference(const Picture& a, const Picture& b) {
     std::array<int, 4> out{a.width, a.height, -1, -1};
     for (int y = 0; y < a.height; ++y)
@@ -45,7 +45,7 @@ std::array<int, 4> difference(const Picture& a, const Picture& b) {
     return out;
 }
 
-/// The largest number of colors of a map that occur in order in a row of the picture.
+/// The largest number of colors from a color map that occur in order in a row of the picture.
 std::size_t colors_in_a_row(const Picture& p, const ColorTable& table) {
     std::size_t most = 0;
     for (int y = 0; y < p.height; ++y) {
@@ -93,7 +93,8 @@ TEST(PictureLegend, IsLaidOverWhatIsTransparentAndNeedsRoom) {
     EXPECT_GT(shown, 3 * opaque);
     const std::vector<std::uint8_t> before = p.rgba;
     field.name = std::string(300, 'x');
-    EXPECT_FALSE(legend.draw(p, field, {})) << "a name that is too long for the picture";
+    EXPECT_FALSE(legend.draw(p, field, {}))
+        << "a legend whose name is too long for the picture should not be drawn";
     EXPECT_EQ(p.rgba, before);
     Picture small{60, 40, std::vector<std::uint8_t>(std::size_t(60 * 40 * 4)), {}};
     EXPECT_FALSE(legend.draw(small, field, {}));

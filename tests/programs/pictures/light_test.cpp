@@ -1,4 +1,4 @@
-// Lighting of the geometry, compared with Phong's model where rays hit flat walls.
+// Compares the lighting of the geometry with Phong's model where rays hit flat walls.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -32,8 +32,8 @@ class LightOnGeometry : public TemporaryFolder {
     }
 };
 
-/// A pixel on a flat triangle: the unit normal toward the viewer and the direction to the viewer, in the
-/// viewer's axes: right, up, toward the viewer.
+/// A pixel on a flat triangle: the unit normal toward the viewer and the direction to the viewer. Both are in
+/// the viewer's axes (right, up, toward the viewer).
 struct Flat {
     std::size_t pixel;
     Eigen::Vector3d normal, viewer;
@@ -65,7 +65,7 @@ std::vector<Flat> flat_pixels(const Renderer& renderer) {
     return out;
 }
 
-/// The brightness relative to a surface that faces the viewer; at most 3.
+/// The brightness relative to a surface that faces the viewer, limited to 3.
 double phong(const Flat& f, const Eigen::Vector3d& to_light, double facing_the_viewer) {
     const auto of = [](double facing, double glint) {
         return shader::light_ambient + shader::light_diffuse * std::max(facing, 0.0) +

@@ -1,4 +1,4 @@
-// Several objects in one picture, compared with each alone and with the first intersections of rays.
+// Compares several objects in one picture with each object alone and with the first intersections of rays.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Three small buildings, each with its own photos.
+/// Three small buildings, each of which has its own photos.
 class Objects : public TemporaryFolder {
   protected:
     void SetUp() override {
@@ -55,13 +55,13 @@ class Objects : public TemporaryFolder {
         v.cam_from_origin.t += Vector3d(0, 0, 3);  // farther away
         return v;
     }
-    /// Casts rays through the view's pixels at one placed object.
+    /// Casts rays through the view's pixels at one object in its placement.
     struct PlacedRays {
         RayScene rays;
         View view;
         Vector3d origin;
         double scale;
-        /// The distance along the view's axis; infinite if the ray misses.
+        /// The distance along the view's axis; infinite if the ray misses the object.
         double distance(double x, double y) const {
             const Intrinsics& k = view.intrinsics;
             const Vector3d ray =
@@ -79,7 +79,7 @@ class Objects : public TemporaryFolder {
         return {RayScene(meshes[i]), view_of_object(view(), origin_of(*first), origin, p), origin, p.scale};
     }
     std::array<PlacedRays, 3> all_rays() const { return {placed(0), placed(1), placed(2)}; }
-    /// A picture of each object alone; afterwards, only the last one is shown.
+    /// A picture of each object alone. Afterward, only the last object is shown.
     std::vector<Picture> each_alone(ObjectSet& set) const {
         std::vector<Picture> out;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -107,7 +107,8 @@ TEST_F(Objects, EachPixelShowsTheObjectThatItsRayMeetsFirst) {
     std::size_t wrong = 0;
     for (int y = 2; y < together.height - 2; y += 2)
         for (int x = 2; x < together.width - 2; x += 2) {
-            // The nearest object at the pixel and around it: at outlines, either object may be shown.
+            // The nearest object at the pixel, and the objects around it, because either object may be shown
+            // at outlines.
             std::optional<unsigned> nearest;
             bool inside = true;
             for (const auto& [dx, dy] : {std::pair(0, 0), {-2, 0}, {2, 0}, {0, -2}, {0, 2}}) {
@@ -144,7 +145,8 @@ TEST_F(Objects, AMatrixPlacesAnObjectWhereItLeadsItsCoordinates) {
         scene[1].placement = {};
         scene[1].matrix = matrix;
         const ObjectSet set(renderer, scene, MemoryBudget{});
-        EXPECT_FALSE(set.at(1).matrix) << "so that it can be moved";
+        EXPECT_FALSE(set.at(1).matrix)
+            << "the matrix should become a placement, so that the object can be moved";
         const View seen = view_of_object(view(), origin, of_object, set.at(1).placement);
         for (const Vector3d& p : meshes[1].positions) {
             const Vector3d here = view().cam_from_origin.R * (matrix(p) - origin) + view().cam_from_origin.t,
@@ -172,7 +174,7 @@ TEST_F(Objects, ThroughAFadedObjectThoseBehindItShowInLinearLight) {
             bool inside = true;
             for (unsigned i = 0; i < 3; ++i) {
                 const double z = rays[i].distance(x + 0.5, y + 0.5);
-                // Pixels where an object has no color or an outline are not compared.
+                // Pixels where an object has no color or has an outline are not compared.
                 inside &= (std::isfinite(z) ? 255 : 0) == alone[i].rgba[p + 3];
                 if (std::isfinite(z)) order.emplace_back(z, i);
             }
@@ -258,7 +260,7 @@ TEST_F(Objects, TogetherTheyKeepTheUploadLimitAndConverge) {
     }
     EXPECT_TRUE(settled);
     EXPECT_LE(most, settings.upload_bytes);
-    EXPECT_GT(total, 2 * settings.upload_bytes) << "the upload limit must matter";
+    EXPECT_GT(total, 2 * settings.upload_bytes) << "the upload limit should have an effect";
 }
 
 TEST_F(Objects, MovedApartTheyAreBesideEachOtherAndBackTogetherAsBefore) {

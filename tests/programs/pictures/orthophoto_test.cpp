@@ -1,4 +1,4 @@
-// vantage-player orthophoto, compared with parallel rays cast through a synthetic scene.
+// Compares the output of vantage-player orthophoto with parallel rays cast through a synthetic scene.
 #include "player/pictures/orthophoto.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ SynthSpec spec() {
     return s;
 }
 
-/// The scene's geometry and light, independent of cameras.
+/// The scene's geometry and light, without cameras.
 struct Truth {
     SynthModel model = build_model(spec());
     RayScene rays{model.mesh};
@@ -41,7 +41,7 @@ struct Truth {
         Vector3d normal;
         Eigen::Vector3f light;  ///< linear
     };
-    /// The surface along a direction, if there is one, lit by sun and sky as in the photos.
+    /// The first surface in a direction, if there is one, lit by the sun and the sky as in the photos.
     std::optional<Seen> at(const Vector3d& from, const Vector3d& ahead) const {
         const auto hit = rays.first_hit(from, ahead);
         if (!hit) return {};
@@ -107,7 +107,7 @@ TEST_F(OrthophotoProgram, ShowsTheSurfaceWhereRaysAtRightAnglesMeetIt) {
                 return truth.at(front(x + 0.5 + dx, y + 0.5 + dy), Vector3d::UnitY());
             };
             const auto here = at(0, 0);
-            ASSERT_TRUE(here) << "the facade fills the picture";
+            ASSERT_TRUE(here) << "the facade should fill the picture";
             const auto is_like = [&](int dx, int dy) { return at(dx, dy)->normal.dot(here->normal) > 0.99; };
             if (!is_like(1, 0) || !is_like(-1, 0) || !is_like(0, 1) || !is_like(0, -1))
                 continue;  // an edge within a pixel
@@ -141,8 +141,8 @@ TEST_F(OrthophotoProgram, HasTheColorsOfTheSceneInTheirPlace) {
             expected[std::size_t(y * width + x)] = 255 * srgb_from_linear(green);
             shown[std::size_t(y * width + x)] = pixel(p, x, y)[1];
         }
-    // Compares the whole picture where photos show it, and parts of it, which must not fit better when
-    // shifted.
+    // Compare the whole picture where photos show it. Then compare parts of it: they must not match better
+    // when they are shifted.
     double squares = 0;
     int colored = 0;
     const auto is_colored = [&](int x, int y) { return pixel(p, x, y)[3] == 255; };
@@ -231,7 +231,7 @@ TEST_F(OrthophotoProgram, WritesWhereItIs) {
     EXPECT_EQ(v[3], -0.1);
     EXPECT_NEAR(v[4], -8 + 0.05, 1e-5);
     EXPECT_NEAR(v[5], 4.4 - 0.05, 1e-5);
-    EXPECT_EQ(pixel(p, 2, 2)[3], 0) << "empty beside the building's back";
+    EXPECT_EQ(pixel(p, 2, 2)[3], 0) << "the picture should be empty next to the building's back";
 }
 
 TEST_F(OrthophotoProgram, AsGeoTiffIsTheSamePictureAndTellsItsPlace) {
@@ -260,7 +260,7 @@ TEST_F(OrthophotoProgram, AsGeoTiffIsTheSamePictureAndTellsItsPlace) {
         TIFFGetField(tiff.get(), tag, &count, &values);
         return std::vector<double>(values, values + (values ? count : 0));
     };
-    EXPECT_EQ(numbers(33550), (std::vector<double>{0.1, 0.1, 0})) << "the size of a pixel";
+    EXPECT_EQ(numbers(33550), (std::vector<double>{0.1, 0.1, 0})) << "the tag for the size of a pixel";
     const std::vector<double> tie = numbers(33922);  // column and row of a point, and its position
     ASSERT_EQ(tie.size(), 6u);
     EXPECT_EQ(tie[0], 0);

@@ -55,7 +55,7 @@ TEST_F(Panoramas, ShowEachDirectionWhereAViewerLooksForIt) {
             read_png(offscreen("direct", "--view " + text + " --size 240x180 --holes shade --samples 2"));
         const View view = parse_view(text, package, {240, 180});
         const Intrinsics& k = view.intrinsics;
-        // Block means, since the two are sampled differently.
+        // Means over blocks are compared, because the two pictures are sampled differently.
         constexpr int block = 4;
         double sum = 0;
         int counted = 0;
@@ -82,8 +82,8 @@ TEST_F(Panoramas, ShowEachDirectionWhereAViewerLooksForIt) {
 
 using PanoramasAtLength = Panoramas;
 TEST_F(PanoramasAtLength, ShowToEachEyeWhatItSeesWhereItTurns) {
-    // A large eye separation, so that the eyes differ. For objects straight ahead, the eyes are on both sides
-    // of the middle.
+    // The eye separation is large, so that the eyes' pictures differ. For objects straight ahead, the eyes
+    // are on opposite sides of the middle.
     const PackageReader package(file);
     constexpr double apart = 0.4;
     constexpr int w = 768, h = 384;
@@ -103,7 +103,8 @@ TEST_F(PanoramasAtLength, ShowToEachEyeWhatItSeesWhereItTurns) {
                 "direct", std::string("--view ") + text + " --size 480x360 --holes shade --samples 2"));
             const View view = parse_view(text, package, {480, 360});
             const Intrinsics& k = view.intrinsics;
-            // Blocks of 4 rows, within 2 columns of the direction in which this eye looks straight ahead.
+            // Blocks of 4 rows are compared, within 2 columns of the direction in which this eye looks
+            // straight ahead.
             const double middle = (std::atan2(ahead.x(), ahead.y()) / (2 * pi) + 0.5) * w;
             std::array<double, 2> psnr{};
             for (const int half : {0, 1}) {
@@ -125,7 +126,8 @@ TEST_F(PanoramasAtLength, ShowToEachEyeWhatItSeesWhereItTurns) {
                 psnr[std::size_t(half)] = 10 * std::log10(255 * 255 * counted / sum);
             }
             EXPECT_GT(psnr[std::size_t(eye)], 30) << ahead.transpose() << ", eye " << eye;
-            EXPECT_GT(psnr[std::size_t(eye)], psnr[std::size_t(1 - eye)] + 3) << "closer to the other eye";
+            EXPECT_GT(psnr[std::size_t(eye)], psnr[std::size_t(1 - eye)] + 3)
+                << "the picture should match its own eye better than the other eye";
         }
     }
 }

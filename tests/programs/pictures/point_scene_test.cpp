@@ -1,5 +1,5 @@
-// Point-only scenes, with and without photos. The ground truth is the mesh from which the points are sampled,
-// shown with the same photos, and the points themselves, projected one by one.
+// Tests point-only scenes, with and without photos. The ground truth is the mesh from which the points are
+// sampled, shown with the same photos, as well as the points themselves, projected one by one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -87,8 +87,8 @@ class PointScenes : public TemporaryFolder {
     std::filesystem::path mesh_file;
 };
 
-/// The mean difference of 8-bit values at pixels colored in both pictures; `share`: their fraction of the
-/// pixels colored in `truth`.
+/// The mean difference of 8-bit values at pixels that are colored in both pictures. `share` receives their
+/// fraction of the pixels that are colored in `truth`.
 double difference(const Picture& truth, const Picture& p, double& share) {
     double sum = 0;
     std::size_t both = 0, shown = 0;
@@ -134,7 +134,7 @@ TEST_F(PointScenes, LookLikeTheMeshWithTheSamePhotos) {
         bare.points.color = PointColor::own;
         const Picture own_colors = taken(cloud, same_view, bare);
         EXPECT_GT(difference(truth, own_colors, share), 40)
-            << "the points' own colors differ from the photos";
+            << "the points' own colors should differ from the photos";
     }
 }
 
@@ -155,7 +155,7 @@ TEST_F(PointScenes, TheFirstFrameOfAWindowShowsTheWholeCloudCoarsely) {
 }
 
 TEST_F(PointScenes, WhatNoPhotoSeesKeepsItsOwnColor) {
-    // A sheet inside the building, hidden by its walls from everywhere.
+    // A sheet inside the building; the walls hide it from all viewpoints outside.
     std::vector<PlyPoint> points = samples(200'000);
     for (int x = 0; x < 200; ++x)
         for (int z = 0; z < 200; ++z) points.push_back({{-1 + 0.01 * x, 2, 2 + 0.01 * z}, magenta});
@@ -191,7 +191,7 @@ TEST_F(PointScenes, AreSharedMergedRefinedCheckedAndExtracted) {
     extract(whole.path(), dir / "files", {}, false);
     EXPECT_TRUE(std::filesystem::exists(dir / "files" / "points.ply"));
     EXPECT_FALSE(std::filesystem::exists(dir / "files" / "mesh.ply"))
-        << "the substitute mesh is not exported";
+        << "the substitute mesh should not be exported";
 }
 
 TEST_F(PointScenes, NeedNoPhotos) {
@@ -212,7 +212,7 @@ TEST_F(PointScenes, NeedNoPhotos) {
     std::size_t shown = 0;
     for (std::size_t i = 3; i < p.rgba.size(); i += 4) shown += p.rgba[i] > 0;
     EXPECT_GT(shown, p.rgba.size() / 4 / 10);
-    // If z of the points is down, a view is upright with a roll of half a turn.
+    // If the points' z axis points down, a view with a roll of half a turn is upright.
     run(player + " render " + package + " --view 0,-14,5,0,0,3,45,180 --size 200x150 -o " + at +
         "/rolled.png");
     const Picture rolled = read_png(dir / "rolled.png");
@@ -220,7 +220,7 @@ TEST_F(PointScenes, NeedNoPhotos) {
     for (std::size_t i = 0, n = p.rgba.size() / 4; i < n; ++i)
         differing += std::abs(p.rgba[4 * i + 3] - rolled.rgba[4 * (n - 1 - i) + 3]) > 64;
     EXPECT_LT(differing, shown / 50);
-    // In the window's first view, the whole cloud is in the frame.
+    // In the window's first view, the whole cloud must be in the frame.
     const PackageReader reader(package);
     const View home = view_of(home_of(reader, 0), 320, 240);
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(reader.scene().origin);
@@ -234,7 +234,7 @@ TEST_F(PointScenes, NeedNoPhotos) {
 }
 
 TEST_F(PointScenes, AreObjectsOfASceneBeforeAndBehindOthers) {
-    // A wall of points in front of the building, whose front is at y = -3 or so.
+    // A wall of points in front of the building, whose front is at about y = -3.
     std::vector<PlyPoint> wall;
     for (int x = -100; x <= 100; ++x)
         for (int z = 0; z <= 100; ++z) wall.push_back({{0.02 * x, -5, 0.03 * z}, magenta});
@@ -259,8 +259,9 @@ TEST_F(PointScenes, AreObjectsOfASceneBeforeAndBehindOthers) {
             for (std::size_t i = 0; i < p.rgba.size() / 4; ++i) n += is_magenta(p, i);
             return double(n) / double(p.rgba.size() / 4);
         };
-        EXPECT_NEAR(magenta_share("0,-14,1.5,0,0,1.5"), 0.163, 0.02) << "its place before the building";
-        EXPECT_EQ(magenta_share("0,14,1.5,0,0,1.5"), 0) << "the building hides it";
+        EXPECT_NEAR(magenta_share("0,-14,1.5,0,0,1.5"), 0.163, 0.02)
+            << "the wall should be in its place in front of the building";
+        EXPECT_EQ(magenta_share("0,14,1.5,0,0,1.5"), 0) << "the building should hide the wall";
     }
 }
 
@@ -306,7 +307,8 @@ TEST_F(PointScenes, APickedPointHasTheCoordinatesAndColorOfTheNearestOneAtThePix
         right += found && (found->position - truth.position).norm() < 1e-4 && found->color == truth.color;
     }
     EXPECT_GT(asked, 50u);
-    EXPECT_GE(double(right), 0.97 * double(asked)) << "except points on the border of two pixels";
+    EXPECT_GE(double(right), 0.97 * double(asked))
+        << "only points on the border between two pixels may differ";
     EXPECT_GE(double(nothing), 0.97 * double(empty));
     renderer.pick({-1, 5});
     renderer.pick({-1, 5});

@@ -1,4 +1,4 @@
-// Point clouds shown with the model, compared with points projected one by one.
+// Compares point clouds shown with the model with points projected one by one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ namespace {
 
 using PointCode = std::array<std::uint8_t, 4>;
 
-/// A small building, and points around and inside it.
+/// A small building, with points around and inside it.
 class Points : public TemporaryFolder {
   protected:
     void SetUp() override {
@@ -90,7 +90,7 @@ bool is_near(const PointCode& a, const PointCode& b) {
 
 /// The depth and color of the nearest point at a pixel.
 struct Nearest {
-    double z = 1e300, next = 1e300;  ///< of the second nearest
+    double z = 1e300, next = 1e300;  ///< depths of the nearest and the second nearest point
     PointCode color{};
 };
 
@@ -140,7 +140,7 @@ TEST_F(Points, AreWhereProjectionPutsThemBeforeAndBehindTheModel) {
         if (n.next - n.z < 1e-4) continue;
         ++shown;
         right += is_near(code_at(alone, i), n.color);
-        // The model's depth is where the ray through the pixel's center meets it.
+        // The model's depth is taken where the ray through the pixel's center meets the model.
         const Eigen::Vector3d ray((double(i % std::size_t(k.width)) + 0.5 - k.cx) / k.fx,
                                   (double(i / std::size_t(k.width)) + 0.5 - k.cy) / k.fy, 1);
         const Eigen::Matrix3d turned = view.cam_from_origin.R.transpose();
@@ -152,7 +152,8 @@ TEST_F(Points, AreWhereProjectionPutsThemBeforeAndBehindTheModel) {
     }
     EXPECT_GT(shown, 10'000u);
     EXPECT_GT(compared, 5'000u);
-    // Graphics cards round positions to 1/256 px: points near the border of two pixels may be in either.
+    // Graphics cards round positions to 1/256 px, so points near the border between two pixels may be in
+    // either pixel.
     EXPECT_GE(double(right), 0.99 * double(shown));
     EXPECT_GE(double(clear), 0.998 * double(empty));
     EXPECT_GE(double(in_order), 0.99 * double(compared));
@@ -193,7 +194,7 @@ TEST_F(Points, OfTwoEyesHideAndAreHiddenAsForOne) {
     Renderer renderer(package, MemoryBudget{});
     const auto both =
         eye_views(view_of_photo(package.photos()[0], 0.5), {.distance = 0.4, .convergence = 6}, 1);
-    // Without points, each eye has its own surface buffer; with points, both share one.
+    // Without points, each eye has its own surface buffer; with points, both eyes share one buffer.
     for (const bool shown : {false, true, false}) {
         RenderSettings s = plain();
         s.points.show = shown;
@@ -266,7 +267,8 @@ TEST_F(Points, SurviveSharesRefiningExtractingAndChecking) {
     const auto a = sorted(back), b = sorted(input.points);
     std::size_t same = 0;
     for (std::size_t i = 0; i < a.size(); ++i) same += std::abs(a[i][0] - b[i][0]) < 2 && a[i][3] == b[i][3];
-    EXPECT_GT(double(same), 0.99 * double(a.size())) << "except for rounding ties";
+    EXPECT_GT(double(same), 0.99 * double(a.size()))
+        << "only points that are rounded the other way may differ";
 }
 
 TEST_F(Points, DamagedOnesAreReportedAndTheOthersShown) {
@@ -287,7 +289,7 @@ TEST_F(Points, DamagedOnesAreReportedAndTheOthersShown) {
     Renderer renderer(package, MemoryBudget{});
     const Picture picture = taken(renderer, view_of_photo(package.photos()[1], 1), plain());
     EXPECT_EQ(picture.report.tiles_damaged, 1u);
-    EXPECT_EQ(picture.report.nodes_missing, 0u) << "does not wait for a damaged block";
+    EXPECT_EQ(picture.report.nodes_missing, 0u) << "the renderer should not wait for a damaged block";
     EXPECT_GT(picture.report.points, 30'000u);
 }
 

@@ -1,4 +1,4 @@
-// Scalar fields on the model, compared with the values at ray intersections.
+// Compares scalar fields on the model with the values at ray intersections.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace {
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
-/// A small building whose mesh has scalar fields, and its package.
+/// A small building, whose mesh has scalar fields, and its package.
 class ScalarFields : public TemporaryFolder {
   protected:
     void SetUp() override {
@@ -61,7 +61,7 @@ class ScalarFields : public TemporaryFolder {
     SceneInput scene;
 };
 
-/// Intersections of pixels' rays with the mesh, except next to edges in the picture.
+/// The intersections of the pixels' rays with the mesh, except next to edges in the picture.
 class Rays {
   public:
     Rays(const Mesh& mesh, const Eigen::Vector3d& origin, const View& view)
@@ -177,7 +177,7 @@ TEST_F(ScalarFields, PhotosAreShownWhereAFieldHasNoValueAndMixedWhereAsked) {
         }
     }
     EXPECT_GT(right, 500u);
-    // Triangles across the border also have no value.
+    // Triangles that cross the border have no value, either.
     EXPECT_GT(double(shown), 0.5 * double(left));
 }
 
@@ -210,7 +210,7 @@ TEST_F(ScalarFields, LogarithmsAndLinesAreWhereTheyBelong) {
     }
     EXPECT_GT(changed, 100u);
     EXPECT_GT(far, 1000u);
-    // The exponential is not linear between vertices, so lines on large triangles are displaced.
+    // The exponential function is not linear between vertices, so lines on large triangles are displaced.
     EXPECT_LT(double(far_changed), 0.02 * double(far));
 }
 
@@ -272,7 +272,7 @@ TEST_F(ScalarFields, NothingOfThemIsThereWhenTheyAreOff) {
     EXPECT_TRUE(effect_on(on.scene(), Effect::scalar_fields));
     EXPECT_TRUE(misshapen(on).empty());
     ASSERT_EQ(read_fields(on).size(), 3u);
-    EXPECT_EQ(shown(on), bare) << "before the field is shown";
+    EXPECT_EQ(shown(on), bare) << "a field should cost nothing before it is shown";
     EXPECT_GT(shown(on, 0).second, bare.second);
 }
 
@@ -302,13 +302,13 @@ TEST_F(ScalarFields, PhotosAreCountedAndTheirDensityMeasuredAsByRays) {
             ++photos;
             most = std::max(most, photo.fx / (pose.R * at + pose.t).z());
         }
-        EXPECT_EQ(count[v] > 0, density[v] > 0) << "NaN where no photo sees it";
-        EXPECT_LE(count[v], photos + 1) << "compared with rays; one more at an edge";
+        EXPECT_EQ(count[v] > 0, density[v] > 0) << "both should be NaN where no photo sees the vertex";
+        EXPECT_LE(count[v], photos + 1) << "at an edge, one more photo than rays find is allowed";
         seen += photos > 0;
         same += photos > 0 && count[v] == float(photos);
         dense += photos > 0 && std::abs(density[v] - most) < 1e-3 * most;
     }
-    // Next to the photo's edge or an occluder's edge, no triangle is entirely visible.
+    // Next to the photo's edge or an occluder's edge, triangles are not entirely visible.
     EXPECT_GT(seen, positions.size() / 2);
     EXPECT_GT(double(same), 0.9 * double(seen));
     EXPECT_GT(double(dense), 0.9 * double(seen));
@@ -343,5 +343,5 @@ TEST_F(ScalarFields, WhatPhotosSeeIsAFieldOfEveryPackageAndCostsNothingUntilShow
     const std::vector<ScalarField> fields = all_fields(own);
     ASSERT_EQ(fields.size(), 2u);
     EXPECT_EQ(fields[0].name, "photo-count");
-    EXPECT_FALSE(fields[0].measure) << "the file's own field comes first";
+    EXPECT_FALSE(fields[0].measure) << "the field from the file should come first";
 }

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Stereo pictures of a package with a background.
+/// Tests stereo pictures of a package with a background.
 class StereoPictures : public GardenPackage {
   protected:
     void SetUp() override {
@@ -56,7 +56,7 @@ double srgb_code(double light) {
     return 255 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055);
 }
 
-/// The mean difference of 8-bit values in the upper parts of two pictures of the same width.
+/// The mean difference of 8-bit values between the upper parts of two pictures of the same width.
 double difference_of_frames(const Picture& a, const Picture& b) {
     double sum = 0;
     for (std::size_t i = 0; i < std::min(a.rgba.size(), b.rgba.size()); ++i)
@@ -71,8 +71,8 @@ TEST_F(StereoPicturesAtLength, AreTwoSinglePicturesToTheBit) {
     const gl::HeadlessContext context;
     const View middle = view_of_photo(package.photos()[2], 0.7);
     const double apart = 0.3, convergence = 5;
-    // Computed by hand: cameras moved sideways, and pictures shifted so that points at the convergence
-    // distance coincide.
+    // The reference is computed by hand: the cameras are moved sideways, and the pictures are shifted so that
+    // points at the convergence distance coincide.
     View left = middle, right = middle;
     left.cam_from_origin.t.x() += 0.15, right.cam_from_origin.t.x() -= 0.15;
     left.intrinsics.cx -= middle.intrinsics.fx * 0.15 / 5,
@@ -191,7 +191,7 @@ TEST_F(StereoPictures, OfTheProgramAreArrangedAsAsked) {
             ASSERT_TRUE(std::equal(&eye.rgba[at], &eye.rgba[at] + 4, &board.rgba[at])) << x << ", " << y;
         }
 
-    // Dubois's matrices for red-cyan glasses, on linear light.
+    // Dubois's matrices for red-cyan glasses, applied to linear light.
     const Picture glasses = offscreen("glasses", view + "anaglyph");
     ASSERT_EQ(glasses.rgba.size(), left.rgba.size());
     double most = 0;
@@ -218,12 +218,12 @@ TEST_F(StereoPicturesAtLength, OfAWindowAreThoseOfTwoEyes) {
         EXPECT_EQ(std::system(command.c_str()), 0) << options;
         return read_png(png);
     };
-    // The area without panels.
+    // The area of the window that has no panels.
     constexpr int w = 400, h = 250;
     const Picture mono = part(window("mono", "--size 400x400"), 0, 0, w, h);
     const Picture both = window("both", "--size 800x400 --stereo side-by-side --eye-separation 0.3");
     const Picture left = part(both, 0, 0, w, h), right = part(both, w, 0, w, h);
-    EXPECT_GT(difference_of_frames(left, right), 0.5) << "the eyes are at different positions";
+    EXPECT_GT(difference_of_frames(left, right), 0.5) << "the eyes should be at different positions";
     EXPECT_LT(difference_of_frames(left, mono), 10);
     EXPECT_LT(difference_of_frames(right, mono), 10);
     const Picture above = window("above", "--size 400x800 --stereo over-under --eye-separation 0.3");

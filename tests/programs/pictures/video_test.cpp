@@ -1,4 +1,4 @@
-// Videos by vantage-player: turntables, paths and tours, as frames and through ffmpeg.
+// Tests the videos of vantage-player: turntables, paths and tours, written as frames and through ffmpeg.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -46,7 +46,7 @@ class Video : public TemporaryFolder {
     void write(const std::string& name, const std::string& text) const {
         std::ofstream(dir / name, std::ios::binary) << text;
     }
-    /// The environment with a script as `ffmpeg`, first in PATH.
+    /// An environment in which a script named `ffmpeg` comes first in PATH.
     std::string with_ffmpeg(const std::string& script) const {
         fs::create_directories(dir / "bin");
         write("bin/ffmpeg", "#!/bin/sh\n" + script);
@@ -143,7 +143,7 @@ TEST_F(Video, PathMeetsItsViewsAtTheirTimes) {
                       last = view_option({0, -12, 2}, {0, 0, 0});
     write("way.path", "# a comment\n" + first + " at=1\n" + second + " at=1.5\n" + last + " at=2\n");
     ASSERT_EQ(play("video --path way.path --frame-rate 8 -o frames").code, 0);
-    EXPECT_EQ(files_in(dir / "frames").size(), 9u) << "a second at 8 per second, and the last view";
+    EXPECT_EQ(files_in(dir / "frames").size(), 9u) << "one second at 8 frames per second, and the last view";
     ASSERT_EQ(play("render --path way.path --holes shade -o stills").code, 0);
     for (const auto& [still, frame] : {std::pair("0000", "0001"), {"0001", "0005"}, {"0002", "0009"}}) {
         const Picture a = read_png(dir / "stills" / (std::string(still) + ".png")),
@@ -172,7 +172,7 @@ TEST_F(Video, TourOfTheStoryStaysAtItsStops) {
     ASSERT_EQ(play("video --tour Kurz --frame-rate 4 -o frames").code, 0);
     EXPECT_EQ(files_in(dir / "frames").size(), 3u);
     EXPECT_TRUE(slurp(dir / "frames/scene-0001.png") == slurp(dir / "frames/scene-0003.png"))
-        << "the camera does not move";
+        << "the camera should not move";
     ASSERT_EQ(play("render --holes shade -o still.png --view " + view_option({5, -9, 3}, {0, 0, 0})).code, 0);
     EXPECT_LT(difference(read_png(dir / "still.png"), read_png(dir / "frames/scene-0001.png")), 1);
     const Outcome none = play("video --tour long -o frames");
@@ -198,9 +198,9 @@ TEST_F(Video, BackgroundOfTheStoryIsBehindTheModel) {
     const auto gradient = corners(R"({"top": "#ff0000", "bottom": "#0000ff"})");
     EXPECT_GT(gradient[0][0], 250);
     EXPECT_LT(gradient[0][2], 40);
-    EXPECT_NEAR(gradient[1][0], gradient[1][2], 8) << "as much red as blue in the middle";
+    EXPECT_NEAR(gradient[1][0], gradient[1][2], 8) << "there should be as much red as blue in the middle";
     EXPECT_GT(gradient[2][2], 250);
-    // The facade fills the frame, and fades into the background only at its edges.
+    // The facade fills the frame; only at its edges does it fade into the background.
     const std::string close = "--view " + view_option({0, -20, 1}, {0, 0, 1}, 6);
     const auto hard = corners(R"({"color": "#00ff00"})", close);
     const auto soft = corners(R"({"color": "#00ff00", "soft_edges": 0.2})", close);

@@ -1,4 +1,4 @@
-// A real scan gives the same package with its cameras in the formats of other programs.
+// Tests that a real scan gives the same package if its cameras are in the formats of other programs.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -29,8 +29,8 @@ class CameraFormats : public TemporaryFolder {
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
     fs::path package(const std::string& name) const { return dir / (name + ".vantage"); }
-    /// Prepares the scan with these files as its cameras. The background is off, since its depths may depend
-    /// on the last digits of a pose.
+    /// Prepares the scan with these files as its camera files. The background is off, because its depths may
+    /// depend on the last digits of a pose.
     void prepare(const std::string& name, const std::map<std::string, std::string>& files,
                  const fs::path& scan) const {
         fs::create_directories(dir / name);
@@ -42,7 +42,7 @@ class CameraFormats : public TemporaryFolder {
                   0)
             << slurp(dir / "says");
     }
-    /// Compares poses to 1e-9 and everything else bit by bit.
+    /// Compares poses with a tolerance of 1e-9, and everything else bit by bit.
     void expect_equal(const std::string& a, const std::string& b) const {
         const PackageReader one(package(a)), other(package(b));
         ASSERT_EQ(one.photos().size(), other.photos().size()) << b;
@@ -117,7 +117,8 @@ TEST_F(CameraFormats, CamerasOfAnotherFrameAreMovedByTheSceneFile) {
         "given",
         {{"cameras.txt", exported::colmap_cameras(photos)}, {"images.txt", exported::colmap_images(photos)}},
         real);
-    // x = 2 T y + (5, -3, 400) transforms from the other frame to the mesh; T permutes the axes.
+    // x = 2 T y + (5, -3, 400) transforms points y of the other frame to the mesh's frame; T permutes the
+    // axes.
     Eigen::Matrix3d T;
     T << 0, 0, 1, 1, 0, 0, 0, 1, 0;
     for (Photo& p : photos) {

@@ -1,4 +1,4 @@
-// Compact packages: tiles with the photos' own JPEG data, and other compact chunks.
+// Tests compact packages: tiles that contain the photos' own JPEG data, and other compact chunks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -203,7 +203,8 @@ TEST_F(CompactPackages, AreReadByAProgramThatKnowsOnlyTheTextOfTheFormat) {
             (INDEPENDENT_READER " " + (dir / compact).string() + " " + (dir / raw).string()).c_str());
     };
     EXPECT_EQ(read("compact.vantage", "raw.vantage"), 0);
-    EXPECT_NE(read("raw.vantage", "raw.vantage"), 0) << "all forms are raw";
+    EXPECT_NE(read("raw.vantage", "raw.vantage"), 0)
+        << "packages whose chunks are all raw should be rejected";
 }
 
 TEST_F(CompactPackages, ADamagedCellCostsTheTilesThatShowIt) {

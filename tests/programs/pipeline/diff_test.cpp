@@ -1,4 +1,4 @@
-// The page that `vantage diff -o FOLDER` writes.
+// Tests the page that `vantage diff -o FOLDER` writes.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -78,5 +78,5 @@ TEST_F(Diff, PageShowsPhotosThatDiffer) {
     EXPECT_EQ(diff("b"), int(Exit::different));
     EXPECT_TRUE(says("<td>0003.jpg<td>tiles<td>"));
     EXPECT_FALSE(says("<td>0002.jpg<td>tiles<td>"));
-    EXPECT_EQ(pictures(), 1u) << "only of the photo; its weight maps are equal";
+    EXPECT_EQ(pictures(), 1u) << "only the photo should have a picture, because its weight maps are equal";
 }

@@ -1,4 +1,4 @@
-// The output of `vantage extract` is a scan that other programs and `vantage prepare` can read.
+// Tests that the output of `vantage extract` is a scan that other programs and `vantage prepare` can read.
 #include "pipeline/reports/extract.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,8 @@ class Extract : public TemporaryFolder {
     }
     PackageReader first() const { return PackageReader(dir / "first.vantage"); }
     PackageReader again() const { return PackageReader(dir / "again.vantage"); }
-    /// Moves the whole scan, as if in map coordinates, and rotates the camera of `wrong` by 4 px.
+    /// Moves the whole scan, as if it had map coordinates, and rotates the camera of the photo `wrong` by 4
+    /// px.
     void move_scan(const Eigen::Vector3d& by, const std::string& wrong) const {
         std::vector<NamedCamera> cameras;
         for (const CameraSet::Entry& e : read_cameras(scan / "sparse").entries) {
@@ -72,7 +73,7 @@ Pose in_world(const PackageReader& package, const package::PhotoRecord& p) {
     return cam_from_origin(p).relative_to(-Eigen::Map<const Eigen::Vector3d>(package.scene().origin));
 }
 
-/// The photo with this name in another package, with any extension.
+/// The photo with this name in another package; the extension may differ.
 const package::PhotoRecord& same_photo(const PackageReader& package, const package::PhotoRecord& p) {
     return package.photos()[package.photo_index(stem_of(p.name)).value()];
 }
@@ -103,7 +104,7 @@ TEST_F(Extract, FolderIsAScanWithTheSamePhotosAndRefinedCameras) {
     move_scan(far, "0003.jpg");
     round_trip("--effect pose-refinement=on --hold-out 0000");
     const PackageReader a = first(), b = again();
-    ASSERT_EQ(b.photos().size(), 4u) << "the held-out photo has no pixels";
+    ASSERT_EQ(b.photos().size(), 4u) << "the held-out photo should have no pixels";
     const CameraSet given = read_cameras(scan / "sparse");
     double moved = 0;
     for (const package::PhotoRecord& p : a.photos()) {
@@ -112,9 +113,10 @@ TEST_F(Extract, FolderIsAScanWithTheSamePhotosAndRefinedCameras) {
         expect_same_camera(a, p, b, q);
         const auto of_p = [&](const CameraSet::Entry& e) { return e.photo == p.name; };
         const Pose before = std::ranges::find_if(given.entries, of_p)->camera.cam_from_world;
-        EXPECT_LT((before.center() - in_world(a, p).center()).norm(), 0.5) << "in the input's coordinates";
+        EXPECT_LT((before.center() - in_world(a, p).center()).norm(), 0.5)
+            << "the extracted poses should be in the input's coordinates";
         moved = std::max(moved, (before.R - in_world(a, p).R).norm());
-        // Pixels beside the mesh are kept. JPEG may round colors twice.
+        // Pixels that do not show the mesh are kept. JPEG compression may round colors twice.
         const auto pixels = [](const PackageReader& r, const package::PhotoRecord& photo) {
             return read_level_image(r, photo, std::uint32_t(&photo - r.photos().data()), package::Type::tiles,
                                     0)
@@ -128,7 +130,7 @@ TEST_F(Extract, FolderIsAScanWithTheSamePhotosAndRefinedCameras) {
         EXPECT_EQ(alpha, 0u) << p.name;
         EXPECT_LT(double(far), 0.01 * double(x.size())) << p.name;
     }
-    EXPECT_GT(moved, 0.001) << "poses are the corrected ones";
+    EXPECT_GT(moved, 0.001) << "the poses should be the corrected ones";
 }
 
 TEST_F(Extract, PhotosAreAsTakenOrUndistorted) {
@@ -138,7 +140,7 @@ TEST_F(Extract, PhotosAreAsTakenOrUndistorted) {
     round_trip();
     const PackageReader a = first();
     for (std::uint32_t i = 0; i < a.photos().size(); ++i)
-        EXPECT_EQ(lens_of(a, i).p, lens_of(again(), i).p) << "the lens is extracted with the photos";
+        EXPECT_EQ(lens_of(a, i).p, lens_of(again(), i).p) << "the lens should be extracted with the photos";
     const std::string package = (dir / "first.vantage").string();
     const fs::path straight = dir / "straight";
     vantage("extract " + package + " -o " + straight.string() + " --undistorted");
@@ -146,7 +148,7 @@ TEST_F(Extract, PhotosAreAsTakenOrUndistorted) {
             " --no-report --refine off");
     const PackageReader s(dir / "straight.vantage");
     EXPECT_EQ(s.find(package::Type::lenses), nullptr);
-    // A point at the frame's corner moves by k1 r^2: the two pictures differ only there.
+    // A point at the frame's corner moves by k1 r^2, so the two pictures differ only there.
     const auto pixels = [](const PackageReader& r) {
         return read_level_image(r, r.photos()[0], 0, package::Type::tiles, 0);
     };
@@ -162,8 +164,8 @@ TEST_F(Extract, PhotosAreAsTakenOrUndistorted) {
         return most;
     };
     EXPECT_LE(differs(taken.width / 2, taken.height / 2), 12);
-    EXPECT_THROW(extract(package, straight, {"0001"}), Error) << "the folder holds undistorted photos";
-    EXPECT_THROW(extract(package, files, {"0001"}, true), Error) << "and this one photos as taken";
+    EXPECT_THROW(extract(package, straight, {"0001"}), Error) << "the folder contains undistorted photos";
+    EXPECT_THROW(extract(package, files, {"0001"}, true), Error) << "the folder contains photos as taken";
 }
 
 TEST_F(Extract, FolderOfImageSetsHasTheSameImageSets) {
@@ -231,10 +233,11 @@ TEST_F(Extract, CamerasAreThoseOfThePhotosInTheFolder) {
     vantage("extract " + package + " -o " + files.string());
     EXPECT_EQ(named().size(), 4u);
     vantage("extract " + package + " -o " + files.string() + " --photo 0003");
-    EXPECT_EQ(named().size(), 4u) << "the others are kept";
+    EXPECT_EQ(named().size(), 4u) << "the other photos should be kept";
     for (const CameraSet::Entry& e : read_cameras(files / "sparse").entries)
         EXPECT_TRUE(fs::exists(files / "photos" / e.photo)) << e.photo;
-    // In the form that COLMAP reads: three files, two lines per image, numbers separated by single blanks.
+    // The cameras are in the form that COLMAP reads: three files, two lines per image, and numbers separated
+    // by single spaces.
     EXPECT_TRUE(fs::exists(files / "sparse" / "points3D.txt"));
     const std::string images = slurp(files / "sparse" / "images.txt");
     EXPECT_EQ(matches(images, "\\d+( -?[0-9.e-]+){7} \\d+ 000[0-3]\\.jpg\n\n").size(), 4u);

@@ -1,4 +1,4 @@
-// Effects that a scene does not need are off, and without consequence if forced on.
+// Tests that effects that a scene does not need are off, and that they change nothing if they are forced on.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// A wall of triangles smaller than two pixels, which fills all photos. All are taken by one camera in the
-/// same light.
+/// A wall of triangles smaller than two pixels, which fills all photos. All photos are taken by one camera in
+/// the same light.
 class CalmScene : public TemporaryFolder {
   protected:
     void SetUp() override {
@@ -39,8 +39,8 @@ class CalmScene : public TemporaryFolder {
     PackageReader prepared(const PrepareSettings& settings) const {
         return PackageReader(made_package(dir / "scan", settings));
     }
-    /// Views between the photos, where all of them show the wall: next to the frame of a photo, exact
-    /// coordinates end a pixel later.
+    /// Views between the photos, where all photos show the wall. At the edge of a photo's frame, exact
+    /// coordinates would end a pixel later.
     static std::vector<std::uint8_t> pictures(const PackageReader& package) {
         const gl::HeadlessContext context;
         Renderer renderer(package, MemoryBudget{});
@@ -59,7 +59,7 @@ class CalmScene : public TemporaryFolder {
 };
 class CalmSceneAtLength : public CalmScene {};
 
-/// The percentile of absolute differences of 8-bit values.
+/// The 99.9th percentile of the absolute differences between 8-bit values.
 int percentile_99_9(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     std::vector<int> off;
     for (std::size_t i = 0; i < a.size(); ++i) off.push_back(std::abs(int(a[i]) - int(b[i])));

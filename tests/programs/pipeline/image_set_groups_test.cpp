@@ -1,4 +1,4 @@
-// Grouping of photos into image sets, and messages if they cannot be grouped.
+// Tests the grouping of photos into image sets, and the messages if photos cannot be grouped.
 #include "pipeline/input/image_set_groups.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ class ImageSetGroupsTest : public TemporaryFolder {
         std::ofstream(dir / "image_sets.toml") << text;
         return (dir / "image_sets.toml").string();
     }
-    /// The groups as "visible: a/1.jpg; ir: b/1.jpg", or the error message.
+    /// The groups as text, such as "visible: a/1.jpg; ir: b/1.jpg", or the error message.
     std::string grouped(const Paths& photos, const std::string& how) const {
         try {
             const ImageSetGroups g = group_image_sets(photos, how);
@@ -52,7 +52,7 @@ TEST_F(ImageSetGroupsTest, KnownFoldersAreImageSets) {
     EXPECT_EQ(grouped({"left/ir/1.jpg", "right/rgb/1.jpg", "left/rgb/2.jpg"}, "auto"),
               "rgb: right/rgb/1.jpg left/rgb/2.jpg; ir: left/ir/1.jpg");
     EXPECT_EQ(grouped({"ir/1.jpg", "IR/2.jpg"}, "auto"), "ir: ir/1.jpg IR/2.jpg")
-        << "one image set in upper and lower case";
+        << "upper and lower case should give the same image set";
     EXPECT_EQ(grouped({"Raking_Light/1.jpg", "1.jpg"}, "auto"),
               "photos: 1.jpg; Raking_Light: Raking_Light/1.jpg");
 }

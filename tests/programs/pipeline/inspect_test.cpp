@@ -1,5 +1,5 @@
-// The output of `vantage inspect` is true, agrees with `vantage prepare`, and is complete even if a part of
-// the scan is missing.
+// Tests that the output of `vantage inspect` is true, agrees with `vantage prepare`, and is complete even if
+// a part of the scan is missing.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -66,7 +66,7 @@ class Inspect : public TemporaryFolder {
         for (const auto& e : fs::directory_iterator(scan / "images")) all.insert(e.path());
         return *std::next(all.begin(), i);
     }
-    /// Turns cameras around, so that they look away from the mesh.
+    /// Turns cameras around so that they face away from the mesh.
     void turn_around(std::set<std::string> photos) const {
         std::vector<NamedCamera> cameras;
         for (const CameraSet::Entry& e : read_cameras(scan / "sparse").entries) {
@@ -79,7 +79,7 @@ class Inspect : public TemporaryFolder {
     }
 };
 
-/// Every path below a folder with its length and time.
+/// Every path below a folder, with its size and modification time.
 std::map<fs::path, std::pair<std::uintmax_t, fs::file_time_type>> contents_of(const fs::path& folder) {
     std::map<fs::path, std::pair<std::uintmax_t, fs::file_time_type>> all;
     for (const auto& e : fs::recursive_directory_iterator(folder))
@@ -87,8 +87,8 @@ std::map<fs::path, std::pair<std::uintmax_t, fs::file_time_type>> contents_of(co
     return all;
 }
 
-/// Counts and extent of a binary PLY as written by `vantage synth`: three doubles and three floats per
-/// vertex.
+/// The counts and the extent of a binary PLY as written by `vantage synth`, with three doubles and three
+/// floats per vertex.
 struct PlyTruth {
     std::size_t vertices = 0, triangles = 0;
     Eigen::AlignedBox3d box;
@@ -151,12 +151,13 @@ TEST_F(Inspect, StatesTheTruthOfASyntheticScan) {
     EXPECT_NEAR(lens["focal_x"][1], focal, 1e-9);
     EXPECT_EQ(lens["calibrations"], 1);
     EXPECT_TRUE(lens["coefficients"].empty());
-    // The principal point is slightly off the middle.
+    // The principal point is slightly off-center.
     EXPECT_NEAR(lens["field_of_view_x"][0], truth.photos.fov, 0.1);
     EXPECT_EQ(j["usable_photos"], truth.photos.count);
     EXPECT_TRUE(j["not_seeing"].empty());
     EXPECT_EQ(effect(j, "undistortion")["on"], false);
-    EXPECT_TRUE(effect(j, "pose-refinement")["on"].is_null()) << "only pixels can decide";
+    EXPECT_TRUE(effect(j, "pose-refinement")["on"].is_null())
+        << "this should be undecided, because only pixels can decide it";
 
     // The cameras are on an arc of known radius around the building.
     const Eigen::Vector3d low = point(j["cameras"]["low"]), high = point(j["cameras"]["high"]);
@@ -200,7 +201,7 @@ TEST_F(Inspect, CoefficientsOfTheLensAreNamed) {
     const json& lens = j["cameras"]["lenses"][0];
     EXPECT_EQ(lens["coefficients"], (json{{"k1", {-0.08, -0.08}}, {"k2", {0.015, 0.015}}}));
     EXPECT_EQ(effect(j, "undistortion")["on"], true);
-    // The angle that the lens images at half the width, by fixed-point iteration.
+    // The angle that the lens images at half the width, computed by fixed-point iteration.
     const double half = std::tan(spec.photos.fov / 2 * degrees);
     double x = half;
     for (int i = 0; i < 100; ++i) x = half / (1 + x * x * (spec.lens.k1 + x * x * spec.lens.k2));
@@ -267,7 +268,7 @@ TEST_F(Inspect, IdentitiesOfFilesAreNotCached) {
 
 TEST_F(Inspect, WhatIsThereIsShownIfAPartIsMissing) {
     struct Case {
-        const char* without;  ///< relative to the scan
+        const char* without;  ///< path of the missing part, relative to the scan
         std::map<std::string, bool> known;
         const char* text;
     };
@@ -299,7 +300,7 @@ TEST_F(Inspect, WhatIsThereIsShownIfAPartCannotBeRead) {
     EXPECT_EQ(looked.err, prepared.err);
     EXPECT_NE(looked.out.find("mesh.ply: cannot be used"), std::string::npos) << looked.out;
     EXPECT_NE(looked.out.find("COLMAP text, 5 cameras"), std::string::npos) << looked.out;
-    // With two invalid parts, one is the error and the other a warning.
+    // If two parts are invalid, one is reported as an error and the other as a warning.
     std::ofstream(scan / "sparse" / "images.txt", std::ios::trunc) << "1 2 3\n";
     const json j = facts();
     EXPECT_TRUE(j["mesh"].is_null());
@@ -358,7 +359,7 @@ TEST_F(Inspect, PartsAreTakenFromTheCommandLine) {
     json folder = facts();
     for (const char* key : {"needs", "notes"}) folder[key] = parts[key];
     EXPECT_EQ(parts, folder);
-    // A camera file alone is not an input, but is described.
+    // A camera file alone is not a valid input, but it is described.
     const json cameras = facts("--cameras " + (scan / "sparse").string());
     EXPECT_EQ(cameras["exit_code"], 2);
     EXPECT_EQ(cameras["cameras"]["count"], 5);

@@ -1,4 +1,4 @@
-// Scans of five kinds, with the up direction, first view and background that prepare chooses by default.
+// Tests the up direction, first view and background that prepare chooses by default for five kinds of scans.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -42,7 +42,8 @@ class KindsOfScan : public TemporaryFolder {
     double degrees_off(const Vector3d& up) const {
         return std::acos(std::clamp(up_of(package->scene()).dot(up), -1.0, 1.0)) * 180 / pi;
     }
-    /// The extent of a box in the first view, relative to half of a square frame: 1 at its edges.
+    /// The extent of a box in the first view, in units of half of a square frame; 1 means that the box
+    /// reaches the frame's edges.
     Eigen::Vector2d reach(const Vector3d& low, const Vector3d& high) const {
         const View view = view_of(first_view(*package, 0), 1000, 1000, {0, 0, 1000, 1000});
         const Eigen::Map<const Vector3d> origin(package->scene().origin);
@@ -183,7 +184,8 @@ TEST_F(KindsOfScanAtLength, ACastleIsUprightUnderItsSky) {
     EXPECT_TRUE(a.background.on) << a.background.evidence;
     ASSERT_TRUE(a.background.judgment);
     EXPECT_GT(a.background.judgment->gain, 3) << a.background.evidence;
-    EXPECT_LT(degrees_off(-Vector3d::UnitZ()), 0.5) << "though all photos lean by up to 2.5 degrees";
+    EXPECT_LT(degrees_off(-Vector3d::UnitZ()), 0.5)
+        << "the up direction should be exact, although all photos lean by up to 2.5 degrees";
 }
 
 TEST_F(KindsOfScanAtLength, AWallBesideAYardHasItThoughMostPhotosShowLittleOfIt) {
@@ -200,7 +202,7 @@ TEST_F(KindsOfScanAtLength, AHeadOnATableShowsItsFaceBeforeCalmGround) {
     EXPECT_EQ(a.presentation.kind, KindOfScan::object);
     EXPECT_FALSE(a.background.on) << a.background.evidence;
     EXPECT_LT(degrees_off(-Vector3d::UnitY()), 12);
-    // The face looks toward -z and is seen in the photos of the last series.
+    // The face points toward -z and is visible in the photos of the last series.
     const std::string first = package->photos()[package->scene().first_photo].name;
     EXPECT_TRUE(first.starts_with("IMG_20161202_1548") || first.starts_with("IMG_20161202_1549")) << first;
 }

@@ -1,4 +1,4 @@
-// A real scan gives the same package with its mesh in another format.
+// Tests that a real scan gives the same package if its mesh is in another format.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -48,7 +48,7 @@ TEST_F(MeshFormats, MakeTheSamePackageOfARealScan) {
     std::istringstream differences(run("diff " + ply.string() + " " + glb.string(), int(Exit::different)));
     for (std::string line; std::getline(differences, line);)
         EXPECT_TRUE(line.starts_with("inputs: ") || line == "model: normals: different") << line;
-    // The normals have been normalized once more.
+    // The normals have been normalized again, so they may differ slightly.
     const PackageReader one(ply), other(glb);
     const auto a = one.records<Eigen::Vector3f>(package::Type::normals),
                b = other.records<Eigen::Vector3f>(package::Type::normals);

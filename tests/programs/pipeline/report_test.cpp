@@ -1,4 +1,4 @@
-// The preparation report as a reader sees it: its pictures and legends are extracted from the page.
+// Tests the preparation report as a reader sees it: extracts its pictures and legends from the page.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -52,8 +52,8 @@ class Report : public TemporaryFolder {
   protected:
     std::vector<NamedCamera> cameras;
 
-    /// Prepares a wall in the world's plane y = 0, with gray photos of it from `cameras`; the world is
-    /// rotated by `R`. `passer_by`: a photo with a red object in its middle.
+    /// Prepares a wall in the world's plane y = 0, with gray photos of the wall from `cameras`. The world is
+    /// rotated by `R`. The photo `passer_by` has a red object in its middle.
     void prepare(const Matrix3d& R, const std::vector<Vector3f>& corners, const std::string& passer_by = "",
                  const std::string& options = "") const {
         fs::create_directories(dir / "scan" / "images");
@@ -80,7 +80,7 @@ class Report : public TemporaryFolder {
         ASSERT_EQ(std::system(command.c_str()), 0) << slurp(dir / "says");
     }
     std::string page() const { return slurp(dir / "scan.html"); }
-    /// The picture with this description.
+    /// The picture in the page that has this description.
     RgbaImage picture(const std::string& description) const {
         const std::string html = page(), mark = "alt=\"" + description + "\" src=\"data:image/jpeg;base64,";
         const std::size_t at = html.find(mark);
@@ -90,7 +90,7 @@ class Report : public TemporaryFolder {
         std::ofstream(file, std::ios::binary) << decoded(std::string_view(html).substr(begin, end - begin));
         return image_files().read(file);
     }
-    /// Names and colors of a legend's entries.
+    /// The names and colors of a legend's entries.
     std::map<std::string, Rgb> legend() const {
         constexpr const char* entry =
             R"x(<i style="background:rgb\((\d+),(\d+),(\d+)\)"></i><b>([a-z ]+)</b>)x";
@@ -107,7 +107,7 @@ Rgb at(const RgbaImage& p, double x, double y) {
     return {p.rgba[i], p.rgba[i + 1], p.rgba[i + 2]};
 }
 
-/// The legend's entry for a color or for a tint of it.
+/// The legend's entry for a color or for a tint of that color.
 std::string meaning(const Rgb& color, const std::map<std::string, Rgb>& legend) {
     const Vector3d white = Vector3d::Constant(255), off = Vector3d(color[0], color[1], color[2]) - white;
     if (off.norm() < 25) return "full weight";
@@ -125,7 +125,8 @@ std::string meaning(const Rgb& color, const std::map<std::string, Rgb>& legend) 
 const std::vector<Vector3f> wall{{-3, 0, -3}, {3, 0, -3}, {3, 0, 3}, {-3, 0, 3}};
 const Vector3d up = Vector3d::UnitZ();
 
-/// The fraction of non-white pixels in a part of the picture, which is given as fractions of its size.
+/// The fraction of non-white pixels in a part of the picture. The part is given as fractions of the picture's
+/// size.
 double covered(const RgbaImage& p, double x0, double y0, double x1, double y1) {
     int all = 0, dark = 0;
     for (int y = int(y0 * p.height); y < int(y1 * p.height); ++y)
@@ -164,7 +165,7 @@ TEST_F(Report, ContradictedPartsHaveTheirColor) {
 }
 
 TEST_F(ReportAtLength, ModelStandsUprightWhateverAxisIsUp) {
-    // A gable that is low on its right side, from the cameras' point of view.
+    // A gable that is lower on its right side as seen from the cameras.
     const std::vector<Vector3f> gable{{-2, 0, -2}, {2, 0, -2}, {-2, 0, 2}};
     for (int i = -1; i <= 1; ++i)
         cameras.push_back({std::to_string(i + 1) + ".png", look({2.0 * i, -8, 1}, {0, 0, 0}, up)});

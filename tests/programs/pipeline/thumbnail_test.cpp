@@ -1,5 +1,5 @@
-// vantage thumbnail, as file managers call it: a picture of the photo that the player shows first, or one
-// line and an exit code.
+// Tests `vantage thumbnail` in the way that file managers call it: it writes a picture of the photo that the
+// player shows first, or prints one line and returns an exit code.
 #include <cmath>
 #include <fstream>
 
@@ -30,8 +30,8 @@ class Thumbnail : public Overnight {
     }
 };
 
-/// The mean absolute difference, in gray levels, between two pictures of any size, each averaged over 8x8
-/// cells.
+/// The mean absolute difference in gray levels between two pictures of any size, each of which is averaged
+/// over 8x8 cells.
 double difference(const RgbaImage& a, const RgbaImage& b) {
     constexpr int cells = 8;
     const auto mean = [&](const RgbaImage& image, int x, int y, int c) {
@@ -89,7 +89,7 @@ TEST_F(Thumbnail, OfADamagedFileIsOneLineAndAnExitCode) {
     std::string rotten = valid;
     rotten[at] = char(~rotten[at]);
     write(rotten);
-    expect_failure(thumbnail(), Exit::damaged, "a thumbnail with a wrong bit");
+    expect_failure(thumbnail(), Exit::damaged, "a thumbnail with a wrong byte");
     write(valid.substr(0, valid.size() / 2));
     expect_failure(thumbnail(), Exit::damaged, "half of a package");
     write("VANTAGE\n");

@@ -26,7 +26,7 @@ Measurement row(std::string setting, std::map<std::string, double> values) {
     return {"border", "hall", "weight maps at 1/2", std::move(setting), false, false, std::move(values), {}};
 }
 
-/// Rows with coarse values, so that many are equal; some are missing or not finite.
+/// Rows with coarsely rounded values, many of which are equal; some values are missing or not finite.
 std::vector<Measurement> random_rows(unsigned seed, int count) {
     std::mt19937 random(seed);
     std::uniform_int_distribution<int> value(0, 12), odd(0, 9);
@@ -252,7 +252,7 @@ TEST_F(BenchTables, MissingOrFailingGnuplotIsReportedInOneLine) {
     EXPECT_EQ(complaint_with_path(dir), "gnuplot failed: \"plot.gp\", line 3: no x");
 }
 
-/// Ten settings, with all times multiplied by `drift`.
+/// Ten settings, all of whose times are multiplied by `drift`.
 std::vector<Measurement> drifting_rows(double drift) {
     std::vector<Measurement> out;
     for (int i = 1; i <= 10; ++i)

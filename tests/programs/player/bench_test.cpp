@@ -1,5 +1,5 @@
-// The program vantage-bench on a small synthetic scene: the exact setting of every sweep reproduces the
-// reference to its stated precision, and interrupted runs are resumed.
+// Tests the program vantage-bench on a small synthetic scene: the exact setting of every sweep must reproduce
+// the reference with its stated precision, and interrupted runs must be resumed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Bounds on a metric of rows with the exact setting.
+/// The bounds on a metric in rows with the exact setting.
 struct Bound {
     const char *sweep, *metric;
     double least, most;
@@ -36,7 +36,7 @@ constexpr Bound precisions[] = {
 
 class VantageBench : public TemporaryFolder {
   protected:
-    /// Returns the status of std::system(); the output is in `output`.
+    /// Returns the status of std::system(); the command's output is in the file `output`.
     int run(const std::string& options) {
         const std::string command =
             std::string(VANTAGE_BENCH) + " " + options + " > " + (dir / "output").string() + " 2>&1";
@@ -79,7 +79,7 @@ TEST_F(VantageBench, ExactSettingsReproduceTheReference) {
         }
         EXPECT_GT(exact, 0u) << b.sweep << " " << b.metric;
     }
-    // Inexact settings have an error.
+    // Coarser settings must have larger errors.
     const auto value = [&](const char* sweep, const char* curve, const char* setting, const char* metric) {
         return row(all, sweep, curve, setting).values.at(metric);
     };
@@ -96,13 +96,13 @@ TEST_F(VantageBench, ResumesAfterBeingKilled) {
     const std::string options = "--set smoke --only border,hysteresis -o " + (dir / "out").string();
     ASSERT_EQ(run(options), 0) << output;
     const std::string whole = slurp(dir / "out" / "log.jsonl"), results = slurp(dir / "out" / "results.csv");
-    // As if the program was killed while writing the last job.
+    // Change the log as if the program had been killed while it wrote the last job.
     std::ofstream(dir / "out" / "log.jsonl") << whole.substr(0, whole.size() - 40);
     ASSERT_EQ(run(options), 0) << output;
     EXPECT_NE(output.find("resuming after 4 completed jobs"), std::string::npos) << output;
     const std::string again = slurp(dir / "out" / "log.jsonl");
     const std::size_t kept = whole.rfind('\n', whole.size() - 2);
-    EXPECT_EQ(again.substr(0, kept), whole.substr(0, kept)) << "finished measurements are kept";
+    EXPECT_EQ(again.substr(0, kept), whole.substr(0, kept)) << "completed measurements should be kept";
     ASSERT_EQ(run(options), 0) << output;
     EXPECT_EQ(slurp(dir / "out" / "log.jsonl"), again);
 }

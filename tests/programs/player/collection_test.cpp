@@ -1,5 +1,5 @@
-// A collection of packages checked as in CI: damaged, stale, incomplete and visually different packages are
-// found.
+// Checks a collection of packages as in CI: damaged, stale, incomplete and visually different packages must
+// be found.
 #include <fstream>
 #include <functional>
 #include <map>
@@ -16,7 +16,7 @@ using namespace vantage;
 
 namespace {
 
-/// Eight valid packages, four of which spoil() breaks.
+/// A collection of eight valid packages; spoil() breaks four of them.
 class Collection : public Overnight {
   protected:
     const fs::path collection = dir / "collection", scans = dir / "scans", golden = dir / "golden";
@@ -33,7 +33,7 @@ class Collection : public Overnight {
             fs::create_directory_symlink(scene, scans / name(i));
         }
     }
-    /// Gives one package its own scan, with one photo changed.
+    /// Gives one package its own scan, in which one photo is changed.
     fs::path own_scan(int i, const std::function<void(const fs::path& photo)>& change) const {
         const fs::path own = dir / ("scan of " + name(i));
         fs::copy(scene, own, fs::copy_options::recursive);
@@ -69,7 +69,7 @@ class Collection : public Overnight {
         return run("verify --size 160x120 -o " + (dir / "differences").string() + " " + words, "",
                    VANTAGE_PLAYER);
     }
-    /// Types of the failed cases in a JUnit file, by package name.
+    /// The types of the failed cases in a JUnit file, by package name.
     static std::map<std::string, std::string> failures(const fs::path& junit) {
         pugi::xml_document xml;
         EXPECT_TRUE(xml.load_file(junit.c_str()));
@@ -93,7 +93,7 @@ TEST_F(Collection, CheckFindsDamagedStaleAndIncompletePackages) {
     spoil();
     const fs::path junit = dir / "check.xml";
     const Outcome found = run(words + " --junit " + junit.string());
-    EXPECT_EQ(found.code, int(Exit::damaged)) << "the worst package decides";
+    EXPECT_EQ(found.code, int(Exit::damaged)) << "the worst package should determine the exit code";
     const std::map<std::string, std::string> expected{
         {name(damaged_one), "damaged"}, {name(stale_one), "stale"}, {name(incomplete_one), "incomplete"}};
     EXPECT_EQ(failures(junit), expected) << found.out;
@@ -111,7 +111,7 @@ TEST_F(Collection, CheckFindsDamagedStaleAndIncompletePackages) {
 TEST_F(Collection, VerifyFindsChangedPictures) {
     const std::string words = all() + " --golden " + golden.string();
     const std::string one = package(0).string() + " --golden " + (golden / name(0)).string();
-    EXPECT_EQ(verify(one).code, int(Exit::input)) << "no reference pictures yet";
+    EXPECT_EQ(verify(one).code, int(Exit::input)) << "there are no reference pictures yet";
     EXPECT_EQ(verify(words + " --update").code, 0);
     EXPECT_EQ(verify(one + " --tolerance 0 --max-diff-fraction 0").code, 0) << "rendering is deterministic";
     spoil();

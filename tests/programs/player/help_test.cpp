@@ -1,5 +1,5 @@
-// README.md and docs/ agree with the programs: every verb, option and choice that they mention exists, and
-// the exit codes are those of Exit.
+// Tests that README.md and docs/ agree with the programs: every verb, option and choice that they mention
+// must exist, and the exit codes must be those of Exit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The options of a command, with the allowed values of those with choices.
+/// The options of a command, and the allowed values of the options that have choices.
 using Options = std::map<std::string, std::set<std::string>>;
 
 struct Program {
@@ -102,7 +102,7 @@ class Help : public TemporaryFolder {
         return out;
     }
 
-    /// The first mistake in the options from `words[first]` on; empty if there is none.
+    /// The first mistake in the options, starting with `words[first]`; empty if there is none.
     static std::string mistake(const Options& options, const std::vector<std::string>& words,
                                std::size_t first) {
         for (std::size_t i = first; i < words.size() && words[i] != "&&" && words[i] != "|"; ++i) {
@@ -117,7 +117,7 @@ class Help : public TemporaryFolder {
         return {};
     }
 
-    /// The mistake in a quote; empty if there is none, or if it is not about these programs.
+    /// The mistake in a quote; empty if there is none or if the quote is not about these programs.
     std::string mistake(const std::string& text) const {
         const std::vector<std::string> words = words_of(text);
         if (words.empty()) return {};
@@ -131,7 +131,7 @@ class Help : public TemporaryFolder {
                 return "has no verb " + words[1];
             return mistake(verbs.at(""), words, 1);
         }
-        // A verb with options, or options alone: one of the programs must accept them.
+        // The quote is a verb with options, or options alone, which one of the programs must accept.
         std::string mistaken;
         for (const auto& [name, program] : programs)
             for (const auto& [verb, options] : program.verbs) {
@@ -145,7 +145,7 @@ class Help : public TemporaryFolder {
     }
 };
 
-/// A word that must occur in descriptions of the exit code.
+/// A word that must occur in every description of the exit code.
 std::optional<std::string> word_for(Exit code) {
     switch (code) {
         case Exit::ok:
@@ -178,7 +178,7 @@ std::optional<std::string> word_for(Exit code) {
     return std::nullopt;
 }
 
-/// Exit codes with their descriptions, from the two groups of `pattern`.
+/// The exit codes and their descriptions, taken from the two groups of `pattern`.
 std::map<int, std::string> codes_in(const std::string& text, const char* pattern) {
     std::map<int, std::string> out;
     for (const auto& m : matches(text, pattern))

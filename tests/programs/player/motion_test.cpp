@@ -1,4 +1,4 @@
-// Frames in motion, with plans made on another thread: their allocations, and their content.
+// Tests frames in motion, whose plans are made on another thread: their allocations and their content.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ class Motion : public TemporaryFolder {
         std::iota(photos.begin(), photos.end(), 0u);
         return photos;
     }
-    /// Views that orbit the model closely by this many degrees per frame.
+    /// Views on a close orbit around the model, which advance by this many degrees per frame.
     static std::vector<View> orbit(const PackageReader& package, int frames, double degrees) {
         Navigation from = home_of(package, 2);
         from.eye = from.target + 0.6 * (from.eye - from.target);
@@ -73,7 +73,7 @@ class Motion : public TemporaryFolder {
         }
         return out;
     }
-    /// Views that pan left and right, from a position where the frame shows a part of the model.
+    /// Views that pan left and right from a position where the frame shows only a part of the model.
     static std::vector<View> pan(const PackageReader& package, int frames) {
         const Navigation from = home_of(package, 2);
         const Eigen::Vector3d ahead = from.target - from.eye, right = ahead.cross(from.up).normalized();
@@ -113,7 +113,7 @@ TEST_F(Motion, FramesAllocateNothing) {
         draw(renderer, view, photos);
         of_frames.push_back(allocations - before);
     }
-    // A frame that is late enough waits for its plan, and a busy machine may delay planning.
+    // A frame that is late enough waits for its plan, and planning may be delayed on a busy machine.
     EXPECT_LE(std::ranges::count_if(of_frames, [](std::size_t n) { return n > 0; }), 15);
 }
 

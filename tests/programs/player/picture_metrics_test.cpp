@@ -37,7 +37,7 @@ cv::Mat mask_of(const Picture& p, const std::vector<bool>& flags) {
     return m;
 }
 
-/// SSIM over a mask by normalized convolution, with OpenCV's filters.
+/// SSIM over a mask, computed by normalized convolution with OpenCV's filters.
 double ssim(const Picture& photo, const Picture& picture, const cv::Mat& mask) {
     cv::Mat a, b, m;
     cv::cvtColor(rgb(photo), a, cv::COLOR_RGB2GRAY);
@@ -166,7 +166,7 @@ TEST(PictureMetrics, LocateChanges) {
         const int y = 40 - c.worse->y, x = 330 - c.worse->x + column * (c.worse->width + 4);
         return std::span(crop.rgba).subspan(std::size_t(4 * (y * crop.width + x)), 3);
     };
-    EXPECT_TRUE(std::ranges::equal(texel(0), texel(1))) << "before: equal to the photo";
+    EXPECT_TRUE(std::ranges::equal(texel(0), texel(1))) << "the picture before should be equal to the photo";
     EXPECT_FALSE(std::ranges::equal(texel(0), texel(2))) << "after: altered";
 
     const Change none = change_of(photo, before, before, scored);
@@ -190,7 +190,8 @@ TEST_F(PictureMetricsReference, AgreeWithinAHundredthOfADecibel) {
     const std::string command = "python3 " + kit.string() + " " + (dir / "photo.png").string() + " " +
                                 (dir / "picture.png").string() + " > " + (dir / "output").string() + " 2>&1";
     if (std::system(("/usr/bin/" + command).c_str()) != 0)
-        GTEST_SKIP() << "the reference implementation does not run here: " << slurp(dir / "output");
+        GTEST_SKIP() << "the reference implementation does not run on this machine: "
+                     << slurp(dir / "output");
     const std::string output = slurp(dir / "output");
     const auto value = [&](const std::string& name) {
         return std::stod(output.substr(output.find(name + "=") + name.size() + 1));

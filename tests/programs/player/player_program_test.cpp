@@ -1,4 +1,5 @@
-// The program vantage-player: its pictures, and its one-line message and exit code if the package is damaged.
+// Tests the program vantage-player: its pictures, and its one-line message and exit code if the package is
+// damaged.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -158,7 +159,8 @@ TEST_F(PlayerProgram, APictureNamedLikeAnotherFormatIsRefusedInsteadOfMadeAFolde
         VANTAGE_PLAYER " render " + file.string() + " -q --photo 0002 -o " + (dir / "scan.jpg").string(),
         dir);
     EXPECT_EQ(into.code, 0) << into.err;
-    EXPECT_TRUE(fs::exists(dir / "scan.jpg" / "0002.png")) << "a folder that exists stays one";
+    EXPECT_TRUE(fs::exists(dir / "scan.jpg" / "0002.png"))
+        << "a folder that exists should stay a folder, even with a file extension";
 }
 
 TEST_F(PlayerProgram, CoordinatesPerVertexAreRefusedWhereThereAreNone) {

@@ -1,4 +1,4 @@
-// Both programs with the URL of a package instead of a file, with correct and faulty servers.
+// Tests both programs with the URL of a package instead of a file, on correct and faulty servers.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -36,7 +36,7 @@ class RemotePackages : public Overnight {
         EXPECT_EQ(local.code, 0) << local.err;
         return slurp(dir / "local.png");
     }
-    /// The path of the sparse file in the cache.
+    /// The path of the cached package, which is a sparse file.
     fs::path cached() const {
         for (const auto& entry : fs::recursive_directory_iterator(dir / "cache"))
             if (entry.path().extension() == ".vantage") return entry.path();
@@ -62,7 +62,8 @@ TEST_F(RemotePackages, SecondVisitIsFromTheCacheAndNeedsNoServer) {
         ASSERT_EQ(play(url).code, 0);
         const int before = server.requests();
         ASSERT_EQ(play(url, "again.png").code, 0);
-        EXPECT_EQ(server.requests() - before, 1) << "besides the check whether the file has changed";
+        EXPECT_EQ(server.requests() - before, 1)
+            << "there should be no requests besides the one that checks whether the file has changed";
     }
     const Outcome offline = play(url, "offline.png");
     EXPECT_EQ(offline.code, 0) << offline.err;
@@ -153,7 +154,7 @@ TEST_F(RemotePackages, FaultsOfTheServerAreOneLine) {
 
 TEST_F(RemotePackages, ServerThatFailsWhileTilesAreFetchedIsOneLine) {
     const FaultServer server([&](const Asked& asked) {
-        // Serves the first half, and fails for the rest.
+        // The server sends the first half and fails for the rest.
         if (asked.range.begin < content.size() / 2) return answer_well(asked, content);
         return asked.send("HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\n\r\n");
     });

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr FrameSize size{256, 192};
-constexpr double exposure = 1.35;  ///< of the painted photo
+constexpr double exposure = 1.35;  ///< factor by which the changed photo is brightened
 
 class SmoothnessOfFlights : public TemporaryFolder {
   protected:
@@ -42,7 +42,7 @@ class SmoothnessOfFlights : public TemporaryFolder {
         settings.effects[Effect::transients] = EffectChoice::off;
         copy_package(dir / "scene", settings, file);
     }
-    /// Brightens photo 2, the middle one of five.
+    /// Brightens photo 2, which is the middle one of five.
     void brighten() {
         const fs::path photo = read_scene(discover(dir / "scene")).photos[2].file;
         const RgbaImage image = image_files().read(photo);
@@ -101,8 +101,9 @@ TEST_F(SmoothnessOfFlightsAtLength, PhotoOfAnotherExposureIsFoundWhereItTakesOve
     ASSERT_GT(jump, 10) << "gray levels";
     const double toward = sum_of_means(fly(1, 2)), beside = sum_of_means(fly(3, 4));
     std::printf(
-        "jump %.2f, steps toward the photo add up to %.2f, beside it %.2f, of consistent photos %.2f\n", jump,
-        toward, beside, consistent);
+        "jump %.2f; sum of the steps: toward the photo %.2f, elsewhere %.2f, with consistent photos "
+        "%.2f\n",
+        jump, toward, beside, consistent);
     EXPECT_NEAR(toward, jump, 0.2 * jump);
     EXPECT_LT(consistent, 0.2 * jump);
     EXPECT_LT(beside, 0.25 * jump);
@@ -126,11 +127,12 @@ TEST_F(SmoothnessOfFlightsAtLength, AbruptChangesAreMeasuredAsLargerSteps) {
     const double shipped = largest_mean(fly(1, 2)), chosen = largest_mean(fly(1, 2, best)),
                  fading = largest_mean(fly(1, 2, one)), replaced = largest_mean(fly(1, 2, at_once));
     std::printf(
-        "jump %.2f; largest step: shipped %.2f, best photo %.2f, one photo fading %.2f, at once %.2f\n", jump,
-        shipped, chosen, fading, replaced);
+        "jump %.2f; largest step: default settings %.2f, best photo %.2f, one photo with fading %.2f, "
+        "without fading %.2f\n",
+        jump, shipped, chosen, fading, replaced);
     EXPECT_GT(chosen, 1.5 * shipped);
-    EXPECT_LT(fading, 0.25 * jump) << "one photo replaces another over nine frames";
-    EXPECT_NEAR(replaced, jump, 0.3 * jump) << "the full jump in one frame";
+    EXPECT_LT(fading, 0.25 * jump) << "one photo should replace another over nine frames";
+    EXPECT_NEAR(replaced, jump, 0.3 * jump) << "the full jump should occur in one frame";
 }
 
 TEST_F(SmoothnessOfFlights, ProgramWritesTheSameTwice) {

@@ -1,4 +1,4 @@
-// vantage check reads the story beside a package.
+// Tests that vantage check reads the story next to a package.
 #include <fstream>
 #include <sstream>
 

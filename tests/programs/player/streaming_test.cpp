@@ -1,5 +1,5 @@
-// Streaming in the player: fetched bytes match the package, budgets are kept, damaged tiles are never shown.
-// Also the coverage of plans.
+// Tests streaming in the player: fetched bytes must match the package, budgets must be kept, and damaged
+// tiles must never be shown. Also tests the coverage of plans.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -124,7 +124,7 @@ TEST_F(Streaming, UploadBudgetIsKeptAndThePictureConverges) {
     settings.loading = Loading::complete;
     renderer.draw(view, settings, all(package), {}, 100);
     const auto exact = shown_picture(renderer, view, settings).rgba;
-    EXPECT_LT(mean_difference(first, exact), 12) << "base levels show the scene, but blurred";
+    EXPECT_LT(mean_difference(first, exact), 12) << "base levels should show the scene, although blurred";
     EXPECT_GT(mean_difference(first, exact), 0.2);
     EXPECT_LT(mean_difference(last, exact), 0.1);
 }
@@ -194,9 +194,9 @@ TEST_F(Streaming, DamagedTilesFallBackToCoarserOnesUntilRestored) {
     const auto coarse = shown_picture(renderer, view, settings).rgba;
     std::size_t colored = 0;
     for (std::size_t i = 3; i < coarse.size(); i += 4) colored += coarse[i] == 255;
-    EXPECT_GT(colored, coarse.size() / 4 / 3) << "coarser levels are shown instead";
+    EXPECT_GT(colored, coarse.size() / 4 / 3) << "coarser levels should be shown instead";
     now += 6;
-    EXPECT_GT(settle().tiles_damaged, 0u) << "still damaged on the second attempt";
+    EXPECT_GT(settle().tiles_damaged, 0u) << "the tile should still be damaged on the second attempt";
     EXPECT_EQ(shown_picture(renderer, view, settings).rgba, coarse);
     invert_tiles();
     now += 6;
@@ -221,11 +221,11 @@ TEST_F(Streaming, PicturesReadTheTilesThatTheyShow) {
     const auto tiles_of_level = [&](int level) {
         return std::size_t(level_size(int(photo.width), int(photo.height), level).tiles());
     };
-    // Each of its tiles is used at most twice: for the mesh and for the background.
+    // Each of the photo's tiles is used at most twice: for the mesh and for the background.
     FrameReport report = take_picture(renderer, view_of_photo(photo, 1), {}, all(package), 1).report;
     EXPECT_EQ(report.tiles_missing, 0u);
     EXPECT_LE(report.tiles, 2 * (tiles_of_level(0) + tiles_of_level(1)));
-    // At an eighth of the size, no photo's two finest levels are shown.
+    // At an eighth of the size, the two finest levels of a photo are never shown.
     report = take_picture(renderer, view_of_photo(photo, 0.125), {}, all(package), 1).report;
     EXPECT_EQ(report.tiles_missing, 0u);
     EXPECT_GT(report.tiles, 0u);
@@ -277,7 +277,7 @@ TEST_F(Streaming, APictureOfASmallModelComesToRest) {
     settings.loading = Loading::repeatable;
     for (const double away : {100.0, 1000.0}) {
         const View view = view_towards({0.3 * away, -away, 0.2 * away}, {0, 0, 0}, {0, 0, 1}, 40, 640, 480);
-        // As in a window: one sample per frame once everything is settled; otherwise, sampling restarts.
+        // Draw as in a window: one sample per frame once everything is settled; otherwise, sampling restarts.
         constexpr int side = 4;
         int samples = 0, frame = 0;
         bool settled = false;
@@ -304,7 +304,7 @@ TEST_F(Streaming, PlansCoverTheViewAndKeepTheirPhotos) {
     int changes = 0;
     for (const Navigation& n : scripted_path("orbit", start, 120).frames) {
         const Plan plan = make_plan(scene, view_of(n, 640, 480), settings, photos, {.previous = previous});
-        EXPECT_LE(plan.uncovered, 1.6e-3) << "the guarantee of cover()";
+        EXPECT_LE(plan.uncovered, 1.6e-3) << "cover() guarantees this";
         EXPECT_EQ(plan.photos.size(), std::set<std::uint32_t>([&] {
                                           std::set<std::uint32_t> s;
                                           for (const auto& p : plan.photos) s.insert(p.photo);
@@ -320,7 +320,7 @@ TEST_F(Streaming, PlansCoverTheViewAndKeepTheirPhotos) {
         std::vector<std::uint32_t> again;
         for (const PlannedPhoto& p : same.photos) again.push_back(p.photo);
         std::ranges::sort(again);
-        EXPECT_EQ(again, now) << "an unchanged view keeps its photos";
+        EXPECT_EQ(again, now) << "an unchanged view should keep its photos";
     }
     EXPECT_LT(changes, 40);
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Drops files on a window, as a file manager would (XDND). usage: drop_files.py WINDOW FILE..."""
+"""Drops files on a window as a file manager would (XDND). Usage: drop_files.py WINDOW FILE..."""
 import pathlib
 import select
 import sys
@@ -34,7 +34,7 @@ def answer(request):
 
 
 def await_message(kind, seconds=20):
-    """Whether the window has sent this message; answers its requests meanwhile."""
+    """Whether the window has sent this message. Answers its requests in the meantime."""
     until = time.time() + seconds
     while time.time() < until:
         while screen.pending_events():

@@ -1,6 +1,6 @@
-// Finds a part of a photo in a screenshot, at any size: prints the position of its middle, its scale relative
-// to the photo, and its similarity (correlation, at most 1). usage: find_picture SCREENSHOT PHOTO LEFT TOP
-// WIDTH HEIGHT
+// Finds a part of a photo in a screenshot, at any size. Prints the position of the part's middle, its scale
+// relative to the photo, and its similarity (correlation, at most 1). Usage: find_picture SCREENSHOT PHOTO
+// LEFT TOP WIDTH HEIGHT
 #include <cstdio>
 #include <cstdlib>
 #include <opencv2/imgcodecs.hpp>
@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
     cv::Point2d middle;
     for (double s = 0.5; s < 16; s *= 1.05) {
         cv::Mat reduced, part, score;
-        // Neither is enlarged, since that would invent detail.
+        // Neither picture is enlarged, because that would invent detail.
         cv::resize(screen, reduced, {}, std::min(1.0, 1 / s), std::min(1.0, 1 / s), cv::INTER_AREA);
         cv::resize(photo(box), part, {}, std::min(1.0, s), std::min(1.0, s), cv::INTER_AREA);
         if (reduced.cols < part.cols || reduced.rows < part.rows) break;

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every text of the window is translated into every language with a catalog, in the terms of native readers.
+# Tests that each text of the window is translated into each language that has a catalog, with the terms that native readers use.
 # usage: languages_test.sh SOURCE_DIR
 set -uo pipefail
 source=$1
@@ -17,7 +17,7 @@ for catalog in "$source"/player/interface/languages/*.po; do
   msgcmp "$catalog" "$texts/vantage.pot" || { echo "FAILED: $catalog lacks texts"; failed=1; }
   ! grep -n '^#~\|^#,.*fuzzy' "$catalog" || { echo "FAILED: $catalog has texts that are fuzzy, or not of the window"; failed=1; }
 done
-# refuse WHY PATTERN FILE: the texts that match a Perl expression
+# refuse WHY PATTERN FILE: reports the texts that match a Perl expression
 refuse() {
   ! msgcat --no-wrap "$3" | grep -nP "^${4}.*($2)" || { echo "FAILED: $3: $1"; failed=1; }
 }
@@ -27,7 +27,7 @@ refuse "labels that native readers do not write" '"Choose to"|What counts|Of a p
 refuse "words that native readers do not write" 'B(a|ä)nd(s|er|ern)?\b|Experte|Eines Punkts|\bWegs?\b|Stencil|\.\.\.' "$languages/de.po" msgstr
 refuse "words that native readers do not write" '\bbandes?\b|Cliquez (un|deux|des|les|le|la)\b|\btables?\b|\bJouer\b|\bFixer\b|\.\.\.' \
   "$languages/fr.po" msgstr
-# U+202F before ; ! ?; U+00A0 before : and %, and within « »; typographic apostrophes.
+# French requires U+202F before ; ! ? and U+00A0 before : and % and within « », as well as typographic apostrophes.
 refuse "no no-break space before a mark" '[^\x{202f}[:punct:]][;!?]|[^\x{a0}[:punct:]]:(?=[ "])|«[^\x{a0}]|[^\x{a0}]»|\d [%]' "$languages/fr.po" msgstr
 refuse "a straight apostrophe" "\\w'\\w" "$languages/fr.po" msgstr
 exit $failed

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the screen's content, or a part of it, to a PPM file. usage: screenshot.py FILE [LEFT TOP WIDTH HEIGHT]"""
+"""Writes the screen's contents, or a part of them, to a PPM file. Usage: screenshot.py FILE [LEFT TOP WIDTH HEIGHT]"""
 import sys
 
 from Xlib import X, display

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A kiosk, as a separate process, shows a story; a video of a tour begins at its first note.
+# Tests that a kiosk in a separate process shows a story, and that a video of a tour begins at its first note.
 # usage: story_window_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"

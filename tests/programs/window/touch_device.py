@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
-"""Touches a screen of Xorg through its input driver for tests (inputtest_drv), as a user would.
+"""Touches an Xorg screen as a user would, through Xorg's input driver for tests (inputtest_drv).
 
-usage: touch_device.py SOCKET WIDTHxHEIGHT < GESTURES
+Usage: touch_device.py SOCKET WIDTHxHEIGHT < GESTURES
 
-The driver accepts a single connection. One gesture per line, answered by "done"; positions in screen pixels:
-  tap X Y                          a finger, for 60 ms
-  double X Y                       two taps, 120 ms apart
-  drag X Y TO_X TO_Y               one finger, in 20 steps, which pauses before it is lifted
-  swing X Y TO_X TO_Y              the same and back again, without lifting
-  pinch X Y FROM TO [DEGREES]      two fingers on both sides of a point, from one distance to another, rotating clockwise
-  pan X Y TO_X TO_Y                two fingers, 100 pixels apart, in 20 steps
-  random SEED COUNT                COUNT events of up to four fingers; all are lifted at the end
+The driver accepts only a single connection. Each line of the input is a gesture, which is answered by "done". Positions are in
+screen pixels:
+  tap X Y                          One finger touches the screen for 60 ms.
+  double X Y                       There are two taps, 120 ms apart.
+  drag X Y TO_X TO_Y               One finger moves in 20 steps and pauses before it is lifted.
+  swing X Y TO_X TO_Y              One finger moves there and back again without being lifted.
+  pinch X Y FROM TO [DEGREES]      Two fingers on opposite sides of a point change their distance and rotate clockwise.
+  pan X Y TO_X TO_Y                Two fingers, 100 pixels apart, move in 20 steps.
+  random SEED COUNT                There are COUNT events of up to four fingers, all of which are lifted at the end.
   wait SECONDS
 """
 import math
@@ -25,7 +26,7 @@ STEP = 0.016
 
 
 class Device:
-    """A connection to the driver: messages of xf86-input-inputtest-protocol.h, version 1.0."""
+    """A connection to the driver, which uses the messages of xf86-input-inputtest-protocol.h, version 1.0."""
 
     def __init__(self, path, width, height):
         self.size = width, height

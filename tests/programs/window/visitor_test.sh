@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A visitor at a kiosk, by touch only: orbits, finds a dormer on the roof, zooms in, compares it with the photo, returns home.
+# Simulates a visitor who uses a kiosk by touch only: orbits, finds a dormer on the roof, zooms in, compares it with the photo and
+# returns to the home view.
 # usage: visitor_test.sh VANTAGE PLAYER SOURCE_DIR FIND_PICTURE [WIDTHxHEIGHT [FOLDER for screenshots]]
 # Exits with 77 if there is no X server with a touch screen, or no photos (VANTAGE_DATASETS).
 set -uo pipefail
@@ -13,7 +14,7 @@ set=$VANTAGE_DATASETS/sceaux-small
 "$vantage" prepare "$set" -o sceaux.vantage --no-report >/dev/null 2>&1 || { fail "prepare"; exit 1; }
 wide=${size%x*} high=${size#*x}
 
-# shot NAME: a screenshot, as NAME.ppm, once the picture has been still for ten frames: X may deliver events late
+# shot NAME: takes the screenshot NAME.ppm once the picture has been still for ten frames, because X may deliver events late
 shot() {
   local still=0 last now rests
   last=$(frame)
@@ -26,7 +27,7 @@ shot() {
   screenshot "$1.ppm"
   [ -z "$pictures" ] || cp "$1.ppm" "$pictures/$1-$size.ppm"
 }
-# look NAME: sets x, y, times and likeness of the dormer, from the screenshot
+# look NAME: sets x, y, times and likeness of the dormer, found in the screenshot
 look() {
   shot "$1"
   read -r x y times likeness <<<"$("$find_picture" "$1.ppm" "$set/images/00003.jpg" 323 193 54 60)"
@@ -34,7 +35,7 @@ look() {
   is "$likeness > 0.5" || fail "$1: the dormer is not visible"
 }
 is() { awk "BEGIN { exit !($1) }"; }
-# Taps a control at its position from the file of controls.
+# Taps a control at its position, which is read from the file of controls.
 touch_control() {
   local at
   at=$(place "$1") || { fail "there is no '$1'"; return; }
@@ -50,7 +51,7 @@ within 10 covers || fail "the kiosk does not cover the screen"
 look home
 home=($x $y $times)
 
-# One finger orbits the building; moved back without being lifted, it restores the view.
+# One finger orbits the building. Moving it back without lifting it restores the view.
 finger drag $((wide / 2)) $((high / 3)) $((wide / 2 + wide / 8)) $((high / 3))
 shot around
 cmp -s home.ppm around.ppm && fail "one finger does not turn the model"
@@ -60,7 +61,7 @@ finger swing $((wide / 2)) $((high / 3)) $((wide / 2 + wide / 8)) $((high / 3))
 look back
 is "sqrt(($x - ${home[0]})^2 + ($y - ${home[1]})^2) < 0.01 * $wide" || fail "dragging back does not restore the view"
 
-# Two taps on the dormer bring it to the middle, two fingers zoom in further.
+# Two taps on the dormer bring it to the middle; two fingers zoom in further.
 finger double "$x" "$y"
 look closer
 is "$times > 1.7 * ${home[2]}" || fail "two taps do not bring the dormer closer"
@@ -75,7 +76,7 @@ finger pan "$x" "$y" $((x + wide / 10)) $((y + high / 20))
 look panned
 is "($x - ${before[0]} - $wide / 10)^2 + ($y - ${before[1]} - $high / 20)^2 < (0.03 * $wide)^2" || fail "two fingers do not move the picture with them"
 
-# Compares with the photo: the line between both follows the finger.
+# Compares the view with the photo: the line between them follows the finger.
 touch_control "Bar Compare"
 shot compared
 place Swipe >/dev/null || fail "Compare shows no line to drag"

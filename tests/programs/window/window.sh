@@ -1,7 +1,9 @@
-# Functions for tests of the window, to be sourced: real mouse and key events through the X server. Needs xvfb-run, xdotool and
-# inotifywait. Changes appear in files that the player moves to the folder; the file `places` is written with every frame.
+# Functions for tests of the window with real mouse and key events through the X server; this file must be sourced. Needs
+# xvfb-run, xdotool and inotifywait. Changes appear in files that the player moves to the folder; the file `places` is written
+# with every frame.
 
-# Runs the calling script again under Xvfb, with a screen of this size, in an empty folder $dir; once under Xvfb, continues.
+# Runs the calling script again under Xvfb, with a screen of this size, in an empty folder $dir. If it already runs under Xvfb,
+# continues.
 # under_xvfb WIDTHxHEIGHT "$@"
 under_xvfb() {
   local screen=$1
@@ -12,14 +14,14 @@ under_xvfb() {
     done
     export VANTAGE_WINDOW_TEST=$(mktemp -d)
     trap 'rm -rf "$VANTAGE_WINDOW_TEST"' EXIT
-    # The display number is derived from the process ID: with -a alone, tests that start simultaneously may get the same display.
+    # The display number is derived from the process ID. With -a alone, tests that start at the same time may get the same display.
     xvfb-run -n $((1000 + $$ % 30000)) -a -s "-screen 0 ${screen}x24" "$0" "$@"
     exit $?
   fi
   enter_folder
 }
 
-# The same under Xorg with a touch screen, for finger(). Also needs its drivers "dummy" and "inputtest".
+# Does the same under Xorg with a touch screen, for finger(). Also needs the Xorg drivers "dummy" and "inputtest".
 # under_touch_screen WIDTHxHEIGHT "$@"
 under_touch_screen() {
   screen=$1
@@ -100,7 +102,7 @@ END
   kill $xorg 2>/dev/null
   return 1
 }
-# finger GESTURE...: makes a gesture of touch_device.py, and waits until it is done
+# finger GESTURE...: performs a gesture with touch_device.py and waits until it is done
 finger() {
   local answer
   echo "$*" >&"${TOUCH[1]}"
@@ -109,12 +111,12 @@ finger() {
 # screenshot FILE.ppm [LEFT TOP WIDTH HEIGHT]: uses the libraries of the system's Python
 screenshot() { /usr/bin/python3 "$source_of_tests/screenshot.py" "$@" || exit 1; }
 
-# Waits until a file is moved to the folder, at most a second. Conditions passed to within() must not call it.
+# Waits until a file is moved to the folder, but at most a second. Conditions passed to within() must not call this function.
 changed() {
   read -r -t 1 -u "$changes" _ || return 0
   while read -r -t 0 -u "$changes"; do read -r -u "$changes" _; done
 }
-# within SECONDS COMMAND...: runs a command, and again after each change, until it succeeds
+# within SECONDS COMMAND...: runs a command again after each change, until it succeeds
 within() {
   local end=$((SECONDS + $1))
   shift
@@ -159,7 +161,7 @@ press() {  # press NAME [share of its width]: clicks a control
   frames 3
 }
 
-# From far away the model is small and software rendering is fast.
+# From far away, the model is small, and software rendering is fast.
 step_back() {
   xdotool mousemove 500 400
   xdotool click --repeat 40 --delay 10 5

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The window and the system around it: keys within a frame, the desktop's file dialog, output files, read-only folders, idling with
-# little memory.
+# Tests how the window interacts with the system: several key presses within a frame, the desktop's file dialog, output files,
+# read-only folders, idling with little memory.
 # usage: window_events_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"
@@ -11,7 +11,7 @@ vantage=$1 player=$2 source=$3
 mkdir folder && cp one.vantage folder/two.vantage
 alive() { frames 10; kill -0 $pid 2>/dev/null || fail "$1 ended the player: $(cat says)"; }
 
-# Taps and clicks shorter than a frame are all handled, in order.
+# Taps and clicks that are shorter than a frame are all handled, in order.
 start one.vantage --size 900x700
 xdotool mousemove 500 400 click 4
 xdotool key --delay 0 Tab c F5
@@ -40,7 +40,7 @@ xdotool key o
 opens two.vantage
 quit
 
-# An orthophoto is written while the window is in use, the same as from the command.
+# An orthophoto can be written while the window is in use, and it is the same as that from the command line.
 start one.vantage --no-saved-settings --size 1200x800
 key Tab
 press "Section Picture"; press "Section Blending"; press "Section Orthophoto"
@@ -63,7 +63,7 @@ there "Message" || fail "no error about a screenshot that cannot be written"
 alive "a screenshot that cannot be written"
 quit
 
-# At rest nothing is drawn, even if not all tiles fit into memory, and a key wakes the window.
+# At rest, nothing is drawn, even if not all tiles fit into memory. A key press wakes the window.
 comes_to_rest() {
   "$player" "$@" --no-saved-settings >says 2>&1 &
   pid=$!

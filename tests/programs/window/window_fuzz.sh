@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Random events for the window in all its states: keys, clicks, drags, wheel, fingers, dropped files, sizes, focus. It must not exit,
-# hang or report an OpenGL error, and must come to rest afterwards.
+# Sends random events to the window in all its states: keys, clicks, drags, mouse wheel, fingers, dropped files, sizes, focus. The
+# window must not exit, hang or report an OpenGL error, and must come to rest afterward.
 # usage: window_fuzz.sh VANTAGE PLAYER SOURCE_DIR [EVENTS [SEED]]; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"
@@ -15,7 +15,7 @@ head -c 5000 one.vantage >cut.vantage
 printf '[[object]]\npackage = "one.vantage"\n' >scene.toml
 dropped=(one.vantage junk.vantage cut.vantage scene.toml missing.vantage scene)
 
-# random_events N SEED: commands for xdotool. Ctrl+Q and O, which close the window or type into a dialog, are skipped.
+# random_events N SEED: prints commands for xdotool. Ctrl+Q and O are skipped, because they close the window or open a dialog.
 random_events() {
   awk -v n="$1" -v seed="$2" -v window="$window" 'BEGIN {
     srand(seed)
@@ -48,7 +48,7 @@ for ((done = 0; done < events; done += 100)); do
   kill -0 $pid 2>/dev/null || { fail "the player ended after event $done of seed $seed: $(tail -3 says)"; exit 1; }
 done
 
-# The window still responds, and comes to rest.
+# The window must still respond and come to rest.
 xdotool windowsize "$window" 500 400 windowfocus "$window"
 for k in Escape Escape Escape; do xdotool key --delay 60 $k; done
 before=$(ls one-*.png 2>/dev/null | wc -l)

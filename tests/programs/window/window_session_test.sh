@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A session in a real window, with real mouse and key events through the X server, for behavior that needs such a window. The
-# effects of controls, keys and gestures are tested without one (tests/window).
+# Runs a session in a real window, with real mouse and key events through the X server, to test behavior that needs such a window.
+# The effects of controls, keys and gestures are tested without a window (tests/window).
 # usage: window_session_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"
@@ -23,7 +23,7 @@ settled() {  # settled FILE.ppm: the picture, once it is final
   fail "the picture $1 never settles"
 }
 
-# alike FILE.ppm FILE.ppm: equal up to the fewer samples per pixel that a busy processor may draw
+# alike FILE.ppm FILE.ppm: equal, except that a busy processor may draw fewer samples per pixel
 alike() {
   /usr/bin/python3 -c '
 import sys
@@ -43,7 +43,7 @@ opens one.vantage
 find_window
 place "Photo 5" >/dev/null || fail "the strip does not show the photos"
 
-# Dragging orbits: the picture changes, and stays when the button is released.
+# Dragging orbits the model: the picture changes, and it stays when the button is released.
 key ctrl+minus; key ctrl+minus  # as on a standard screen
 settled before.ppm
 xdotool mousemove 600 250; frames 2
@@ -54,7 +54,8 @@ key h
 soon_settled() { settled home.ppm; alike home.ppm before.ppm; }
 soon soon_settled || fail "H does not return to the first picture"
 
-# A click shorter than a frame, with the pointer elsewhere at the end of the frame; a setting changes the picture.
+# A click that is shorter than a frame counts even if the pointer is elsewhere at the end of the frame. A setting changes the
+# picture.
 # shellcheck disable=SC2046
 xdotool mousemove $(place "Bar Expert") mousedown 1 mouseup 1 mousemove 600 250
 there "Section Picture" || fail "a click on Expert quicker than a frame is lost"
@@ -67,7 +68,7 @@ press "Show"; press "photos"
 settled again-photos.ppm
 alike photos.ppm again-photos.ppm || fail "the photos are not shown again as they were"
 
-# Screenshots show only the model; the picture does not shine through the help.
+# Screenshots show only the model, and the picture does not show through the help.
 key F4  # the strip would cover the help
 settled strip.ppm
 key p
@@ -101,7 +102,7 @@ key F11
 soon_small() { at=$(place "Bar Expert"); [ "${at%% *}" -lt 1200 ]; }
 soon soon_small || fail "F11 does not leave full screen: Expert is at $at"
 
-# One package is dropped and added, one is opened by the dialog; a truncated one does not replace the open one.
+# One package is dropped and added, and another is opened through the dialog. A truncated package does not replace the open one.
 press "Section Picture"; press "Section Blending"  # they leave no space for the section of objects
 /usr/bin/python3 "$source_of_tests/drop_files.py" "$window" two.vantage || fail "the window does not accept files"
 there "Add to the scene" || fail "no question about a dropped package"
@@ -118,7 +119,7 @@ remembers expert true
 remembers width 1200
 grep -q "$dir/one.vantage" config/vantage/player.json || fail "the package is not among the recent ones"
 
-# It is opened again by its name on the start page.
+# The package can be opened again by its name on the start page.
 start_page
 press "$dir/one.vantage"
 opens one.vantage

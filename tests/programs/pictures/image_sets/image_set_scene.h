@@ -1,6 +1,6 @@
 #pragma once
-// Image sets of one object, shown one at a time: a synthetic building in visible light, and in infrared,
-// which shows an underdrawing.
+// Image sets of one object, which are shown one at a time: a synthetic building in visible light and in
+// infrared, which reveals an underdrawing.
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -40,7 +40,7 @@ class ImageSets : public TemporaryFolder {
                     [](const Progress&) {});
         return PackageReader(dir / (scene + ".vantage"));
     }
-    /// Adds random noise to every pixel of an image set's photos.
+    /// Adds random noise to every pixel of the photos in an image set.
     void add_noise(const std::string& scene, const std::string& image_set = "infrared") const {
         const int width = image_set == "infrared" ? 260 : 331, height = image_set == "infrared" ? 200 : 250;
         std::mt19937 random(7);

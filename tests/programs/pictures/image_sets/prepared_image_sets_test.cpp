@@ -1,4 +1,4 @@
-// Image sets in packages, scores and messages.
+// Tests image sets in packages, scores and messages.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -81,7 +81,7 @@ TEST_F(ImageSets, PairsAreOfOneImageSet) {
             EXPECT_EQ(package.photos()[p.a].image_set, package.photos()[p.b].image_set);
             ++pairs;
         }
-    EXPECT_GE(pairs, 6u) << "photos of each image set overlap";
+    EXPECT_GE(pairs, 6u) << "the photos within each image set should overlap";
 }
 
 TEST_F(ImageSets, AreAbsentIfThereIsOne) {
@@ -156,7 +156,7 @@ TEST_F(ImageSets, NumbersOutOfRangeAreRefused) {
 TEST_F(ImageSetsAtLength, EvaluatePredictsAPhotoFromItsOwnImageSet) {
     make(small_scene());
     const PackageReader scene = prepared("scene");
-    // The background shade comes from the first image set's photos.
+    // The background shade is computed from the photos of the first image set.
     const auto copy_shade_to = [&](const fs::path& file) {
         const std::uint64_t at = PackageReader(file).find(package::Type::scene)->offset;
         const std::string whole = slurp(file);
@@ -198,7 +198,7 @@ TEST_F(ImageSetsAtLength, ProgramsKnowThem) {
     };
     const std::string own = shoot("--photo infrared_0001");
     EXPECT_EQ(own, shoot("--photo infrared_0001 --image-set INFRARED"))
-        << "a photo's camera shows its own image set";
+        << "a view from a photo's camera should show that photo's image set";
     EXPECT_NE(own, shoot("--photo infrared_0001 --image-set visible"));
     EXPECT_NE(own, shoot("--photo infrared_0001 --image-set visible --second-image-set infrared=0.5"));
     EXPECT_EQ(own, shoot("--photo infrared_0001 --image-set visible --second-image-set infrared=1"));

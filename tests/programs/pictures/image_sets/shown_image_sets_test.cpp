@@ -1,4 +1,4 @@
-// Pictures of image sets: one alone, two mixed, and one replacing another.
+// Tests pictures of image sets: one alone, two mixed, and one replacing another.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,7 +50,7 @@ double mixed(int a, int b, double share) {
     return 255 * srgb_from_linear(root * root);
 }
 
-/// The largest difference between a mix and the mean of two pictures, in 8-bit values.
+/// The largest difference between a mixed picture and the mean of two pictures, in 8-bit values.
 double largest_error(const Picture& a, const Picture& b, const Picture& mix, double share) {
     double worst = 0;
     for (std::size_t i = 0; i < mix.rgba.size(); i += 4) {
@@ -194,7 +194,8 @@ TEST_F(ImageSets, AImageSetThatTakesAnothersPlaceLeavesNoHole) {
     s.image_sets.shown = infrared;
     ASSERT_TRUE(settle([&](const Picture& p) { shown.push_back(p); }));
     EXPECT_GT(mean_difference(before, shown.back()), 10);
-    EXPECT_LT(mean_difference(before, shown.front()), 0.1) << "its photos are not loaded yet";
+    EXPECT_LT(mean_difference(before, shown.front()), 0.1)
+        << "the new image set's photos are not loaded yet, so the picture should not change";
     const auto settled_at =
         std::ranges::find_if(shown, [&](const Picture& p) { return mean_difference(before, p) > 0.1; });
     EXPECT_GE(shown.end() - settled_at, 5) << "it fades in";

@@ -1,4 +1,4 @@
-// Transparent surfaces, compared with ray casting and blending in double precision.
+// Compares transparent surfaces with ray casting and blending in double precision.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,11 +18,11 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-/// The largest distance between fragments of coplanar triangles that rounding of their corners causes.
+/// The largest distance between fragments of coplanar triangles that can result from rounding of the corners.
 constexpr double one_plane = 3e-6;
 
-/// Whether the order of fragments depends on rounding, because planes cross each other or the opaque surface
-/// at the pixel.
+/// Whether the order of fragments depends on rounding because, at the pixel, planes cross each other or the
+/// opaque surface.
 bool crosses(std::vector<TransparentLayers::Fragment> fragments, double opaque) {
     std::ranges::sort(fragments, {}, &TransparentLayers::Fragment::z);
     for (std::size_t i = 0; i < fragments.size(); ++i) {
@@ -33,7 +33,7 @@ bool crosses(std::vector<TransparentLayers::Fragment> fragments, double opaque) 
     return false;
 }
 
-/// Gives coplanar fragments the same distance, so that they are ordered like the triangles.
+/// Gives coplanar fragments the same distance, so that they have the same order as the triangles.
 void tie(std::vector<TransparentLayers::Fragment>& fragments) {
     std::ranges::sort(fragments, {}, &TransparentLayers::Fragment::z);
     for (std::size_t i = 1; i < fragments.size(); ++i)
@@ -52,7 +52,7 @@ TEST_F(Transparent, ExactBlendingIsThatOfSortedFragments) {
         ASSERT_TRUE(effect_on(package.scene(), Effect::transparency));
         const gl::HeadlessContext context;
         Renderer renderer(package, MemoryBudget{});
-        // Lists have space for 4 layers on average, so 64 layers can cover a part of the frame.
+        // The lists have space for 4 layers per pixel on average, so 64 layers can cover a part of the frame.
         const View view = facing(package, 75, 200, 200);
         const FrameReport report = taken(renderer, view, shown_as(Transparency::exact)).report;
         ASSERT_EQ(report.fragments_approximated, 0u) << "of " << report.fragments;
@@ -84,9 +84,11 @@ TEST_F(Transparent, ExactBlendingIsThatOfSortedFragments) {
         EXPECT_GT(hidden, 1000u) << "behind the wall";
         EXPECT_LE(worst, 1.0) << "codes of 8 bits";
         approximation /= double(compared);
-        std::printf("%s, alpha up to %d: exact within %.3f codes; approximate: mean %.1f, worst %.1f codes\n",
-                    inclined ? "inclined" : "facing", max_alpha, worst, approximation, worst_approximation);
-        EXPECT_GT(approximation, 0.5) << "the approximation is distinguishable";
+        std::printf(
+            "%s, alpha up to %d: exact: error at most %.3f codes; approximate: mean error %.1f, largest %.1f "
+            "codes\n",
+            inclined ? "inclined" : "facing", max_alpha, worst, approximation, worst_approximation);
+        EXPECT_GT(approximation, 0.5) << "the approximation should be distinguishable from the exact result";
         EXPECT_LT(approximation, 45);
     }
 }
@@ -106,7 +108,7 @@ TEST_F(Transparent, ExactBlendingIsThatOfThePaintersAlgorithm) {
     const auto triangles = layers.triangles();
     const BspTree tree(triangles);
     ASSERT_TRUE(tree.complete());
-    EXPECT_GT(tree.polygons(), 2 * triangles.size()) << "crossing triangles are split";
+    EXPECT_GT(tree.polygons(), 2 * triangles.size()) << "crossing triangles should be split";
     const Intrinsics& k = view.intrinsics;
     tree.back_to_front(view.cam_from_origin.center(), [&](const PaintedPolygon& p) {
         for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -115,7 +117,7 @@ TEST_F(Transparent, ExactBlendingIsThatOfThePaintersAlgorithm) {
             const auto f = std::ranges::find(pixels[i].fragments, p.triangle + layers.first(),
                                              &TransparentLayers::Fragment::triangle);
             if (f == pixels[i].fragments.end() || f->z > opaque[i]) continue;
-            // Inside, if on the same side of all edges of the piece.
+            // A point is inside the piece if it is on the same side of all its edges.
             const Vector3d ray = view.cam_from_origin.R.transpose() *
                                  Vector3d((at.x() - k.cx) / k.fx, (at.y() - k.cy) / k.fy, 1),
                            eye = view.cam_from_origin.center();
@@ -138,7 +140,7 @@ TEST_F(Transparent, ExactBlendingIsThatOfThePaintersAlgorithm) {
         wrong += codes_apart(exact[i], painted[i]) > 1;
     }
     EXPECT_GT(compared, 5000u);
-    EXPECT_LE(double(wrong), 0.001 * double(compared)) << "except pixels at cuts between pieces";
+    EXPECT_LE(double(wrong), 0.001 * double(compared)) << "only pixels at cuts between pieces may differ";
 }
 
 TEST_F(Transparent, WhatFindsNoRoomIsApproximatedAndCounted) {
@@ -167,7 +169,7 @@ TEST_F(Transparent, WhatFindsNoRoomIsApproximatedAndCounted) {
     };
     {
         Renderer renderer(package, MemoryBudget{});
-        EXPECT_LT(mean_error(renderer), 1.5) << "surfaces behind 64 layers hardly show";
+        EXPECT_LT(mean_error(renderer), 1.5) << "surfaces behind 64 layers should be hardly visible";
         const FrameReport r = taken(renderer, facing(package), shown_as(Transparency::exact)).report;
         EXPECT_GT(r.fragments, 50'000u);
         std::size_t deep = 0;

@@ -1,4 +1,4 @@
-// Packages with and without transparent surfaces.
+// Tests packages with and without transparent surfaces.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -44,7 +44,8 @@ TEST_F(Transparent, NothingOfItIsThereWithoutAlpha) {
     EXPECT_FALSE(effect_on(forced.scene(), Effect::transparency)) << "nothing to show";
     settings.effects.erase(Effect::transparency);
     const PackageReader none = prepared("none");
-    EXPECT_EQ(none.meta().find("transparency"), std::string_view::npos) << "the same package as before";
+    EXPECT_EQ(none.meta().find("transparency"), std::string_view::npos)
+        << "the package should not mention transparency";
     const Shown bare = shown(none);
     EXPECT_FALSE(bare.symbol || bare.buffer);
     EXPECT_EQ(shown(forced), bare);
@@ -56,7 +57,7 @@ TEST_F(Transparent, NothingOfItIsThereWithoutAlpha) {
     settings.effects[Effect::transparency] = EffectChoice::off;
     const PackageReader off = prepared("off");
     EXPECT_FALSE(effect_on(off.scene(), Effect::transparency));
-    EXPECT_EQ(shown(off), shown(opaque)) << "as if it had no alpha";
+    EXPECT_EQ(shown(off), shown(opaque)) << "the mesh should be shown as if it had no alpha";
     settings.effects.erase(Effect::transparency);
     const PackageReader on = prepared("on");
     EXPECT_TRUE(effect_on(on.scene(), Effect::transparency));
@@ -64,7 +65,8 @@ TEST_F(Transparent, NothingOfItIsThereWithoutAlpha) {
     EXPECT_TRUE(with.symbol && with.buffer);
     EXPECT_GT(with.memory, bare.memory);
     for (std::size_t v = 0; v < input.mesh.colors.size(); ++v) input.mesh.colors[v][3] = 0;
-    EXPECT_FALSE(effect_on(prepared("unset").scene(), Effect::transparency)) << "alpha was never set";
+    EXPECT_FALSE(effect_on(prepared("unset").scene(), Effect::transparency))
+        << "an alpha of 0 everywhere means that alpha was never set";
 }
 
 TEST_F(Transparent, SurvivesSharesAndRefining) {

@@ -1,4 +1,5 @@
-// Transparent surfaces in pictures: in front of nothing, of photos, points and holes, and with lighting.
+// Tests transparent surfaces in pictures: with nothing behind them, in front of photos, points and holes, and
+// with lighting.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,9 +52,11 @@ TEST_F(Transparent, AWhollyTransparentMeshIsShownWithNothingBehind) {
         for (const int side : {1, 2}) {
             const Picture p = taken(renderer, view, shown_as(mode), side);
             const std::size_t middle = 4 * (std::size_t(p.width) * std::size_t(p.height) / 2 + 80);
-            EXPECT_NEAR(p.rgba[middle + 3], 128, 1) << "its alpha; the quad of alpha 0 is invisible";
+            EXPECT_NEAR(p.rgba[middle + 3], 128, 1)
+                << "the quad should have its alpha, and the quad with alpha 0 should be invisible";
             for (std::size_t c = 0; c < 3; ++c)
-                EXPECT_NEAR(p.rgba[middle + c], own[c], 1) << "straight color, facing the viewer";
+                EXPECT_NEAR(p.rgba[middle + c], own[c], 1)
+                    << "the color should not be premultiplied, and the surface faces the viewer";
             EXPECT_EQ(p.rgba[3], 0) << "empty";
         }
     const Picture off = taken(renderer, view, shown_as(Transparency::off));
@@ -71,7 +74,7 @@ TEST_F(Transparent, IsLitColoredAndCoveredAsTheModelIs) {
     for (const Vector3d& p : input.mesh.positions)
         field.values.push_back(p.y() == -1 && p.z() > 0 ? 1.0f : 0.0f);
     input.mesh.scalars.push_back(field);
-    // Points in front of the quad on the left, behind it on the right.
+    // The points are in front of the quad on the left and behind it on the right.
     for (int x = -200; x <= 200; ++x)
         for (int z = 0; z < 200; ++z) {
             input.points.positions.emplace_back(0.01 * x, x < 0 ? -2.0 : -0.5, 1 + 0.01 * z);
@@ -106,19 +109,20 @@ TEST_F(Transparent, IsLitColoredAndCoveredAsTheModelIs) {
     };
     expect_over(with([](RenderSettings&) {}), left, own, "over photos");
     expect_over(with([](RenderSettings& s) { s.light.light = Light::lamp; }), left,
-                Vector3d::Constant(shader::light_gray), "bare geometry faces the lamp");
+                Vector3d::Constant(shader::light_gray), "bare geometry that faces the lamp");
     expect_over(with([](RenderSettings& s) { s.light.light = Light::lamp, s.light.on_photos = true; }), left,
-                own, "its own color, times the light");
+                own, "the quad's own color multiplied by the light");
     const auto shows_points = with([](RenderSettings& s) { s.points.show = true, s.points.eye_dome = 0; });
-    EXPECT_EQ(at(shows_points.first, left), at(shows_points.second, left)) << "points are in front of it";
+    EXPECT_EQ(at(shows_points.first, left), at(shows_points.second, left))
+        << "the points should be in front of the quad";
     expect_over(shows_points, right, own, "points behind it");
     const auto alone = with([](RenderSettings& s) { s.points.alone = s.points.show = true; });
     EXPECT_EQ(at(alone.first, right), at(alone.second, right)) << "points alone";
     const auto layered = with([](RenderSettings& s) { s.field.index = 0; });
     const Vector4d shown = at(layered.first, left), behind = at(layered.second, left);
-    EXPECT_GT((shown - behind).norm(), 0.2) << "the color map's end blended over its beginning";
+    EXPECT_GT((shown - behind).norm(), 0.2) << "the color map's end should be blended over its beginning";
     const auto counted = with([](RenderSettings& s) { s.show = Show::coverage; });
-    EXPECT_EQ(at(counted.first, left), at(counted.second, left)) << "counts are not blended";
+    EXPECT_EQ(at(counted.first, left), at(counted.second, left)) << "counts should not be blended";
 }
 
 TEST_F(Transparent, HolesBehindItAreFilledWithColorsWithoutIt) {
@@ -178,7 +182,7 @@ TEST_F(TransparentAtLength, PhotosLookThroughAGlassCase) {
     runs(vantage + " prepare " + glass + " -o " + package + " --vertex-coordinates");
     runs(vantage + " check --deep --against " + glass + " " + package);
     EXPECT_NE(runs(vantage + " info " + package).find("transparency       on"), std::string::npos);
-    // The photos have the same visibility data as in the scene without the case.
+    // The photos have the same visibility data as in the scene without the glass case.
     SynthSpec spec = spec_named("glass");
     spec.glass.alpha = 0;
     copy_scene(spec, dir / "bare");
@@ -196,7 +200,7 @@ TEST_F(TransparentAtLength, PhotosLookThroughAGlassCase) {
         const auto uv = with.records<std::array<float, 2>>(package::Type::coordinates, i);
         for (std::size_t v = opaque.vertices; v < uv.size(); ++v) EXPECT_EQ(uv[v][0], -1);
     }
-    // The glass tints the surfaces behind it, and hides none of them.
+    // The glass tints the surfaces behind it but hides none of them.
     const auto picture = [&](const std::string& file, const std::string& options) {
         runs(player + " render " + file + " --photo 0002 -o " + folder + "/p.png " + options);
         return read_png(dir / "p.png");
@@ -214,17 +218,17 @@ TEST_F(TransparentAtLength, PhotosLookThroughAGlassCase) {
         gone += change(off, bare) > 1;
         if (change(exact, off) <= 2) continue;
         ++tinted;
-        // Of the light from behind, (1 - 0.3)^1 or ^2 remains, and the glass adds its own.
+        // Of the light from behind, (1 - 0.3)^1 or (1 - 0.3)^2 remains, and the glass adds its own color.
         bright += exact.rgba[i + 1] + 2 >= int(255 * encoded(0.4 * std::pow(off.rgba[i + 1] / 255.0, 2.2)));
         apart += change(approximate, exact) > 40;
         differs += change(approximate, exact) > 0;
     }
-    EXPECT_EQ(gone, 0u) << "without the case, the picture is that of the scene without it";
+    EXPECT_EQ(gone, 0u) << "with transparency off, the picture should be that of the scene without the case";
     EXPECT_GT(tinted, 331u * 250 / 20);
     EXPECT_GE(double(bright), 0.99 * double(tinted));
     EXPECT_LT(double(apart), 0.05 * double(tinted));
     EXPECT_GT(differs, 0u);
-    // The extracted mesh has its alpha.
+    // The extracted mesh has the glass's alpha.
     runs(vantage + " extract " + package + " -o " + folder + "/files");
     std::vector<std::string> warnings;
     const Mesh back = read_mesh(dir / "files" / "mesh.ply", warnings);

@@ -16,21 +16,20 @@
 
 namespace vantage {
 
-/// Linear light as an sRGB value from 0 to 1.
+/// Converts linear light to an sRGB value from 0 to 1.
 inline double encoded(double l) {
     l = std::clamp(l, 0.0, 1.0);
     return l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
 }
 
-/// The largest difference of channels, in 8-bit values. The second color may also be the color of empty
-/// pixels.
+/// The largest difference between the channels of two colors, in 8-bit values.
 inline double codes_apart(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
     double most = 255 * std::abs(a[3] - b[3]);
     for (int c = 0; c < 3; ++c) most = std::max(most, 255 * std::abs(encoded(a[c]) - encoded(b[c])));
     return most;
 }
 
-/// Transparent triangles in a small synthetic scene.
+/// Puts transparent triangles into a small synthetic scene.
 class Transparent : public TemporaryFolder {
   protected:
     using Vector3d = Eigen::Vector3d;
@@ -62,7 +61,7 @@ class Transparent : public TemporaryFolder {
         add({corner, corner + u, corner + u + v}, {color, color, color});
         add({corner, corner + u + v, corner + v}, {color, color, color});
     }
-    /// Ground so wide that no triangle on it is subdivided, and a wall on it.
+    /// Adds ground that is so wide that no triangle on it is subdivided, and a wall on the ground.
     void ground() {
         input.mesh = {};
         for (int x = 0; x < 70; ++x)
@@ -75,8 +74,9 @@ class Transparent : public TemporaryFolder {
         std::uniform_int_distribution<int> code(0, 255);
         return {std::uint8_t(code(random)), std::uint8_t(code(random)), std::uint8_t(code(random)), 255};
     }
-    /// Triangles that cross each other, with alpha from 0 to 1 inclusive; every fifth is coplanar with the
-    /// one before it, at the same or another position. These planes face the viewer, or are `inclined`.
+    /// Adds triangles that cross each other, with alpha from 0 to 1 inclusive. Every fifth is coplanar with
+    /// the one before it, at the same position or at another. The planes of these pairs face the viewer or
+    /// are `inclined`.
     void scatter(int count, int max_alpha, bool inclined) {
         std::uniform_real_distribution<double> across(-3, 3), up(0.2, 4.5), size(1, 4);
         std::uniform_int_distribution<int> alpha(0, max_alpha), kind(0, 9);
@@ -121,7 +121,7 @@ class Transparent : public TemporaryFolder {
     static Picture taken(Renderer& renderer, const View& view, const RenderSettings& settings, int side = 1) {
         return take_picture(renderer, view, settings, all(renderer.package()), side);
     }
-    /// The samples of a picture: linear light and coverage.
+    /// The samples of a picture as linear light and coverage.
     static std::vector<Vector4d> light(Renderer& renderer, const View& view, const RenderSettings& settings) {
         taken(renderer, view, settings);
         std::vector<Eigen::Vector4f> out(std::size_t(view.intrinsics.width) *

@@ -18,7 +18,7 @@ class Contracts : public Overnight {
     static void write(const fs::path& to, const std::string& bytes) {
         std::ofstream(to, std::ios::binary) << bytes;
     }
-    /// Expects a one-line refusal, before any work, that leaves `kept` unchanged.
+    /// Expects a refusal in one line, before any work, that leaves the file `kept` unchanged.
     void expect_refused(const std::string& words, const fs::path& kept,
                         const std::string& program = VANTAGE_PROGRAM) const {
         const std::string before = slurp(kept);
@@ -46,7 +46,7 @@ class Contracts : public Overnight {
         bytes << "rot";
     }
     void expect_damage_found(std::initializer_list<package::Type> types);
-    /// Turns the second photo into a PNG with the same name as the first, except for the extension.
+    /// Turns the second photo into a PNG that has the same name as the first photo, except for the extension.
     void share_a_stem() const {
         const std::string jpeg = slurp(images / "0001.jpg");
         const RgbaImage image = read_photo(images / "0001.jpg", read_photo_header(images / "0001.jpg").size);

@@ -1,4 +1,5 @@
-// The guarantees of docs/contracts.md about inputs and packages: the meaning of "current" and "valid".
+// Tests the guarantees of docs/contracts.md about inputs and packages, that is, the meaning of "current" and
+// "valid".
 #include <fstream>
 
 #include "base/text/error.h"
@@ -36,7 +37,7 @@ TEST_F(ContractsAtLength, RepairedPhotosAreTakenUpAgain) {
     EXPECT_EQ(prepare_program().code, int(Exit::incomplete));
     write(images / "passer-by.jpg", "still no camera");
     EXPECT_EQ(run("check " + package() + " --against " + scene.string()).code, int(Exit::incomplete))
-        << "a photo without a camera is not an input";
+        << "a photo without a camera should not be an input";
 }
 
 TEST_F(ContractsAtLength, PackagesDoNotDependOnWhereTheInputsAre) {
@@ -93,7 +94,7 @@ void vantage::Contracts::expect_damage_found(std::initializer_list<package::Type
     EXPECT_EQ(evaluated.code, int(Exit::damaged));
     EXPECT_EQ(prepare_again().code, 0);
     fs::resize_file(file, fs::file_size(file) / 2);
-    EXPECT_EQ(prepare_again().code, 0) << "a truncated package is still replaced";
+    EXPECT_EQ(prepare_again().code, 0) << "a truncated package should still be replaced";
     expect_whole(bytes, "a truncated package");
 }
 
@@ -116,9 +117,9 @@ TEST_F(Contracts, EveryCameraFileIsAnInput) {
     const std::string by_file = explicit_text + (sparse / "cameras.txt").string();
     ASSERT_EQ(run(by_file).code, 0);
     write(sparse / "images.txt", slurp(sparse / "images.txt") + "# a comment\n");
-    expect_stale(by_file, "images.txt beside the cameras.txt that was given");
+    expect_stale(by_file, "images.txt next to the given cameras.txt has changed");
 
-    // The same cameras as a Bundler file, with the principal point in the middle.
+    // The same cameras in a Bundler file, with the principal point in the middle.
     std::string bundle = "# Bundle file v0.3\n6 0\n", list;
     for (const PhotoInput& photo : read_scene(discover(scene)).photos) {
         const Camera& c = photo.camera;
@@ -145,7 +146,7 @@ TEST_F(Contracts, EveryCameraFileIsAnInput) {
     const Outcome checked = run("check " + package() + " --against " + scene.string());
     EXPECT_EQ(checked.code, int(Exit::stale));
     EXPECT_NE(checked.out.find("cameras.bin: was added"), std::string::npos) << checked.out;
-    EXPECT_EQ(prepare_program().code, int(Exit::input)) << "it reads the binary files";
+    EXPECT_EQ(prepare_program().code, int(Exit::input)) << "prepare should read the binary files";
     fs::rename(dir / "truth", scene / "truth");
     write(sparse / "cameras.bin", "cut off");
     EXPECT_EQ(run("check " + package() + " --against " + scene.string()).code, int(Exit::input));

@@ -1,4 +1,5 @@
-// The guarantees of docs/contracts.md about output files: which are replaced, and which are never touched.
+// Tests the guarantees of docs/contracts.md about output files: which are replaced and which are never
+// touched.
 #include <sys/stat.h>
 
 #include "base/text/error.h"
@@ -27,7 +28,7 @@ TEST_F(Contracts, PhotosOfEqualStemKeepTheirOwnFiles) {
                                      pictures / (photo + ".png"), evaluation / (photo + "-photo.png")})
             EXPECT_TRUE(fs::exists(made)) << made;
     EXPECT_NE(slurp(files / "photos" / "0000.jpg.jpg"), slurp(files / "photos" / "0000.png.png"));
-    EXPECT_TRUE(fs::exists(files / "photos" / "0002.jpg")) << "unique names stay short";
+    EXPECT_TRUE(fs::exists(files / "photos" / "0002.jpg")) << "names that are unique should stay short";
 }
 
 TEST_F(Contracts, AmbiguousPhotoNamesAreRefused) {
@@ -81,7 +82,7 @@ TEST_F(Contracts, PrepareReplacesOnlyPackagesReportsAndTracesOfItsOwn) {
     const std::string trace = "--trace " + (dir / "trace.json").string() + " ";
     EXPECT_EQ(run(prepare_to(text) + trace + "--force").code, 0);
     EXPECT_EQ(run(prepare_to(text) + trace + "--thumbnail-size 128").code, 0)
-        << "package, report and trace again";
+        << "the package, the report and the trace should be written again";
     const PackageReader replaced(text);
     EXPECT_EQ(replaced.photos()[0].thumbnail_width, 128u);
     write(file, "");
@@ -130,7 +131,7 @@ TEST_F(Contracts, OtherCommandsReplaceOnlyTheirOwnFiles) {
     }
     write(files / "sparse" / "images.txt", "mine");
     expect_refused("extract " + package() + " -o " + files.string(), files / "sparse" / "images.txt");
-    // The input mesh and a mask are recognized by content, even with --force.
+    // The input mesh and a mask are recognized by their content, even with --force.
     for (const std::string force : {"", " --force"})
         expect_refused("extract " + package() + " -o " + scene.string() + force, mesh);
     fs::remove_all(scene / "truth");
@@ -158,7 +159,7 @@ TEST_F(Contracts, PlayerReplacesPicturesButNoInputs) {
     }
     expect_refused(small + text.string(), text, VANTAGE_PLAYER);
     EXPECT_EQ(player(small + text.string() + " --force").code, 0);
-    EXPECT_EQ(player(small + text.string()).code, 0) << "a picture replaces an older one";
+    EXPECT_EQ(player(small + text.string()).code, 0) << "a picture should replace an older one";
     fs::create_directories(page);
     write(page / "index.html", "<html>mine</html>");
     write(page / "frames.csv", "mine");
@@ -170,10 +171,10 @@ TEST_F(Contracts, PlayerReplacesPicturesButNoInputs) {
                    VANTAGE_PLAYER);
     const std::string again = "evaluate " + package() + " --photo 0003 --level 3 -o " + (dir / "e").string();
     EXPECT_EQ(player(again).code, 0);
-    EXPECT_EQ(player(again).code, 0) << "an evaluation replaces an older one";
+    EXPECT_EQ(player(again).code, 0) << "an evaluation should replace an older one";
     fs::remove(dir / "e" / "index.html");
     for (const char* last : {"photos.csv", "regions.csv", "regions.ply"}) fs::remove(dir / "e" / last);
-    EXPECT_EQ(player(again).code, 0) << "an evaluation replaces an interrupted one";
+    EXPECT_EQ(player(again).code, 0) << "an evaluation should replace an interrupted one";
     fs::copy_file(images / "0000.png", dir / "e" / "0003-photo.png", fs::copy_options::overwrite_existing);
     expect_refused(again, dir / "e" / "0003-photo.png", VANTAGE_PLAYER);
 }
@@ -183,9 +184,9 @@ TEST_F(ContractsAtLength, MeasurementsReplaceOlderOnes) {
     const std::string bench = "bench " + package() + " --paths still --modes resident --path-frames 2 " +
                               "--repeats 1 --size 64x48 -o " + (dir / "b").string();
     EXPECT_EQ(player(bench).code, 0);
-    EXPECT_EQ(player(bench).code, 0) << "measurements replace older ones";
+    EXPECT_EQ(player(bench).code, 0) << "measurements should replace older ones";
     const std::string steps =
         "smoothness " + package() + " --step 30 --size 64x48 -o " + (dir / "s").string();
     EXPECT_EQ(player(steps).code, 0);
-    EXPECT_EQ(player(steps).code, 0) << "steps replace older ones";
+    EXPECT_EQ(player(steps).code, 0) << "steps should replace older ones";
 }

@@ -70,7 +70,7 @@ class EndToEnd : public TemporaryFolder {
 
 class EndToEndAtLength : public EndToEnd {};
 
-/// The PSNR over the colored pixels in 8-bit sRGB; 200 if identical.
+/// The PSNR over the colored pixels in 8-bit sRGB; 200 if the pictures are identical.
 inline double psnr(const Picture& picture, const std::vector<std::uint8_t>& rgba) {
     double sum = 0;
     std::size_t n = 0;

@@ -1,4 +1,4 @@
-// Pictures and visibility, compared with Embree's ray casting and with the photos themselves.
+// Compares pictures and visibility with Embree's ray casting and with the photos themselves.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether a point is unoccluded, in front of the camera and inside the photo, by ray casting.
+/// Whether a point is in front of the camera, inside the photo and, according to ray casting, not occluded.
 bool sees(const RayScene& rays, const Camera& camera, const Eigen::Vector3d& point) {
     const auto p = project(camera.intrinsics, camera.cam_from_world, point);
     if (!p || p->pixel.x() < 0 || p->pixel.y() < 0 || p->pixel.x() >= camera.intrinsics.width ||
@@ -48,8 +48,8 @@ struct Colored {
     std::size_t seen = 0, colored = 0;
 };
 
-/// Among every `step`-th pixel in both directions, counts those whose surface some photo sees, and those of
-/// them that are colored.
+/// Checks every `step`-th pixel in both directions: counts the pixels whose surface at least one photo sees,
+/// and how many of these are colored.
 Colored count_colored(const Picture& picture, const Camera& from, const RayScene& rays,
                       const std::vector<Camera>& cameras, int step) {
     Colored count;
@@ -71,9 +71,9 @@ Colored count_colored(const Picture& picture, const Camera& from, const RayScene
     return count;
 }
 
-/// Renders from the camera of every `every`-th photo at full size, with the player's default settings.
-/// Expects the photo itself with the default blend and with "best". Surfaces that some photo sees must be
-/// colored, sampled at every `step`-th pixel.
+/// Renders views from the camera of every `every`-th photo at full size, with the player's default settings.
+/// Expects to see the photo itself with the default blend and with "best". Surfaces that at least one photo
+/// sees must be colored; every `step`-th pixel is tested.
 void expect_own_views_are_the_photos(Prepared& p, int step, std::uint32_t every) {
     const Eigen::Map<const Eigen::Vector3d> origin(p.package->scene().origin);
     const RayScene rays(about_origin(p.scene.mesh, origin));
@@ -96,15 +96,15 @@ void expect_own_views_are_the_photos(Prepared& p, int step, std::uint32_t every)
     }
     average /= views;
     std::printf(
-        "own views: default and best photo at worst %.1f dB, weighted average %.1f dB, colored %.3f %% of "
-        "%zu\n",
+        "own views: lowest PSNR %.1f dB with the default blend and the best photo, mean PSNR %.1f dB with "
+        "the weighted average; %.3f %% of %zu pixels colored\n",
         worst, average, 100 * double(all.colored) / double(all.seen), all.seen);
     EXPECT_GE(worst, 50);
     EXPECT_GE(average, 20);
     EXPECT_GE(double(all.colored), 0.995 * double(all.seen));
 }
 
-/// The projections of silhouette and boundary edges, where depth is discontinuous.
+/// The projections of silhouette and boundary edges, at which the depth is discontinuous.
 class DepthBorders {
   public:
     DepthBorders(const Mesh& mesh, const Camera& camera) {
@@ -161,7 +161,7 @@ bool depth_jumps_around(const RayScene& rays, const Camera& camera, const Eigen:
     return false;
 }
 
-/// Compares the package's per-vertex visibility with ray casting, for all vertices and every `every`-th
+/// Compares the package's visibility per vertex with ray casting, for all vertices and every `every`-th
 /// photo.
 void expect_visibility_is_that_of_rays(Prepared& p, std::uint32_t every = 1) {
     const Eigen::Map<const Eigen::Vector3d> origin(p.package->scene().origin);
@@ -187,8 +187,8 @@ void expect_visibility_is_that_of_rays(Prepared& p, std::uint32_t every = 1) {
                 !p || !(borders.within(2, p->pixel) || depth_jumps_around(rays, cameras[i], p->pixel));
         }
     }
-    std::printf("visibility: %zu of %zu pairs differ (%.4f %% agree), %zu away from depth borders\n", differ,
-                pairs, 100 * (1 - double(differ) / double(pairs)), away_from_borders);
+    std::printf("visibility: %zu of %zu pairs differ (%.4f %% agree), %zu of them away from depth borders\n",
+                differ, pairs, 100 * (1 - double(differ) / double(pairs)), away_from_borders);
     EXPECT_LE(double(differ), 0.001 * double(pairs));
     EXPECT_EQ(away_from_borders, 0u);
 }
@@ -219,7 +219,7 @@ void expect_coverage_is_that_of_the_vertices(const PackageReader& package, std::
             more += seen == 0 && bit(part, t);
         }
     }
-    EXPECT_GT(more, 0u) << "no partly visible triangle has all corners hidden";
+    EXPECT_GT(more, 0u) << "some partly visible triangles should have only hidden corners";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The handling of photos in pictures: exposures, sizes, lenses, masks, passers-by and the background.
+// Tests how photos are used in pictures: exposures, sizes, lenses, masks, passers-by and the background.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -89,7 +89,7 @@ TEST_F(EndToEnd, PhotosCoarserThanThePictureCountLess) {
     spec.photos.width = 662, spec.photos.height = 500;
     spec.photos.arc = 40;
     SceneInput input = read_scene(discover(make(spec)));
-    // A neighbor of photo 2, at a quarter of its size.
+    // A neighbor of photo 2, reduced to a quarter of its size.
     PhotoInput& coarse = input.photos[1];
     RgbaImage image = read_photo(coarse.file, {662, 500});
     image = reduced(image, {166, 125});
@@ -111,7 +111,8 @@ TEST_F(EndToEnd, PhotosCoarserThanThePictureCountLess) {
     };
     EXPECT_GT(gain_of_weights(1, photo), 0.05);
     const RgbaImage whole{662, 500, photo}, small = reduced(whole, {82, 62});
-    EXPECT_NEAR(gain_of_weights(0.124, small.rgba), 0, 0.02) << "where all photos have sufficient resolution";
+    EXPECT_NEAR(gain_of_weights(0.124, small.rgba), 0, 0.02)
+        << "there should be no gain where all photos have sufficient resolution";
 }
 
 TEST_F(EndToEnd, PhotosAreReducedToTheRequestedSize) {
@@ -135,7 +136,8 @@ TEST_F(EndToEnd, DifferentExposuresAreReconciled) {
     ASSERT_TRUE(effect_on(p.package->scene(), Effect::vignetting));
     for (const std::uint32_t i : {1u, 2u, 3u}) {
         const auto photo = read_photo(p.scene.photos[i].file, {662, 500}).rgba;
-        EXPECT_GE(psnr(p.own_view(i, Blend::best), photo), 40) << "with its own vignetting and exposure";
+        EXPECT_GE(psnr(p.own_view(i, Blend::best), photo), 40)
+            << "the picture should have the photo's own vignetting and exposure";
         std::vector<std::uint32_t> others = p.photos;
         std::erase(others, i);
         const View view = view_of_photo(p.package->photos()[i], 1);
@@ -143,11 +145,12 @@ TEST_F(EndToEnd, DifferentExposuresAreReconciled) {
         const double agreeing = psnr(take_picture(*p.renderer, view, settings, others, 1), photo);
         settings.refined_colors = false;
         const double original = psnr(take_picture(*p.renderer, view, settings, others, 1), photo);
-        std::printf("photo %u from the others: %.1f dB, as they were exposed %.1f dB\n", i, agreeing,
-                    original);
+        std::printf(
+            "photo %u from the others: %.1f dB with matched exposures, %.1f dB with the original ones\n", i,
+            agreeing, original);
         EXPECT_GT(agreeing, original + 5);
     }
-    // With the mean photo's exposure and with that of another photo.
+    // Pictures with the mean exposure of the photos and with the exposure of another photo.
     RenderSettings settings;
     View view = view_of_photo(p.package->photos()[1], 1);
     view.exposure = {};
@@ -176,16 +179,16 @@ TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
         for (std::uint32_t i = 0; i < clean.photos.size(); ++i)
             EXPECT_EQ(clean.package->find(package::Type::weight_maps, i, weight_map_level)->checksum,
                       off.package->find(package::Type::weight_maps, i, weight_map_level)->checksum)
-                << "a consistent scene is not changed";
+                << "a consistent scene should not be changed";
     }
-    // A person in front of the wall, and a flash reflection.
+    // Paint a person in front of the wall, and a flash reflection.
     const auto passer_by = [](int x, int y) { return std::hypot((x - 420) / 45.0, (y - 380) / 110.0) < 1; };
     const auto flash = [](int x, int y) { return std::hypot(x - 640, y - 300) < 40; };
     paint(scene.photos[2], {190, 30, 25}, passer_by);
     paint(scene.photos[4], {255, 255, 255}, flash);
     Prepared p = prepared(folder);
     ASSERT_TRUE(effect_on(p.package->scene(), Effect::transients));
-    // The photo, rendered from the others.
+    // The photo's view, rendered from the other photos.
     std::vector<std::uint32_t> others = p.photos;
     std::erase(others, 3u);
     const View view = view_of_photo(p.package->photos()[3], 1);
@@ -195,7 +198,7 @@ TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
     RenderSettings all = model_only;
     all.weights.transient_mask = false;
     const double with = psnr(take_picture(*p.renderer, view, all, others, 1), untouched);
-    // The same photos without painting.
+    // The same photos, but without the painted person.
     fs::remove_all(folder);
     Prepared clean = Prepared(make(spec), dir / "again.vantage");
     const double best = psnr(take_picture(*clean.renderer, view, model_only, others, 1), untouched);
@@ -219,7 +222,7 @@ TEST_F(EndToEnd, MaskExcludesCoveredPixels) {
     const fs::path file = folder / "images" / "0002.mask.png";
     image_files().write(file, 331, 250, 1, Sample::u8, std::as_bytes(std::span(mask)));
     Prepared p = prepared(folder);
-    EXPECT_EQ(p.photos.size(), 5u) << "the mask is not listed as a photo";
+    EXPECT_EQ(p.photos.size(), 5u) << "the mask should not be listed as a photo";
     EXPECT_TRUE(p.package->photos()[2].flags & package::photo_has_alpha);
     const View view = view_of_photo(p.package->photos()[2], 1);
     const Picture alone = take_picture(*p.renderer, view, {}, std::array{2u}, 1);
@@ -228,7 +231,7 @@ TEST_F(EndToEnd, MaskExcludesCoveredPixels) {
     };
     EXPECT_FALSE(colored(160, 125));
     EXPECT_TRUE(colored(160, 90));
-    // A changed mask is a changed input; a mask of the wrong size is rejected.
+    // A changed mask counts as a changed input; a mask of the wrong size is rejected.
     mask.assign(mask.size(), 255);
     image_files().write(file, 331, 250, 1, Sample::u8, std::as_bytes(std::span(mask)));
     PrepareSettings settings;
@@ -244,20 +247,21 @@ TEST_F(EndToEnd, MaskExcludesCoveredPixels) {
 }
 
 TEST_F(EndToEnd, LensDistortionIsRemoved) {
-    // The reference is the same scene, photographed without distortion.
+    // The reference is the same scene photographed without distortion.
     SynthSpec spec = spec_named("hard");
     spec.photos.count = 3;
     Prepared p = prepared(make(spec));
     spec.lens = {};
     copy_scene(spec, dir / "straight");
     EXPECT_TRUE(lens_of(*p.package, 0).distorts());
-    EXPECT_EQ(p.package->find(package::Type::tiles, 0)->form, package::Form::cells) << "the photo as taken";
+    EXPECT_EQ(p.package->find(package::Type::tiles, 0)->form, package::Form::cells)
+        << "the package should store the photo as taken";
     for (const std::uint32_t i : p.photos) {
         const PhotoInput& photo = p.scene.photos[i];
         const Picture best = p.own_view(i, Blend::best);
         const double straight =
             psnr(best, read_photo(dir / "straight" / "images" / photo.name, photo.decoded).rgba);
-        std::printf("lens taken out: %.1f dB against the photo without one\n", straight);
+        std::printf("undistorted picture: %.1f dB against the photo taken without distortion\n", straight);
         EXPECT_GE(straight, 28.5);  // an offset of half a pixel would give 26
         EXPECT_LT(psnr(best, read_photo(photo.file, photo.decoded).rgba), 25);
     }
@@ -287,7 +291,8 @@ TEST_F(EndToEnd, BackgroundFillTheFrameAndLeaveTheMeshAlone) {
         triangles = read_triangles(none.renderer->resources().targets);
     }
     Prepared p = prepared(set);
-    ASSERT_TRUE(effect_on(p.package->scene(), Effect::background)) << "trees, lawn and sky are a background";
+    ASSERT_TRUE(effect_on(p.package->scene(), Effect::background))
+        << "trees, lawn and sky should give a background";
     EXPECT_EQ(p.package->directory().size(), chunks.size() + 1);
     for (const package::DirectoryEntry& e : chunks) {
         const auto* same = p.package->find(package::Type(e.type), e.photo, e.level);
@@ -303,7 +308,8 @@ TEST_F(EndToEnd, BackgroundFillTheFrameAndLeaveTheMeshAlone) {
     for (std::size_t i = 0; i < triangles.size(); ++i)
         different += !std::equal(&off[4 * i], &off[4 * i] + 4, &before[4 * i]) &&
                      !std::ranges::binary_search(hidden, triangles[i] - 1);
-    EXPECT_EQ(different, 0u) << "the same frame as without the effect, except where the mesh is sky";
+    EXPECT_EQ(different, 0u)
+        << "the frame should be the same as without the effect, except where the mesh shows the sky";
     std::size_t filled = 0, beside = 0, changed = 0, darker = 0;
     for (std::size_t i = 0; i < on.size(); i += 4) {
         filled += on[i + 3] == 255;
@@ -318,6 +324,7 @@ TEST_F(EndToEnd, BackgroundFillTheFrameAndLeaveTheMeshAlone) {
     EXPECT_GE(double(filled), 0.99 * double(on.size() / 4));
     EXPECT_GT(double(beside), 0.2 * double(on.size() / 4));
     // The clip planes differ, so the choice between two triangles at the same depth may differ.
-    EXPECT_LE(double(changed), 1e-4 * double(on.size() / 4 - beside)) << "pixels of the mesh";
+    EXPECT_LE(double(changed), 1e-4 * double(on.size() / 4 - beside))
+        << "pixels of the mesh should not change";
     EXPECT_EQ(darker, beside);
 }

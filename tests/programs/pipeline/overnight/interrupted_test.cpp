@@ -1,4 +1,5 @@
-// Runs of vantage prepare that are killed, stopped, or run out of space or memory, and runs that resume them.
+// Tests runs of vantage prepare that are killed, are stopped, or run out of disk space or memory, and runs
+// that resume them.
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -44,7 +45,7 @@ TEST_F(OvernightAtLength, ResumesToTheSameBytesWhenKilledAtRandom) {
         ASSERT_EQ(next.code, 0) << next.err;
         expect_whole(bytes, "kill " + std::to_string(killed));
     }
-    std::printf("%d killed, %d of them left a part to resume from\n", killed, resumed);
+    std::printf("%d runs killed; %d of them left a partial package to resume from\n", killed, resumed);
 }
 
 TEST_F(OvernightRuns, ResumesToTheSameBytesWhenKilledAtAWrite) {
@@ -138,7 +139,8 @@ TEST_F(OvernightAtLength, UpdatesInPlaceWithoutRoomForBoth) {
         EXPECT_EQ(refused.code, int(Exit::storage));
         EXPECT_TRUE(one_line(refused.err)) << refused.err;
         EXPECT_NE(refused.err.find(" MB free"), std::string::npos) << refused.err;
-        EXPECT_TRUE(slurp(file) == before) << "the package is open elsewhere";
+        EXPECT_TRUE(slurp(file) == before)
+            << "the old package should be unchanged, because another process has it open";
     }
     const Outcome done = with_fault("statvfs:1:FULL", "--effect compact=off --explain");
     ASSERT_EQ(done.code, 0) << done.err;
@@ -169,7 +171,7 @@ TEST_F(Overnight, MemoryStaysBelowTheEstimateAndTheLimit) {
         const std::size_t at = text.find(before);
         return at == std::string::npos ? -1 : std::atoi(text.c_str() + at + before.size());
     };
-    // The last case allows fewer photos in flight than threads.
+    // In the last case, fewer photos fit into memory at a time than there are threads.
     for (const std::string options : {"--threads 1", "--threads 6", "--threads 6 --memory 140M"}) {
         fs::remove(file);
         const Outcome done = prepare_program(options);
@@ -187,7 +189,7 @@ TEST_F(Overnight, InterruptedUpdateResumes) {
     fs::remove(away);
     EXPECT_EQ(with_fault("pwrite:60:KILL").code, -1);
     EXPECT_EQ(check_package(file, {.deep = true}).size(), 0u)
-        << "the old package stays until the new one is complete";
+        << "the old package should stay until the new one is complete";
     const Outcome next = prepare_program();
     EXPECT_EQ(next.code, int(Exit::incomplete)) << next.err;
     expect_whole(undisturbed(), "an interrupted change");

@@ -12,7 +12,7 @@
 
 namespace vantage {
 
-/// The number of photos for which a stage was run, or its result kept.
+/// The number of photos for which a stage was run (made) or its result was kept (kept).
 inline std::size_t made(const PrepareResult& p, package::Stage s) { return p.stages[std::size_t(s)].made; }
 inline std::size_t kept(const PrepareResult& p, package::Stage s) { return p.stages[std::size_t(s)].kept; }
 inline constexpr package::Stage every_stage[] = {package::Stage::thumbnail, package::Stage::tiles,
@@ -21,7 +21,7 @@ inline constexpr package::Stage every_stage[] = {package::Stage::thumbnail, pack
 
 class OvernightRuns : public Overnight {
   protected:
-    /// Expects the run after one killed by each fault to write the same bytes.
+    /// For each fault, expects that the run after the run that the fault kills writes the same bytes.
     void expect_resumes_after(const std::vector<std::string>& faults) const {
         const std::string bytes = undisturbed();
         for (const std::string& fault : faults) {
@@ -45,7 +45,7 @@ class OvernightRuns : public Overnight {
             fs::remove(file);
         }
     }
-    /// Starts several processes that prepare the package simultaneously, of which at least one must finish.
+    /// Starts several processes that prepare the package simultaneously. At least one of them must finish.
     void expect_one_package_of(const std::vector<int>& processes) const {
         const std::string bytes = undisturbed();
         for (const int n : processes) {

@@ -1,4 +1,4 @@
-// One package prepared by several processes: simultaneously, as shards, and compared.
+// Tests packages prepared by several processes: simultaneously and as shards. The results are compared.
 #include <cstdlib>
 #include <fstream>
 #include <future>
@@ -51,7 +51,7 @@ TEST_F(Overnight, ProcessThatOpensAPartJustBeforeItIsCompletedLeavesThePackageAl
     EXPECT_EQ(WEXITSTATUS(late.get()), 0);
     EXPECT_TRUE(slurp(kept) == bytes) << "a complete package was modified";
     EXPECT_FALSE(fs::exists(part_of(file)));
-    EXPECT_FALSE(slurp(file) == bytes) << "the late process finished with its own settings";
+    EXPECT_FALSE(slurp(file) == bytes) << "the late process should finish with its own settings";
 }
 
 TEST_F(OvernightRuns, SharesMergeToTheBytesOfASingleRun) { expect_shares_merge({3}); }
@@ -90,6 +90,6 @@ TEST_F(Overnight, DiffListsDifferences) {
     const std::string name = photos()[4].filename().string();
     EXPECT_NE(d.out.find(name + ": tiles: level 0: "), std::string::npos) << d.out;
     EXPECT_EQ(d.out.find(photos()[3].filename().string()), std::string::npos)
-        << "the others are equal: " << d.out;
+        << "the other photos should be equal: " << d.out;
     EXPECT_TRUE(fs::exists(dir / "pictures" / (photos()[4].stem().string() + "-tiles.png")));
 }

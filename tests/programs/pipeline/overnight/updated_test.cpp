@@ -1,4 +1,4 @@
-// Packages that a later run updates or refines, and unusable photos.
+// Tests packages that a later run updates or refines, and unusable photos.
 #include <atomic>
 #include <fstream>
 
@@ -38,7 +38,8 @@ TEST_F(Overnight, RefiningLaterGivesTheSamePackage) {
         run("diff " + (dir / "off.vantage").string() + " " + (dir / "undisturbed.vantage").string());
     EXPECT_EQ(diff.code, 0) << diff.out;
     EXPECT_EQ(run("refine " + (dir / "off.vantage").string()).code, 0);
-    EXPECT_TRUE(slurp(dir / "off.vantage") == agreeing) << "in place, based on the evidence again";
+    EXPECT_TRUE(slurp(dir / "off.vantage") == agreeing)
+        << "refining in place, based on the stored evidence, should restore the package";
 }
 
 TEST_F(OvernightAtLength, RegisteringLaterOrByMergingGivesTheSamePackage) {
@@ -78,7 +79,8 @@ TEST_F(OvernightAtLength, RegisteringLaterOrByMergingGivesTheSamePackage) {
     const Outcome diff = run("diff " + merged + " " + (dir / "undisturbed.vantage").string());
     EXPECT_EQ(diff.code, 0) << diff.out;
     EXPECT_EQ(run("refine " + merged).code, 0);
-    EXPECT_TRUE(slurp(merged) == registered) << "in place, based on the evidence again";
+    EXPECT_TRUE(slurp(merged) == registered)
+        << "refining in place, based on the stored evidence, should restore the package";
 }
 
 TEST_F(Overnight, UnchangedInputsRerunNothing) {
@@ -99,7 +101,7 @@ TEST_F(Overnight, ChangedPhotoIsRedoneAlone) {
         EXPECT_EQ(kept(next, s), 5u) << int(s);
     }
     EXPECT_EQ(made(next, Stage::coordinates) + made(next, Stage::coverage), 0u)
-        << "these stages do not read the photo";
+        << "these stages do not read the photo, so they should not be run";
     const auto& why = next.stages[std::size_t(Stage::tiles)].why;
     ASSERT_EQ(why.size(), 1u);
     EXPECT_EQ(why.begin()->first, "the photo's file has changed");

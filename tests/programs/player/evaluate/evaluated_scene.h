@@ -36,7 +36,7 @@ class Evaluate : public TemporaryFolder {
         scene = read_scene(discover(dir / "scene"));
         for (PhotoInput& photo : scene.photos) photo.read.clear();  // tests repaint photos intentionally
     }
-    /// Evaluates every photo, or one.
+    /// Evaluates every photo, or only one.
     std::vector<PhotoEvaluation> evaluate(bool corrects_exposure = true,
                                           std::optional<std::uint32_t> only = {}) {
         PrepareSettings as_given;
@@ -66,7 +66,7 @@ class Evaluate : public TemporaryFolder {
 };
 class EvaluateAtLength : public Evaluate {};
 
-/// Repaints a photo's file: `paint` gets each pixel's channels and position.
+/// Repaints a photo's file. `paint` receives each pixel's channels and position.
 void repaint(const fs::path& file, const auto& paint) {
     const RgbaImage image = image_files().read(file);
     std::vector<std::byte> rgb;
@@ -80,7 +80,7 @@ void repaint(const fs::path& file, const auto& paint) {
     image_files().write(file, image.width, image.height, 3, Sample::u8, rgb);
 }
 
-/// A tall red passer-by, half as high as the photo.
+/// Paints a red passer-by who is half as tall as the photo.
 inline void paint_passer_by(std::array<std::uint8_t, 3>& color, int x, int y) {
     if (x >= 360 && x < 460 && y >= 150 && y < 450) color = {200, 30, 30};
 }

@@ -1,4 +1,5 @@
-// Pictures predicted without the photo that they are compared with, their scores, and the output of evaluate.
+// Tests pictures that are predicted without the photo that they are compared with, their scores, and the
+// output of evaluate.
 #include "player/measure/evaluation/held_out.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,8 @@ void replace_by_noise(const fs::path& file) {
     });
 }
 
-/// Effects that depend on all photos, forced on, since validation could decide differently without a photo.
+/// The effects that depend on all photos are forced on, because validation could decide differently without a
+/// photo.
 PrepareSettings all_but_pose_refinement() {
     PrepareSettings settings;
     for (const Effect e : {Effect::exposure, Effect::vignetting, Effect::transients})
@@ -64,7 +66,8 @@ TEST_F(Evaluate, HolesAreWhereTheMeshEndsOrNoOtherPhotoLooks) {
     fs::remove(file);
     const PhotoEvaluation holed = evaluate_photo(2);
     EXPECT_GT(holed.causes.of(Cause::no_surface), 1.2 * whole.causes.of(Cause::no_surface));
-    EXPECT_LT(holed.frame.psnr_gain, whole.frame.psnr_gain - 0.5) << "the whole frame counts";
+    EXPECT_LT(holed.frame.psnr_gain, whole.frame.psnr_gain - 0.5)
+        << "holes anywhere in the frame should reduce the gain";
 
     const PackageReader package(file);
     const gl::HeadlessContext context(gl::Debug::on);
@@ -113,7 +116,7 @@ TEST_F(Evaluate, WritesTablePagePicturesAndRegions) {
     options.every = 2;
     EXPECT_EQ(run_evaluate(package, options), 0);
     const std::string csv = slurp(options.folder / "photos.csv");
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4) << "a header and photos 0, 2 and 4";
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4) << "a header and lines for photos 0, 2 and 4";
     for (const char* column : {",ssim_gain,", ",frame_psnr_gain,", ",frame_ssim_gain,", ",error_odd_photo"})
         EXPECT_NE(csv.find(column), csv.npos) << column;
     const std::string page = slurp(options.folder / "index.html");
@@ -126,7 +129,7 @@ TEST_F(Evaluate, WritesTablePagePicturesAndRegions) {
                 ++crops;
                 EXPECT_NE(page.find(e.path().filename().string()), page.npos);
             }
-    EXPECT_GE(crops, 3u) << "at least one per photo";
+    EXPECT_GE(crops, 3u) << "there should be at least one crop per photo";
     for (const char* name : {"0000", "0002", "0004"})
         for (const char* kind : {"-photo.png", "-rendered.png", "-difference.png", "-causes.png"}) {
             EXPECT_TRUE(fs::exists(options.folder / (std::string(name) + kind)));
@@ -160,7 +163,8 @@ TEST_F(EvaluateAtLength, ComparesWithAnEarlierEvaluation) {
     options.folder = dir / "average";
     options.blending.render.blend = Blend::average;
     ASSERT_EQ(run_evaluate(package, options), 0);
-    EXPECT_TRUE(fs::exists(options.folder / "0002-worse.png")) << "the average blend is more blurred";
+    EXPECT_TRUE(fs::exists(options.folder / "0002-worse.png"))
+        << "the average blend should be worse, because it is more blurred";
     options.level = 1;
     EXPECT_THROW(run_evaluate(package, options), Error) << "of a different size";
     options.against = dir / "nowhere";
@@ -209,12 +213,13 @@ TEST_F(Evaluate, PictureIsThatOfAPackagePreparedWithoutThePhoto) {
     };
     const Picture evaluated = read_png(options.folder / "0002-rendered.png");
     EXPECT_EQ(evaluated.rgba, picture(without, true).rgba);
-    EXPECT_NE(evaluated.rgba, picture(without, false).rgba) << "the passer-by is masked";
-    EXPECT_NE(evaluated.rgba, picture(file, true).rgba) << "its weight maps depend on the held-out photo";
+    EXPECT_NE(evaluated.rgba, picture(without, false).rgba) << "the passer-by should be masked";
+    EXPECT_NE(evaluated.rgba, picture(file, true).rgba)
+        << "the weight maps of the full package depend on the held-out photo";
 }
 
 TEST_F(EvaluateAtLength, CamerasAreRegisteredWithoutTheHeldOutPhoto) {
-    // A wrong camera that pose refinement corrects; the held-out photo influences the correction.
+    // The wrong camera is corrected by pose refinement; the held-out photo influences the correction.
     Pose& wrong = scene.photos[3].camera.cam_from_world;
     const Intrinsics k = scene.photos[3].camera.intrinsics;
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(4 / k.fx, Eigen::Vector3d::UnitY()).toRotationMatrix();
@@ -242,10 +247,11 @@ TEST_F(EvaluateAtLength, CamerasAreRegisteredWithoutTheHeldOutPhoto) {
         return k.fx * std::hypot(p.x(), p.y()) / p.z();
     };
     const auto pose = [](const auto& r) { return cam_from_origin(r[3]); };
-    EXPECT_GT(apart(pose(stored), pose(given)), 3) << "the camera was moved";
-    EXPECT_GT(apart(pose(before), pose(stored)), 0) << "the photo influenced it";
+    EXPECT_GT(apart(pose(stored), pose(given)), 3) << "the camera should have moved";
+    EXPECT_GT(apart(pose(before), pose(stored)), 0) << "the photo should have influenced the pose";
     EXPECT_LT(apart(pose(before), pose(held_out)), 0.25);
-    EXPECT_EQ(cam_from_origin(before[2]).t, cam_from_origin(given[2]).t) << "viewed from its given camera";
+    EXPECT_EQ(cam_from_origin(before[2]).t, cam_from_origin(given[2]).t)
+        << "the photo should be viewed from its given camera";
 }
 
 TEST_F(EvaluateAtLength, JudgeFindsTheGainsThatThePlayerShows) {
@@ -277,7 +283,7 @@ TEST_F(EvaluateAtLength, JudgeFindsTheGainsThatThePlayerShows) {
     }
     const auto exposure = parse_meta(package).at("effects").at(std::size_t(Effect::exposure)).at("judged");
     EXPECT_EQ(exposure.at("photos"), photos.size());
-    EXPECT_GT(gain, 1) << "a third of a stop is clearly visible";
+    EXPECT_GT(gain, 1) << "a difference of a third of a stop should be clearly visible";
     // Coarse pixels at silhouettes mix surfaces, which adds the same error with and without gains.
     EXPECT_GT(double(exposure.at("gain")), 0.3 * gain);
     EXPECT_LT(double(exposure.at("gain")), 1.2 * gain);

@@ -1,4 +1,4 @@
-// Causes of errors that evaluate reports: cameras, passers-by, exposure, noise.
+// Tests the causes of errors that evaluate reports: cameras, passers-by, exposure, noise.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

@@ -1,4 +1,4 @@
-// Depth passed to the compositor, and scaling of the model between two hands.
+// Tests the depth that is passed to the compositor, and scaling of the model between two hands.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,14 +28,15 @@ TEST_F(HeadsetProgramAtLength, TwoHandsMakeTheModelTwiceAsLarge) {
         middle_distance(dir / "out" / "0018-left-depth.pfm", run.frames[17]["layers"][0]["views"][0]);
     const double after =
         middle_distance(dir / "out" / "0058-left-depth.pfm", run.frames[57]["layers"][0]["views"][0]);
-    EXPECT_NEAR(after / before, 2, 0.01) << "scaled about the midpoint of the hands, where the eyes are";
+    EXPECT_NEAR(after / before, 2, 0.01)
+        << "the model should be scaled about the midpoint of the hands, where the eyes are";
 }
 
 TEST_F(HeadsetProgramAtLength, HandsOverTheDepthOfTheNearestObject) {
     const PackageReader package(file);
     const package::PhotoRecord& photo = package.photos()[2];
     const std::vector<Corners> mesh = triangles_of(make_plan_scene(package));
-    // The same package as a second object, nearer and to one side.
+    // The same package is a second object, nearer and to one side.
     const Eigen::Matrix3d axes = view_of_photo(photo, 1).cam_from_origin.R;
     const Vector3d moved = seen_distance(photo) * (0.2 * axes.row(0) - 0.3 * axes.row(2)).transpose();
     SceneObject other{"second", file, {}};

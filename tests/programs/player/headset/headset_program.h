@@ -1,5 +1,6 @@
 #pragma once
-// The player with a headset: an OpenXR runtime that plays scenarios and checks each call (tests/openxr).
+// Runs the player with a headset, that is, with an OpenXR runtime that plays scenarios and checks each call
+// (tests/openxr).
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -21,7 +22,7 @@ inline json pose(const Vector3d& at, const Eigen::Quaterniond& turn = Eigen::Qua
     return {{"position", {at.x(), at.y(), at.z()}},
             {"orientation", {turn.x(), turn.y(), turn.z(), turn.w()}}};
 }
-/// A hand that points from one position in the room toward another.
+/// The pose of a hand that points from one position in the room toward another.
 inline json pointing(const Vector3d& from, const Vector3d& to) {
     return pose(from, Eigen::Quaterniond::FromTwoVectors(-Vector3d::UnitZ(), to - from));
 }
@@ -50,7 +51,7 @@ class HeadsetProgram : public GardenPackage {
         EXPECT_EQ(run.violations, "");
         EXPECT_EQ(run.message, "");
     }
-    /// A scenario without a display: the program uses EGL, which the runtime then has to support.
+    /// A scenario without a display. The program uses EGL, so the runtime must support it.
     json scenario(int frames) const {
         return {
             {"end", frames},
@@ -84,7 +85,7 @@ class HeadsetProgram : public GardenPackage {
     }
 };
 
-/// Tests with many runs.
+/// Tests that need many runs.
 class HeadsetProgramAtLength : public HeadsetProgram {};
 
 }  // namespace vantage

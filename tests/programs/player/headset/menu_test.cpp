@@ -1,4 +1,4 @@
-// A visitor's use of the menu in a headset: tours, measurements, settings.
+// Tests the menu in a headset as a visitor would use it: tours, measurements, settings.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -21,7 +21,7 @@ namespace {
 
 /// Actions of the right hand, frame by frame, with a headset at (0, 1.6, 0) that looks ahead.
 struct Script {
-    static constexpr int hold = 2;  ///< frames for which a button is down, and up again
+    static constexpr int hold = 2;  ///< number of frames for which a button is down, and then up again
     json hands = json::array();
     int frame = 6;
     const Vector3d from{0.15, 1.3, -0.1};
@@ -48,7 +48,7 @@ struct Script {
     static constexpr const char* menu_button = "/input/b/click";
 };
 
-/// The centers of the menu's controls, by name, from a file of controls.
+/// The centers of the menu's controls by name, read from a file of controls.
 std::vector<std::pair<std::string, Eigen::Vector2d>> controls_in(const std::string& text) {
     std::vector<std::pair<std::string, Eigen::Vector2d>> out;
     std::istringstream lines(text);
@@ -65,8 +65,8 @@ std::vector<std::pair<std::string, Eigen::Vector2d>> controls_in(const std::stri
     return out;
 }
 
-/// The centers of up to `wanted` triangles, spread over the mesh, that are visible from a position, between
-/// two distances.
+/// The centers of up to `wanted` triangles that are spread over the mesh, visible from a position, and
+/// between two distances from it.
 std::vector<Vector3d> seen_middles(const PlanScene& scene, const Vector3d& from, double nearest,
                                    double farthest, std::size_t wanted) {
     const std::vector<Corners> mesh = triangles_of(scene);
@@ -148,7 +148,7 @@ TEST_F(HeadsetProgramAtLength, TakesAVisitorFromStopToStopOfATour) {
         EXPECT_GT(all, 8);
         EXPECT_GE(right, all - 2) << "stop " << stop << ": except at outlines";
     }
-    // Flying leaves the tour before its note.
+    // Flying away ends the tour before its note appears.
     for (const int y : {0, 1, 0}) {
         script.frame += 6;
         script.hands.push_back(hand(script.frame, "left", pointing({-0.2, 1.3, -0.1}, {-3, 1.3, -0.1}),
@@ -210,7 +210,7 @@ TEST_F(HeadsetProgram, TheMenuDoesWhatItSays) {
     for (const auto& [page, at] : menu.places()) {
         if (!page.starts_with("Page ")) continue;
         menu.press(page);
-        EXPECT_TRUE(menu.has(page)) << "all pages stay selectable";
+        EXPECT_TRUE(menu.has(page)) << "all pages should stay selectable";
         for (const auto& [name, place] : menu.places()) {
             if (name.starts_with("Page ") || name == "Leave" || name == "Tooltip" || !menu.has(name))
                 continue;

@@ -1,4 +1,4 @@
-// Pictures for both eyes of a headset, and their viewpoints.
+// Tests the pictures for both eyes of a headset, and their viewpoints.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// The offscreen renderer's picture of a view, from thumbnails.
+/// The offscreen renderer's picture of a view, rendered from thumbnails.
 Picture offscreen_picture(const PackageReader& package, const View& view,
                           const std::vector<std::uint32_t>& photos, bool thumbnails) {
     BlendingOptions options;
@@ -75,7 +75,7 @@ double psnr(const Picture& a, const Picture& b) {
     return -10 * std::log10(squares / double(a.rgba.size()) / (255.0 * 255));
 }
 
-/// The same view computed by the player's own functions, equal to the last bit.
+/// The same view, but computed by the player's own functions, so that it is equal to the last bit.
 View players_view(const package::PhotoRecord& photo, const Vector3d& up, const RoomPose& head, double scale,
                   const json& v) {
     const Pose camera = view_of_photo(photo, 1).cam_from_origin;
@@ -119,7 +119,7 @@ TEST_F(HeadsetProgram, ShowsToEachEyeWhatOffscreenPicturesShowToTheBit) {
             const Picture seen = saved(frame, e == 0 ? "left" : "right");
             ASSERT_EQ(seen.width, 160);
             EXPECT_EQ(difference(seen, truth[e]).codes, 0) << "frame " << frame << ", eye " << e;
-            // Views computed by hand and pictures of a single eye are rounded differently.
+            // Views computed by hand and pictures for a single eye are rounded differently.
             const Difference single =
                 difference(seen, offscreen_picture(package, by_hand[e], all(package), true));
             EXPECT_LE(single.codes, 1);
@@ -139,8 +139,8 @@ TEST_F(HeadsetProgramAtLength, FinePicturesAreThoseOfOffscreenRenderingToTheEye)
     const gl::HeadlessContext context;
     const json& views = run.frames.at(37)["layers"][0]["views"];
     const View view = players_view(package.photos()[2], Vector3d::UnitZ(), head_between(views), 2, views[0]);
-    // The resident tiles depend on their order of arrival: where few pixels would show a tile, a coarser one
-    // stays.
+    // Which tiles are resident depends on their order of arrival: where only a few pixels would show a tile,
+    // a coarser tile stays.
     const Picture seen = saved(38, "left"), truth = offscreen_picture(package, view, all(package), false);
     EXPECT_GT(psnr(seen, truth), 45) << "dB";
 }
@@ -148,7 +148,7 @@ TEST_F(HeadsetProgramAtLength, FinePicturesAreThoseOfOffscreenRenderingToTheEye)
 TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
     json s = scenario(90);
     s["eyes"] = {eye(97, 97, -45, 45, 45, -45, -0.032), eye(97, 97, -45, 45, 45, -45, 0.032)};
-    // Looks ahead; teleports ahead; looks down; turns by 30 degrees and looks ahead.
+    // The head looks ahead, teleports ahead, looks down, turns by 30 degrees and looks ahead.
     const Eigen::Quaterniond down(Eigen::AngleAxisd(-90 * degree, Vector3d::UnitX()));
     s["head"] = {pose({0, 1.6, 0}), pose({0, 1.6, 0}, down), pose({0, 1.6, 0})};
     s["head"][0]["frame"] = 0, s["head"][1]["frame"] = 40, s["head"][2]["frame"] = 60;
@@ -171,8 +171,8 @@ TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
         return middle_distance(dir / "out" / name,
                                run.frames.at(std::size_t(frame - 1))["layers"][0]["views"][0]);
     };
-    // A trajectory that starts upward at 35 degrees, at 7.5 m/s, 1.2 m above the floor, and ends on the
-    // ground at 0.
+    // The trajectory starts 1.2 m above the floor, upward at 35 degrees and with 7.5 m/s, and ends on the
+    // ground at a height of 0.
     const PackageReader package(file);
     Room room(package.photos()[2], Vector3d::UnitZ(), {0, 1.6, 0}, 1);
     const double ground = room.in_room({0, 0, -package.scene().origin[2]}).y();
@@ -184,8 +184,8 @@ TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
     const gl::HeadlessContext context;
     const View there = room.view(run.frames.at(37)["layers"][0]["views"][0]);
     EXPECT_GT(psnr(saved(38, "left"), offscreen_picture(package, there, all(package), true)), 35);
-    EXPECT_NEAR(distance(58), 1.6, 0.03) << "the eyes are 1.6 m above the ground";
-    // The room is turned by 30 degrees to the right, about the head.
+    EXPECT_NEAR(distance(58), 1.6, 0.03) << "the eyes should be 1.6 m above the ground";
+    // The room is turned by 30 degrees to the right about the head.
     room.axes = room.axes * Eigen::AngleAxisd(-30 * degree, Vector3d::UnitY()).toRotationMatrix();
     const View turned = room.view(run.frames.at(87)["layers"][0]["views"][0]);
     EXPECT_GT(psnr(saved(88, "left"), offscreen_picture(package, turned, all(package), true)), 35);

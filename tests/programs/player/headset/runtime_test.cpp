@@ -1,4 +1,4 @@
-// The player with an OpenXR runtime: its rules, failures and extensions.
+// Tests the player with an OpenXR runtime: the runtime's rules, failures and extensions.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -16,8 +16,8 @@ namespace vantage {
 using Eigen::Vector3d;
 using nlohmann::json;
 
-/// The scene from the eyes' positions in the room, computed by hand: the room is level, its -z axis is the
-/// photo's viewing direction, and the head was at the photo's camera when tracking started.
+/// The scene as seen from the eyes' positions in the room, computed by hand. The room is level, its -z axis
+/// is the photo's viewing direction, and the head was at the photo's camera when tracking started.
 struct Room {
     Eigen::Matrix3d axes;
     Vector3d at;
@@ -32,7 +32,7 @@ struct Room {
     }
     Vector3d in_scene(const Vector3d& p) const { return at + scale * (axes * p); }
     Vector3d in_room(const Vector3d& p) const { return axes.transpose() * (p - at) / scale; }
-    /// `submitted`: a view from frames.jsonl.
+    /// The view for `submitted`, which is a view from frames.jsonl.
     View view(const json& submitted) const {
         const auto& p = submitted["position"];
         const auto& q = submitted["orientation"];
@@ -71,8 +71,8 @@ inline RoomPose head_between(const json& views) {
     return {left.turn.slerp(0.5, right.turn), (left.at + right.at) / 2};
 }
 
-/// The distance along the eye's axis, in meters, at a pixel of a saved depth picture, counted from its upper
-/// left corner; `submitted`: its view.
+/// The distance in meters along the eye's axis at a pixel of a saved depth picture. The pixel is counted from
+/// the upper left corner; `submitted` is the picture's view.
 inline double distance_at(const fs::path& pfm, const json& submitted, int x, int y) {
     std::ifstream in(pfm, std::ios::binary);
     std::string kind;
@@ -96,7 +96,7 @@ inline double middle_distance(const fs::path& pfm, const json& submitted) {
 
 using Corners = std::array<Vector3d, 3>;
 
-/// The distance along a ray to a triangle; infinity if the ray misses it.
+/// The distance along a ray to a triangle; infinity if the ray misses the triangle.
 inline double meets(const Vector3d& from, const Vector3d& along, const Corners& c) {
     Eigen::Matrix3d m;
     m << c[1] - c[0], c[2] - c[0], -along;
@@ -120,7 +120,7 @@ inline std::vector<Corners> triangles_of(const PlanScene& scene) {
     return mesh;
 }
 
-/// The distance along a view's axis to a moved mesh, at a pixel; infinity if the ray misses it.
+/// The distance along a view's axis, at a pixel, to a moved mesh; infinity if the ray misses the mesh.
 inline double distance_by_hand(const View& view, int x, int y, const std::vector<Corners>& mesh,
                                const Vector3d& moved = Vector3d::Zero()) {
     const Intrinsics& k = view.intrinsics;
