@@ -7,7 +7,7 @@
 #include "tests/icc_profile.h"
 #include "tests/real_inputs/row.h"
 
-/// Words of the table: changes to a scan, files and commands.
+/// The vocabulary of the rows: changes to a scan, files and commands.
 namespace vantage::real_inputs {
 
 inline constexpr const char* bom = "\xef\xbb\xbf";
@@ -21,7 +21,7 @@ using Change = std::function<void(Scan&)>;
 inline Change nothing() {
     return [](Scan&) {};
 }
-/// Photo A has these names on disk and in the cameras.
+/// Gives photo A these names on disk and in the cameras.
 inline Change named(std::string disk, std::string cameras) {
     return [=](Scan& s) {
         s.move("images/A.jpg", "images/" + disk);
@@ -46,7 +46,7 @@ inline Change with_file(std::string file, std::string bytes) {
 inline Change with_list(std::string list) {
     return [=](Scan& s) { use_bundler(s, list); };
 }
-/// The box as glTF, with its buffer in a file of this name.
+/// Replaces the mesh with the box as glTF, whose buffer is in a file named `uri`.
 inline Change with_gltf(std::string file, std::string uri) {
     return [=](Scan& s) {
         s.remove("mesh.ply");
@@ -54,7 +54,7 @@ inline Change with_gltf(std::string file, std::string uri) {
         s[replaced(uri, "%20", " ")] = box_gltf().bytes;
     };
 }
-/// The box as three objects, of which the second uses negative vertex indices.
+/// The box as three objects; the second uses negative vertex indices.
 inline std::string several_objects() {
     return "o bottom\nusemtl stone\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nf 1 3 2\nf 1 4 3\n"
            "o top\nusemtl tin\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nf -4 -3 -2 -1\n"
@@ -97,11 +97,11 @@ inline Change with_photo_a(std::string extension, std::string bytes) {
         s["images/A" + extension] = bytes;
     };
 }
-/// Stores photo A with this color profile.
+/// Gives photo A this color profile.
 inline Change with_profile_a(std::string icc) {
     return [=](Scan& s) { s["images/A.jpg"] = with_profile(s.files.at("images/A.jpg"), icc); };
 }
-/// A gray photo in linear light, as its profile states.
+/// A gray photo in linear light, which its color profile states.
 inline std::string linear_gray() {
     RgbSpace linear = srgb;
     linear.name = "Linear sRGB", linear.gamma = 1;
@@ -120,9 +120,10 @@ inline std::string changed(std::string text, const std::string& from, const std:
     return text.replace(at, from.size(), to);
 }
 
-/// The standard command with more options.
+/// The standard command with additional options.
 inline std::string with(const std::string& more) { return std::string(prepare_command) + " " + more; }
-/// Compares the mesh with another one, which must give a scalar field even if the distance is constant.
+/// A command that compares the mesh with the one in `from`. This must give a scalar field even if the
+/// distance is constant. `then` is appended to the command.
 inline std::string deviation(const std::string& from, const std::string& then) {
     return "vantage prepare {scan} -o {out}.vantage --no-report --effect scalar-fields=on --deviation-from " +
            from + " " + then;
@@ -133,7 +134,7 @@ inline std::string text_cloud(std::vector<std::string> points) {
     for (const std::string& p : points) text += p + "\n";
     return text;
 }
-/// A LAS file of format 2 with the corners of the box as points, each twice.
+/// A LAS file of point format 2 whose points are the corners of the box, each of them twice.
 inline std::string box_las() {
     std::string las(227, '\0');
     const auto put = [&](std::size_t at, const auto& value) { std::memcpy(&las[at], &value, sizeof value); };
@@ -154,7 +155,7 @@ inline std::string box_las() {
     return las;
 }
 
-/// Moves A and B to one folder, C to another.
+/// Moves photos A and B to one folder and C to another.
 inline Change in_image_sets(const std::string& first, const std::string& second) {
     return [=](Scan& s) {
         for (const std::string name : {"A.jpg", "B.jpg"})

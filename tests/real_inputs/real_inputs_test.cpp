@@ -1,9 +1,9 @@
-// Realistic inputs: every row of the table is written to disk, given to the programs, and its outcome
-// compared with the expected answer. `vantage` runs in a fork of this process, which saves its startup time;
-// every twentieth row of a family, in the full set every fifth, runs the program itself. Of the rows that
-// make a package, every fourth is run, in the full set all of them. ROW=TEXT runs the rows whose name
-// contains this text. VANTAGE_WRITE_DOCS=1 writes the table to README.md beside this file;
-// docs/real-inputs.md has the rules.
+// Tests realistic inputs: writes each row of the table to disk, runs the programs on it, and compares the
+// outcome with the expected one. `vantage` runs in a fork of this process, which saves its startup time. In
+// every twentieth row of a family (every fifth in the full set), the program itself is run. Of the rows that
+// make a package, every fourth is run; the full set runs all of them. ROW=TEXT runs only the rows whose name
+// contains this text. VANTAGE_WRITE_DOCS=1 writes the table to README.md next to this file; the rules are in
+// docs/real-inputs.md.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr unsigned seconds_limit = 120;  ///< a run takes a fraction of a second
+constexpr unsigned seconds_limit = 120;  ///< limit per run; a run normally takes a fraction of a second
 
 /// The way to run `vantage`.
 enum class Vantage { forked, program };
@@ -54,8 +54,8 @@ std::vector<std::string> split(const std::string& text, char at) {
     return parts;
 }
 
-/// Splits a command into words, with paths of programs and of the row's folders inserted; blanks in paths do
-/// not split words.
+/// Splits a command into words and inserts the paths of programs and of the row's folders. Spaces in these
+/// paths do not split words.
 std::vector<std::string> words_of(const std::string& command, const fs::path& folder) {
     std::vector<std::string> words = split(command, ' ');
     for (std::string& word : words) {
@@ -74,7 +74,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
     return out;
 }
 
-/// Gives a package the next format version, with a matching checksum.
+/// Raises a package's format version by one and updates the checksum.
 void make_newer(const fs::path& file) {
     std::string bytes = slurp(file);
     package::Header header;
@@ -86,7 +86,8 @@ void make_newer(const fs::path& file) {
     std::ofstream(file, std::ios::binary) << bytes;
 }
 
-/// Runs in a child process, with its output in the log, without the user's caches, and with a time limit.
+/// Runs a command in a child process. Its output goes to the log, the user's caches are not used, and its
+/// time is limited.
 [[noreturn]] void run_child(std::vector<std::string> words, const fs::path& folder, Vantage how) {
     ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
     ::dup2(::open((folder / "log.txt").c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_APPEND, 0644),
@@ -119,7 +120,8 @@ Outcome run(const std::string& command, const fs::path& folder, Vantage how) {
     return outcome;
 }
 
-/// The name of the strongest channel; "gray(128)" if all are alike; or "white".
+/// The name of the strongest channel, or "white", or, if all channels are about equal, their value as in
+/// "gray(128)".
 std::string color_name(const std::array<double, 3>& mean) {
     const auto [least, most] = std::minmax_element(mean.begin(), mean.end());
     if (*least > 250) return "white";
@@ -144,8 +146,8 @@ double surface_area(const PackageReader& package) {
     return area;
 }
 
-/// "A.jpg=red -B.jpg; 2 x 2 x 2, area 24, vertices green (51,179,51)": photos with their colors, those
-/// without pixels marked by a minus, and the mesh.
+/// "A.jpg=red -B.jpg; 2 x 2 x 2, area 24, vertices green (51,179,51)": the photos with their colors, or with
+/// a minus if they have no pixels, followed by the mesh.
 std::string describe_package(const fs::path& file) {
     const PackageReader package(file);
     std::string text;
@@ -178,7 +180,7 @@ bool has_package(const Row& row) {
     return (row.exit == Exit::ok || row.exit == Exit::incomplete) && !row.holds.empty();
 }
 
-/// The flaws of a row's outcome, one per line.
+/// The flaws in a row's outcome, one per line.
 std::string flaws_of(const Row& row, const fs::path& folder, Vantage how) {
     Scan scan = standard_scan();
     row.make(scan);
@@ -246,7 +248,8 @@ Judged begin_row(const Row& row, const fs::path& folder, Vantage how) {
 }
 
 void end_row(const Judged& validated, int status) {
-    const std::string flaws = status != 0 ? "the test itself ended" : slurp(validated.flaws_file());
+    const std::string flaws =
+        status != 0 ? "the test's own process ended abnormally" : slurp(validated.flaws_file());
     EXPECT_EQ(flaws, "") << validated.row->family << ": " << validated.row->what;
     std::error_code error;
     fs::remove_all(validated.folder, error);
@@ -254,8 +257,8 @@ void end_row(const Judged& validated, int status) {
 
 class RealInputs : public TemporaryFolder, public ::testing::WithParamInterface<std::string> {
   protected:
-    /// Resources shared by all rows are made once, before forking. This starts no threads, which would be
-    /// missing in the forks, except those of loaded libraries.
+    /// Makes the resources shared by all rows once, before forking. This must not start threads other than
+    /// those of loaded libraries, because they would be missing in the forks.
     static void SetUpTestSuite() {
         const auto threads = [] { return std::distance(fs::directory_iterator("/proc/self/task"), {}); };
         image_files();
@@ -263,8 +266,8 @@ class RealInputs : public TemporaryFolder, public ::testing::WithParamInterface<
         standard_scan();
         ASSERT_EQ(threads(), of_libraries);
     }
-    /// `whole`: one of so many rows runs the program itself. `packages`: one of so many rows that make a
-    /// package is run.
+    /// Runs the rows of a family. One in `whole` rows runs the program itself. Of the rows that make a
+    /// package, one in `packages` is run.
     void validate(std::size_t whole, std::size_t packages) const {
         const char* only = std::getenv("ROW");
         std::vector<Row> rows = rows_of(GetParam());

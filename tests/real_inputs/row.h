@@ -9,33 +9,33 @@
 
 namespace vantage::real_inputs {
 
-/// The command of most rows. {scan} is the scan's folder, {out} a path in an empty folder; commands are
-/// separated by ';' and words by blanks.
+/// The command of most rows. {scan} is the scan's folder, and {out} is a path in an empty folder. Commands
+/// are separated by ';' and words by spaces.
 inline constexpr const char* prepare_command = "vantage prepare {scan} -o {out}.vantage --no-report";
-/// The content of most rows' packages: each photo with its color, and the mesh.
+/// The content of the packages of most rows: each photo with its color, and the mesh.
 inline constexpr const char* whole_package = "A.jpg=red B.jpg=green C.jpg=blue; 2 x 2 x 2, area 24";
 
 using Parts = std::vector<std::string>;
-struct Says : Parts {  ///< parts of what the last command prints
+struct Says : Parts {  ///< texts that the output of the last command must contain
     using Parts::Parts;
 };
-struct Never : Parts {  ///< parts that the last command must not print
+struct Never : Parts {  ///< texts that the output of the last command must not contain
     using Parts::Parts;
 };
-struct Holds : Parts {  ///< parts of the package's description; empty: the package is not checked
+struct Holds : Parts {  ///< texts that the package's description must contain; if empty, no check
     using Parts::Parts;
 };
 struct Command {
     std::string words;
 };
 
-/// One realistic input, with the expected outcome. The parts after `make` are an Exit, Says, Holds, a Command
-/// and Never, in any order; absent parts are those of a scan that is prepared successfully.
+/// One realistic input and its expected outcome. The parts after `make` are an Exit, Says, Holds, a Command
+/// and Never, in any order. Absent parts have the values of a scan that is prepared successfully.
 struct Row {
     std::string family;
-    std::string what;  ///< the case in words, unique in its family
+    std::string what;  ///< the case in words, which are unique within the family
     std::function<void(Scan&)> make;
-    Exit exit = Exit::ok;  ///< of the last command
+    Exit exit = Exit::ok;  ///< exit code of the last command
     Says says{};
     Holds holds{whole_package};
     Command command{prepare_command};
@@ -55,7 +55,7 @@ struct Row {
     void set(Never n) { never = std::move(n); }
 };
 
-// Rows by family: add a row for a new case.
+// The rows, sorted by family. Add a row for each new case.
 std::vector<Row> scan_rows();
 std::vector<Row> photo_rows();
 std::vector<Row> command_rows();

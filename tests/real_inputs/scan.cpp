@@ -28,7 +28,7 @@ struct Pose {
     Eigen::Vector3d t;
 };
 
-/// Camera i looks at the origin from a distance of 6; x right, y down, z forward.
+/// Camera i looks at the origin from a distance of 6. Its axes are x right, y down, z forward.
 Pose pose(std::size_t i) {
     const double angle = 0.5 * (double(i) - 1);
     const Eigen::Vector3d center = 6 * Eigen::Vector3d(std::sin(angle), -0.3, -std::cos(angle)).normalized();
@@ -292,7 +292,8 @@ std::string points_ply(std::size_t points) {
     return text;
 }
 
-/// OpenImageIO and OpenEXR start permanent threads, which are missing in processes forked later.
+/// OpenImageIO and OpenEXR start permanent threads, which would be missing in processes that are forked
+/// later.
 static bool in_a_fork(const std::function<bool()>& work) {
     const pid_t child = ::fork();
     if (child == 0) ::_exit(work() ? 0 : 1);

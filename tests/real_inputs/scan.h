@@ -10,10 +10,10 @@
 
 namespace vantage::real_inputs {
 
-/// An in-memory copy of a scan on disk: paths relative to its folder, and the files' bytes.
+/// An in-memory copy of a scan on disk. Paths are relative to the scan's folder; files are stored as bytes.
 struct Scan {
     std::map<std::string, std::string> files;
-    std::map<std::string, std::string> links;  ///< symbolic links: path, target
+    std::map<std::string, std::string> links;  ///< symbolic links: targets by path
     std::set<std::string> folders;             ///< empty folders
 
     std::string& operator[](const std::string& path) { return files[path]; }
@@ -22,7 +22,7 @@ struct Scan {
     /// Copies a file, or a folder with everything in it.
     void copy(const std::string& from, const std::string& to);
     void remove(const std::string& path);
-    /// Replaces every occurrence in a file. Throws std::logic_error if there is none.
+    /// Replaces every occurrence of `from` in a file. Throws std::logic_error if there is none.
     void replace(const std::string& path, const std::string& from, const std::string& to);
     void write(const std::filesystem::path& folder) const;
 };
@@ -38,9 +38,9 @@ Scan standard_scan();
 
 using Names = std::vector<std::string>;
 
-/// COLMAP's images.txt for the cameras of A, B and C, in this order, under these names.
+/// COLMAP's images.txt for the cameras of photos A, B and C, in this order and under these names.
 std::string colmap_images(const Names& names);
-/// images.bin and cameras.bin of the same cameras.
+/// COLMAP's images.bin and cameras.bin for the same cameras.
 std::string colmap_images_bin(const Names& names);
 std::string colmap_cameras_bin();
 /// A Bundler file with this number of cameras.
@@ -51,7 +51,7 @@ std::string meshlab(const Names& names);
 void use_bundler(Scan& scan, const std::string& list);
 void use_meshlab(Scan& scan, const Names& names);
 
-/// A transform of the box's corners: x = scale * corner + at.
+/// A transform of the box's corners, x = scale * corner + (x, y, z).
 struct Place {
     double scale = 1, x = 0, y = 0, z = 0;
 };
@@ -59,25 +59,26 @@ std::string box_ply(const Place& place = {});
 std::string box_obj(const std::string& colors = "");  ///< `colors` is appended to each vertex
 std::string box_off(const std::string& header = "OFF\n8 12 0\n", const std::string& after_vertex = "",
                     const std::string& after_face = "");
-/// The box as PLY with more vertex properties: header lines, and the values of each vertex.
+/// The box as PLY with additional vertex properties, given by their header lines and the values of each
+/// vertex.
 std::string box_ply_with(const std::string& properties, const std::string& values);
 std::string box_stl();
 std::string box_stl_binary();
 GltfFile box_gltf(const Place& place = {});
-std::string box_fbx();  ///< as text, in centimeters
-/// The box's corners as points without faces, as in COLMAP's fused.ply.
+std::string box_fbx();  ///< FBX in text form, with centimeters as the unit
+/// The box's corners repeated as `points` points without faces, as in COLMAP's fused.ply.
 std::string points_ply(std::size_t points = 1000);
 
 /// A photo of one color in the format of the extension: ".jpg", ".png", ".tif", ".exr", ".hdr", ...
-/// Values are those stored: sRGB, or linear light if the format stores it.
+/// The values are stored as they are: as sRGB, or as linear light if the format stores it.
 std::string photo(const std::string& extension, double r, double g, double b, int width = 64, int height = 48,
                   int orientation = 1);
 std::string red(const std::string& extension = ".jpg");
 std::string green(const std::string& extension = ".jpg");
 std::string blue(const std::string& extension = ".jpg");
-/// A JPEG with this number of metadata bytes before its size.
+/// The JPEG with this number of metadata bytes before the image size.
 std::string with_metadata(const std::string& jpeg, std::size_t bytes);
-/// A JPEG with an ICC profile of less than 64 KB.
+/// The JPEG with an ICC profile of less than 64 KB.
 std::string with_profile(const std::string& jpeg, const std::string& icc);
 
 }  // namespace vantage::real_inputs
