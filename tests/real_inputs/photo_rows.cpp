@@ -58,7 +58,7 @@ std::vector<Row> photo_rows() {
         {"photos", "a truncated JPEG", [](Scan& s) { s["images/C.jpg"].resize(700); }, Exit::incomplete, Says{"skipped C.jpg"}, Holds{"A.jpg=red B.jpg=green"}},
         {"photos", "an empty JPEG", with_file("images/C.jpg", ""), Exit::incomplete, Says{"skipped C.jpg"}, Holds{"A.jpg=red B.jpg=green"}},
         {"photos", "an HTML page named .jpg", with_file("images/C.jpg", "<html>404</html>"), Exit::incomplete, Says{"skipped C.jpg"}, Holds{"A.jpg=red B.jpg=green"}},
-        {"photos", "a text file named .heic", named("A.heic", "A.heic"), Holds{"A.heic=red"}},
+        {"photos", "a JPEG named .heic", named("A.heic", "A.heic"), Holds{"A.heic=red"}},
         {"photos", "a HEIC that cannot be read", [](Scan& s) { s.remove("images/A.jpg"); s["images/A.HEIC"] = std::string("\0\0\0\x18""ftypheic", 12) + std::string(200, 'x'); }, Exit::incomplete, Says{"skipped A.HEIC", "convert the photos to JPEG"}, Holds{"B.jpg=green C.jpg=blue"}},
         {"photos", "all photos truncated", [](Scan& s) { for (const char* n : {"A", "B", "C"}) s[std::string("images/") + n + ".jpg"].resize(20); }, Exit::input, Says{blocked}},
         {"photos", "a gray photo", with_file("images/A.jpg", photo(".jpg", 0.5, 0.5, 0.5)), Holds{"A.jpg=gray(12"}},
@@ -70,12 +70,12 @@ std::vector<Row> photo_rows() {
         {"photos", "a damaged color profile", with_profile_a("none"), Says{"A.jpg holds a color profile, which cannot be used because it is damaged: treated as sRGB"}},
         {"photos", "a gray color profile", with_profile_a(gray_profile(2.2)), Says{"A.jpg holds the color profile 'Gray', which cannot be used because it is not for RGB: treated as sRGB"}},
         {"photos", "a RAW file that cannot be read", both(moved("images/C.jpg", "images/C.IIQ"), [](Scan& s) { s["images/C.IIQ"] = std::string(1000, 'r'); cameras_named({"A.jpg", "B.jpg", "C.IIQ"})(s); }), Exit::incomplete, Says{"skipped C.IIQ: not a readable photo", "Unsupported file format or not RAW file"}, Holds{"A.jpg=red B.jpg=green;"}},
-        {"photos", "a photo rotated by 90 degrees, as its EXIF data states", [](Scan& s) { s.remove("images/C.jpg"); s["images/C.tif"] = photo(".tif", 0.25, 0.3, 0.8, 48, 64, 6); }, Holds{"A.jpg=red B.jpg=green C.tif=blue"}},
+        {"photos", "a photo rotated by 90 degrees, as stated in its EXIF data", [](Scan& s) { s.remove("images/C.jpg"); s["images/C.tif"] = photo(".tif", 0.25, 0.3, 0.8, 48, 64, 6); }, Holds{"A.jpg=red B.jpg=green C.tif=blue"}},
         {"photos", "a photo rotated by 90 degrees", with_file("images/C.jpg", photo(".jpg", 0, 0, 1, 48, 64)), Exit::incomplete, Says{"skipped C.jpg"}, Holds{"A.jpg=red B.jpg=green"}},
         {"photos", "a photo rotated by 90 degrees, with vantage inspect", with_file("images/C.jpg", photo(".jpg", 0, 0, 1, 48, 64)), Exit::incomplete, Says{"skipped  C.jpg: is 48x64, but its camera expects 64x48"}, no_package, Command{"vantage inspect {scan}"}},
-        {"photos", "a photo twice the size and rotated by 90 degrees, as its EXIF data states", [](Scan& s) { s.remove("images/C.jpg"); s["images/C.tif"] = photo(".tif", 0.25, 0.3, 0.8, 96, 128, 6); }, Says{"C.tif: is 96x128, but its camera expects 64x48; scaled the camera"}, Holds{"A.jpg=red B.jpg=green C.tif=blue"}},
-        {"photos", "a photo rotated by 90 degrees, as a long integer in its EXIF data states", [](Scan& s) { s["images/C.jpg"] = photo(".jpg", 0.25, 0.3, 0.8, 48, 64).insert(2, std::string("\xff\xe1\0\x22""Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x04\0\0\0\x01\0\0\0\x06\0\0\0\0", 36)); }, Holds{"A.jpg=red B.jpg=green C.jpg=blue"}},
-        {"photos", "a photo of twice the size", [](Scan& s) { s["images/A.jpg"] = photo(".jpg", 0.8, 0.25, 0.2, 128, 96); }, Says{"A.jpg: is 128x96, but its camera expects 64x48; scaled the camera"}},
+        {"photos", "a photo twice the size and rotated by 90 degrees, as stated in its EXIF data", [](Scan& s) { s.remove("images/C.jpg"); s["images/C.tif"] = photo(".tif", 0.25, 0.3, 0.8, 96, 128, 6); }, Says{"C.tif: is 96x128, but its camera expects 64x48; scaled the camera"}, Holds{"A.jpg=red B.jpg=green C.tif=blue"}},
+        {"photos", "a photo rotated by 90 degrees, as stated by a long integer in its EXIF data", [](Scan& s) { s["images/C.jpg"] = photo(".jpg", 0.25, 0.3, 0.8, 48, 64).insert(2, std::string("\xff\xe1\0\x22""Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x04\0\0\0\x01\0\0\0\x06\0\0\0\0", 36)); }, Holds{"A.jpg=red B.jpg=green C.jpg=blue"}},
+        {"photos", "a photo twice the size", [](Scan& s) { s["images/A.jpg"] = photo(".jpg", 0.8, 0.25, 0.2, 128, 96); }, Says{"A.jpg: is 128x96, but its camera expects 64x48; scaled the camera"}},
     };
 }
 // clang-format on

@@ -33,7 +33,7 @@ struct Command {
 /// and Never, in any order. Absent parts have the values of a scan that is prepared successfully.
 struct Row {
     std::string family;
-    std::string what;  ///< the case in words, which are unique within the family
+    std::string what;  ///< description of the case, unique within the family
     std::function<void(Scan&)> make;
     Exit exit = Exit::ok;  ///< exit code of the last command
     Says says{};
