@@ -99,7 +99,7 @@ header=commit$(printf ',%s' "${names[@]}")
 [ -f "$records" ] && [ "$(head -1 "$records")" = "$header" ] || { [ -f "$records" ] && mv "$records" "$records.old"; echo "$header" >"$records"; }
 commit=$(git -C "$source" rev-parse --short=9 HEAD)
 git -C "$source" diff --quiet HEAD -- || commit+=+
-# Lower is always better. Entries that were not measured are empty.
+# Lower values are always better. Entries that were not measured are empty.
 awk -F, -v line="$commit$(printf ',%s' "${values[@]}")" '
     NR == 1 { for (i = 2; i <= NF; ++i) name[i] = $i; next }
     { row[++rows] = $0 }

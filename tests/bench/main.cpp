@@ -1,4 +1,4 @@
-// vantage-bench: measures the cost of accuracy in time and bytes.
+// vantage-bench measures the cost of accuracy in time and bytes.
 #include "base/cli/command.h"
 #include "base/cli/report_exception.h"
 #include "tests/bench/run.h"

@@ -4,7 +4,7 @@
 # photos agree: computing the evidence, which prepare always does; fitting and validating gains; and, for up to 320 photos,
 # refining all poses, which must be forced because the scene does not need it. Writes many_photos.tsv and many_photos.svg into
 # FOLDER, and keeps the scenes there for reuse. For 1000 photos, this takes 35 GB.
-# usage: many_photos.sh VANTAGE FOLDER [PHOTOS...]
+# Usage: many_photos.sh VANTAGE FOLDER [PHOTOS...]
 set -euo pipefail
 vantage=$1
 folder=$2

@@ -3,7 +3,7 @@
 # nearby, where the mesh fills the frame, and from 20 times as far away, where hundreds of triangles share a pixel. It measures
 # the whole command and vertex visibility alone, and records the estimate that is made before the first photo on a machine
 # without history. Writes many_triangles.tsv and many_triangles.svg into FOLDER.
-# usage: many_triangles.sh VANTAGE FOLDER [MILLIONS...]
+# Usage: many_triangles.sh VANTAGE FOLDER [MILLIONS...]
 set -euo pipefail
 vantage=$1
 folder=$2

@@ -5,7 +5,7 @@
 
 For each network, prints the time to the window's first picture (under Xvfb). For a photo's view at 1280x720, also prints the
 times until the window has all the tiles it wants and until an exact picture is rendered (4 photos blended), each with the
-number of megabytes that the server sent. Then prints the same values for a second visit, with the files in the cache.
+number of megabytes that the server sent. Then prints the same values for a second visit, when the data is in the cache.
 Requires nginx and Xvfb.
 """
 import argparse, asyncio, os, random, subprocess, sys, tempfile, threading, time

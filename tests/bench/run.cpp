@@ -140,7 +140,7 @@ void add_run_options(const Command& c, RunOptions& o) {
     c.list("--only", o.only, "sweeps to run; see --list").commas();
     c.file("-o,--output", o.folder, "output folder; an interrupted run there is resumed").type("FOLDER");
     c.file("--against", o.against, "results.json of an earlier run; the page shows what has changed since");
-    c.file("--redraw", o.redraw, "results.json of a run, whose page is written again without measuring");
+    c.file("--redraw", o.redraw, "results.json of a run; its page is written again without measuring");
     c.flag("--list", o.list, "list the sweeps and exit");
     c.notes(
         "Writes index.html (self-contained), results.csv and results.json. An interrupted run resumes where\n"

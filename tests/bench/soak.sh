@@ -2,7 +2,7 @@
 # Runs the player for MINUTES (default 30) on random flights over a package larger than its memory budget, while the file is
 # damaged in place, restored and replaced. Writes frames.csv, soak.svg (frame time and memory over time) and soak.txt (a
 # summary) into FOLDER. If the player's exit code is not 0, exits with that code.
-# usage: soak.sh PLAYER PACKAGE FOLDER [MINUTES [PLAYER-OPTIONS...]]
+# Usage: soak.sh PLAYER PACKAGE FOLDER [MINUTES [PLAYER-OPTIONS...]]
 set -euo pipefail
 player=$1
 valid=$(realpath "$2")

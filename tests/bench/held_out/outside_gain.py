@@ -5,15 +5,15 @@
 
 SCENE is a folder made by disturb.py, with scan/ and truth/. The validation gain, its error and the decision come from
 preparing the whole scan. For the independent gain, each photo in turn is held out completely, so that only its camera is
-known. Its view is rendered with the effect off and on, with the other effects as decided. The kit compares both pictures
-with the true photo (compare.py computes the PSNR after the best gain per channel, over the pixels that all variants color).
-Errors are standard errors of the mean over the photos.
+known. Its view is rendered once with the effect off and once with it on; the other effects are set as decided. The kit
+compares both pictures with the true photo (compare.py computes the PSNR after the best gain per channel, over the pixels
+that all variants color). Errors are standard errors of the mean over the photos.
 
 The held-out photo has its TRUE camera, and the others have their cameras from the scan, because a wrong camera for the
 held-out photo would hide how pose_refinement affects the others. If pose_refinement was turned on for the whole scan, it is
 decided again for the rest of the photos and forced if it is then off; otherwise, "on" means `--effect pose-refinement=on`.
 
-A decision is right if the effect is on when the independent gain is above 0.05 dB, and off when it is below -0.05 dB."""
+A decision is right if the effect is on when the independent gain is above 0.05 dB, and off when that gain is below -0.05 dB."""
 import argparse
 import json
 import os

@@ -18,7 +18,7 @@ struct PictureSetting {
     RenderSettings settings;
     int side = 2;              ///< samples along a pixel's side in pictures that are compared with the truth
     bool timed_whole = false;  ///< measure the time of a frame with all samples instead of one sample
-    bool timed = true;         ///< measure frame times; false if they are known not to differ
+    bool timed = true;         ///< measure frame times; set to false if they are known not to differ
     bool whole_frame = false;  ///< also measure psnr_frame
     double photos = 1;         ///< fraction of the allowed photos to use; these are evenly spread
     std::map<std::string, double> known{};  ///< metrics given by the setting itself
@@ -27,7 +27,7 @@ struct PictureSetting {
 
 /// The mean errors of a scene's views compared with the truth, over visible pixels.
 struct PictureErrors {
-    double psnr = 0, ssim = 0, worst = 0;  ///< as in PictureScore, after gains
+    double psnr = 0, ssim = 0, worst = 0;  ///< measured as in PictureScore, after gains
     double uncolored = 0;                  ///< percent of the visible pixels
 };
 PictureErrors picture_errors(std::span<const TrueView> views, std::span<const Picture> pictures);
@@ -38,11 +38,11 @@ double frame_psnr(std::span<const TrueView> views, std::span<const Picture> pict
 /// Renders all views of a scene with the given setting.
 std::vector<Picture> render_views(Renderer& renderer, const BenchScene& scene, const PictureSetting& setting);
 
-/// Draws frames of the view until one has all its tiles, but at most 1000.
+/// Draws frames of the view until a frame has all its tiles, but at most 1000 frames.
 void settle(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
 
-/// The milliseconds per frame of a still view with everything resident; if `timed_whole`, includes all
-/// samples.
+/// The time per frame, in milliseconds, of a still view with everything resident; includes all samples if
+/// `timed_whole` is set.
 double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
 
 /// Measures each setting on a package of the scene: psnr, ssim, worst, uncoloured, photos, frame_ms,

@@ -10,8 +10,8 @@ namespace vantage::bench {
 /// Resources that `vantage prepare` used.
 struct PrepareCost {
     double seconds = 0;  ///< wall
-    double memory_bytes =
-        0;  ///< peak as reported by the program; the system's value for a child includes its parent's
+    /// The peak as reported by the program. The system's value for a child process includes its parent's.
+    double memory_bytes = 0;
 };
 
 /// Runs `vantage prepare FOLDER -o PACKAGE OPTIONS...` in a separate process. If it fails, throws

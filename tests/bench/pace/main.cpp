@@ -1,4 +1,4 @@
-// pace-bench: measures frame pacing in motion under simulated loads. Prints a table and draws curves.
+// pace-bench measures frame pacing in motion under simulated loads. Prints a table and draws curves.
 #include <cstdio>
 #include <string>
 

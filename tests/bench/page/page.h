@@ -11,15 +11,16 @@ namespace vantage::bench {
 
 struct PageInput {
     std::string title;
-    std::span<const Sweep> sweeps;  ///< in the order of the page; "presets" gets its own kind of section
+    /// The sweeps in the order of the page. The one named "presets" has its own kind of section.
+    std::span<const Sweep> sweeps;
     Run now;
     std::optional<Run> before;  ///< an earlier run to compare with
 };
 
 /// Writes folder/index.html, a single file that contains all plots and exhibits, and saves the plots in
-/// folder/plots. Exhibits are read from `folder`; a missing one is marked as missing. Throws Error(input) if
-/// gnuplot is missing or fails, Error(storage) if a file cannot be written, and std::out_of_range if a plot
-/// has an unknown metric.
+/// folder/plots. Exhibits are read from `folder`; missing exhibits are marked as missing. Throws Error(input)
+/// if gnuplot is missing or fails, Error(storage) if a file cannot be written, and std::out_of_range if a
+/// plot has an unknown metric.
 void write_page(const std::filesystem::path& folder, const PageInput& input);
 
 }  // namespace vantage::bench

@@ -24,12 +24,12 @@ namespace {
 
 constexpr std::size_t long_table = 16, many_exhibits = 12, few_exhibits = 6;
 
-/// Formats the numbers in one column with the same number of decimal places, which gives the largest number 4
-/// significant digits, unless the smallest would lose too many.
+/// Formats all numbers in a column with the same number of decimal places: as many as give the largest number
+/// 4 significant digits, unless the smallest number would then have too few.
 struct Column {
     const Metric* metric;
     Scale scale;
-    int places = -1;  ///< number of decimal places; -1: each number has its own
+    int places = -1;  ///< number of decimal places; -1 if each number has its own number of places
 
     std::string text(const Measurement& row) const {
         const std::optional<double> v = finite_value(row, metric->name);
@@ -118,8 +118,8 @@ void keep_plot(const std::filesystem::path& folder, const std::string& title, st
         throw Error(Exit::storage, (folder / name).string() + ".svg: cannot be written");
 }
 
-/// The start tag of a grid of pictures. If no curve has more than 8 pictures and one has at least 3, a row of
-/// the grid holds one curve.
+/// The start tag of a grid of pictures. If no curve has more than 8 pictures and at least one curve has 3 or
+/// more, each row of the grid shows one curve.
 std::string exhibits_grid(std::span<const Measurement> rows) {
     std::map<std::string, std::size_t> curves;
     for (const Measurement& row : rows) curves[row.curve] += row.exhibits.size();

@@ -42,15 +42,15 @@ std::string verdict(std::span<const Measurement> rows, std::size_t i, const Plot
 PlotAxis axis_for(const char* metric, bool log);
 /// The row's point in the plot; `quiet` is not set here.
 PlotPoint point_for(const PageContent& page, const Measurement& row, const Plot& plot);
-/// Writes a plot and a list of the rows that it cannot show, and saves the plot as
+/// Writes a plot and a list of the rows that the plot cannot show, and saves the plot as
 /// folder/plots/SWEEP-TITLE.svg. Throws Error(storage).
 void write_plot(std::ostream& out, const PageContent& page, const Sweep& sweep, const PlotSpec& spec,
                 std::span<const Measurement> rows, const Plot& plot);
 /// Writes a table of all rows. If `plot` is not null, rows on its front are marked.
 void write_rows(std::ostream& out, const PageContent& page, std::span<const Measurement> rows,
                 const Plot* plot);
-/// Ends the grid of a scene's plots. If there are only a few pictures of the rows, they go into the grid,
-/// otherwise below it.
+/// Ends the grid of a scene's plots. If the rows have only a few pictures, these go into the grid; otherwise,
+/// they go below it.
 void close_scene(std::ostream& out, const PageContent& page, std::span<const Measurement> rows);
 
 void write_moved(std::ostream& out, const PageContent& page);

@@ -98,7 +98,7 @@ bool is_preset(const Measurement& row) {
 
 bool has(std::span<const Measurement> rows, const Plot& plot) { return !front(rows, plot.x, plot.y).empty(); }
 
-/// The standard plots of presets and the plots of the sweep, as far as their metrics were measured.
+/// The standard plots of presets and the plots of the sweep, except those whose metrics were not measured.
 std::vector<Plot> plots_of_presets(const Sweep& sweep, std::span<const Measurement> rows) {
     std::vector<Plot> out(std::begin(preset_plots), std::end(preset_plots));
     for (const Plot& p : sweep.plots)

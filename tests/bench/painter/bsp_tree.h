@@ -38,7 +38,7 @@ class BspTree {
     static constexpr std::uint32_t none = ~0u;
     struct Node {
         Eigen::Vector3d normal;
-        double offset;  ///< points p on the plane satisfy normal . p = offset
+        double offset;  ///< the points p on the plane satisfy normal . p = offset
         std::vector<PaintedPolygon> in_plane;
         std::uint32_t front = none, behind = none;
     };

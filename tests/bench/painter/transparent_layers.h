@@ -25,7 +25,7 @@ class TransparentLayers {
     };
     struct Pixel {
         std::vector<Fragment> fragments;
-        bool edge = false;  ///< so near a triangle's edge that rounding decides about coverage
+        bool edge = false;  ///< a triangle's edge is so near that rounding decides about coverage
     };
     /// The fragments at the pixel centers, row by row; those of a pixel are in the order of their triangles.
     std::vector<Pixel> fragments(const View& view) const;

@@ -21,8 +21,8 @@ struct Axis {
     std::vector<Tick> ticks;
 };
 
-/// An axis for values in `unit`; non-finite ones are ignored. The axis is logarithmic if `log` is set and any
-/// value is positive.
+/// An axis for values in `unit`; values that are not finite are ignored. The axis is logarithmic if `log` is
+/// set and any value is positive.
 Axis axis_of(std::span<const double> values, bool log, const std::string& unit);
 
 /// The position of a value on the axis, in `scale.unit`.

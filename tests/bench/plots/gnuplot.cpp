@@ -61,7 +61,7 @@ struct Layout {
     double height = 0;
     std::vector<KeyEntry> key;
 
-    /// The position of a point, in the axes' units.
+    /// The position of a point in the axes' units.
     Spot place(double px, double py) const { return {drawn_at(x, px), drawn_at(y, py)}; }
     Spot pixel(const Spot& place) const {
         return {area.left + share_along(x, place.x) * (area.right - area.left),
@@ -334,7 +334,7 @@ std::string script(const Layout& l) {
     return s.finished();
 }
 
-/// Invisible discs over the points that show their names as tooltips.
+/// Invisible discs over the points, which show the points' names as tooltips.
 std::string tips(const Layout& l) {
     std::string out = "<g fill=\"transparent\" stroke=\"none\">\n";
     each_point(l.plot, [&](const PlotCurve& c, const PlotPoint& p) {
@@ -348,7 +348,7 @@ std::string tips(const Layout& l) {
     return out + "</g>\n";
 }
 
-/// A prefix that is unique to the plot (its FNV-1a hash).
+/// A prefix that is unique to the plot: the FNV-1a hash of its script.
 std::string prefix(const std::string& script) {
     std::uint64_t hash = 14695981039346656037U;
     for (const char c : script) hash = (hash ^ std::uint8_t(c)) * 1099511628211U;

@@ -25,7 +25,7 @@ struct PlotCurve {
 struct PlotAxis {
     std::string title;
     std::string unit;  ///< unit of the points; bytes and times are rescaled for display
-    bool log = false;  ///< values <= 0 are drawn at the edge, as the axis title notes
+    bool log = false;  ///< values <= 0 are drawn at the edge, which is noted in the axis title
     bool less_is_better = true;
 };
 

@@ -15,7 +15,8 @@ struct Tradeoff {
 };
 
 /// The Pareto front: the indices, sorted by cost, of the points that no other point dominates. A point
-/// dominates another if it is at least as good on both axes and better on one. Equal points are all included.
+/// dominates another if it is at least as good on both axes and better on one. If several points are equal,
+/// all of them are included.
 std::vector<std::size_t> front(std::span<const Tradeoff> points);
 
 /// The index of the point with the smallest error among those that cost no more than point `i`; of several
@@ -30,8 +31,8 @@ std::vector<Tradeoff> tradeoffs(std::span<const Measurement> rows, const std::st
 /// The Pareto front of the rows with respect to two metrics. Throws std::out_of_range for an unknown metric.
 std::vector<std::size_t> front(std::span<const Measurement> rows, const std::string& cost,
                                const std::string& error);
-/// How much better in `error`, in that metric's unit, the best row that costs no more is than row `i`: 0 on
-/// the front, NaN if row `i` lacks either metric. Throws std::out_of_range for an unknown metric.
+/// The difference in `error`, in that metric's unit, between row `i` and the best row that costs no more: 0
+/// on the front, NaN if row `i` lacks either metric. Throws std::out_of_range for an unknown metric.
 double beaten_by(std::span<const Measurement> rows, std::size_t i, const std::string& cost,
                  const std::string& error);
 

@@ -8,7 +8,7 @@
 
 namespace vantage::bench {
 
-/// The completed jobs, appended to a file as each one ends, so that an interrupted run can resume.
+/// The completed jobs. Each is appended to a file when it ends, so that an interrupted run can be resumed.
 class Log {
   public:
     /// Resumes the log if its recorded `run` is the same, otherwise starts a new one. Drops an incomplete

@@ -22,10 +22,10 @@ std::span<const Metric> metrics();
 /// The metric with this name. Throws std::out_of_range if there is none.
 const Metric& metric(const std::string& name);
 
-/// The PSNR in dB that is stored for equal pictures, and the maximum.
+/// The PSNR in dB that is stored for equal pictures; larger values are limited to it.
 constexpr double psnr_cap = 100;
 
-/// A part of a picture, to illustrate the numbers.
+/// A part of a picture that illustrates the numbers.
 struct Exhibit {
     std::string caption;
     std::string file;  ///< JPEG, relative to the output folder

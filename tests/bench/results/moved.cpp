@@ -66,8 +66,8 @@ double machine_drift(const Rows& now, const Rows& before, std::size_t& times) {
     return times < 5 ? 1 : quantile(ratios, 0.5);
 }
 
-/// The names of rows that are only in `some`. If `other` has no rows of a sweep on a scene, that sweep is
-/// listed as one entry.
+/// The names of rows that are only in `some`. If `other` has no rows for a sweep on a scene, that sweep is
+/// listed as a single entry.
 std::vector<std::string> only_in(const Rows& some, const Rows& other) {
     std::set<Part> parts, listed;
     for (const auto& [key, row] : other) parts.insert(part(*row));

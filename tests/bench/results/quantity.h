@@ -11,8 +11,8 @@ struct Scale {
 };
 
 /// For values in `unit`, the largest unit of B to GB or ns to s in which the maximum is at least 1 and the
-/// geometric mean of minimum and maximum is at least 0.1. Any other unit is kept. Only values that are
-/// positive and finite count.
+/// geometric mean of minimum and maximum is at least 0.1. Any other unit is kept. Values that are not
+/// positive and finite are ignored.
 Scale scale_of(std::span<const double> values, const std::string& unit);
 
 /// "10⁻⁷"

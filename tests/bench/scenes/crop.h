@@ -5,7 +5,7 @@
 
 namespace vantage::bench {
 
-/// The four channels of a pixel, straight RGBA; (x, y) must lie in the picture.
+/// The four channels of a pixel, as RGBA with straight alpha; (x, y) must lie in the picture.
 const std::uint8_t* texel(const Picture& picture, int x, int y);
 
 /// The `width` x `height` pixels that start at (x0, y0). Beyond the picture, its edge pixels are repeated.

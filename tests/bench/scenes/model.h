@@ -8,7 +8,7 @@
 namespace vantage::bench {
 
 /// A scene's model on the graphics card, as the pipeline stores it, with positions relative to the first
-/// vertex. It must be used on the OpenGL thread.
+/// vertex. Use it only on the OpenGL thread.
 class BenchModel {
   public:
     explicit BenchModel(SceneInput scene);

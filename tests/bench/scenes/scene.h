@@ -28,16 +28,16 @@ struct TrueView {
     View view;                          ///< relative to the package's origin
     Picture truth;                      ///< the photo itself, or the ray-cast picture
     std::vector<std::uint32_t> photos;  ///< photos that may be blended: all except the held-out one
-    std::vector<bool> seeable;  ///< per pixel: shows a surface that at least one of `photos` sees, determined
-                                ///< by ray casting
+    std::vector<bool> seeable;  ///< whether at least one of `photos` sees the pixel's surface (ray-cast)
     std::string held_out;       ///< name of the photo used as `truth`, or empty
 };
 
-/// A scene to measure on: its input files, and its package as written by `vantage prepare` by default.
+/// A scene to measure on: its input files, and its package as written by `vantage prepare` with default
+/// settings.
 struct BenchScene {
     std::string name;
     std::filesystem::path folder;   ///< mesh, cameras, photos
-    std::optional<SynthSpec> spec;  ///< of a synthetic scene; any of its views can be ray-cast
+    std::optional<SynthSpec> spec;  ///< set for synthetic scenes, whose views can all be ray-cast
     std::filesystem::path package;
     std::vector<TrueView> views;
 };

@@ -13,7 +13,7 @@ namespace vantage::bench {
 /// Measurements that are made together, so that values that are compared are measured at about the same time.
 /// An interrupted job starts over.
 struct Job {
-    std::string name;  ///< unique within a sweep of a scene
+    std::string name;  ///< unique within a sweep on a scene
     std::function<std::vector<Measurement>()> run;
 };
 
@@ -30,12 +30,12 @@ struct Sweep {
     const char* title;
     const char* question;   ///< the question that the sweep answers
     const char* truth;      ///< reference that errors are measured against
-    const char* precision;  ///< how closely the exact end reproduces the reference
+    const char* precision;  ///< how closely the exact setting reproduces the reference
     std::vector<Plot> plots;
     /// The jobs on a scene; empty if the sweep does not apply to it. Exhibits are written to `folder`.
     std::vector<Job> (*jobs)(const BenchScene& scene, const Effort& effort,
                              const std::filesystem::path& folder);
-    bool apart = false;  ///< each curve is a separate setting; curves are not compared with each other
+    bool apart = false;  ///< each curve is for a separate setting; curves are not compared with each other
 };
 std::span<const Sweep> sweeps();
 

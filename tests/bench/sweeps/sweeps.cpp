@@ -2,7 +2,7 @@
 
 namespace vantage::bench {
 
-// One file per sweep, except for sweeps that share code.
+// Each sweep has its own file, except for sweeps that share code.
 extern const Sweep border_sweep, depth_sweep, coordinates_sweep, tile_format_sweep, tile_size_sweep,
     tile_border_sweep, blending_sweep, exponent_sweep, sums_sweep, selection_sweep, hysteresis_sweep,
     filtering_sweep, loading_sweep, photos_sweep, preparing_sweep, agreeing_sweep, presets_sweep,

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Prepares a scene as shards on a single-node Slurm cluster and compares the merged package with the package of a single run.
-# usage: slurm_test.sh VANTAGE SOURCE_DIR; exits with 77 if Slurm is not installed or cannot be started.
+# Usage: slurm_test.sh VANTAGE SOURCE_DIR; exits with 77 if Slurm is not installed or cannot be started.
 set -euo pipefail
 vantage=$1 source=$2
 export PATH=$PATH:/usr/sbin:/sbin

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests that each text of the window is translated into each language that has a catalog, with the terms that native readers use.
-# usage: languages_test.sh SOURCE_DIR
+# Usage: languages_test.sh SOURCE_DIR
 set -uo pipefail
 source=$1
 export LC_ALL=C.UTF-8

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Shows a demo scene in Monado's simulated headset, without a compositor window. It is tested without a display, through X11 with
 # the Khronos validation layer, and across the loss of the runtime.
-# usage: monado_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if Monado is not installed.
+# Usage: monado_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if Monado is not installed.
 set -euo pipefail
 vantage=$1 player=$2 source=$3
 runtime=/usr/share/openxr/1/openxr_monado.json

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests that a kiosk in a separate process shows a story, and that a video of a tour begins at its first note.
-# usage: story_window_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
+# Usage: story_window_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"
 under_xvfb 1280x1024 "$@"

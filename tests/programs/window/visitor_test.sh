@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Simulates a visitor who uses a kiosk by touch only: orbits, finds a dormer on the roof, zooms in, compares it with the photo and
 # returns to the home view.
-# usage: visitor_test.sh VANTAGE PLAYER SOURCE_DIR FIND_PICTURE [WIDTHxHEIGHT [FOLDER for screenshots]]
+# Usage: visitor_test.sh VANTAGE PLAYER SOURCE_DIR FIND_PICTURE [WIDTHxHEIGHT [FOLDER for screenshots]]
 # Exits with 77 if there is no X server with a touch screen, or no photos (VANTAGE_DATASETS).
 set -uo pipefail
 source "$(dirname "$0")/window.sh"

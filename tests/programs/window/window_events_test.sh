@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Tests how the window interacts with the system: several key presses within a frame, the desktop's file dialog, output files,
 # read-only folders, idling with little memory.
-# usage: window_events_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
+# Usage: window_events_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"
 under_xvfb 1280x1024 "$@"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Sends random events to the window in all its states: keys, clicks, drags, mouse wheel, fingers, dropped files, sizes, focus. The
 # window must not exit, hang or report an OpenGL error, and must come to rest afterward.
-# usage: window_fuzz.sh VANTAGE PLAYER SOURCE_DIR [EVENTS [SEED]]; exits with 77 if no X server is available
+# Usage: window_fuzz.sh VANTAGE PLAYER SOURCE_DIR [EVENTS [SEED]]; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"
 has_touch_screen && under_touch_screen 1280x1024 "$@" || under_xvfb 1280x1024 "$@"  # without fingers

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs a session in a real window, with real mouse and key events through the X server, to test behavior that needs such a window.
 # The effects of controls, keys and gestures are tested without a window (tests/window).
-# usage: window_session_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
+# Usage: window_session_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"
 under_xvfb 3840x2160 "$@"

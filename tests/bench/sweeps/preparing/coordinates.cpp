@@ -90,7 +90,7 @@ struct Place {
     Eigen::Vector3f weights;
 };
 
-/// A value interpolated linearly in space from the values at the corners, as it is between vertex and
+/// A value interpolated linearly in space from the values at the corners, as is done between vertex and
 /// fragment shaders.
 template <class T>
 T interpolated(const std::vector<T>& values, const Place& at) {
@@ -227,7 +227,7 @@ const Sweep coordinates_sweep{
     "coordinates",
     "Texture coordinates",
     "Coordinates that are stored per vertex are fast to look up, but perspective is not linear over a "
-    "triangle. For which triangle sizes must every fragment be projected?",
+    "triangle. Above which triangle size must every fragment be projected instead?",
     "the projection of random points on the triangles in double precision",
     "0.001 px",
     {{"triangle_px", "px_median", true, true},

@@ -88,7 +88,7 @@ Map render_map(const BenchModel& model, const Camera& camera, int level) {
             float(k.cy * s)};
 }
 
-/// The depths after quantization; +inf, which means that a pixel does not show the model, is kept.
+/// The depths after quantization. Pixels that do not show the model keep +inf.
 std::vector<float> stored(const std::vector<float>& z, Bits how) {
     if (how == Bits::float32) return z;
     float nearest = std::numeric_limits<float>::infinity(), farthest = 0;
@@ -134,8 +134,8 @@ bool seen(const Map& map, const Tolerance& tolerance, const TestPoint& point) {
     return p.z() <= farthest + slack;
 }
 
-/// A third of a pixel's footprint, as in vertex_coordinates(), as a fraction of the distance. Hits closer to
-/// the point than this lie on its own surface.
+/// A third of a pixel's footprint, expressed as a fraction of the distance, as in vertex_coordinates(). Hits
+/// closer to the point than this lie on its own surface.
 double near_enough(const Intrinsics& k) { return 0.3 / std::max(k.fx, k.fy); }
 
 bool seen_from_photo(const RayScene& rays, const Camera& camera, const Eigen::Vector3d& point) {

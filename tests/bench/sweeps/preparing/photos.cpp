@@ -61,7 +61,7 @@ extern const Sweep photos_sweep;
 const Sweep photos_sweep{
     "photos",
     "Number and resolution of photos",
-    "How much would more photos, or photos with more pixels, have gained?",
+    "How much would be gained by more photos, or by photos with more pixels?",
     "the held-out photo, or the ray-cast picture",
     "not applicable, because no setting is exact; all photos at full size are marked as exact",
     {{"package_bytes", "psnr"}, {"photos", "psnr"}, {"pixels", "psnr"}},

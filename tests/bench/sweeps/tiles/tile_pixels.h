@@ -13,7 +13,7 @@ namespace vantage::bench {
 using Bytes = std::vector<std::uint8_t>;
 using Texels = std::span<const std::uint8_t>;  ///< RGBA, row by row
 
-/// Accumulates the absolute differences between channels and the truth, clamped to 255.
+/// Accumulates the absolute differences between the channels and the truth, clamped to 255.
 class Differences {
   public:
     void add(double difference) {

@@ -20,7 +20,7 @@
 namespace vantage::bench {
 namespace {
 
-/// A square of 8x8 texels in a level of a photo; at every tile size, a tile's content consists of whole
+/// A square of 8x8 texels in a level of a photo. At every tile size, a tile's content consists of whole
 /// squares.
 constexpr int block_size = 8;
 struct Block {
