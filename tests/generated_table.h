@@ -9,9 +9,9 @@
 
 namespace vantage {
 
-/// Expects that the rows of a table in a document match those of a program. The table follows the line "<!--
-/// NAME: VANTAGE_WRITE_DOCS=1 writes the rows -->". If that variable is set, writes the rows into the
-/// document instead.
+/// Expects that the rows of a table in a document are `rows`, which come from a program. The table follows
+/// the line "<!-- NAME: VANTAGE_WRITE_DOCS=1 writes the rows -->". If that variable is set, writes the rows
+/// into the document instead.
 inline void expect_table(const std::filesystem::path& document, const std::string& name,
                          const std::string& rows) {
     std::stringstream text;

@@ -8,11 +8,12 @@
 
 namespace vantage {
 
-/// A glTF 2.0 file, written according to the specification (Khronos 2021): one buffer, and hand-written JSON.
+/// A glTF 2.0 file, written according to the specification (Khronos 2021), with one buffer and hand-written
+/// JSON.
 struct GltfFile {
     std::string bytes;                            ///< of the buffer
     std::string views, accessors, meshes, nodes;  ///< the items of these JSON lists
-    std::string roots = "0";                      ///< nodes of the scene
+    std::string roots = "0";                      ///< the root nodes of the scene
     std::string more;  ///< further members of the root object, each preceded by a comma
 
     /// Appends values of `n` numbers each to the buffer; returns the index of their accessor.
@@ -64,7 +65,8 @@ struct GltfFile {
     int count_ = 0;
 };
 
-/// Positions as floats, normals if there are any, and triangles, in one node without a transform.
+/// A glTF file with positions as floats, normals if the mesh has any, and triangles, in one node without a
+/// transform.
 inline GltfFile gltf_of(const Mesh& mesh) {
     GltfFile out;
     std::vector<std::array<float, 3>> positions, normals;

@@ -63,7 +63,7 @@ inline std::string gray_profile(double gamma) {
     return icc_bytes(cmsCreateGrayProfile(&white, curve_of(gamma).get()), "Gray");
 }
 
-/// Converts a color in [0, 1] to linear sRGB according to the equations: converts it to XYZ, adapts it to the
+/// Converts a color in [0, 1] to linear sRGB by the defining equations: converts it to XYZ, adapts it to the
 /// other white point (Bradford, as in ICC profiles), and converts it from XYZ.
 inline Eigen::Vector3d srgb_light(const RgbSpace& space, const Eigen::Vector3d& color) {
     using Eigen::Matrix3d, Eigen::Vector3d;

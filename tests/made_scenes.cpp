@@ -42,7 +42,7 @@ std::string key_of(const SynthSpec& s) {
     return out.str();
 }
 
-/// A key from the names and contents of the files.
+/// A key that is computed from the names and contents of the files.
 std::string key_of(const fs::path& scan) {
     constexpr auto follow = fs::directory_options::follow_directory_symlink;
     std::set<fs::path> files;

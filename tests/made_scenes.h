@@ -15,8 +15,8 @@ SynthSpec tiny_spec();
 /// makes it, and others reuse it until the test program is rebuilt.
 void copy_scene(const SynthSpec& spec, const std::filesystem::path& folder);
 
-/// The package of a scan as written by prepare(). The first test that needs it makes it, and tests with the
-/// same files and settings reuse it. Tests must not write to it.
+/// The package of a scan as written by prepare(). The first test that needs the package makes it, and tests
+/// with the same files and settings reuse it. Tests must not write to the package.
 std::filesystem::path made_package(const std::filesystem::path& scan, const PrepareSettings& settings = {});
 /// Copies such a package to a test's file, which is replaced if it exists.
 void copy_package(const std::filesystem::path& scan, const PrepareSettings& settings,

@@ -25,10 +25,10 @@ Files files_below(const std::filesystem::path& folder);
 /// Replaces all files in the folder.
 void restore(const std::filesystem::path& folder, const Files& files);
 
-/// A possible state of the disk after these operations and a power cut, starting from `before`. Files have
-/// all flushed data and a random selection of the later writes and size changes; a write may be complete or
-/// have reached the disk only in part. Changes to names take effect in order: all that were flushed with
-/// their folder, and any number of the later ones.
+/// A possible state of the disk after these operations and a power cut, starting from `before`. Files contain
+/// all flushed data and a random selection of the later writes and size changes. Each of these writes is
+/// either complete or has reached the disk only in part. Changes to names take effect in order: all changes
+/// that were flushed with their folder, and any number of later changes.
 Files after_power_cut(const Files& before, std::span<const DiskOperation> operations, std::mt19937& random);
 
 }  // namespace vantage

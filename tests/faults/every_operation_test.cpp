@@ -86,8 +86,8 @@ TEST_F(EveryOperationAtLength, MayMeetAPageThatCannotBeRead) {
                 expect_old_or_new(c, when);
             expect_finished_by_next_run(c, when);
         }
-        std::printf("%-24s %5d pages mapped, %4d runs, %4d of which read the page\n", c.name.c_str(), pages,
-                    runs, met);
+        std::printf("%-24s %5d pages mapped, %4d runs, %4d of which read the bad page\n", c.name.c_str(),
+                    pages, runs, met);
         EXPECT_GT(met, 0) << c.name;
     }
 }

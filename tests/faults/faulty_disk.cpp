@@ -44,7 +44,7 @@ struct Fault {
     int from = 0, calls = 0;
     std::string folder;
     int log = -1;
-    std::mutex mutex;  ///< guards `calls`; held while an operation is executed and recorded, to order the log
+    std::mutex mutex;  ///< guards `calls`; is held while an operation is executed and recorded
 
     Fault() {
         if (const char* text = std::getenv("FAULT")) std::sscanf(text, "%15[^:]:%d:%15s", call, &from, how);
@@ -196,7 +196,7 @@ int open_file(const char* path, int flags, mode_t mode) {
         });
 }
 
-/// Records data that write() has just written: its end is the file's current position.
+/// Records data that write() has just written. The data ends at the file's current position.
 void record_written(int fd, const std::string& path, std::string_view data) {
     const long end = ::syscall(SYS_lseek, fd, 0, SEEK_CUR);
     record('w', path, std::uint64_t(end) - data.size(), data);

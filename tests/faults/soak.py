@@ -142,7 +142,7 @@ class Soak:
         elif trouble == 'little room':
             code, text = self.run(words, resources=[(resource.RLIMIT_FSIZE, r.randrange(20000000))])
             self.expect('prepare, ' + trouble, code, text, usual | {STORAGE})
-        # In any case, the next run succeeds.
+        # In any case, the next run must succeed.
         code, text = self.run(words)
         self.expect('prepare', code, text, usual)
         if code in (0, INCOMPLETE):

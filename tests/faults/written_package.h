@@ -9,7 +9,7 @@ namespace vantage {
 /// A command that writes a package, with its inputs in `inputs` and its output in `out`.
 struct WritingCommand {
     std::string name, words;
-    std::string before, after;  ///< the package's content before and after it; empty if there is none
+    std::string before, after;  ///< the package before and after the command; empty if there is none
 };
 
 /// Commands on a small scene: a first preparation, a preparation that updates a package, a merge and a

@@ -1,4 +1,4 @@
-// Invalid and nearly invalid cameras, and lenses whose distortion folds back.
+// Tests invalid and nearly invalid cameras, and lenses whose distortion folds back.
 #include "pipeline/formats/cameras/cameras.h"
 
 #include <gtest/gtest.h>

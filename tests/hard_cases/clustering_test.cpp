@@ -30,7 +30,8 @@ double random_in(std::mt19937& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// Must not be inlined: GCC 12 would vectorize it and skip the rounding to single precision.
+/// This function must not be inlined, because GCC 12 would vectorize it and skip the rounding to single
+/// precision.
 [[gnu::noinline]] ClusterRecord sphere(const Eigen::Vector3d& c, double r) {
     ClusterRecord cluster{};
     for (int i = 0; i < 3; ++i) cluster.center[i] = float(c[i]);
@@ -87,7 +88,7 @@ Bits random_cover(std::mt19937& random, std::uint32_t triangles, std::size_t set
     return b;
 }
 
-/// uncovered_share() computed from its definition, triangle by triangle.
+/// The value of uncovered_share(), computed from its definition, triangle by triangle.
 double counted_share(const CoverProblem& p, const std::vector<std::size_t>& chosen) {
     const auto seen = [](const auto& bits, std::uint32_t t) { return bits[t / 64] >> (t % 64) & 1; };
     double all = 0, left = 0;
@@ -163,7 +164,7 @@ TEST(FrustumHardCases, KeepsEverySphereThatIntersectsIt) {
         for (int trial = 0; trial < 40; ++trial) {
             const View view = random_view(random, fov);
             std::vector<ClusterRecord> clusters;
-            // Near the line of sight, so that even narrow views contain some of the spheres.
+            // The spheres are near the line of sight, so that even narrow views contain some of them.
             for (int i = 0; i < 400; ++i) {
                 const Eigen::Vector3d on_axis = view.cam_from_origin.center() +
                                                 random_in(random, -5, 30) * view.cam_from_origin.direction();
@@ -215,7 +216,7 @@ TEST(FrustumHardCases, KeepsSpheresAndPointsThatJustTouchItsPlanes) {
 }
 
 TEST(FrustumHardCases, KeepsPointsOnItsPlanes) {
-    // Axis-aligned, so that the planes contain (x, 0, x) etc. exactly.
+    // The view is axis-aligned, so that its planes contain (x, 0, x) etc. exactly.
     View view = view_towards({0, 0, 0}, {0, 0, 1}, {0, -1, 0}, 90, 2, 2);
     view.intrinsics.fx = view.intrinsics.fy = 1;
     for (const double x : {1e-30, 1.0, 3.0, 1e10})
@@ -225,7 +226,7 @@ TEST(FrustumHardCases, KeepsPointsOnItsPlanes) {
             const std::vector all{sphere(p, 0)};
             EXPECT_EQ(clusters_in_view(make_cluster_tree(all), all, view).size(), 1u) << p.transpose();
         }
-    // Randomly rotated views, so that the planes' coordinates are rounded.
+    // The views are randomly rotated, so that the planes' coordinates are rounded.
     std::mt19937 random(7);
     for (int trial = 0; trial < 500; ++trial) {
         const View turned = view_towards(Eigen::Vector3d::Zero(), random_unit(random), random_unit(random),

@@ -1,4 +1,4 @@
-// Reads back every float target of every kind of frame: no value is infinite or NaN.
+// Reads back every float target of every kind of frame: no value may be infinite or NaN.
 #include <Eigen/Geometry>
 #include <array>
 #include <fstream>
@@ -160,7 +160,7 @@ TEST_F(FinitePictures, CountsInjectedNonFiniteValues) {
     std::string all = std::to_string(4 * pixels);
     all += " of the sums";  // in two steps, since g++ 12 warns about the sum of temporaries
     EXPECT_NE(words(count_non_finite(t)).find(all), std::string::npos);
-    EXPECT_EQ(count(view, {}, "the next frame clears all targets"), 0u);
+    EXPECT_EQ(count(view, {}, "the next frame should clear all targets"), 0u);
 }
 
 TEST_F(FinitePictures, NonFiniteViewIsRejectedAndTheNextOneDrawn) {

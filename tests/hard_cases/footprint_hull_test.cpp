@@ -1,4 +1,4 @@
-// The footprint hull of a photo, compared with an independent computation.
+// Compares the footprint hull of a photo with an independent computation.
 #include "pipeline/stages/coordinates/footprint_hull.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using namespace vantage;
 
 namespace {
 
-/// Corners of the convex hull, in order (Andrew's monotone chain), in double precision.
+/// The corners of the convex hull in order, computed in double precision (Andrew's monotone chain).
 std::vector<Eigen::Vector2d> hull_of(std::vector<Eigen::Vector2d> p) {
     std::ranges::sort(
         p, [](const auto& a, const auto& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); });
@@ -87,7 +87,7 @@ TEST(FootprintHull, MatchesTheMonotoneChain) {
 }
 
 RC_GTEST_PROP(FootprintHull, AnyPointsMatchTheMonotoneChain, ()) {
-    // On a coarse grid, so that many are collinear or equal.
+    // The points are on a coarse grid, so that many of them are collinear or equal.
     const auto grid = *rc::gen::container<std::vector<std::array<int, 2>>>(
         rc::gen::container<std::array<int, 2>>(rc::gen::inRange(0, 17)));
     std::vector<Eigen::Vector2f> uv;

@@ -1,4 +1,4 @@
-// Degenerate, duplicated, invalid, inverted, tiny and huge meshes.
+// Tests degenerate, duplicated, invalid, inverted, tiny and huge meshes.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

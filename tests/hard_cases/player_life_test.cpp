@@ -1,5 +1,5 @@
-// A player under adverse conditions: windows of all sizes, invalid paths, too little memory, no graphics,
-// clock jumps, and a package that is truncated, overwritten or deleted.
+// Tests the player under adverse conditions: windows of all sizes, invalid paths, too little memory, no
+// graphics, clock jumps, and a package that is truncated, overwritten or deleted.
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -175,7 +175,7 @@ TEST_F(PlayerLifetime, ViewsAndPathsKeepTheirRollAsText) {
     };
     const Pose level = turned("0,-9,0,0,0,0,45"), clockwise = turned("0,-9,0,0,0,0,45,90");
     EXPECT_LT((clockwise.R.row(0) - level.R.row(1)).norm(), 1e-12)
-        << "the right side of the picture tilts down";
+        << "the right side of the picture should tilt down";
     EXPECT_LT((clockwise.center() - level.center()).norm(), 1e-9);
 }
 
@@ -242,10 +242,10 @@ TEST_F(PlayerLifetime, ClockJumpsDoNotChangeThePicture) {
         Renderer other(*package, MemoryBudget{});
         ASSERT_TRUE(settle(other, view, s, now)) << now;
         EXPECT_EQ(shown(other, view, s), usual) << now;
-        // The clock is set back, with all tiles resident.
+        // The clock is set back while all tiles are resident.
         ASSERT_TRUE(settle(other, view, s, 0)) << "after " << now;
         EXPECT_EQ(shown(other, view, s), usual) << "after " << now;
-        // The clock is set back, with tiles still to be read.
+        // The clock is set back while tiles still have to be read.
         ASSERT_TRUE(settle(other, own_view(0, 0.3), s, 1)) << "after " << now;
     }
 }
@@ -254,17 +254,17 @@ TEST(LayerPoolLifetime, FrameCounterMayWrapAround) {
     constexpr std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
     LayerPool pool(2, 5);
     ASSERT_TRUE(pool.place(0, last - 1) && pool.place(1, last - 1));
-    EXPECT_FALSE(pool.place(2, last - 1)) << "both layers are in use";
+    EXPECT_FALSE(pool.place(2, last - 1)) << "both layers should be in use";
     EXPECT_EQ(pool.available(last), 2u);
     ASSERT_TRUE(pool.place(2, last));
-    EXPECT_FALSE(pool.layer_of(0).has_value()) << "the older page was evicted";
-    ASSERT_TRUE(pool.place(3, 0)) << "the counter wraps around";
+    EXPECT_FALSE(pool.layer_of(0).has_value()) << "the older page should have been evicted";
+    ASSERT_TRUE(pool.place(3, 0)) << "the counter should wrap around";
     EXPECT_FALSE(pool.layer_of(1).has_value());
     EXPECT_TRUE(pool.layer_of(2) && pool.layer_of(3));
 }
 
 TEST_F(PlayerLifetime, TruncatingTheOpenPackageIsReported) {
-    // Raw tiles, since the compact tiles of such a small scene would already be in memory.
+    // The tiles are raw, because the compact tiles of such a small scene would already be in memory.
     repack(file, false, dir / "raw.vantage");
     fs::rename(dir / "raw.vantage", file);
     const Outcome cut = play_while([&] { fs::resize_file(file, 4096); });
@@ -322,5 +322,5 @@ TEST_F(PlayerLifetime, MissingOpenGlIsReportedInOneLine) {
     const Outcome window = play("--no-saved-settings --frames 1", "-u DISPLAY -u WAYLAND_DISPLAY " + none);
     EXPECT_EQ(window.code, int(Exit::graphics)) << window.message;
     EXPECT_TRUE(one_line(window.message)) << window.message;
-    EXPECT_EQ(play("list", none).code, 0) << "list needs no graphics";
+    EXPECT_EQ(play("list", none).code, 0) << "list should need no graphics";
 }

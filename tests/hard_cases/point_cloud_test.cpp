@@ -46,7 +46,7 @@ RC_GTEST_PROP(PointCulling, NoVisiblePointIsCulled, ()) {
     const int count = *rc::gen::inRange(1, 40'000);
     const auto seed = *rc::gen::arbitrary<std::uint32_t>();
     Mesh cloud;
-    // Half of the points are on a sheet, and the others are anywhere.
+    // Half of the points are on a sheet, and the others are randomly distributed.
     std::uint64_t state = seed;
     const auto next = [&] {
         state = state * 6364136223846793005u + 1442695040888963407u;

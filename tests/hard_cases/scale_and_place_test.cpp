@@ -35,7 +35,7 @@ struct OtherFrame {
     Eigen::Vector3d move = Eigen::Vector3d::Zero();
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
 
-    /// The camera that sees each moved point as `pose` sees the original.
+    /// The camera that sees each moved point as `pose` sees the original point.
     Pose moved(const Pose& pose) const {
         const Eigen::Matrix3d R = pose.R * turn.transpose();
         return {R, scale * pose.t - R * move};
@@ -50,7 +50,7 @@ struct OtherFrame {
     }
 };
 
-/// A package open in the player.
+/// A package that is open in the player.
 struct Opened {
     PackageReader package;
     Renderer renderer;
@@ -177,7 +177,7 @@ class ScaleAndPlace : public TemporaryFolder {
         EXPECT_LE(double(differ), 1e-4 * double(all)) << "texels";
     }
 
-    /// Expects no byte to differ by more than 2. If the order of triangles differs, a few pixels are
+    /// Expects that no byte differs by more than 2. If the order of triangles differs, a few pixels are
     /// excluded: those where an edge snaps to the other side of the pixel center.
     void expect_same_pictures(Opened& other, const OtherFrame& by) const {
         const double most = given->order() == other.order() ? 0 : 1e-4;
@@ -221,7 +221,7 @@ double psnr(const Picture& a, const Picture& b) {
     return 10 * std::log10(255.0 * 255 * double(a.rgba.size()) / std::max(squares, 1e-9));
 }
 
-/// Adds a triangle from the two vertices that are farthest in +y to `corner`.
+/// Adds a triangle that connects `corner` with the two vertices that are farthest in the +y direction.
 void add_stray(SceneInput& scene, const Eigen::Vector3d& corner) {
     Mesh& mesh = scene.mesh;
     std::vector<std::uint32_t> by_y(mesh.positions.size());

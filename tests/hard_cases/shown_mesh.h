@@ -73,7 +73,7 @@ class Geometry : public TemporaryFolder {
         std::vector<double> seen;       ///< fraction of the vertices that each photo sees
         std::size_t triangles = 0;
     };
-    /// Reads, prepares, checks and renders a mesh. The package must be valid and all values finite.
+    /// Reads, prepares, checks and renders a mesh. The package must be valid, and all values must be finite.
     Result shown(const Mesh& mesh, const std::function<void(SceneInput&)>& change = {}) {
         Result out;
         SceneInput with = scene;

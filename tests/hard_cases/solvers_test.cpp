@@ -34,7 +34,7 @@ Pose at(double x) {
     return p;
 }
 
-/// `groups`: the number of groups of cameras without shared tracks.
+/// `groups` is the number of groups of cameras; cameras in different groups share no tracks.
 Rig rig(int cameras, int tracks, int groups = 1) {
     Rig r;
     std::mt19937 random(3);

@@ -1,4 +1,4 @@
-// Weights that are equal up to rounding, and weights that span twelve orders of magnitude.
+// Tests weights that are equal up to rounding, and weights that span twelve orders of magnitude.
 #include "player/plan/selection/weights.h"
 
 #include <gtest/gtest.h>

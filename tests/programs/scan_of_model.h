@@ -19,8 +19,8 @@ namespace vantage {
 using BesideModel = std::function<std::array<std::uint8_t, 3>(int x, int y)>;
 
 /// Writes a scan of this model into a folder. Its photos are made with one ray per pixel. Photos show the
-/// model or, if `worlds` are given, these: each is shown by one of equally large groups of consecutive
-/// photos.
+/// model or, if `worlds` are given, these: the photos are divided into equally large consecutive groups, and
+/// each group shows one world.
 inline void write_scan(const std::filesystem::path& folder, const SynthModel& model,
                        const std::vector<Camera>& cameras, const BesideModel& beside = {},
                        const std::vector<SynthModel>& worlds = {}) {

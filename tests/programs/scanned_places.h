@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 struct Place {
     SynthModel mesh;
-    std::vector<SynthModel> worlds;  ///< worlds that the photos show: equally many photos for each, in order
+    std::vector<SynthModel> worlds;  ///< each shown by an equal number of the photos, in order
     std::vector<Camera> cameras;
 };
 

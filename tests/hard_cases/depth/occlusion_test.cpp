@@ -1,4 +1,4 @@
-// Tests surfaces that are so close to each other that they barely occlude each other or do not.
+// Tests surfaces that are so close to each other that they only just occlude each other, or do not.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -138,7 +138,7 @@ TEST_F(Depth, FinelyTessellatedSphereDoesNotOccludeItsNearSide) {
             const Eigen::Vector3d p = positions[v].cast<double>();
             const auto at = project(k, pose, p);
             if (!at || !in_frame(k, at->pixel)) continue;
-            // The distance in front of the plane where the tangent cone touches the sphere.
+            // The distance of the point in front of the plane in which the tangent cone touches the sphere.
             const double before = -(p - center).dot(p);
             if (before > 1e-6 * distance) ++in_cap, hidden += found[v].x() < 0;
             if (before < -0.03 * p.norm()) ++beyond, shown += found[v].x() >= 0;

@@ -56,7 +56,7 @@ class Commands:
         return words[0].endswith('vantage-player') and (words + [''])[1] not in self.without_window
 
     def why_not(self, command, words):
-        """Why a command cannot be run; an empty string if it can."""
+        """The reason why a command cannot be run; an empty string if it can."""
         if not self.at_length and LONG.search(command):
             return 'only with --all'
         if 'headset' in words and not (os.environ.get('XR_RUNTIME_JSON') or os.path.exists('/etc/xdg/openxr/1/active_runtime.json')):

@@ -1,4 +1,4 @@
-// The photographed background of a garden scene, compared with the garden's geometry.
+// Compares the photographed background of a garden scene with the garden's geometry.
 #include "pipeline/synth/garden.h"
 
 #include <gtest/gtest.h>

@@ -177,7 +177,7 @@ TEST_F(ScalarFields, PhotosAreShownWhereAFieldHasNoValueAndMixedWhereAsked) {
         }
     }
     EXPECT_GT(right, 500u);
-    // Triangles that cross the border have no value, either.
+    // Triangles that cross the border have no value either.
     EXPECT_GT(double(shown), 0.5 * double(left));
 }
 

@@ -70,7 +70,7 @@ class Video : public TemporaryFolder {
     }
 };
 
-/// The mean squared difference of all values.
+/// The mean squared difference over all values.
 double difference(const Picture& a, const Picture& b) {
     if (a.rgba.size() != b.rgba.size()) return HUGE_VAL;
     double sum = 0;

@@ -87,7 +87,7 @@ std::map<fs::path, std::pair<std::uintmax_t, fs::file_time_type>> contents_of(co
     return all;
 }
 
-/// The counts and the extent of a binary PLY as written by `vantage synth`, with three doubles and three
+/// The counts and the extent of a binary PLY written by `vantage synth`, which has three doubles and three
 /// floats per vertex.
 struct PlyTruth {
     std::size_t vertices = 0, triangles = 0;

@@ -229,7 +229,7 @@ TEST(Plot, TwoPlotsShareNoIds) {
     for (const std::string& id : a) EXPECT_FALSE(b.contains(id)) << id;
 }
 
-/// The error of svg_plot() with PATH set to `folder`.
+/// The error message of svg_plot() if PATH is set to `folder`.
 std::string complaint_with_path(const std::filesystem::path& folder) {
     const std::string path = std::getenv("PATH");
     ::setenv("PATH", folder.c_str(), 1);

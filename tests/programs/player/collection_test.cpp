@@ -1,5 +1,5 @@
-// Checks a collection of packages as in CI: damaged, stale, incomplete and visually different packages must
-// be found.
+// Checks a collection of packages as CI would: damaged, stale, incomplete and visually different packages
+// must be found.
 #include <fstream>
 #include <functional>
 #include <map>

@@ -64,7 +64,7 @@ class SmoothnessOfFlights : public TemporaryFolder {
         std::vector<ShownStep> shown;
         return fly_in_steps(package, o, path, size, shown);
     }
-    /// The surface's mean 8-bit value from a photo's camera.
+    /// The surface's mean 8-bit value as seen from a photo's camera.
     double brightness_at(std::uint32_t photo) {
         const PackageReader package(file);
         const gl::HeadlessContext context(gl::Debug::on);
@@ -147,8 +147,8 @@ TEST_F(SmoothnessOfFlights, ProgramWritesTheSameTwice) {
     ASSERT_EQ(run(common + (dir / "b").string()), 0) << slurp(dir / "output");
     EXPECT_EQ(slurp(dir / "a" / "steps.csv"), slurp(dir / "b" / "steps.csv"));
     const nlohmann::json summary = nlohmann::json::parse(slurp(dir / "a" / "summary.json"));
-    EXPECT_GT(summary["degrees"].get<double>(), 60) << "the surface is nearer than the arc's center";
-    EXPECT_LT(summary["degrees"].get<double>(), 120) << "through all cameras, in order";
+    EXPECT_GT(summary["degrees"].get<double>(), 60) << "the surface should be nearer than the arc's center";
+    EXPECT_LT(summary["degrees"].get<double>(), 120) << "the flight should pass through all cameras in order";
     EXPECT_EQ(summary["frames_with_tiles_missing"], 0);
     EXPECT_TRUE(fs::exists(dir / "a" / "steps.svg"));
     std::size_t pictures = 0;

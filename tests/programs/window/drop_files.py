@@ -34,7 +34,7 @@ def answer(request):
 
 
 def await_message(kind, seconds=20):
-    """Whether the window has sent this message. Answers its requests in the meantime."""
+    """Whether the window has sent this message; the window's requests are answered in the meantime."""
     until = time.time() + seconds
     while time.time() < until:
         while screen.pending_events():

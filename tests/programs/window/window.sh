@@ -51,7 +51,7 @@ has_touch_screen() {
   [ -x /usr/lib/xorg/Xorg ] && [ -f $modules/input/inputtest_drv.so ] && [ -f $modules/drivers/dummy_drv.so ] &&
     command -v xdotool >/dev/null && command -v inotifywait >/dev/null
 }
-# start_xorg FOLDER WIDTHxHEIGHT: sets DISPLAY and xorg, its process
+# start_xorg FOLDER WIDTHxHEIGHT: starts Xorg; sets DISPLAY, and xorg to its process ID
 start_xorg() {
   local folder=$1 wide=${2%x*} high=${2#*x}
   cat >"$folder/xorg.conf" <<END
@@ -116,7 +116,7 @@ changed() {
   read -r -t 1 -u "$changes" _ || return 0
   while read -r -t 0 -u "$changes"; do read -r -u "$changes" _; done
 }
-# within SECONDS COMMAND...: runs a command again after each change, until it succeeds
+# within SECONDS COMMAND...: repeats a command after each change until it succeeds
 within() {
   local end=$((SECONDS + $1))
   shift

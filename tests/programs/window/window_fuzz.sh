@@ -15,7 +15,7 @@ head -c 5000 one.vantage >cut.vantage
 printf '[[object]]\npackage = "one.vantage"\n' >scene.toml
 dropped=(one.vantage junk.vantage cut.vantage scene.toml missing.vantage scene)
 
-# random_events N SEED: prints commands for xdotool. Ctrl+Q and O are skipped, because they close the window or open a dialog.
+# random_events N SEED: prints commands for xdotool. Ctrl+Q and O are skipped: one closes the window, the other opens a dialog.
 random_events() {
   awk -v n="$1" -v seed="$2" -v window="$window" 'BEGIN {
     srand(seed)

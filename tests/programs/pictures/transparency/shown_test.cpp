@@ -53,10 +53,10 @@ TEST_F(Transparent, AWhollyTransparentMeshIsShownWithNothingBehind) {
             const Picture p = taken(renderer, view, shown_as(mode), side);
             const std::size_t middle = 4 * (std::size_t(p.width) * std::size_t(p.height) / 2 + 80);
             EXPECT_NEAR(p.rgba[middle + 3], 128, 1)
-                << "the quad should have its alpha, and the quad with alpha 0 should be invisible";
+                << "the quad should have its own alpha, and the quad with alpha 0 should be invisible";
             for (std::size_t c = 0; c < 3; ++c)
                 EXPECT_NEAR(p.rgba[middle + c], own[c], 1)
-                    << "the color should not be premultiplied, and the surface faces the viewer";
+                    << "the color should not be premultiplied; the surface faces the viewer";
             EXPECT_EQ(p.rgba[3], 0) << "empty";
         }
     const Picture off = taken(renderer, view, shown_as(Transparency::off));

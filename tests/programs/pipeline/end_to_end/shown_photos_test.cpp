@@ -188,7 +188,7 @@ TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
     paint(scene.photos[4], {255, 255, 255}, flash);
     Prepared p = prepared(folder);
     ASSERT_TRUE(effect_on(p.package->scene(), Effect::transients));
-    // The photo's view, rendered from the other photos.
+    // The photo's view is rendered from the other photos.
     std::vector<std::uint32_t> others = p.photos;
     std::erase(others, 3u);
     const View view = view_of_photo(p.package->photos()[3], 1);
@@ -202,8 +202,8 @@ TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
     fs::remove_all(folder);
     Prepared clean = Prepared(make(spec), dir / "again.vantage");
     const double best = psnr(take_picture(*clean.renderer, view, model_only, others, 1), untouched);
-    std::printf("with passers-by %.1f dB, without them %.1f dB, never painted %.1f dB\n", with, without,
-                best);
+    std::printf("with passers-by %.1f dB, with passers-by masked %.1f dB, without passers-by %.1f dB\n", with,
+                without, best);
     EXPECT_GT(without, with + 1);
     EXPECT_GT(without, best - 0.1);
     // The person vanishes from the photo's own view, too.

@@ -21,7 +21,7 @@ inline constexpr package::Stage every_stage[] = {package::Stage::thumbnail, pack
 
 class OvernightRuns : public Overnight {
   protected:
-    /// For each fault, expects that the run after the run that the fault kills writes the same bytes.
+    /// For each fault, kills a run and expects that the next run writes the same bytes as an undisturbed run.
     void expect_resumes_after(const std::vector<std::string>& faults) const {
         const std::string bytes = undisturbed();
         for (const std::string& fault : faults) {

@@ -240,7 +240,7 @@ TEST_F(EvaluateAtLength, CamerasAreRegisteredWithoutTheHeldOutPhoto) {
     const auto held_out = records(dir / "without.vantage", false);
     const PackageReader package(file);
     const auto given = package.records<package::PoseRefinementRecord>(package::Type::pose_refinement);
-    // The displacement of the photo's middle, in pixels.
+    // The displacement of the photo's middle in pixels.
     const auto apart = [&](const Pose& a, const Pose& b) {
         const Eigen::Vector3d x = a.R.transpose() * (Eigen::Vector3d(0, 0, stored[3].seen_distance) - a.t);
         const Eigen::Vector3d p = b.R * x + b.t;

@@ -49,8 +49,8 @@ TEST_F(EvaluateAtLength, WrongCameraIsDetectedWithItsOffset) {
     pose.R = turn * pose.R;
     pose.t = turn * pose.t;
     const std::vector<PhotoEvaluation> results = evaluate();
-    // Points project farther to the right in the rotated camera, so its photo's content is to the left of
-    // them.
+    // Points are projected farther to the right in the rotated camera, so the photo's content is to the left
+    // of them.
     EXPECT_NEAR(std::abs(results[2].shift[0]), off, 0.8);
     EXPECT_LT(std::abs(results[2].shift[1]), 0.5);
     EXPECT_TRUE(reports_offset(results[2]));

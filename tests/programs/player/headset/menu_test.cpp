@@ -66,7 +66,7 @@ std::vector<std::pair<std::string, Eigen::Vector2d>> controls_in(const std::stri
 }
 
 /// The centers of up to `wanted` triangles that are spread over the mesh, visible from a position, and
-/// between two distances from it.
+/// between two given distances from that position.
 std::vector<Vector3d> seen_middles(const PlanScene& scene, const Vector3d& from, double nearest,
                                    double farthest, std::size_t wanted) {
     const std::vector<Corners> mesh = triangles_of(scene);

@@ -75,7 +75,7 @@ double psnr(const Picture& a, const Picture& b) {
     return -10 * std::log10(squares / double(a.rgba.size()) / (255.0 * 255));
 }
 
-/// The same view, but computed by the player's own functions, so that it is equal to the last bit.
+/// The same view, but computed by the player's own functions, so that it is identical to the last bit.
 View players_view(const package::PhotoRecord& photo, const Vector3d& up, const RoomPose& head, double scale,
                   const json& v) {
     const Pose camera = view_of_photo(photo, 1).cam_from_origin;
@@ -171,8 +171,8 @@ TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
         return middle_distance(dir / "out" / name,
                                run.frames.at(std::size_t(frame - 1))["layers"][0]["views"][0]);
     };
-    // The trajectory starts 1.2 m above the floor, upward at 35 degrees and with 7.5 m/s, and ends on the
-    // ground at a height of 0.
+    // The trajectory starts 1.2 m above the floor, upward at 35 degrees and at a speed of 7.5 m/s, and ends
+    // on the ground at height 0.
     const PackageReader package(file);
     Room room(package.photos()[2], Vector3d::UnitZ(), {0, 1.6, 0}, 1);
     const double ground = room.in_room({0, 0, -package.scene().origin[2]}).y();
@@ -185,7 +185,7 @@ TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
     const View there = room.view(run.frames.at(37)["layers"][0]["views"][0]);
     EXPECT_GT(psnr(saved(38, "left"), offscreen_picture(package, there, all(package), true)), 35);
     EXPECT_NEAR(distance(58), 1.6, 0.03) << "the eyes should be 1.6 m above the ground";
-    // The room is turned by 30 degrees to the right about the head.
+    // The room is turned about the head, by 30 degrees to the right.
     room.axes = room.axes * Eigen::AngleAxisd(-30 * degree, Vector3d::UnitY()).toRotationMatrix();
     const View turned = room.view(run.frames.at(87)["layers"][0]["views"][0]);
     EXPECT_GT(psnr(saved(88, "left"), offscreen_picture(package, turned, all(package), true)), 35);

@@ -32,7 +32,7 @@ struct Room {
     }
     Vector3d in_scene(const Vector3d& p) const { return at + scale * (axes * p); }
     Vector3d in_room(const Vector3d& p) const { return axes.transpose() * (p - at) / scale; }
-    /// The view for `submitted`, which is a view from frames.jsonl.
+    /// The scene's view for `submitted`, which is a view from frames.jsonl.
     View view(const json& submitted) const {
         const auto& p = submitted["position"];
         const auto& q = submitted["orientation"];
@@ -120,7 +120,7 @@ inline std::vector<Corners> triangles_of(const PlanScene& scene) {
     return mesh;
 }
 
-/// The distance along a view's axis, at a pixel, to a moved mesh; infinity if the ray misses the mesh.
+/// The distance to a moved mesh along a view's axis at a pixel; infinity if the pixel's ray misses the mesh.
 inline double distance_by_hand(const View& view, int x, int y, const std::vector<Corners>& mesh,
                                const Vector3d& moved = Vector3d::Zero()) {
     const Intrinsics& k = view.intrinsics;
