@@ -54,7 +54,7 @@ inline Change with_gltf(std::string file, std::string uri) {
         s[replaced(uri, "%20", " ")] = box_gltf().bytes;
     };
 }
-/// The box as three objects; the second uses negative vertex indices.
+/// The box as an OBJ with three objects; the second object uses negative vertex indices.
 inline std::string several_objects() {
     return "o bottom\nusemtl stone\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nf 1 3 2\nf 1 4 3\n"
            "o top\nusemtl tin\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nf -4 -3 -2 -1\n"
@@ -101,7 +101,7 @@ inline Change with_photo_a(std::string extension, std::string bytes) {
 inline Change with_profile_a(std::string icc) {
     return [=](Scan& s) { s["images/A.jpg"] = with_profile(s.files.at("images/A.jpg"), icc); };
 }
-/// A gray photo in linear light, which its color profile states.
+/// A gray photo in linear light, as stated by its color profile.
 inline std::string linear_gray() {
     RgbSpace linear = srgb;
     linear.name = "Linear sRGB", linear.gamma = 1;

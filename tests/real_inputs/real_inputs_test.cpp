@@ -1,5 +1,5 @@
 // Tests realistic inputs: writes each row of the table to disk, runs the programs on it, and compares the
-// outcome with the expected one. `vantage` runs in a fork of this process, which saves its startup time. In
+// outcome with the expected one. `vantage` runs in a fork of this process, which saves its startup time. For
 // every twentieth row of a family (every fifth in the full set), the program itself is run. Of the rows that
 // make a package, every fourth is run; the full set runs all of them. ROW=TEXT runs only the rows whose name
 // contains this text. VANTAGE_WRITE_DOCS=1 writes the table to README.md next to this file; the rules are in
@@ -120,8 +120,7 @@ Outcome run(const std::string& command, const fs::path& folder, Vantage how) {
     return outcome;
 }
 
-/// The name of the strongest channel, or "white", or, if all channels are about equal, their value as in
-/// "gray(128)".
+/// The name of the strongest channel; "white", or for example "gray(128)", if all channels are about equal.
 std::string color_name(const std::array<double, 3>& mean) {
     const auto [least, most] = std::minmax_element(mean.begin(), mean.end());
     if (*least > 250) return "white";
@@ -225,7 +224,7 @@ std::vector<std::string> families() {
     return names;
 }
 
-/// A row that runs in its own process, which writes its flaws to a file.
+/// A row that runs in its own process. The process writes the row's flaws to a file.
 struct Judged {
     const Row* row;
     fs::path folder;
@@ -345,8 +344,8 @@ TEST(RealInputsTable, IsDocumented) {
     const fs::path file = VANTAGE_SOURCE_DIR "/tests/real_inputs/README.md";
     const std::string now = document();
     if (std::getenv("VANTAGE_WRITE_DOCS")) std::ofstream(file, std::ios::binary) << now;
-    EXPECT_TRUE(now == slurp(file)) << "VANTAGE_WRITE_DOCS=1 build/tests/real_inputs_tests "
-                                       "--gtest_filter=RealInputsTable.* writes it again";
+    EXPECT_TRUE(now == slurp(file)) << "to update the table, run VANTAGE_WRITE_DOCS=1 "
+                                       "build/tests/real_inputs_tests --gtest_filter=RealInputsTable.*";
 }
 
 TEST(RealInputsTable, HasEachCaseOnce) {

@@ -55,12 +55,12 @@ struct Row {
     void set(Never n) { never = std::move(n); }
 };
 
-// The rows, sorted by family. Add a row for each new case.
+// The rows, grouped by family. Add a row for each new case.
 std::vector<Row> scan_rows();
 std::vector<Row> photo_rows();
 std::vector<Row> command_rows();
 
-/// All rows, family by family.
+/// All rows, grouped by family.
 std::span<const Row> table();
 
 }  // namespace vantage::real_inputs

@@ -28,7 +28,7 @@ struct Pose {
     Eigen::Vector3d t;
 };
 
-/// Camera i looks at the origin from a distance of 6. Its axes are x right, y down, z forward.
+/// Camera i looks at the origin from a distance of 6. Its x axis points right, y down and z forward.
 Pose pose(std::size_t i) {
     const double angle = 0.5 * (double(i) - 1);
     const Eigen::Vector3d center = 6 * Eigen::Vector3d(std::sin(angle), -0.3, -std::cos(angle)).normalized();

@@ -29,11 +29,12 @@ struct Scan {
 
 std::string slurp(const std::filesystem::path& file);
 
-/// The text with every occurrence of `from` replaced.
+/// The text with every occurrence of `from` replaced with `to`.
 std::string replaced(std::string text, const std::string& from, const std::string& to);
 
-/// The scan that every row changes: `images/` with A.jpg (red), B.jpg (green) and C.jpg (blue), 64x48;
-/// `sparse/` with their cameras in COLMAP's text format; mesh.ply, a box of 12 triangles.
+/// The scan that every row changes. It contains `images/` with A.jpg (red), B.jpg (green) and C.jpg (blue),
+/// all 64x48, `sparse/` with their cameras in COLMAP's text format, and mesh.ply, which is a box of 12
+/// triangles.
 Scan standard_scan();
 
 using Names = std::vector<std::string>;
@@ -70,7 +71,7 @@ std::string box_fbx();  ///< FBX in text form, with centimeters as the unit
 std::string points_ply(std::size_t points = 1000);
 
 /// A photo of one color in the format of the extension: ".jpg", ".png", ".tif", ".exr", ".hdr", ...
-/// The values are stored as they are: as sRGB, or as linear light if the format stores it.
+/// The values are stored unchanged: as sRGB, or as linear light if the format stores linear light.
 std::string photo(const std::string& extension, double r, double g, double b, int width = 64, int height = 48,
                   int orientation = 1);
 std::string red(const std::string& extension = ".jpg");

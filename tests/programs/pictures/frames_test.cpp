@@ -177,7 +177,7 @@ TEST_F(Frames, ACoarseMeshInMotionLooksLikeTheMesh) {
     const Picture of_mesh = take_picture(renderer, view, settings, all(package), 1);
     renderer.planner().coarsen(true);
     const Picture coarse = take_picture(renderer, view, settings, all(package), 1);
-    EXPECT_NE(coarse.rgba, of_mesh.rgba) << "the mesh was drawn";
+    EXPECT_NE(coarse.rgba, of_mesh.rgba) << "the mesh should not have been drawn";
     double squares = 0;
     for (std::size_t i = 0; i < coarse.rgba.size(); ++i)
         squares += std::pow(int(coarse.rgba[i]) - int(of_mesh.rgba[i]), 2);
