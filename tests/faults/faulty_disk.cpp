@@ -119,7 +119,7 @@ T failed() {
 }
 
 /// Returns the result of the real call or simulates its failure. `real` receives the number of bytes (0 if
-/// the call transfers none), and `record` the result of a successful call.
+/// the call transfers none), and `record` receives the result of a successful call.
 template <class Real, class Record>
 auto perform(const char* name, const std::string& path, std::size_t bytes, Real real, Record record)
     -> decltype(real(bytes)) {

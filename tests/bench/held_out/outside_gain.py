@@ -9,7 +9,7 @@ known. Its view is rendered once with the effect off and once with it on; the ot
 compares both pictures with the true photo (compare.py computes the PSNR after the best gain per channel, over the pixels
 that all variants color). Errors are standard errors of the mean over the photos.
 
-The held-out photo has its TRUE camera, and the others have their cameras from the scan, because a wrong camera for the
+The held-out photo has its true camera, and the others have their cameras from the scan, because a wrong camera for the
 held-out photo would hide how pose_refinement affects the others. If pose_refinement was turned on for the whole scan, it is
 decided again for the rest of the photos and forced if it is then off; otherwise, "on" means `--effect pose-refinement=on`.
 

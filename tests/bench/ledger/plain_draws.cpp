@@ -1,5 +1,5 @@
 // Measures a lower bound on the time of a frame with several photos: draws a package's model once per photo,
-// each time with one blended texture. Prints the median time of 30 frames in milliseconds.
+// each time with one blended texture. Prints the median frame time over 30 frames, in milliseconds.
 #include <epoxy/gl.h>
 
 #include <algorithm>

@@ -20,7 +20,7 @@ struct Tradeoff {
 std::vector<std::size_t> front(std::span<const Tradeoff> points);
 
 /// The index of the point with the smallest error among those that cost no more than point `i`; of several
-/// equally good points, the cheapest. nullopt if point `i` has a non-finite value or does not exist.
+/// equally good points, the cheapest. It is nullopt if point `i` has a non-finite value or does not exist.
 std::optional<std::size_t> best_within_cost(std::span<const Tradeoff> points, std::size_t i);
 
 /// Two metrics of each row, negated if higher values are better; NaN if a row lacks the metric or its value

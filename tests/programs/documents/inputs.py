@@ -52,7 +52,7 @@ class Inputs:
         return make
 
     def two(self, make, extension=''):
-        """Makes two files or folders, chapel and altar, in a folder, or in the folder of a pattern of files."""
+        """Makes two files or folders, named chapel and altar: in a folder or, if a pattern of files is given, in its folder."""
         def make_two(to):
             folder = to.parent if extension else to
             folder.mkdir(exist_ok=True)

@@ -1,5 +1,5 @@
-// Tests that the output of `vantage inspect` is true, agrees with `vantage prepare`, and is complete even if
-// a part of the scan is missing.
+// Tests that the output of `vantage inspect` is correct, agrees with `vantage prepare`, and is complete even
+// if a part of the scan is missing.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 

@@ -34,7 +34,7 @@ struct Map {
 };
 
 Map depth_map(const BenchModel& model, const Camera& camera, double scale) {
-    // Maps are rendered at half the size in the intrinsics.
+    // Maps are rendered at half the size given by the intrinsics.
     const Intrinsics& k = camera.intrinsics;
     const auto times = [&](int n) {
         return std::max(2, int(std::lround(n * scale * (1 << weight_map_level))));

@@ -71,7 +71,7 @@ struct Map {
 };
 
 Map render_map(const BenchModel& model, const Camera& camera, int level) {
-    // Maps are rendered at half the size in the intrinsics, with angles and texture coordinates.
+    // Maps are rendered at half the size given by the intrinsics, with angles and texture coordinates.
     const Level size = level_size(camera.intrinsics.width, camera.intrinsics.height, level);
     const Intrinsics k =
         camera.intrinsics.scaled(size.width << weight_map_level, size.height << weight_map_level);
@@ -115,7 +115,7 @@ struct TestPoint {
     bool seen;               ///< whether the photo sees the point, according to a ray
 };
 
-/// Computes the same as `seen` in shaders/blend.frag.
+/// Makes the same decision as `seen` in shaders/blend.frag.
 bool seen(const Map& map, const Tolerance& tolerance, const TestPoint& point) {
     const Eigen::Vector3f p = map.R * point.position.cast<float>() + map.t;
     const int x = int(std::floor(map.fx * p.x() / p.z() + map.cx - 0.5f)),
