@@ -218,7 +218,7 @@ class CameraFiles : public TemporaryFolder {
         spec.photos.samples = 1;
         copy_scene(spec, dir / "scene");
     }
-    /// Replaces the first line of a file that begins with `from`.
+    /// Replaces the first line that begins with `from` in a file.
     void replace(const char* file, const std::string& from, const std::string& line) {
         const fs::path path = dir / "scene" / "sparse" / file;
         std::istringstream in(slurp(path));

@@ -245,7 +245,7 @@ std::vector<Row> scan_rows() {
         {"meshes", "OFF with four dimensions", with_mesh("mesh.off", box_off("4OFF\n8 12 0\n", " 1")), Exit::input, Says{"expected OFF, COFF, NOFF or STOFF, found"}},
         {"meshes", "STL", with_mesh("mesh.stl", box_stl())},
         {"meshes", "binary STL", with_mesh("mesh.stl", box_stl_binary())},
-        {"meshes", "binary STL that starts with \"solid\"", with_mesh("mesh.stl", "solid" + box_stl_binary().substr(5))},
+        {"meshes", "a binary STL that starts with \"solid\"", with_mesh("mesh.stl", "solid" + box_stl_binary().substr(5))},
         {"meshes", "a truncated binary STL", with_mesh("mesh.stl", box_stl_binary().substr(0, 300)), Exit::input, Says{"mesh.stl"}},
         {"meshes", "STL with a name in capitals", with_mesh("MESH.STL", box_stl())},
         {"meshes", "glTF", with_gltf("mesh.gltf", "mesh.bin")},

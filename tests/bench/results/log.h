@@ -11,7 +11,7 @@ namespace vantage::bench {
 /// The completed jobs. Each is appended to a file when it ends, so that an interrupted run can be resumed.
 class Log {
   public:
-    /// Resumes the log if its recorded `run` is the same, otherwise starts a new one. Drops an incomplete
+    /// Resumes the log if its recorded `run` is the same; otherwise, starts a new log. Drops an incomplete
     /// last line. Throws Error(storage).
     Log(const std::filesystem::path& file, const std::string& run);
 

@@ -10,8 +10,8 @@ struct Scale {
     std::string unit;
 };
 
-/// For values in `unit`, the largest unit of B to GB or ns to s in which the maximum is at least 1 and the
-/// geometric mean of minimum and maximum is at least 0.1. Any other unit is kept. Values that are not
+/// For values in `unit`, the largest unit from B to GB or from ns to s in which the maximum is at least 1 and
+/// the geometric mean of minimum and maximum is at least 0.1. Any other unit is kept. Values that are not
 /// positive and finite are ignored.
 Scale scale_of(std::span<const double> values, const std::string& unit);
 

@@ -8,7 +8,7 @@ run in order through `bash -c`. Inputs that no command of the page writes are ma
 and its outputs must exist. A window is closed by SIGTERM after its first picture, and must not have reported an error. A
 turntable's video is interrupted by SIGINT after its first frames. If a block shows the output of the commands before it, the
 first words of its lines must be printed. There are only two substitutions: https://example.org and https://museum.org are
-replaced by a server of this test, and the folders /collection and /scans by folders of the page.
+replaced by a server of this test, and the folders /collection and /scans are replaced by folders of the page.
 """
 import json
 import os
