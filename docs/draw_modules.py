@@ -3,9 +3,9 @@
 
 usage: draw_modules.py BUILD/modules.txt [OUT.svg]        default: modules.svg beside this script
 
-A module stands above those that it uses. Arrows join modules of one frame; small letters name those of lower frames. Arrows
-that follow from others are not drawn: a module that uses `refine` may also use all below `refine`. Fails if modules form a
-cycle, or one uses a module of a higher folder."""
+A module is drawn above the modules that it uses. Arrows join modules within a frame; small letters name the modules used from
+lower frames. Arrows that follow from other arrows are not drawn: a module that uses `refine` may also use all modules below
+`refine`. The script fails if modules form a cycle, or if a module uses a module of a higher folder."""
 import pathlib
 import sys
 
@@ -36,7 +36,7 @@ def read(path):
 
 
 def reach(uses):
-    """All modules that each module uses, directly or through others."""
+    """All modules that each module uses, directly or through other modules."""
     done, open_ = {}, set()
 
     def of(name):
@@ -54,7 +54,7 @@ def reach(uses):
 
 
 def layers(names, uses):
-    """Rows of modules, lowest first: each one row above the highest that it uses."""
+    """Rows of modules, lowest first. Each module is one row above the highest module that it uses."""
     row = {}
 
     def of(name):
@@ -68,10 +68,10 @@ def layers(names, uses):
 
 
 def place(names, direct, left, bottom, width):
-    """Centers of the boxes, in rows upward from `bottom`; and for each arrow, the points where it passes other rows."""
+    """Centers of the boxes, in rows upward from `bottom`, and the points where each arrow passes other rows."""
     rows = layers(names, direct)
     row = {n: r for r, ns in enumerate(rows) for n in ns}
-    joined = {}  # an item of a row -> items of the next rows that lead to it
+    joined = {}  # an item of a row -> items of the adjacent rows that an arrow joins to it
     for n in names:
         for o in sorted(direct[n] & set(names)):
             way = [o] + [(n, o, r) for r in range(row[o] + 1, row[n])] + [n]
@@ -101,7 +101,7 @@ def place(names, direct, left, bottom, width):
 
 
 def arrow(points):
-    """A smooth line down through these points, vertical next to the boxes of the rows that it passes."""
+    """A smooth line down through the points, vertical next to the boxes of the rows that it passes."""
     x, y = points[0]
     path = f"M{x:g} {y:g}"
     for to, (u, v) in enumerate(points[1:], 2):
