@@ -31,7 +31,7 @@ constexpr std::array table{
     FindingRow{Finding::tile_checksum, "tile-checksum", Severity::error, Exit::damaged,
                "a tile does not match its checksum (only with --deep)"},
     FindingRow{Finding::invalid_record, "invalid-record", Severity::error, Exit::damaged,
-               "a value in a scene or photo record is out of range, or the number of records is wrong"},
+               "a record of the scene or of a photo is out of range, or the number of records is wrong"},
     FindingRow{Finding::invalid_meta, "invalid-meta", Severity::error, Exit::damaged,
                "META cannot be parsed or lacks an entry"},
     FindingRow{Finding::misshapen, "misshapen", Severity::error, Exit::damaged,
