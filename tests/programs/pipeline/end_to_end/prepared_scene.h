@@ -46,9 +46,11 @@ struct Prepared {
     Picture picture(const View& view, const RenderSettings& settings) {
         return take_picture(*renderer, view, settings, photos, 1);
     }
-    Picture own_view(std::uint32_t photo, Blend blend, int per_pass = 4) {
+    /// `count`: photos to blend; 0: all.
+    Picture own_view(std::uint32_t photo, Blend blend, int per_pass = 4, int count = 0) {
         RenderSettings s;
         s.blend = blend;
+        s.photos = count;
         s.photos_per_pass = per_pass;
         return picture(view_of_photo(package->photos()[photo], 1), s);
     }

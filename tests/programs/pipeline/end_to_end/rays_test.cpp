@@ -88,6 +88,7 @@ void expect_own_views_are_the_photos(Prepared& p, int step, std::uint32_t every)
         const auto photo = read_photo(p.scene.photos[i].file, {k.width, k.height}).rgba;
         for (const Blend blend : {RenderSettings{}.blend, Blend::best})
             worst = std::min(worst, psnr(p.own_view(i, blend), photo));
+        worst = std::min(worst, psnr(p.own_view(i, RenderSettings{}.blend, 4, 1), photo));
         const Picture blended = p.own_view(i, Blend::average);
         average += psnr(blended, photo);
         const Colored count = count_colored(blended, cameras[i], rays, cameras, step);
