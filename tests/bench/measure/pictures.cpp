@@ -9,16 +9,9 @@
 #include "player/measure/evaluation/picture_metrics.h"
 #include "tests/bench/measure/exhibit.h"
 #include "tests/bench/measure/timing.h"
-#include "tests/bench/scenes/evenly_spread.h"
 
 namespace vantage::bench {
 namespace {
-
-std::vector<std::uint32_t> allowed(const TrueView& view, const PictureSetting& s) {
-    const std::size_t all = view.photos.size();
-    const auto some = std::size_t(std::clamp(std::lround(s.photos * double(all)), 1L, long(all)));
-    return evenly_spread(view.photos, some);
-}
 
 std::vector<bool> both(std::vector<bool> a, const std::vector<bool>& b) {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] = a[i] && b[i];
@@ -32,7 +25,7 @@ class Frames {
         : renderer_(renderer),
           view_(view.view),
           settings_(s.settings),
-          photos_(allowed(view, s)),
+          photos_(view.photos),
           side_(s.timed_whole ? s.side : 1),
           target_(make_flight_target(frame_size(view_))) {
         settings_.loading = Loading::streamed;
@@ -128,20 +121,13 @@ PictureErrors picture_errors(std::span<const TrueView> views, std::span<const Pi
     return out;
 }
 
-double frame_psnr(std::span<const TrueView> views, std::span<const Picture> pictures) {
-    double sum = 0;
-    for (std::size_t v = 0; v < views.size(); ++v)
-        sum += score(views[v].truth, pictures[v], std::vector<bool>(views[v].seeable.size(), true)).psnr_gain;
-    return sum / double(std::max<std::size_t>(1, views.size()));
-}
-
 std::vector<Picture> render_views(Renderer& renderer, const BenchScene& scene, const PictureSetting& s) {
     RenderSettings settings = s.settings;
     settings.loading = Loading::complete;
     renderer.resources().trials = s.trials;
     std::vector<Picture> out;
     for (const TrueView& v : scene.views)
-        out.push_back(take_picture(renderer, v.view, settings, allowed(v, s), s.side));
+        out.push_back(take_picture(renderer, v.view, settings, v.photos, s.side));
     return out;
 }
 
@@ -175,7 +161,6 @@ std::vector<Measurement> measure_pictures(const std::filesystem::path& file, con
         for (const Picture& p : pictures.back())
             photos += double(p.report.photos) / double(scene.views.size());
         out.push_back({"", "", s.curve, s.setting, s.exact, s.chosen, s.known, {}});
-        if (s.whole_frame) out.back().values["psnr_frame"] = frame_psnr(scene.views, pictures.back());
         out.back().values.merge(std::map<std::string, double>{{"psnr", e.psnr},
                                                               {"ssim", e.ssim},
                                                               {"worst", e.worst},

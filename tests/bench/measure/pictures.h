@@ -19,8 +19,6 @@ struct PictureSetting {
     int side = 2;              ///< samples along a pixel's side in pictures that are compared with the truth
     bool timed_whole = false;  ///< measure the time of a frame with all samples instead of one sample
     bool timed = true;         ///< measure frame times; set to false if they are known not to differ
-    bool whole_frame = false;  ///< also measure psnr_frame
-    double photos = 1;         ///< fraction of the allowed photos to use; these are evenly spread
     std::map<std::string, double> known{};  ///< metrics given by the setting itself
     RenderTrials trials{};
 };
@@ -32,9 +30,6 @@ struct PictureErrors {
 };
 PictureErrors picture_errors(std::span<const TrueView> views, std::span<const Picture> pictures);
 
-/// The mean PSNR over the whole frame after gains, with holes as the player displays them.
-double frame_psnr(std::span<const TrueView> views, std::span<const Picture> pictures);
-
 /// Renders all views of a scene with the given setting.
 std::vector<Picture> render_views(Renderer& renderer, const BenchScene& scene, const PictureSetting& setting);
 
@@ -45,8 +40,8 @@ void settle(Renderer& renderer, const TrueView& view, const PictureSetting& sett
 /// `timed_whole` is set.
 double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
 
-/// Measures each setting on a package of the scene: psnr, ssim, worst, uncoloured, photos, frame_ms,
-/// psnr_frame and psnr_exact. psnr_exact compares with the exact setting of the same curve, or of another
+/// Measures each setting on a package of the scene: psnr, ssim, worst, uncoloured, photos, frame_ms
+/// and psnr_exact. psnr_exact compares with the exact setting of the same curve, or of another
 /// curve if the same curve has no exact setting. Exhibits show the window in which the worst setting differs
 /// most from the exact one.
 std::vector<Measurement> measure_pictures(const std::filesystem::path& package, const BenchScene& scene,

@@ -79,8 +79,6 @@ stroke-width=1.2 /><circle cx=18 cy=4 r=3 fill=#0072B2 /></svg>position of a cha
 </ul></section>
 )";
 
-bool is_presets(const SweepPart& part) { return std::string_view(part.sweep->name) == "presets"; }
-
 /// Sorts rows by sweep and then by scene, in order of first appearance; rows of unknown sweeps come last.
 void sort_rows(const PageInput& input, std::vector<Measurement>& rows) {
     std::vector<std::string> scenes;
@@ -117,11 +115,10 @@ void write_contents(std::ostream& out, const PageContent& page) {
         out << "<li><a href=\"#moved\">Changes since the earlier run</a> (" << page.comparison->moved.size()
             << ")\n";
     out << "<li><a href=\"#defaults\">The defaults against the front</a>\n";
-    for (const bool presets : {false, true})
-        for (const SweepPart& part : page.sweeps)
-            if (!part.scenes.empty() && is_presets(part) == presets)
-                out << "<li><a href=\"#sweep-" << escaped(part.sweep->name) << "\">"
-                    << (presets ? "Fronts and presets" : escaped(part.sweep->title)) << "</a>\n";
+    for (const SweepPart& part : page.sweeps)
+        if (!part.scenes.empty())
+            out << "<li><a href=\"#sweep-" << escaped(part.sweep->name) << "\">" << escaped(part.sweep->title)
+                << "</a>\n";
     out << "</ol></nav>\n";
 }
 
@@ -145,8 +142,7 @@ void write_defaults(std::ostream& out, const PageContent& page) {
     for (const SweepPart& part : page.sweeps)
         for (const ScenePart& s : part.scenes)
             for (std::size_t i = 0; i < s.rows.size(); ++i)
-                if (s.rows[i].chosen && !part.sweep->plots.empty() && !is_presets(part))
-                    write_default(out, part, s, i);
+                if (s.rows[i].chosen && !part.sweep->plots.empty()) write_default(out, part, s, i);
     out << "</tbody></table></div></section>\n";
 }
 
@@ -180,9 +176,7 @@ void write_body(std::ostream& out, const PageContent& page) {
     if (page.comparison) write_moved(out, page);
     write_defaults(out, page);
     for (const SweepPart& part : page.sweeps)
-        if (!part.scenes.empty() && !is_presets(part)) write_sweep(out, page, part);
-    for (const SweepPart& part : page.sweeps)
-        if (!part.scenes.empty() && is_presets(part)) write_presets(out, page, part);
+        if (!part.scenes.empty()) write_sweep(out, page, part);
 }
 
 }  // namespace

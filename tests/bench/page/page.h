@@ -11,8 +11,7 @@ namespace vantage::bench {
 
 struct PageInput {
     std::string title;
-    /// The sweeps in the order of the page. The one named "presets" has its own kind of section.
-    std::span<const Sweep> sweeps;
+    std::span<const Sweep> sweeps;  ///< in the order of the page
     Run now;
     std::optional<Run> before;  ///< an earlier run to compare with
 };

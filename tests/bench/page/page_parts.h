@@ -40,7 +40,7 @@ const char* verdict_class(const Moved& moved);
 std::string verdict(std::span<const Measurement> rows, std::size_t i, const Plot& plot);
 
 PlotAxis axis_for(const char* metric, bool log);
-/// The row's point in the plot; `quiet` is not set here.
+/// The row's point in the plot.
 PlotPoint point_for(const PageContent& page, const Measurement& row, const Plot& plot);
 /// Writes a plot and a list of the rows that the plot cannot show, and saves the plot as
 /// folder/plots/SWEEP-TITLE.svg. Throws Error(storage).
@@ -55,6 +55,5 @@ void close_scene(std::ostream& out, const PageContent& page, std::span<const Mea
 
 void write_moved(std::ostream& out, const PageContent& page);
 void write_sweep(std::ostream& out, const PageContent& page, const SweepPart& part);
-void write_presets(std::ostream& out, const PageContent& page, const SweepPart& part);
 
 }  // namespace vantage::bench

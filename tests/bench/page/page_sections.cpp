@@ -1,4 +1,4 @@
-// The sections of the page: changes since an earlier run, a sweep, the presets.
+// The sections of the page: changes since an earlier run, and a sweep.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -86,59 +86,7 @@ std::vector<PlotCurve> curves(const PageContent& page, std::span<const Measureme
     return out;
 }
 
-constexpr Plot preset_plots[] = {{"prepare_s", "psnr", true, false},
-                                 {"package_bytes", "psnr", true, false},
-                                 {"frame_ms", "psnr", true, false},
-                                 {"prepare_s", "worst", true, false}};
-
-bool is_preset(const Measurement& row) {
-    constexpr std::array<std::string_view, 3> names = {"preview", "default", "ci"};
-    return std::ranges::find(names, row.setting) != names.end();
-}
-
 bool has(std::span<const Measurement> rows, const Plot& plot) { return !front(rows, plot.x, plot.y).empty(); }
-
-/// The standard plots of presets and the plots of the sweep, except those whose metrics were not measured.
-std::vector<Plot> plots_of_presets(const Sweep& sweep, std::span<const Measurement> rows) {
-    std::vector<Plot> out(std::begin(preset_plots), std::end(preset_plots));
-    for (const Plot& p : sweep.plots)
-        if (std::ranges::none_of(out, [&](const Plot& o) {
-                return std::string_view(o.x) == p.x && std::string_view(o.y) == p.y;
-            }))
-            out.push_back(p);
-    std::erase_if(out, [&](const Plot& p) { return !has(rows, p); });
-    return out;
-}
-
-/// Presets are labeled; other candidates are drawn small, and only those on the front are labeled.
-std::vector<PlotCurve> preset_curves(const PageContent& page, std::span<const Measurement> rows,
-                                     const Plot& plot) {
-    std::vector<PlotCurve> out = {{"presets", {}, false, false}, {"candidates", {}, false, true}};
-    const std::vector<std::size_t> best = front(rows, plot.x, plot.y);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        PlotPoint p = point_for(page, rows[i], plot);
-        p.quiet = !is_preset(rows[i]) && std::ranges::find(best, i) == best.end();
-        out[is_preset(rows[i]) ? 0 : 1].points.push_back(std::move(p));
-    }
-    return out;
-}
-
-void write_verdicts(std::ostream& out, std::span<const Measurement> rows, const std::vector<Plot>& plots) {
-    out << "<div class=scroll><table class=words><thead><tr><th>preset";
-    for (const Plot& p : plots)
-        out << "<th>" << escaped(metric(p.y).title) << " against " << escaped(metric(p.x).title);
-    out << "</thead><tbody>\n";
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (!is_preset(rows[i])) continue;
-        out << (rows[i].chosen ? "<tr class=chosen><td>" : "<tr><td>") << escaped(rows[i].setting);
-        for (const Plot& p : plots) {
-            const std::string words = verdict(rows, i, p);
-            out << "<td>" << (words.empty() ? "–" : escaped(words));
-        }
-        out << "\n";
-    }
-    out << "</tbody></table></div>\n";
-}
 
 void write_head(std::ostream& out, const Sweep& sweep, const std::string& title) {
     out << "<section id=\"sweep-" << escaped(sweep.name) << "\"><h2>" << escaped(title) << "</h2>\n<p>"
@@ -190,23 +138,6 @@ void write_sweep(std::ostream& out, const PageContent& page, const SweepPart& pa
                            s.rows, plot);
         close_scene(out, page, s.rows);
         write_rows(out, page, s.rows, sweep.plots.empty() ? nullptr : &sweep.plots.front());
-    }
-    out << "</section>\n";
-}
-
-void write_presets(std::ostream& out, const PageContent& page, const SweepPart& part) {
-    write_head(out, *part.sweep, "Fronts and presets");
-    for (const ScenePart& s : part.scenes) {
-        const std::vector<Plot> plots = plots_of_presets(*part.sweep, s.rows);
-        out << "<h3>" << escaped(s.scene) << "</h3>\n<div class=scene>\n";
-        for (const Plot& plot : plots)
-            write_plot(out, page, *part.sweep,
-                       {plot_title(s, plot), axis_for(plot.x, plot.log_x), axis_for(plot.y, plot.log_y),
-                        preset_curves(page, s.rows, plot)},
-                       s.rows, plot);
-        close_scene(out, page, s.rows);
-        write_verdicts(out, s.rows, plots);
-        write_rows(out, page, s.rows, plots.empty() ? nullptr : &plots.front());
     }
     out << "</section>\n";
 }

@@ -149,14 +149,12 @@ void add_segments(const Layout& l, const std::vector<Spot>& path, Obstacles& o) 
 
 double radius(const PlotPoint& p) { return p.chosen ? 7.5 : 5.5; }
 
-/// The label requests for all drawn points, in order. Ranks: 0 for chosen and exact points, and for unmuted
-/// points on a plot with muted curves; 1 for the extremes along each axis; 2 for the front; 3 for the rest.
+/// The label requests for all drawn points, in order. Ranks: 0 for chosen and exact points; 1 for the
+/// extremes along each axis; 2 for the front; 3 for the rest.
 std::vector<LabelRequest> label_requests(const Layout& l) {
     std::vector<LabelRequest> out;
-    const bool plain_background = std::ranges::any_of(l.plot.curves, &PlotCurve::muted);
-    each_point(l.plot, [&](const PlotCurve& c, const PlotPoint& p) {
-        const bool first = p.chosen || p.exact || (plain_background && !c.muted);
-        out.push_back({l.pixel(l.place(p.x, p.y)), p.quiet ? "" : p.label, radius(p), first ? 0 : 3});
+    each_point(l.plot, [&](const PlotCurve&, const PlotPoint& p) {
+        out.push_back({l.pixel(l.place(p.x, p.y)), p.label, radius(p), p.chosen || p.exact ? 0 : 3});
     });
     const auto prefer = [&](std::size_t i, int rank) { out[i].rank = std::min(out[i].rank, rank); };
     for (const std::size_t i : front(tradeoffs(l.plot))) prefer(i, 2);
@@ -274,9 +272,7 @@ void write_titles(const Layout& l, Script& s) {
     if (tradeoffs(l.plot).empty()) s.text({across, down}, "no data", "center");
 }
 
-const char* color(const PlotSpec& plot, std::size_t curve) {
-    return plot.curves[curve].muted ? gray : colors[curve % std::size(colors)];
-}
+const char* color(std::size_t curve) { return colors[curve % std::size(colors)]; }
 
 void write_labels(const Layout& l, Script& s) {
     const std::vector<LabelRequest> requests = label_requests(l);
@@ -287,7 +283,7 @@ void write_labels(const Layout& l, Script& s) {
         const auto curve = std::size_t(&c - l.plot.curves.data());
         if (places[i])
             s.text(places[i]->at, requests[i].text, anchors[places[i]->anchor], label_size,
-                   c.muted ? ink : inks[curve % std::size(inks)]);
+                   inks[curve % std::size(inks)]);
         ++i;
     });
 }
@@ -304,21 +300,20 @@ void draw_before(const Layout& l, Script& s) {
 
 void draw_curve(const Layout& l, std::size_t i, Script& s) {
     const PlotCurve& c = l.plot.curves[i];
-    const std::string mark =
-        shaped(c.muted ? shapes[0] : shapes[i % std::size(shapes)], c.muted ? 0.4 : 0.6, color(l.plot, i));
+    const std::string mark = shaped(shapes[i % std::size(shapes)], 0.6, color(i));
     std::vector<Spot> ordinary, exact, chosen;
     for (const PlotPoint& p : c.points) {
         if (!drawn(p)) continue;
         (p.exact ? exact : ordinary).push_back(l.place(p.x, p.y));
         if (p.chosen) chosen.push_back(l.place(p.x, p.y));
     }
-    if (c.line) s.line(path(l, c), stroke(color(l.plot, i), 1.3));
+    if (c.line) s.line(path(l, c), stroke(color(i), 1.3));
     s.marks(ordinary, mark);
-    s.marks(exact, shaped(square, 0.65, color(l.plot, i)));
+    s.marks(exact, shaped(square, 0.65, color(i)));
     s.marks(chosen, shaped(circle, 1.25, ink, 1.4));
     for (const KeyEntry& k : l.key) {
         if (k.curve != i) continue;
-        if (c.line) s.rule(k.mark, 8, stroke(color(l.plot, i), 1.3));
+        if (c.line) s.rule(k.mark, 8, stroke(color(i), 1.3));
         s.mark(k.mark, mark);
         s.text({k.mark.x + 12, k.mark.y}, c.name, "left");
     }

@@ -11,15 +11,13 @@ struct PlotPoint {
     std::string label;
     bool chosen = false;                            ///< drawn with a ring
     bool exact = false;                             ///< drawn as a square
-    bool quiet = false;                             ///< label shown only on hover
     std::optional<std::array<double, 2>> before{};  ///< position in an earlier run
 };
 
 struct PlotCurve {
     std::string name;  ///< shown in the key if there are several curves
     std::vector<PlotPoint> points;
-    bool line = true;    ///< connect the points, in order along the longer dimension
-    bool muted = false;  ///< small and gray
+    bool line = true;  ///< connect the points, in order along the longer dimension
 };
 
 struct PlotAxis {

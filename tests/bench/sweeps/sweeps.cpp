@@ -5,16 +5,13 @@ namespace vantage::bench {
 // Each sweep has its own file, except for sweeps that share code.
 extern const Sweep border_sweep, depth_sweep, coordinates_sweep, tile_format_sweep, tile_size_sweep,
     tile_border_sweep, blending_sweep, exponent_sweep, sums_sweep, selection_sweep, hysteresis_sweep,
-    filtering_sweep, loading_sweep, photos_sweep, preparing_sweep, agreeing_sweep, presets_sweep,
-    guards_sweep, background_sweep, two_eyes_sweep, second_eye_sweep;
+    filtering_sweep, loading_sweep, guards_sweep, two_eyes_sweep, second_eye_sweep;
 
 std::span<const Sweep> sweeps() {
-    static const Sweep all[] = {border_sweep,     depth_sweep,       coordinates_sweep, tile_format_sweep,
-                                tile_size_sweep,  tile_border_sweep, blending_sweep,    exponent_sweep,
-                                sums_sweep,       selection_sweep,   hysteresis_sweep,  filtering_sweep,
-                                loading_sweep,    photos_sweep,      preparing_sweep,   agreeing_sweep,
-                                background_sweep, presets_sweep,     guards_sweep,      two_eyes_sweep,
-                                second_eye_sweep};
+    static const Sweep all[] = {border_sweep,    depth_sweep,       coordinates_sweep, tile_format_sweep,
+                                tile_size_sweep, tile_border_sweep, blending_sweep,    exponent_sweep,
+                                sums_sweep,      selection_sweep,   hysteresis_sweep,  filtering_sweep,
+                                loading_sweep,   guards_sweep,      two_eyes_sweep,    second_eye_sweep};
     return all;
 }
 

@@ -291,18 +291,7 @@ TEST(Moved, AreSortedFromWorstToBest) {
 std::vector<Job> no_jobs(const BenchScene&, const Effort&, const std::filesystem::path&) { return {}; }
 const Sweep two_sweeps[] = {
     {"border", "Borders <near>", "Which?", "the truth", "0", {{"photo_ms", "psnr"}}, no_jobs},
-    {"presets", "Presets", "Which?", "the truth", "0", {}, no_jobs}};
-
-Measurement preset(std::string setting, double seconds, double psnr) {
-    return {"presets",
-            "hall",
-            "presets",
-            std::move(setting),
-            false,
-            false,
-            {{"prepare_s", seconds}, {"psnr", psnr}},
-            {}};
-}
+    {"tiles", "Tiles", "Which?", "the truth", "0", {}, no_jobs}};
 
 class BenchPage : public TemporaryFolder {
   protected:
@@ -368,20 +357,9 @@ TEST_F(BenchPage, NonFiniteValuesAreDashes) {
         std::string::npos);
 }
 
-TEST_F(BenchPage, ReportsHowFarPresetsAreFromTheFront) {
-    for (const Measurement& m :
-         {preset("preview", 1, 30), preset("default", 10, 31), preset("trial", 9, 33), preset("ci", 100, 36)})
-        input.now.measurements.push_back(m);
-    const std::string html = page();
-    EXPECT_NE(html.find("<td>preview<td>on the front"), std::string::npos);
-    EXPECT_NE(html.find("<td>default<td>2.00 dB below the best setting at no higher cost (trial)"),
-              std::string::npos);
-    EXPECT_NE(html.find("<td>ci<td>on the front"), std::string::npos);
-}
-
 TEST_F(BenchPage, EmptyRunMakesAPage) {
     input.now.measurements.clear();
-    EXPECT_NE(page().find("Not measured in this run: border, presets"), std::string::npos);
+    EXPECT_NE(page().find("Not measured in this run: border, tiles"), std::string::npos);
     EXPECT_THROW(write_page(dir / "none", input), Error);
 }
 
