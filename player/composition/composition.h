@@ -17,7 +17,7 @@ struct ObjectFrame {
 };
 
 /// Composes the frames of several renderers into one picture: at each pixel, nearer objects cover those
-/// behind them in proportion to their opacity; the background stays opaque. Belongs to the OpenGL thread.
+/// behind them in proportion to their opacity; the background stays opaque. Use it only on the OpenGL thread.
 class Composition {
   public:
     /// Shows the frames, which all have the size of `view`, in the framebuffer `target`, for the eye drawn

@@ -5,13 +5,14 @@
 namespace vantage {
 
 /// Enlarges frames that were drawn at a lower resolution, and shows unchanged frames again at little cost.
-/// Belongs to the OpenGL thread.
+/// Use it only on the OpenGL thread.
 class Enlargement {
   public:
     /// Allocates space for frames of at most this size, unless it has already been allocated.
     void fit(FrameSize size);
     /// Shows the last frame of `objects`, which was drawn for the view `drawn`. The framebuffer `target` has
-    /// the size `size` and stays bound. If `drawn` is smaller, fit() must have been called for its size.
+    /// the size `size` and stays bound. If `drawn` is smaller than that, fit() must have been called for the
+    /// size of `drawn`.
     void show(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
               const ShowTarget& target);
     /// Shows the last frame again; nothing may have changed since the last call of show() or show_again().

@@ -12,8 +12,8 @@
 
 namespace vantage {
 
-/// Depths of the drawn picture: a + b / z, with `terms` a and b, and z in scene units; top row first; 0 where
-/// there is no surface.
+/// Depths of the drawn picture, top row first: a + b / z, where a and b are the `terms` and z is in scene
+/// units; 0 where there is no surface.
 struct DrawnDepth {
     GLuint texture;
     Eigen::Vector2d terms;
@@ -21,7 +21,7 @@ struct DrawnDepth {
 
 /// The objects of a scene. The first object is drawn by the caller's renderer, and its coordinates are those
 /// of the scene; the others have renderers of their own. Each object blends its own photos; at each pixel the
-/// nearest object is shown. Belongs to the OpenGL thread.
+/// nearest object is shown. Use it only on the OpenGL thread.
 class ObjectSet {
   public:
     static constexpr std::size_t max_objects = 16;

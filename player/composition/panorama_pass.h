@@ -19,7 +19,7 @@ struct PanoramaFaces {
     std::span<const Eigen::Matrix3d> from_panorama;  ///< rotations to the axes of the faces, at most 6
 };
 
-/// Shows faces as a panorama. Belongs to the OpenGL thread.
+/// Shows faces as a panorama. Use it only on the OpenGL thread.
 class PanoramaPass {
   public:
     /// Draws into the framebuffer `target` of this size, in `columns` columns from `first_column` on.

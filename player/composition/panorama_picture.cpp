@@ -20,7 +20,7 @@ constexpr double slice_fading = 0.2;  ///< overlap of slices, as a tangent
 
 bool fills(const RenderSettings& settings) { return settings.background != ShowBackground::off; }
 
-/// The joint report of two consecutive views: the numbers of damaged and missing tiles are those of the
+/// The combined report of two consecutive views: the numbers of damaged and missing tiles are those of the
 /// second.
 FrameReport followed(const FrameReport& first, const FrameReport& second) {
     FrameReport out = joined(first, second);

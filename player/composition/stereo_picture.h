@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// Combines the pictures for two eyes into one picture. Belongs to the OpenGL thread.
+/// Combines the pictures for two eyes into one picture. Use it only on the OpenGL thread.
 class StereoPicture {
   public:
     /// Allocates a picture of this size for each eye, unless these pictures already exist.

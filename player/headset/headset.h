@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// A headset: the OpenXR runtime and its session, both of which may be lost and re-created. Belongs to the
-/// OpenGL thread.
+/// A headset: the OpenXR runtime and its session, both of which may be lost and re-created. Use it only on
+/// the OpenGL thread.
 class Headset {
   public:
     /// Connects to the runtime. Needs no OpenGL. Throws Error(graphics) if there is no runtime or no headset.

@@ -20,7 +20,7 @@
 namespace vantage {
 
 /// Shows a scene in a headset, frame by frame. The package and the session must outlive the HeadsetScene.
-/// Belongs to the OpenGL thread.
+/// Use it only on the OpenGL thread.
 class HeadsetScene {
   public:
     HeadsetScene(const PackageReader& package, const std::vector<SceneObject>& objects,

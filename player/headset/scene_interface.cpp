@@ -16,7 +16,7 @@ constexpr float label_height = 300, labels_canvas = 20000, notice_width = 560;  
 
 std::string label_window(std::size_t i) { return "##label " + std::to_string(i); }
 
-/// Makes a context current during its lifetime.
+/// Keeps an ImGui context current for the lifetime of this object.
 class Within {
   public:
     explicit Within(ImGuiContext* context) : before_(ImGui::GetCurrentContext()) {

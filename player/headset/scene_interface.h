@@ -28,7 +28,7 @@ struct SceneLabel {
 };
 
 /// Text in the scene: a menu made of ImGui controls, and labels. Has its own ImGui contexts; the menu's
-/// context is current between begin() and end(). Belongs to the OpenGL thread.
+/// context is current between begin() and end(). Use it only on the OpenGL thread.
 class SceneInterface {
   public:
     /// Size of the menu in panel pixels. A pixel should subtend about a milliradian: text then has the size

@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// Help for mouse, touch and keyboard. Recorded as "Mouse, fingers and keys".
+/// Help for mouse, touch and keyboard. Its position is recorded as "Mouse, fingers and keys".
 void help_panel(Controls& controls, WindowState& window);
 
 }  // namespace vantage

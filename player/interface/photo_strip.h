@@ -10,8 +10,8 @@
 
 namespace vantage {
 
-/// Thumbnails of the photos at the bottom of the window, in order of decreasing agreement with the view. A
-/// click flies to the photo; the wheel and dragging scroll.
+/// Thumbnails of the photos at the bottom of the window, in order of decreasing agreement with the view.
+/// Clicking a thumbnail flies to its photo; the wheel and dragging scroll the strip.
 class PhotoStrip {
   public:
     ~PhotoStrip();

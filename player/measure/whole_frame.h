@@ -16,7 +16,7 @@ Picture as_in_window(Renderer& renderer, const View& view, RenderSettings settin
                      int side);
 
 /// Squared difference between the window's frame and the photo at each pixel, summed over three channels; 0
-/// where the photo has no valid pixel (`taken`). `gain` is applied to the pixels `colored`.
+/// where the photo has no valid pixel (`taken`). `gain` is applied to the pixels flagged in `colored`.
 Plane squared_errors(const Picture& photo, const Picture& shown, const std::vector<bool>& taken,
                      const std::vector<bool>& colored, const std::array<double, 3>& gain);
 

@@ -36,7 +36,7 @@ struct ShowOptions {
 
 /// The common options of verbs that draw a scene, except the package and the output.
 void add_scene_options(const Command& command, ShowOptions& options);
-/// Sets the action of a command that shows a scene, with saved settings, until the scene is closed.
+/// Makes a command call `show` with `options`, in which it first records whether a blending option was given.
 void show_by(const Command& command, const std::shared_ptr<ShowOptions>& options,
              int (*show)(const ShowOptions& options));
 

@@ -13,8 +13,8 @@ namespace vantage {
 namespace {
 
 constexpr float line_texels = 48;
-// Provides room for antialiasing of text lines with a height of at least line_texels / (2 * spread) pixels,
-// which is far too small to read.
+// Distances up to this number of texels are stored. This suffices to antialias text lines with a height of at
+// least line_texels / (2 * spread) pixels, which is far too small to read.
 constexpr int spread = 8;
 
 void add_font(ImFontAtlas& fonts) {
@@ -71,8 +71,8 @@ void fill(std::vector<T>& texels, int width, const White& white, T value) {
             texels[std::size_t(y) * std::size_t(width) + std::size_t(x)] = value;
 }
 
-/// Enlarges glyph rectangles to include the distance field around their outlines. The field has more rows
-/// than the atlas.
+/// Enlarges glyph rectangles to include the distance field around their outlines, and adapts texture
+/// coordinates to the field, which has more rows than the atlas.
 void enlarge_letters(ImFontAtlas& fonts, const DistanceField& field) {
     const float shrink = float(fonts.TexHeight) / float(field.height);
     const auto by = float(spread);

@@ -26,7 +26,7 @@ struct EyePicture {
 /// Clip-from-origin matrix for overlays, with the target's row order and no far limit.
 Eigen::Matrix4d clip_from_origin(const EyePicture& eye);
 
-/// Makes a program current and sets its uniforms. The program blends over the picture and includes
+/// Enables blending over the picture, makes a program current and sets its uniforms. The program must include
 /// hidden.glsl.
 void begin_over_picture(const gl::Program& program, const EyePicture& eye);
 

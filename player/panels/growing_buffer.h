@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// A buffer that is rewritten in each frame and grows as needed. Belongs to the OpenGL thread.
+/// A buffer that is rewritten in each frame and grows as needed. Use it only on the OpenGL thread.
 class GrowingBuffer {
   public:
     explicit GrowingBuffer(const char* label) : label_(label) {}

@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// Draws marks over pictures, with antialiased edges. Belongs to the OpenGL thread.
+/// Draws marks over pictures, with antialiased edges. Use it only on the OpenGL thread.
 class MarkPass {
   public:
     MarkPass();

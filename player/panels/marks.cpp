@@ -26,7 +26,7 @@ bool is_finite(const Mark& m) {
            std::ranges::all_of(m.sizes, finite);
 }
 
-/// Marks without a picture continue a run of any texture.
+/// Appends a mark. A mark without a texture joins the last run, whatever the run's texture.
 void add(Marks& marks, const Mark& mark, GLuint texture = 0, bool decodes = false) {
     if (!is_finite(mark)) return;
     const bool fits =
@@ -84,7 +84,7 @@ void add_path(Marks& marks, std::span<const Vector3d> points, MarkSize width, co
 
 void add_ring(Marks& marks, const Vector3d& middle, const Vector3d& normal, double inner_radius,
               double outer_radius, const MarkColor& color) {
-    // A disc also covers its center.
+    // A negative inner radius makes a disc, which also covers its center.
     const double inner = inner_radius > 0 ? inner_radius : -outer_radius;
     add(marks, {{floats(middle), floats(normal / normal.norm())},
                 {float(inner), float(outer_radius), 0, 0},

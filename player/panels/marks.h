@@ -37,7 +37,7 @@ struct MarkPicture {
 
 /// Overlays in the scene: colored marks, later ones over earlier ones.
 struct Marks {
-    /// Consecutive marks with the same texture; 0 if they have none.
+    /// Consecutive marks that are drawn with the same texture; texture 0 if none of them has one.
     struct Run {
         GLuint texture;
         bool decodes;

@@ -166,8 +166,8 @@ float distance_to(const Piece& piece, const Vector2f& point) {
     return (off - share * piece.half).norm();
 }
 
-/// Distance to the nearest piece, which may also be in a neighbor of the nearest texel, or be the nearest
-/// piece of a neighboring texel.
+/// Distance to the nearest piece, at most `most`. Considers the pieces in `nearest` of the texel and of its
+/// neighbors, and the pieces in the neighbors of the texel's own `nearest`.
 float distance_at(const Outlines& o, const std::vector<std::int32_t>& nearest, int x, int y, float most) {
     const Vector2f point{float(x), float(y)};
     float least = most;

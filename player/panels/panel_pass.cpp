@@ -64,7 +64,7 @@ gl::VertexArray panel_vertices() {
 }  // namespace
 
 std::span<ImDrawList* const> lists_of(const ImDrawData& drawn) {
-    // CmdLists is a pointer or, in newer versions, a vector.
+    // CmdLists is a pointer or, in newer versions of ImGui, a vector.
     return drawn.CmdListsCount > 0 ? std::span(&drawn.CmdLists[0], std::size_t(drawn.CmdListsCount))
                                    : std::span<ImDrawList* const>();
 }

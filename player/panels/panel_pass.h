@@ -37,9 +37,9 @@ class PanelDrawing {
     std::vector<Command> commands_;
 };
 
-/// Draws panels over pictures, directly at the picture's resolution: text keeps edges of one pixel at any
-/// distance and angle. ImGui's textures must be names of two-dimensional OpenGL textures with sRGB bytes,
-/// sampled without decoding. Belongs to the OpenGL thread.
+/// Draws panels over pictures, directly at the picture's resolution: the edges of text are one pixel wide at
+/// any distance and angle. ImGui's textures must be names of two-dimensional OpenGL textures with sRGB bytes,
+/// sampled without decoding. Use it only on the OpenGL thread.
 class PanelPass {
   public:
     explicit PanelPass(const DistanceField& font);

@@ -62,7 +62,7 @@ RenderSettings orthophoto_settings(const PackageReader& package, const Orthophot
 }
 
 struct Files {
-    std::filesystem::path picture, world;  ///< no world file for a TIFF, which includes its georeference
+    std::filesystem::path picture, world;  ///< `world` is empty for a TIFF, which includes the georeference
 };
 
 /// The output files, with links resolved. Throws Error(usage) if one of them must not be replaced.

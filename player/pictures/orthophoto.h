@@ -38,7 +38,7 @@ struct Orthophoto {
 /// The picture has at least one pixel. Throws Error(usage) if it is too large for a PNG.
 Orthophoto orthophoto_of(const PicturePlane& plane, const Eigen::AlignedBox2d& extent, double resolution);
 
-/// Size of the tiles that a picture is rendered in: at most as wide as high, with even sides.
+/// Size of the tiles that a picture is rendered in: no wider than they are high, with even sides.
 struct TileSize {
     int width, height;
 };

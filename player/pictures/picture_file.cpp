@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// Extensions of pictures and videos: a name with one of these extensions is that of a file.
+/// Extensions of pictures and videos: a name with one of these extensions names a file, not a folder.
 constexpr const char* file_extensions[] = {".png", ".apng", ".jpg",  ".jpeg", ".jpe",  ".jxl", ".jp2",
                                            ".tif", ".tiff", ".webp", ".avif", ".heic", ".gif", ".bmp",
                                            ".tga", ".ppm",  ".exr",  ".hdr",  ".svg",  ".pdf", ".mp4",

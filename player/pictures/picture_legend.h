@@ -11,8 +11,8 @@ namespace vantage {
 class PictureLegend {
   public:
     /// Draws into the lower left corner of a picture: name, unit if known, color map with its isolines, and
-    /// the values at its ends and center. Returns false, and draws nothing, if that would occupy more than
-    /// half of the width or a third of the height.
+    /// the values at its ends and center. Returns false, and draws nothing, if the legend would occupy more
+    /// than half of the width or a third of the height.
     bool draw(Picture& picture, const ScalarField& field, const FieldSettings& settings);
 
   private:

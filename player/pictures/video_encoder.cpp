@@ -90,7 +90,7 @@ VideoEncoder::VideoEncoder(const std::filesystem::path& file, const VideoFormat&
 }
 
 void VideoEncoder::start() {
-    ::signal(SIGPIPE, SIG_IGN);  // if ffmpeg ends early, writing fails instead
+    ::signal(SIGPIPE, SIG_IGN);  // if ffmpeg exits early, writing fails instead
     auto [input, frames] = make_pipe();
     messages_ = Descriptor(::memfd_create("ffmpeg messages", MFD_CLOEXEC));
     posix_spawn_file_actions_t files;
@@ -128,7 +128,7 @@ VideoEncoder::~VideoEncoder() {
     }
 }
 
-/// Waits until ffmpeg ends and returns its status.
+/// Waits until ffmpeg exits, and returns its status.
 int VideoEncoder::wait() {
     int status = 0;
     while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {

@@ -34,7 +34,8 @@ class VideoEncoder {
     VideoEncoder(const VideoEncoder&) = delete;
     VideoEncoder& operator=(const VideoEncoder&) = delete;
 
-    /// Throws Error(storage) with ffmpeg's last line if it has failed, Error(interrupted) once `stop` is set.
+    /// Throws Error(storage) with the last line of ffmpeg's output if ffmpeg has failed, Error(interrupted)
+    /// once `stop` is set.
     void write(const Picture& frame, const std::atomic<bool>& stop);
     /// Waits until the video is complete, and renames it. Throws the errors of write().
     void finish(const std::atomic<bool>& stop);

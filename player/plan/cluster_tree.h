@@ -25,7 +25,8 @@ struct ClusterTree {
 };
 ClusterTree make_cluster_tree(std::span<const package::ClusterRecord> clusters);
 
-/// Clusters whose bounding sphere intersects the view frustum, in ascending order; conservative.
+/// The clusters whose bounding spheres intersect the view frustum, in ascending order. May include clusters
+/// just outside the frustum.
 std::vector<std::uint32_t> clusters_in_view(const ClusterTree& tree,
                                             std::span<const package::ClusterRecord> clusters,
                                             const View& view);

@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// The lens tables of a package's photos, each of which is computed on first use. Belongs to one thread.
+/// The lens tables of a package's photos, each of which is computed on first use. Use it on one thread only.
 class LensTables {
   public:
     LensTables() = default;

@@ -82,8 +82,8 @@ Candidates candidates_of(const VisibleSurface& s, const PlanSettings& settings,
 /// Assigns each cluster to the chosen photos that see it. Skips photos whose weight relative to a photo that
 /// sees the whole cluster is below one color level: they would be visible only where the other photo's weight
 /// maps are 0. If the viewer is at the other photo's camera, that photo's weight is even larger. Photos that
-/// are negligible only because of this factor are not skipped; they appear along its borders. A reduced plan
-/// has only photos with large weights.
+/// are negligible only because of this increase are not skipped; they appear along the borders of the other
+/// photo. A reduced plan has only photos with large weights.
 void assign_clusters(const VisibleSurface& s, const PlanSettings& settings, const Candidates& candidates,
                      std::vector<PlannedPhoto>& photos) {
     const double least = settings.reduced ? 0.3 : 1.0 / 256, least_own = 1e-5;

@@ -30,7 +30,7 @@ struct PlanContext {
     const PhotoChoice* chosen = nullptr;  ///< fixed choice of photos, as made for another view
 };
 
-/// Chooses among the photos `allowed`. This is a pure function.
+/// Chooses among the `allowed` photos. This is a pure function.
 Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
                std::span<const std::uint32_t> allowed, const PlanContext& context = {});
 

@@ -37,7 +37,7 @@ void join_geometry(PlanScene& s, const BackgroundContent& content) {
     positions.insert(positions.end(), content.positions.begin(), content.positions.end());
     indices.assign(s.indices.begin(), s.indices.end());
     for (const std::size_t t : content.hidden) indices[3 * t + 1] = indices[3 * t + 2] = indices[3 * t];
-    // Unused triangles fill the last word of the mesh's bits.
+    // Adds unused triangles to fill the last word of the mesh's bits.
     const std::uint32_t first = first_triangle_behind(s.triangles);
     indices.resize(3 * std::size_t(first), 0);
     s.first_surrounding = std::uint32_t(s.clusters.size());

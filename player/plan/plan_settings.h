@@ -17,9 +17,9 @@ struct PlanSettings {
     /// photo sees. 0: no limit.
     double angle_limit = 0;
     double samples = 1;  ///< per side of a pixel
-    /// Near its own camera, a photo outweighs all others (shaders/blend.frag). For complete plans only,
-    /// because other plans also skip photos whose weights are large enough to be visible along the borders of
-    /// that photo.
+    /// Whether plans use the fact that a photo outweighs all others near its own camera (shaders/blend.frag).
+    /// Only for complete plans, because other plans also skip photos whose weights are large enough to be
+    /// visible along the borders of that photo.
     bool own_views = false;
     /// Clusters up to this distance outside the frame, as a fraction of the frame's width, are planned as
     /// well, so that a moving view can be drawn with the previous plan.

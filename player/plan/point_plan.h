@@ -27,8 +27,8 @@ enum class PointCulling {
 };
 
 /// Plans at most `budget` points, but always the root if it is in view. Skips nodes that are outside the
-/// frustum, but never a node with a point inside. Also skips descendants of nodes whose point spacing is
-/// below a sample, with `side` samples along a pixel. Nodes that are not tested count as in view.
+/// frustum, but never a node with a point inside. Also skips descendants of nodes whose point spacing is less
+/// than a sample, with `side` samples per side of a pixel. Nodes that are not tested count as in view.
 PointPlan plan_points(const PointCloud& cloud, const View& view, std::uint64_t budget, int side,
                       PointCulling culling = PointCulling::hierarchical);
 

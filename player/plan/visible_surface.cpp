@@ -39,8 +39,8 @@ Eigen::Vector3d spread_point(const Corners& corner, std::size_t number) {
     return corner[0] + a * (corner[1] - corner[0]) + b * (corner[2] - corner[0]);
 }
 
-/// Selects about `most` evenly spaced visible triangles that get points. Returns how many triangles each of
-/// them represents.
+/// Selects about `most` evenly spaced visible triangles on which to place points. Returns the number of
+/// triangles that each selected triangle represents.
 double draw_points(const Seen& seen, std::size_t most, std::vector<std::size_t>& out) {
     const std::size_t all = seen.triangles.size();
     if (!seen.view) {

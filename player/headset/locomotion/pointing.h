@@ -22,7 +22,8 @@ struct Pointed {
     bool any() const { return menu || photo || note || surface; }
 };
 
-/// Possible targets. The menu occludes all other targets; while measuring, surfaces replace notes and photos.
+/// Possible targets. The menu occludes all other targets; while measuring, surfaces are targets instead of
+/// notes and photos.
 struct PointingTargets {
     const std::optional<Panel>& menu;
     std::span<const PlacedMesh> meshes;
@@ -34,7 +35,7 @@ struct PointingTargets {
 Pointed pointed_by(const Hand& hand, const Stance& stance, const PointingTargets& targets);
 
 /// The hand that controls the menu. A hand that pressed its button on the menu controls it until the button
-/// is released, even if it then points beside the menu. Otherwise, the hand that points at the menu controls
+/// is released, even if it no longer points at the menu. Otherwise, the hand that points at the menu controls
 /// it, or the right hand if both point at it.
 struct MenuPointer {
     std::optional<std::size_t> hand{};

@@ -19,8 +19,8 @@ struct TeleportArc {
 };
 
 /// Starts at a hand, in its pointing direction. Lands on surfaces with a slope of at most 45 degrees, and
-/// half a meter in front of walls. Where the model has no floor within three meters below, lands at the
-/// height of the room's floor.
+/// half a meter in front of walls. If the arc meets no surface down to three meters below the room's floor,
+/// lands at the height of the room's floor.
 TeleportArc teleport_arc(const Stance& stance, const RoomPose& aim, const SurfaceBetween& surface);
 
 }  // namespace vantage

@@ -5,7 +5,7 @@
 namespace vantage {
 
 /// Darkens the edges of an eye's picture: visual motion without body motion causes sickness (Fernandes and
-/// Feiner 2016). Belongs to the OpenGL thread.
+/// Feiner 2016). Use it only on the OpenGL thread.
 class Vignette {
   public:
     /// Draws over the picture in the framebuffer `target`, with the bottom row first. `strength`: 0 to 1.

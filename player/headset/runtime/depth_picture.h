@@ -6,7 +6,7 @@
 namespace vantage {
 
 /// Provides the headset with depth values, so that it can reproject late frames to the current head pose.
-/// Belongs to the OpenGL thread.
+/// Use it only on the OpenGL thread.
 class DepthPicture {
   public:
     /// Copies the depth of a frame of this size into the framebuffer `target`. `scale`: scene units per

@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// The runtime's pictures for one eye, colors or depth. Move-only; belongs to the OpenGL thread and must not
-/// outlive the session.
+/// The runtime's pictures for one eye, colors or depth. Move-only. Use it only on the OpenGL thread; it must
+/// not outlive the session.
 class EyeSwapchain {
   public:
     /// `format`: an OpenGL format; `depth`: depth instead of colors. Throws Error(graphics) or XrLost.

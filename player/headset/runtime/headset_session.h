@@ -35,9 +35,9 @@ struct DrawnEye {
     std::optional<DepthLimits> depth{};
 };
 
-/// A session with an OpenXR runtime and a headset: spaces, pictures, hands, and frames. Belongs to the OpenGL
-/// thread and the context that was current at construction. All functions throw XrLost if the session is
-/// lost, and Error(graphics) for other failures.
+/// A session with an OpenXR runtime and a headset: spaces, pictures, hands, and frames. Use it only on the
+/// OpenGL thread, with the context that was current at construction. All functions throw XrLost if the
+/// session is lost, and Error(graphics) for other failures.
 class HeadsetSession {
   public:
     explicit HeadsetSession(const XrRuntime& runtime);

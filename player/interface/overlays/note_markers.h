@@ -13,7 +13,7 @@ namespace vantage {
 /// A note's anchor in the picture.
 struct NoteMarker {
     std::size_t note;    ///< index of the note in the story
-    Eigen::Vector2d at;  ///< pixels; 0, 0 is the corner of the frame
+    Eigen::Vector2d at;  ///< pixels from the frame's upper left corner
     double depth;        ///< distance along the view's axis
     bool hidden;         ///< occluded by the surface
 };

@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// A map from above [P]: the model's extent, the cameras with their directions, and the viewer. A click flies
-/// to the photo.
+/// A map from above [P]: the model's extent, the cameras with their directions, and the viewer. Clicking a
+/// camera flies to its photo.
 void radar_panel(Controls& controls, Session& session, const Renderer& renderer, const View& view,
                  double now);
 

@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// Draws a line over the picture, between two points relative to the origin, clipped in front of the viewer;
-/// `width` in pixels.
+/// Draws a line over the picture, between two points relative to the origin, clipped to the part in front of
+/// the viewer. `width` is in pixels.
 void scene_line(ImDrawList& list, const View& view, Eigen::Vector3d a, Eigen::Vector3d b, ImU32 color,
                 float width);
 

@@ -242,7 +242,7 @@ void MeasurePanel::choice_of_measure(Controls& c, bool keyboard) {
         "surface under it.");
 }
 
-/// Uses the same number of lines without a surface, so that the panel keeps its size.
+/// Without a surface under the pointer, uses the same number of lines, so that the panel keeps its size.
 void MeasurePanel::under_pointer(Controls& c) const {
     ImGui::Separator();
     ImGui::TextDisabled("%s", tr("Under the pointer, in the input's coordinates"));

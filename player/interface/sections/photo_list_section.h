@@ -9,7 +9,7 @@ namespace vantage {
 /// sharpest first. Clicking a name flies to its photo.
 void photo_list_section(Controls& controls, Session& session, const Renderer& renderer, double now);
 
-/// Uses all photos of the package that were not skipped.
+/// Replaces `photos` with all photos of the package that have pixels.
 void use_all(std::vector<std::uint32_t>& photos, const PlanScene& scene);
 
 /// While the list waits for a point, handles clicks on the model, and marks the last point in the picture.

@@ -93,7 +93,7 @@ View shown_view(const Navigation& camera, const Session& session, const PlanScen
 /// Whether the section of scalar fields is open.
 bool& fields_open(Session& session);
 
-/// Starts a flight to a photo's camera that takes 0.7 seconds.
+/// Starts a 0.7-second flight to a photo's camera.
 void fly_to(Session& session, std::uint32_t photo, const package::PhotoRecord& record, double now);
 /// Starts a flight to the view before the last movement.
 void fly_back(Session& session, double now);

@@ -11,7 +11,7 @@ namespace vantage {
 struct KeyPress {
     int key;    ///< GLFW code; for letters, according to the keyboard layout
     int place;  ///< GLFW code of the key's position on a US keyboard
-    enum class With { nothing, control, other } with = With::nothing;  ///< other: also Alt or Super
+    enum class With { nothing, control, other } with = With::nothing;  ///< other: with Alt or Super
     bool repeated = false;                                             ///< key repeat while held
 };
 

@@ -35,7 +35,7 @@ struct Viewpoint {
 /// Sampling rate of recorded paths.
 inline constexpr double positions_per_second = 30;
 
-/// The camera's positions since the start of recording, one per 1 / positions_per_second seconds.
+/// The camera's positions since the start of recording, sampled at the rate positions_per_second.
 struct RecordedPath {
     bool recording = false;
     std::vector<Navigation> positions;

@@ -15,12 +15,12 @@ Picture read_note_picture(const std::filesystem::path& file);
 /// Reduces a picture by integer factors until neither side exceeds `most` pixels.
 Picture reduced_picture(Picture picture, int most);
 
-/// The picture of the open note, as a texture. Belongs to the OpenGL thread. Its destructor waits for a file
-/// that is being read.
+/// The picture of the open note, as a texture. Use it only on the OpenGL thread. Its destructor waits for a
+/// file that is being read.
 class NotePicture {
   public:
     /// Starts loading the file in the background, unless it was the last one loaded. There is no picture
-    /// until loading is complete, nor if there is no file or it cannot be read.
+    /// until loading is complete, or if the file is missing or cannot be read.
     void load(const std::filesystem::path& file);
     /// Uploads a loaded picture; called once per frame.
     void attend();

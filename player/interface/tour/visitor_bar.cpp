@@ -34,7 +34,8 @@ constexpr Tool tools[] = {
 
 constexpr std::size_t tools_on_the_left = 4;
 
-/// Tools for the public, including the choice of a language, which visitors have not made yet.
+/// Tools for a kiosk. They include the choice of a language, because a kiosk does not know the visitor's
+/// language.
 constexpr Tool kiosk_tools[] = {
     tools[0], tools[1], tools[2], tools[3], {marked("Language"), Icon::language, marked("Choose a language")},
     tools[4]};

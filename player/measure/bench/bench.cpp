@@ -15,8 +15,8 @@
 namespace vantage {
 namespace {
 
-/// All repeats and modes of one path. Repeats alternate between modes, so that a slowdown of the machine
-/// affects all of them.
+/// Flies all repeats and modes of one path. Repeats alternate between modes, so that a slowdown of the
+/// machine affects all of them.
 std::vector<Flight> fly_path(const PackageReader& package, const BenchOptions& o, const std::string& name,
                              const FlightTarget& target) {
     std::vector<Flight> flights;

@@ -11,7 +11,7 @@ struct Curve {
     std::vector<double> values;
 };
 
-/// Writes curves over frames as an SVG picture with a vertical axis from 0 and a legend. Throws
+/// Writes curves over frames as an SVG picture with a legend and a vertical axis that starts at 0. Throws
 /// Error(storage).
 void write_plot(const std::filesystem::path& file, const std::string& title, const std::string& unit,
                 const std::vector<Curve>& curves);

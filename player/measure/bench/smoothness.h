@@ -26,8 +26,8 @@ struct FrameStep {
     std::size_t tiles_missing = 0;
 };
 
-/// Statistics over the frames of each picture's mean change and of its 99th percentile, in gray levels: mean,
-/// 99th percentile, maximum, and the sums per degree.
+/// Statistics over the frames, in gray levels: of each frame's mean change (`mean`) and of the 99th
+/// percentile over its cells (`patches`). Also the sums of these two values, divided by the path's degrees.
 struct Smoothness {
     FrameStatistics mean, patches;
     double degrees = 0, mean_per_degree = 0, patches_per_degree = 0;
@@ -43,8 +43,8 @@ struct ShownStep {
     Picture now, then;
 };
 
-/// Flies a path with all tiles loaded. Stores the `worst` largest changes in `shown`, largest first. Belongs
-/// to the OpenGL thread.
+/// Flies a path with all tiles loaded. Stores the `worst` largest changes in `shown`, largest first. Must be
+/// called on the OpenGL thread.
 std::vector<FrameStep> fly_in_steps(const PackageReader& package, const SmoothnessOptions& options,
                                     const std::vector<Navigation>& path, FrameSize size,
                                     std::vector<ShownStep>& shown);

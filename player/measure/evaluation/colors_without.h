@@ -15,7 +15,7 @@ class ColorsWithout {
     /// Reads the photos' samples of the surface. Throws Error(damaged).
     explicit ColorsWithout(const PackageReader& package);
 
-    /// Gains, and vignetting if enabled, fitted to the photos of its image set except `photo`.
+    /// Gains, and vignetting if enabled, fitted to the other photos of the image set of `photo`.
     PhotoColors colors(std::uint32_t photo) const;
     /// The package's records with these colors, to the extent that the effects are enabled for the photo's
     /// image set.

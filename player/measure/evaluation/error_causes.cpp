@@ -89,7 +89,7 @@ class Judge {
     struct Comparison {
         double all = 0,
                judged = 0;  ///< weights of the colored pixels, and of those that `others` also show
-        double picture = 0, others = 0;  ///< squared differences at the latter
+        double picture = 0, others = 0;  ///< squared differences at the pixels that `others` show
         bool enough() const { return judged > 0 && judged >= least_judged * all; }
     };
     Window window(std::size_t cell) const;
@@ -103,11 +103,11 @@ class Judge {
     const CauseEvidence& e_;
     Cells cells_;
     std::vector<bool> judged_;
-    std::vector<Picture> candidates_;  ///< the picture, and pictures from single photos completed by it
+    std::vector<Picture> candidates_;  ///< the picture; single-photo pictures with gaps filled from it
     std::vector<std::vector<PixelShift>> shifts_;  ///< per candidate and cell
     CoarseDifference off_;                         ///< difference of the picture from the photo
-    std::vector<CoarseDifference> alone_;          ///< differences of single photos from the photo
-    std::vector<CoarseDifference> pairs_;          ///< differences between single photos
+    std::vector<CoarseDifference> alone_;          ///< differences of single-photo pictures from the photo
+    std::vector<CoarseDifference> pairs_;          ///< differences between single-photo pictures
 };
 
 Judge::Judge(const CauseEvidence& e) : e_(e), cells_{e.photo.width, e.photo.height}, judged_(e.taken) {

@@ -13,7 +13,7 @@
 namespace vantage {
 namespace {
 
-constexpr double max_decibels = 99;  ///< the value if all of the error has one cause
+constexpr double max_decibels = 99;  ///< upper limit, reached if all of the error has one cause
 
 double decibels_without(double share) {
     return share < 1 ? std::min(max_decibels, -10 * std::log10(1 - share)) : max_decibels;

@@ -12,7 +12,8 @@ namespace vantage {
 struct CauseTotal {
     Cause cause = Cause::count;
     double share = 0, colored_share = 0;  ///< fraction of all photos' squared errors, see CauseSquares
-    /// Mean gain in PSNR over the photos without this error, for the frame and for the colored pixels.
+    /// Increase in PSNR without this error, averaged over the photos: for the frame and for the colored
+    /// pixels.
     double decibels = 0, colored_decibels = 0;
     std::size_t worst = 0;  ///< index of the photo with the largest error from this cause
 };

@@ -13,7 +13,8 @@ namespace vantage {
 namespace {
 
 constexpr int samples = 2;  ///< per side of a pixel
-/// Threshold for remarks about unusual photos, in gray levels over all scored pixels.
+/// Disagreement with the other photos above which a photo gets a remark: root mean square over all scored
+/// pixels, in gray levels.
 constexpr double odd_rms = 12;
 
 /// The level's pixels that show a surface, according to the photo's own weight maps.

@@ -21,7 +21,7 @@ Plane extended(const Plane& p) {
     return out;
 }
 
-/// Squared differences at one shift, summed over each block: the frame's blocks, row by row.
+/// Squared differences at one shift, summed over each block of the frame; blocks are in row order.
 Plane block_sums(const Plane& photo, const Plane& wide, const Plane& mask, PixelShift s) {
     Plane out((photo.width + shift_block - 1) / shift_block, (photo.height + shift_block - 1) / shift_block);
     Eigen::ArrayXf columns(out.width * shift_block);

@@ -39,7 +39,7 @@ double psnr_of(double squares, std::size_t pixels);
 double psnr_after(const std::array<double, 3>& gain, const Picture& photo, const Picture& picture,
                   const std::vector<bool>& scored);
 
-/// The picture with the gain applied to the pixels `where`, rounded and clipped to 8 bits.
+/// The picture with the gain applied to the pixels flagged in `where`, rounded and clipped to 8 bits.
 Picture gained(Picture picture, const std::array<double, 3>& gain, const std::vector<bool>& where);
 
 /// Mean SSIM over the scored pixels, see PictureScore::ssim; 0 if there are none.

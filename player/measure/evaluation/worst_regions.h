@@ -22,8 +22,8 @@ std::vector<WorstRegion> worst_regions(const CauseMap& map, std::size_t most);
 Picture region_picture(const CauseMap& map, const WorstRegion& region, const Picture& photo,
                        const Picture& shown, std::span<const Picture> alone);
 
-/// One pixel per cell: the color of the cause with the largest error; darker for smaller errors, black for
-/// none, full brightness from a root mean square of 40 gray levels.
+/// One pixel per cell: the color of the cause with the largest error. It is darker for smaller errors, black
+/// for none, and at full brightness for a root mean square of 40 gray levels or more.
 Picture cause_picture(const CauseMap& map);
 
 }  // namespace vantage

@@ -15,7 +15,7 @@
 namespace vantage {
 namespace {
 
-/// Shows the fetched amount of data, four times per second.
+/// Shows the amount of data fetched, four times per second.
 void show_progress(const PackageReader& package, std::stop_token stop) {
     ProgressLine line(ProgressStyle::bar);
     std::mutex mutex;

@@ -74,7 +74,7 @@ PhotoChoice choose_photos(const VisibleSurface& s, const PlanSettings& settings,
         const double cosine = s.view.cam_from_origin.direction().dot(s.scene.poses[c.photo].direction());
         return settings.angle_limit <= 0 || std::acos(std::clamp(cosine, -1.0, 1.0)) <= settings.angle_limit;
     };
-    // The photo at whose camera the viewer is, even if a cover with fewer photos does without it.
+    // Adds the photo taken from the viewer's position, even if the cover does not need it.
     if (const auto own = settings.own_views ? own_photo(s.scene, s.view, allowed) : std::nullopt)
         if (const auto at = std::ranges::find(all, *own, &Candidate::photo); at != all.end())
             if (const auto i = std::size_t(at - all.begin()); !std::ranges::count(chosen, i))

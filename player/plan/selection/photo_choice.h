@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// Chooses among the photos `allowed`, with a slight preference for those in `previous`, to avoid flicker.
+/// Chooses among the `allowed` photos, with a slight preference for those in `previous`, to avoid flicker.
 PhotoChoice choose_photos(const VisibleSurface& surface, const PlanSettings& settings,
                           std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous);
 

@@ -8,8 +8,8 @@
 namespace vantage {
 namespace {
 
-// Weight of the remainder of a triangle that a chosen photo sees in part and another photo entirely: most of
-// it is already colored.
+// Weight of the uncovered part of a triangle that a chosen photo sees in part and that another photo sees
+// entirely. It is small because most of the triangle is already colored.
 constexpr double rest_of_part = 0.25;
 constexpr double negligible = 1.6e-3;  // share of the area
 
@@ -55,7 +55,8 @@ Open all_open(const CoverProblem& problem) {
     return open;
 }
 
-/// The covered area of the runs; `words(w)` has the words of entirely and partly covered triangles.
+/// The covered area of the runs. `words(w)` returns two words of bits: the triangles covered entirely, and
+/// those covered at least in part.
 template <class Words>
 double area_of(std::span<const CoverProblem::Run> runs, const Words& words) {
     double area = 0;

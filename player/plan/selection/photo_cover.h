@@ -15,14 +15,14 @@ struct CoverProblem {
     };
     struct Set {
         std::span<const std::uint64_t> whole, part;
-        double preference;  ///< larger values win between sets that cover equal areas
+        double preference;  ///< larger values are preferred if sets cover equal areas
     };
     std::vector<Run> runs;
     std::vector<Set> sets;
 };
 
-/// Selects sets that together cover everything covered by any set, and cover entirely what any set covers
-/// entirely. Greedily adds the set with the largest added area times preference^(1/4) (Chvatal 1979) until
+/// Selects sets that together cover nearly every triangle that any set covers, and cover it entirely if any
+/// set does. Greedily adds the set with the largest added area times preference^(1/4) (Chvatal 1979) until
 /// uncovered_share() is at most 0.0016, then removes redundant sets.
 std::vector<std::size_t> cover(const CoverProblem& problem);
 

@@ -30,7 +30,7 @@ TileNeeds tile_needs(const package::PhotoRecord& photo, const LensTable* lens,
                      std::span<const package::CoverageRecord> coverage,
                      std::span<const ClusterLevels> clusters);
 
-/// The color tiles of the whole photo, for `density` samples per photo pixel and side.
+/// The color tiles of the whole photo, for `density` samples per side of a photo pixel.
 TileNeeds whole_photo_needs(const package::PhotoRecord& photo, double density);
 
 }  // namespace vantage

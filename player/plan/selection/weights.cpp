@@ -45,7 +45,8 @@ ViewWeights view_weights(const View& view, std::span<const package::PhotoRecord>
         distances.push_back((center - eye).norm());
         angles.push_back(angle_between(view.cam_from_origin.direction(), direction));
     }
-    // Rounding errors are relative to the coordinates for distances, and to unit vectors for angles.
+    // The rounding errors of distances are proportional to the coordinates; those of angles are the rounding
+    // errors of unit vectors.
     double reach = eye.norm();
     for (const double d : distances) reach = std::max(reach, d);
     return {nearest_is_one(distances, 1e-3, 1e-9 * reach), nearest_is_one(angles, 1e-3, 1e-9)};

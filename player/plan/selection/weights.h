@@ -21,9 +21,9 @@ struct WeightSettings {
     bool operator==(const WeightSettings&) const = default;
 };
 
-/// The weights are 1 for the smallest value and decrease linearly to `floor` for the largest; they are all 1
-/// for equal values. Values must be finite. A range below `indistinct` is considered rounding error and
-/// treated as `indistinct`.
+/// The weights are 1 for the smallest value and decrease linearly to `floor` for the largest; if all values
+/// are equal, all weights are 1. Values must be finite. A range below `indistinct` is considered rounding
+/// error and treated as `indistinct`.
 std::vector<double> nearest_is_one(const std::vector<double>& values, double floor = 1e-3,
                                    double indistinct = 0);
 

@@ -44,8 +44,8 @@ bool suits(const PlannedView& plan, const PlanOrder& order);
 /// Whether the plan is the requested one. `shared`: photos chosen for another view and used for this one.
 bool is_current(const PlannedView& plan, const PlanOrder& order, const PhotoChoice* shared = nullptr);
 
-/// Whether frames can be drawn with the plan until the requested one is made. The plan must have the
-/// requested photos and settings, have been made for visible triangles and a similar view, and have all
+/// Whether frames can be drawn with the plan until the requested one is made. This is the case if the plan
+/// has the requested photos and settings, was made for visible triangles and a similar view, and has all
 /// clusters of the mesh in view.
 bool can_stand_for(const PlanScene& scene, const PlannedView& plan, const PlanOrder& order,
                    std::span<const std::uint32_t> clusters_in_view);
