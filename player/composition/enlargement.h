@@ -15,8 +15,8 @@ class Enlargement {
     /// size of `drawn`.
     void show(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
               const ShowTarget& target);
-    /// Shows the last frame again; nothing may have changed since the last call of show() or show_again().
-    /// From the second call on, copies the picture if space has been allocated for it.
+    /// Shows the last frame again. To be called only if nothing has changed since the last call of show() or
+    /// show_again(). From the second call on, copies the picture if space has been allocated for it.
     void show_again(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
                     const ShowTarget& target);
 

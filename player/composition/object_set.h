@@ -71,7 +71,7 @@ class ObjectSet {
     FrameReport draw_eyes(const FrameRequest& request, const std::function<void(std::size_t eye)>& drawn);
     /// Shows the last frame as Renderer::show() does. Comparisons show only the first object.
     void show(const View& view, const RenderSettings& settings, const ShowTarget& target);
-    /// Depth of the last frame shown; with several objects, see Composition::nearest_depth().
+    /// Depth of the last frame shown. For several objects, see Composition::nearest_depth().
     DrawnDepth depth(const RenderSettings& settings, double near);
 
   private:

@@ -6,8 +6,8 @@
 namespace vantage {
 
 /// Renders all directions around an eye using the faces of a cube, with the samples per pixel given in
-/// `spec`; each pixel of the panorama then takes four samples. Throws Error(usage) if the graphics card
-/// cannot draw a panorama of this size.
+/// `spec`. Each pixel of the panorama then takes four samples of the faces. Throws Error(usage) if the
+/// graphics card cannot draw a panorama of this size.
 Picture take_panorama(ObjectSet& objects, const Panorama& panorama, const PictureSpec& spec);
 
 /// Renders a panorama in stereo, with both eyes in one picture: the eyes turn with the viewing direction.

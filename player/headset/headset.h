@@ -12,9 +12,9 @@ class Headset {
   public:
     /// Connects to the runtime. Needs no OpenGL. Throws Error(graphics) if there is no runtime or no headset.
     Headset();
-    /// The session; created with the current OpenGL context if it does not exist yet. Without a runtime,
-    /// tries to reconnect at most once a second, and returns null while that fails. Throws Error(graphics) if
-    /// the first session cannot be created.
+    /// The session, which is created with the current OpenGL context if it does not exist yet. Without a
+    /// runtime, tries to reconnect at most once a second, and returns null while that fails. Throws
+    /// Error(graphics) if the first session cannot be created.
     HeadsetSession* session();
     /// Drops the session, and also the runtime if it was lost.
     void lose(bool runtime);

@@ -74,8 +74,8 @@ std::vector<std::uint32_t> PhotoStrip::order(const Session& s, const PlanScene& 
     return out;
 }
 
-/// Scrolls by dragging and with the wheel. Returns whether a press that was a drag, not a click, has ended;
-/// this includes presses shorter than a frame.
+/// Scrolls by dragging and with the wheel. Returns whether a press has just ended that was a drag instead of
+/// a click, even if it was shorter than a frame.
 bool PhotoStrip::scroll(const Area& area) const {
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 pressed = io.MouseClickedPos[0];

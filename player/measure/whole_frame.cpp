@@ -9,7 +9,7 @@
 namespace vantage {
 namespace {
 
-/// `over` in front of `under`, mixed in linear light; opaque.
+/// Blends `over` in front of `under` in linear light. The result is opaque.
 void complete(std::uint8_t* over, const std::uint8_t* under) {
     const double alpha = over[3] / 255.0;
     for (std::size_t c = 0; over[3] < 255 && c < 3; ++c) {

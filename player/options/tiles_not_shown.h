@@ -14,7 +14,7 @@ struct TilesNotShown {
     void add(const FrameReport& picture);
 };
 
-/// The exit code for pictures with missing tiles; prints a message to stderr.
+/// Returns the exit code for pictures with these missing tiles. Prints a message to stderr if there are any.
 int exit_for(const PackageReader& package, const TilesNotShown& tiles);
 
 }  // namespace vantage

@@ -72,7 +72,7 @@ void fill(std::vector<T>& texels, int width, const White& white, T value) {
 }
 
 /// Enlarges glyph rectangles to include the distance field around their outlines, and adapts texture
-/// coordinates to the field, which has more rows than the atlas.
+/// coordinates to the field, which has more rows than the atlas had.
 void enlarge_letters(ImFontAtlas& fonts, const DistanceField& field) {
     const float shrink = float(fonts.TexHeight) / float(field.height);
     const auto by = float(spread);

@@ -37,7 +37,7 @@ void add(Marks& marks, const Mark& mark, GLuint texture = 0, bool decodes = fals
     ++marks.runs.back().count;
 }
 
-/// A segment between two points of a path; its ends are joined to neighbors or are round.
+/// A segment between two points of a path; each end is joined to a neighboring segment or is round.
 Mark line(std::span<const Vector3d> points, std::size_t begin, MarkSize width, const MarkColor& color,
           const MarkColor& end_color) {
     const bool first = begin == 0, last = begin + 2 == points.size();

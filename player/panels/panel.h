@@ -5,7 +5,7 @@
 namespace vantage {
 
 /// A rectangle in the scene that shows a user interface. Viewed from the front, `right` points right and
-/// `down` points down; from behind, it is mirrored.
+/// `down` points down; viewed from behind, the panel is mirrored.
 struct Panel {
     Eigen::Vector3d origin =
         Eigen::Vector3d::Zero();  ///< upper left corner, relative to the package's origin

@@ -46,7 +46,7 @@ class PanelPass {
 
     /// The texture to set in the atlas that the field was built from.
     GLuint font() const { return field_.id(); }
-    /// Draws a panel over an eye's picture; draws nothing if the panel or the view is not finite.
+    /// Draws a panel over an eye's picture, or nothing if the panel or the view is not finite.
     void draw(const PanelDrawing& drawing, const Panel& panel, const EyePicture& eye);
 
   private:

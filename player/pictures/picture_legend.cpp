@@ -16,7 +16,7 @@ constexpr Color panel{20, 22, 26}, white{240, 240, 240}, gray{170, 175, 185}, bl
 constexpr double panel_alpha = 0.8;
 constexpr int smallest_line = 13, lines_per_picture = 45;  ///< text height
 
-/// Blends a color over a pixel, in sRGB values as for text in windows; ignores positions outside the picture.
+/// Blends a color over a pixel, in sRGB values as for text in windows. Ignores positions outside the picture.
 void lay_over(Picture& p, int x, int y, const Color& color, double alpha) {
     if (x < 0 || y < 0 || x >= p.width || y >= p.height) return;
     std::uint8_t* pixel = &p.rgba[4 * (std::size_t(y) * std::size_t(p.width) + std::size_t(x))];

@@ -23,7 +23,7 @@ struct VideoFormat {
 };
 
 /// Encodes frames with the program ffmpeg, which it starts: H.264 for *.mp4, VP9 for *.webm. The file gets
-/// its name when complete; partial files are removed.
+/// its final name when it is complete; partial files are removed.
 class VideoEncoder {
   public:
     /// Throws Error(usage) if the file type does not support the format, Error(input) if ffmpeg is not

@@ -120,8 +120,8 @@ void assign_clusters(const VisibleSurface& s, const PlanSettings& settings, cons
     }
 }
 
-/// Lists the tiles of the photos for their clusters; for surfaces seen from a photo's own camera, only that
-/// photo's tiles.
+/// Lists the tiles that the photos need for their clusters. If the viewer is at a photo's camera, lists only
+/// that photo's tiles for the surfaces that it sees.
 void list_tiles(const VisibleSurface& s, const PlanSettings& settings, const Candidates& candidates,
                 std::vector<PlannedPhoto>& photos) {
     std::vector<float> weights(s.scene.clusters.size());

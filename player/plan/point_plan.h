@@ -44,8 +44,8 @@ struct DrawnNode {
 std::vector<DrawnNode> drawn_nodes(const PointCloud& cloud, const PointPlan& plan,
                                    const std::function<bool(std::uint32_t node)>& resident);
 
-/// The range of distances along the view's axis, see depth_range() for clusters; 0 to 0 if all nodes are
-/// behind the viewer.
+/// The range of distances along the view's axis, as depth_range() returns it for clusters. Returns 0 to 0 if
+/// all nodes are behind the viewer.
 Eigen::Vector2d depth_range(const PointCloud& cloud, const PointPlan& plan, const View& view, double reach);
 
 }  // namespace vantage

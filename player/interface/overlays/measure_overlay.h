@@ -19,7 +19,7 @@ std::vector<Eigen::Vector3d> points_from(const Measurement& measurement, const E
 std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> lines_of(Measure measure,
                                                                   const std::vector<Eigen::Vector3d>& points,
                                                                   const Eigen::Vector3d& up);
-/// Position of a measurement's label; needs at least one point.
+/// Position of a measurement's label. The measurement must have at least one point.
 Eigen::Vector3d label_place(Measure measure, const std::vector<Eigen::Vector3d>& points,
                             const Eigen::Vector3d& up);
 

@@ -46,13 +46,13 @@ class Controls {
     /// A slider that uses the language's decimal separator; Ctrl+click turns it into a number().
     bool slider(const char* name, double* value, double low, double high, const char* format = "%.2f",
                 ImGuiSliderFlags flags = 0);
-    /// A text field for a number; accepts a point or a comma.
+    /// A text field for a number, with a decimal point or a decimal comma.
     bool number(const char* name, double* value, const char* format);
     /// A drop-down list of names that are not translated, such as file names.
     bool combo(const char* name, int* value, const char* const names[], int count);
     /// A drop-down list of translated texts.
     bool choice(const char* name, int* value, const char* const texts[], int count);
-    /// A button of the toolbar, with its name next to the icon if `with_label`; highlighted while on.
+    /// A button of the toolbar, with its name next to the icon if `with_label`, and highlighted if `lit`.
     /// Recorded as "Bar" and the name.
     bool icon_button(const char* name, Icon icon, bool lit, bool with_label);
     static ImVec2 icon_button_size(const char* name, bool with_label);

@@ -16,8 +16,8 @@ void cut_section(Controls& controls, Session& session, const PlanScene& scene, c
 /// The cut's outlines over the picture.
 class CutLines {
   public:
-    /// Draws the outlines over `view`, with the edges of a box; recomputes them if the planes or the meshes
-    /// have changed.
+    /// Draws the outlines over `view`, with the edges of a box. Recomputes the outlines if the planes or the
+    /// meshes have changed.
     void show(std::span<const PlacedMesh> meshes, std::span<const SectionPlane> planes, const View& view);
 
   private:

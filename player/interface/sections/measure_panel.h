@@ -31,7 +31,7 @@ class MeasurePanel {
               double now);
 
     /// The functions below are the steps of show(), for pointers other than the window's. Enters or leaves
-    /// the mode as set in the session; returns whether the mode is active.
+    /// the mode as set in the session, and returns whether the mode is active.
     bool attend(Session& session, double now);
     /// Whether measurements are being saved, or attend() has yet to report the result of saving them.
     bool saves() const { return file_.busy(); }

@@ -47,7 +47,7 @@ struct UserInput {
     bool pinch_begins = false;
 };
 
-/// Whether a key was pressed or repeated without modifiers since the last frame; removes the press from the
+/// Whether a key was pressed or repeated without modifiers since the last frame. Removes the press from the
 /// input.
 bool take_key(UserInput& input, int key);
 

@@ -22,7 +22,7 @@ class NotePicture {
     /// Starts loading the file in the background, unless it was the last one loaded. There is no picture
     /// until loading is complete, or if the file is missing or cannot be read.
     void load(const std::filesystem::path& file);
-    /// Uploads a loaded picture; called once per frame.
+    /// Uploads a loaded picture. To be called once per frame.
     void attend();
     bool loading() const { return read_.valid(); }
     /// 0: no picture.

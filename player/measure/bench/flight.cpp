@@ -30,8 +30,8 @@ void preload(ObjectSet& objects, const CameraPath& path, FrameSize size, RenderS
 /// Draws a frame at `now` seconds, and shows it.
 using DrawAndShow = std::function<void(const View& view, const RenderSettings& settings, double now)>;
 
-/// Duration of a frame at rest, in milliseconds; measured after a coarse frame, as a window does for its
-/// first picture.
+/// Duration of a frame at rest, in milliseconds. It is measured after a coarse frame, as in a window that
+/// shows its first picture.
 double time_at_rest(const View& view, RenderSettings settings, FrameTimer& timer, const DrawAndShow& draw) {
     double ms = 0;
     for (int i = 0; i < 4; ++i) {

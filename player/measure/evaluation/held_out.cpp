@@ -108,7 +108,7 @@ std::vector<bool> surface_of(std::span<const std::uint32_t> triangles) {
     return out;
 }
 
-/// Scores the whole frame and attributes its error to causes; applies the gains to the pictures.
+/// Scores the whole frame, attributes its error to causes, and applies the gains to the pictures.
 void judge_frame(EvaluationPictures& p, std::span<const std::uint32_t> triangles, PhotoEvaluation& out) {
     const std::vector<bool> taken = scored_pixels(p.photo, 0), colored = scored_pixels(p.rendered, 0);
     const Plane errors = squared_errors(p.photo, p.shown, taken, colored, out.score.gain);

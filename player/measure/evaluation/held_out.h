@@ -57,7 +57,8 @@ struct HeldOut {
 PhotoEvaluation evaluate_held_out(Renderer& renderer, RenderSettings settings, const HeldOut& held_out,
                                   std::vector<RegionError>& regions, EvaluationPictures& pictures);
 
-/// Adds remarks about likely problems to the photos; whether an SSIM is unusually low depends on all results.
+/// Adds remarks about likely problems to the results of the photos. All results are needed to find SSIMs that
+/// are unusually low.
 void remark(std::vector<PhotoEvaluation>& results);
 
 }  // namespace vantage

@@ -35,7 +35,7 @@ class PlanThread {
     explicit PlanThread(const PlanScene& scene);
     /// Whether there is a job whose plans have not been taken yet.
     bool busy() const { return busy_; }
-    /// Starts a job; must not be called while busy. Returns a finished or empty job, whose memory can be
+    /// Starts a job. Must not be called while busy. Returns a finished or empty job, whose memory can be
     /// reused.
     PlanJob begin(PlanJob job);
     /// Returns the finished plans, once for each job. `wait`: blocks until they exist. Rethrows errors of the
