@@ -10,7 +10,7 @@ namespace vantage {
 struct ModelDepth {
     GLuint texture = 0;                               ///< depths, top row first; 0: nothing is occluded
     Eigen::Vector2d terms = Eigen::Vector2d::Zero();  ///< a and b: depth is a + b / z, with z in scene units
-    FrameSize frame{};  ///< the used part of the texture, from its first texel; pixels
+    FrameSize frame{};  ///< size of the used part of the texture, which starts at the first texel
 };
 
 /// A finished picture for one eye, on which overlays are drawn: sRGB, 8 bits. Overlays behind the model are

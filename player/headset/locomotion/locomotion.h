@@ -11,8 +11,9 @@ namespace vantage {
 /// State of the user's locomotion in a headset.
 struct Locomotion {
     Stance stance;
-    double usual_scale = 1;    ///< scene units per meter; the hands scale it by at most max_scaling
-    bool smooth = true;        ///< sticks fly; otherwise teleporting only
+    /// Scene units per meter. The hands change the scale by at most a factor of max_scaling.
+    double usual_scale = 1;
+    bool smooth = true;        ///< whether sticks fly; if not, users only teleport
     double snap_degrees = 30;  ///< per turn
 
     std::optional<Hold> hold{};

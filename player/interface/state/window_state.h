@@ -32,7 +32,7 @@ struct WindowState {
     Area free;  ///< the area without panels, to which the picture is fitted
 
     UserInput input;                  ///< unhandled input
-    std::vector<KeyPress> measuring;  ///< keys for measuring mode
+    std::vector<KeyPress> measuring;  ///< keys that measuring mode handles
     bool menu_open = false;           ///< a menu or list was open in the last frame
     bool navigates = false;           ///< a control had the keyboard focus in the last frame
     bool touched = false;             ///< any input since the last frame

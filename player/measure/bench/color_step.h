@@ -25,7 +25,7 @@ Picture picture_of(const SeenFrame& frame);
 struct ColorStep {
     double mean = 0, p99 = 0, max = 0;  ///< over the cells, weighted by their compared pixels
     double degrees = 0;                 ///< mean angle of the eye's movement around the compared surfaces
-    double compared = 0;                ///< fraction of pixels that show a surface
+    double compared = 0;                ///< compared pixels, as a fraction of those with a surface
 };
 
 /// Side of the cells, in pixels: a fortieth of the frame's longer side, at least 1.

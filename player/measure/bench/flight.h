@@ -33,7 +33,7 @@ struct FlightOptions {
     int frames = 120;
     double fps = -1;           ///< target rate in the mode "adaptive", see frame_goal()
     double minutes = 0;        ///< duration, instead of `frames`
-    bool until_exact = false;  ///< end a path when the view is constant and its picture exact
+    bool until_exact = false;  ///< end a path when the view is constant and its picture is exact
     bool warm = false;         ///< keep the package in the page cache
     std::filesystem::path folder = "bench";
 };

@@ -45,7 +45,7 @@ struct CauseMap {
 /// Input for the attribution of errors. All pictures and planes have the same size.
 struct CauseEvidence {
     const Picture& photo;
-    const Picture& shown;              ///< see as_in_window; gains applied
+    const Picture& shown;              ///< see as_in_window, with gains applied
     std::span<const Picture> alone;    ///< the view rendered from single photos, with the same gains
     const Plane& errors;               ///< see squared_errors
     const std::vector<bool>& taken;    ///< whether the photo's pixel is valid

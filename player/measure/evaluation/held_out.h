@@ -37,7 +37,7 @@ struct RegionError {
 
 struct EvaluationPictures {
     Picture photo, rendered, difference;
-    Picture shown;               ///< the whole frame, see as_in_window; gains applied
+    Picture shown;               ///< the whole frame from as_in_window, with gains applied
     Picture causes;              ///< see cause_picture
     std::vector<Picture> alone;  ///< from single photos, after gains: the nearest, then those that agree best
     std::vector<Picture> worst;  ///< pictures of PhotoEvaluation::worst, see region_picture

@@ -18,7 +18,7 @@ inline constexpr int cell_margin = 8;  ///< px around a cell that are evaluated 
 
 /// A frame divided into cells, numbered row by row.
 struct Cells {
-    int width, height;  ///< of the frame, px
+    int width, height;  ///< size of the frame, px
 
     int columns() const { return (width + cell_size - 1) / cell_size; }
     int rows() const { return (height + cell_size - 1) / cell_size; }
