@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sets up, generates the demo scene, prepares and checks its package, and shows the package in a window.
+# Runs setup.sh, generates the demo scene, prepares and checks its package, and shows the package in a window.
 # Without a display, the script renders pictures instead.
 set -euo pipefail
 cd "$(dirname "$0")"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sets up, then runs the default tests, or all tests with --full. Other arguments are passed to ctest.
+# Runs setup.sh, then the default tests, or all tests with --full. Other arguments are passed to ctest.
 set -euo pipefail
 cd "$(dirname "$0")"
 targets=(suite) some=(-LE full)

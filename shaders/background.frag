@@ -155,7 +155,7 @@ void main() {
     } while (here != 0u);
     // The third-best weight is subtracted from the two best, so that photos appear and disappear gradually.
     third = max(third, negligible * best[0].weight);
-    // A photo that shows the mesh there does not see the sky, even where the mesh is hidden.
+    // A photo contributes no sky color where it shows the mesh, even if that part of the mesh is hidden.
     if (show == show_colors && trust > 0.8 && is_sky()) accumulated = vec4(calm, 1.0) * background_least;
     Candidate c = best[0];
     bool second = best[1].weight > third, more;

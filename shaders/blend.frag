@@ -171,7 +171,7 @@ void main() {
         float theta = ray_angle(surface_position, photo);
         w *= weight_of(photo, pixel, weight_maps, theta, footprint);
 #ifdef PHOTO_TRANSIENTS
-        // A value of 1 of 255 means that the surface is visible but contradicted by other photos.
+        // A value of 1 (of 255) means that the surface is visible but contradicted by other photos.
         if ((switches & transient_weight_switch) != 0u) w *= mix((max(weight_maps.a * 255.0, 1.0) - 1.0) / 254.0, 1.0, own_share(theta));
 #endif
         if (!(w > 0.0)) continue;

@@ -359,11 +359,11 @@ struct Photo {
     vec4 focal_center;        // fx fy cx cy, pixels
     vec4 size_weight;         // width, height, number of levels, dynamic weight for this view
     vec4 center_hull;         // camera center relative to the origin; fraction of the photo that the model fills
-    vec4 direction;           // corrected viewing direction [P]; index in `pages` of its lens table, or -1
+    vec4 direction;           // corrected viewing direction [P]; index of the lens table in `pages`, or -1
     vec4 false_color;         // linear; background label, 0: none
     vec4 gain;                // factors that convert to the mean photo's exposure, linear light; 2 / diagonal, 1/pixels
     vec4 vignetting;             // ln of the lens's loss, times r^2, r^4, r^6; square of its range (scene/package/contents/lens_table.h)
-    uvec4 color_base[level_count / 4];  // index in `pages` of each level's first tile, four levels each
+    uvec4 color_base[level_count / 4];  // index of each level's first tile in `pages`, four levels per vector
     uvec4 weight_base[level_count / 4];
 };
 

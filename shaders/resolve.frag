@@ -180,8 +180,8 @@ vec3 exposed(vec3 c, ivec2 at) {
     return c * exposure * exp(-r2 * (vignetting.x + r2 * (vignetting.y + r2 * vignetting.z)));
 }
 
-// Mixes two pictures in square roots of light, as everywhere. If only one of them has a hole, the color of
-// the other is used.
+// Mixes two pictures in square roots of light. If only one of them has a hole, the color of the other is
+// used.
 vec4 mixed(vec4 replaced, vec4 c) {
     if (!(replaced.a > 0.0)) return c;
     if (!(c.a > 0.0)) return replaced;

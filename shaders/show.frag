@@ -87,7 +87,7 @@ layout(location = image_sets_uniform) uniform uint image_sets;
 layout(location = image_set_share_uniform) uniform float image_set_share;  // weight of the other image set, or its start as a fraction of the width
 layout(location = other_fills_uniform) uniform bool other_fills;
 
-// Mixes two colors in square roots of light, as everywhere. Holes in either color fade.
+// Mixes two colors in square roots of light. Holes in either color fade.
 vec4 mixed(vec4 a, vec4 b, float share) {
     float alpha = mix(a.a, b.a, share);
     if (!(alpha > 0.0)) return vec4(0.0);

@@ -19,7 +19,7 @@ layout(location = own_field_share_uniform) uniform float field_share;
 layout(location = own_light_on_photos_uniform) uniform bool light_on_photos;
 layout(location = own_light_scale_uniform) uniform float light_scale;
 
-// Normalizes a vector. The result is the viewer's axis if the vector has no direction.
+// Normalizes a vector. The result is the viewer's axis if the vector's length is zero or too large.
 vec3 unit(vec3 v) {
     float length2 = dot(v, v);
     return length2 > 0.0 && length2 < 1e38 ? v * inversesqrt(length2) : vec3(0.0, 0.0, 1.0);

@@ -1,6 +1,6 @@
 // The surface at a pixel, computed from the triangle that is visible there (a visibility buffer: Burns and
-// Hunt 2013). The surface is computed once per pixel, while drawing the model again would shade a block of
-// pixels for every triangle.
+// Hunt 2013). The surface is computed once per pixel, whereas drawing the model again would shade whole
+// blocks of pixels for every triangle.
 
 layout(binding = triangles_unit) uniform usampler2D triangles;  // numbers plus 1; 0: none
 layout(std430, binding = indices_buffer) readonly buffer Indices { uint indices[]; };

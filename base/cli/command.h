@@ -104,10 +104,10 @@ class Command {
     /// --force, for commands that write files (see output_file).
     void force(bool& value) const;
     void version(const std::string& text) const;
-    Option quiet() const;  ///< -q, for a program that has an action without a verb
+    Option quiet() const;  ///< -q, for a program that also runs without a verb
 
-    /// For a command with many options: those that --help lists, each by the last of its names. --help-all
-    /// lists all options.
+    /// For a command with many options: sets the options that --help lists. Each option is given by the last
+    /// of its names. --help-all lists all options.
     void common(std::vector<std::string> names) const;
     /// Sets the end of --help: paragraphs, examples and exit codes.
     void notes(const std::string& text) const;

@@ -19,7 +19,7 @@ struct DescribedOption {
     bool required = false;
     bool several = false;              ///< takes any number of values
     bool commas = false;               ///< accepts values separated by commas
-    std::vector<std::string> needs{};  ///< other options; used only in --help
+    std::vector<std::string> needs{};  ///< options that must also be given; used only in --help
 };
 
 /// A program or one of its verbs, as described by its command line.

@@ -10,7 +10,7 @@
 namespace vantage {
 namespace {
 
-/// The text, escaped for an attribute. XML forbids control characters even when they are escaped.
+/// The text, escaped for an XML attribute. XML forbids control characters even when they are escaped.
 std::string attribute(const std::string& text) {
     std::string plain, out;
     for (const char c : text) plain += (c >= 0 && c < 32 && c != '\t' && c != '\n') ? '?' : c;

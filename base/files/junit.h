@@ -8,7 +8,7 @@ namespace vantage {
 /// The result of one check, as a JUnit test case.
 struct CheckCase {
     std::string name;        ///< name of the package or picture
-    std::string kind, text;  ///< the failure, in one word and in full; empty if the check passed
+    std::string kind, text;  ///< the failure as one word and in full; both are empty if the check passed
     double seconds = 0;
 };
 

@@ -24,7 +24,8 @@ class UnfinishedFile {
     const std::filesystem::path& part() const { return part_; }
     /// Renames the file. Throws Error(storage) if renaming fails.
     void finish() const;
-    /// Throws Error(storage), which says that the file cannot be written and, unless `why` is empty, why.
+    /// Throws Error(storage). The message says that the file cannot be written, followed by `why` unless that
+    /// is empty.
     [[noreturn]] void fail(const std::string& why) const;
 
   private:

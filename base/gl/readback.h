@@ -9,7 +9,7 @@
 namespace vantage::gl {
 
 /// A mapped buffer of 32-bit words that GPU commands fill. The CPU reads the buffer when these commands have
-/// finished, and does not wait for them unless asked to. The buffer belongs to the OpenGL thread.
+/// finished, and does not wait for them unless asked to. The buffer must be used only on the OpenGL thread.
 class Readback {
   public:
     Readback() = default;

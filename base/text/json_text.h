@@ -10,8 +10,8 @@ namespace vantage {
 /// compile, so it is compiled only here.
 nlohmann::json json_of(std::string_view text);
 
-/// The strings in a list that is a member of an object. Items that are not strings become empty strings. If
-/// the object has no such list, there are no strings.
+/// The strings in a list that is a member of an object. Items that are not strings become empty strings. The
+/// result is empty if the object has no such list.
 std::vector<std::string> texts_in(std::string_view object, const char* list);
 
 /// Formats JSON, indented, or as one line if `indent` is negative. Bytes that are not valid UTF-8 are

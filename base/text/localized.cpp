@@ -13,7 +13,7 @@ namespace {
 
 constexpr char begin = '\1', end = '\2';  ///< marks before and after a number with a fraction
 
-/// The format with a mark before and after each conversion for a number with a fraction, such as "%.1f".
+/// The format, with a mark before and after each conversion of a floating-point number, such as "%.1f".
 std::string with_marks(std::string_view format) {
     std::string out;
     while (!format.empty()) {

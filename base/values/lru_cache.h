@@ -10,8 +10,8 @@
 
 namespace vantage {
 
-/// Caches data of photos, which are read on demand; the least recently used photo is evicted. The cache is
-/// thread-safe, but two threads that request the same photo at once may both read it.
+/// Caches data of photos, which is read on demand. The data of the least recently used photo is evicted. The
+/// cache is thread-safe, but two threads that request the same photo at once may both read it.
 template <class T>
 class LruCache {
   public:

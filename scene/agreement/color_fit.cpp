@@ -162,7 +162,8 @@ void solve(const SharedDiscs& obs, const std::vector<double>& weights, Model& m)
         for (int t = m.terms[l]; t < 3; ++t) m.vignetting[3 * Eigen::Index(l) + t] = 0;
 }
 
-/// The model's robust weights at a scale; each disc's color is the mean weighted by `before`.
+/// The model's robust weights at a scale. Residuals are relative to each disc's mean color, which is weighted
+/// by `before`.
 std::vector<double> robust_weights(const SharedDiscs& obs, const Model& m, const std::vector<double>& before,
                                    double at) {
     std::vector<double> weights(before.size());
@@ -197,8 +198,8 @@ std::vector<int> photos_of(std::span<const std::uint32_t> lens, std::size_t lens
     return count;
 }
 
-/// Fits vignetting. Each lens gets as many terms as give a plausible result. If vignetting does not help,
-/// the model remains without it.
+/// Fits vignetting. Each lens gets the largest number of terms that gives a plausible result. If vignetting
+/// does not lower the cost enough, the model is left without it.
 void fit_vignetting(const SharedDiscs& obs, Model& m, std::vector<double>& weights) {
     const Model without = m;
     const double cost_without = cost(obs, m, weights);
@@ -215,7 +216,7 @@ void fit_vignetting(const SharedDiscs& obs, Model& m, std::vector<double>& weigh
     m = without;
 }
 
-/// Makes the mean gain of each component 1 and limits the gains.
+/// Makes the geometric mean of the gains in each component 1, and limits the gains.
 void center_gains(Model& m, const std::vector<std::uint32_t>& component,
                   const std::vector<std::size_t>& count) {
     for (std::uint32_t root = 0; root < component.size(); ++root) {

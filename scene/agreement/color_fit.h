@@ -30,13 +30,13 @@ struct ColorFit {
     std::vector<std::array<double, 3>> ln_gain;  ///< per photo; the mean over a component is 0
     std::vector<Vignetting> vignetting;          ///< per lens
     std::vector<std::uint32_t>
-        component;  ///< per photo: the number of its group of photos connected by shared surface
+        component;  ///< per photo: the number of its component, a group of photos connected by shared surface
     std::vector<std::size_t> samples;  ///< per photo: discs that another photo also shows
     /// The median |ln ratio| between photos of the same disc, averaged over the channels, without and with
     /// the correction.
     double before = 0, after = 0;
     std::vector<double> photo_before,
-        photo_after;  ///< the same for each photo; 0 if the photo shares no disc
+        photo_after;  ///< the same medians for each photo; 0 if the photo shares no disc
 
     /// Whether any photos have enough surface in common to be compared.
     bool shares_surface() const {
@@ -44,8 +44,8 @@ struct ColorFit {
     }
 };
 
-/// The number of each photo's lens, counted from 0. Photos of the same size, in either orientation, and the
-/// same focal length to within 0.5 % share a lens, unless they belong to different image sets.
+/// The number of each photo's lens, counted from 0. Photos share a lens if they have the same size, in either
+/// orientation, and the same focal length to within 0.5 %, unless they belong to different image sets.
 std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photos);
 
 /// A least-squares fit over all discs that several photos show; the discs' colors are eliminated. Residuals e

@@ -16,7 +16,7 @@ namespace vantage {
 int coarse_level(const package::PhotoRecord& record, int long_side);
 
 /// Copies a tile without its border to its place in `out`, which holds the level's width * height texels of 4
-/// bytes. `texels`: the packed texels of the part `given` of the tile, which must contain the tile without
+/// bytes. `texels`: the packed texels of `given`, a part of the tile that must contain the whole tile except
 /// its border.
 void copy_content(std::span<const std::byte> texels, const TilePart& given, const Level& level,
                   std::size_t tile, std::span<std::byte> out);

@@ -23,7 +23,8 @@ struct PhotoSamples {
 };
 /// Keeps every `step`-th disc.
 PhotoSamples thinned(Samples samples, std::size_t step);
-/// Keeps enough discs to fit the colors of a fold, since a gain is only one number per photo and channel.
+/// Keeps enough discs to fit the color corrections without a held-out photo, since a gain is only one number
+/// per photo and channel.
 PhotoSamples samples_to_fit(Samples samples);
 /// `read` returns the bytes of a photo's SAMP chunk.
 PhotoSamples read_samples(std::span<const package::PhotoRecord> photos,

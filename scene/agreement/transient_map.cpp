@@ -13,7 +13,8 @@ constexpr float tolerance = 0.35f;   ///< ln of linear light
 constexpr float depth_step = 0.02f;  ///< largest relative depth difference within one surface
 constexpr std::size_t max_compared = 6;
 
-/// The texel of another photo at point `p` in its camera space; null if that photo does not see the point.
+/// The texel at which another photo shows point `p`, given in that photo's camera space; null if the photo
+/// does not see the point.
 const TransientView::Texel* shown_at(const TransientView& v, const Eigen::Vector3f& p) {
     if (!(p.z() > 0)) return nullptr;
     const float x = float(v.k.fx) * p.x() / p.z() + float(v.k.cx),

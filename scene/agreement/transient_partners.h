@@ -19,7 +19,7 @@ class TransientPartners {
   private:
     struct Candidate {
         std::uint32_t photo;
-        bool spare;  ///< considered only if another candidate is missing
+        bool spare;  ///< considered only if another candidate is the photo to leave out
     };
     bool chooses(std::uint32_t photo, std::uint32_t other, std::optional<std::uint32_t> without) const;
     std::vector<std::vector<Candidate>> candidates_;  ///< per photo, best first

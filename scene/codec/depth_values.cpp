@@ -16,8 +16,7 @@ constexpr int dropped = 24 - depth_bits;  ///< dropped bits of a float's 24 sign
 constexpr std::uint32_t infinite = 0x7f800000u >> dropped;
 constexpr std::uint32_t max_steps = 0xffff;
 
-/// The bits of a positive, finite depth that are stored. The depth that these bits stand for is positive and
-/// finite as well.
+/// The stored bits of a positive, finite depth. They stand for a depth that is also positive and finite.
 std::uint32_t kept_bits(float z) {
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(z);
     return std::clamp((bits + (1u << (dropped - 1))) >> dropped, 1u, infinite - 1);

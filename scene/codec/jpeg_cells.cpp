@@ -121,7 +121,7 @@ std::optional<std::span<const std::byte>> row_of_cell(std::span<const std::byte>
     return cell.subspan(at, length);
 }
 
-/// A range of cell columns and a range of MCU rows; the last ones are not included.
+/// A half-open range of cell columns and a half-open range of MCU rows.
 struct Window {
     int first_column, last_column, first_row, last_row;
 };

@@ -11,9 +11,9 @@
 namespace vantage::codec {
 
 /// The division of a photo's DCT coefficients into cells of `interval` MCUs by `band` MCU rows, so that parts
-/// of the photo can be decoded independently. A cell holds a u16 for each of its MCU rows, the length of the
-/// row's entropy-coded data, and then the data of the rows. Each row starts as if after a restart marker. The
-/// grid follows from the header, whose restart interval is the width of the cells.
+/// of the photo can be decoded independently. A cell holds the length of each of its MCU rows' entropy-coded
+/// data, as a u16, and then the data of all rows. Each row starts as if after a restart marker. The grid
+/// follows from the header, whose restart interval is the width of the cells.
 struct CellGrid {
     JpegHeader header;
     int columns = 0, rows = 0;

@@ -62,11 +62,12 @@ enum class ChunkWrite { planned, last, appended };
 struct ChunkRow {
     package::Type type;
     const char* name = nullptr;  ///< name of the content; null for chunks that only describe the package
-    package::Stage stage = package::Stage::count;  ///< makes the chunk for each photo; `count`: one per scene
-    ChunkLevels levels =
-        ChunkLevels::single;   ///< levels with such a chunk; except for `single`, it holds tiles
-    bool compact = false;      ///< coded if the effect `compact` is on
-    std::uint64_t record = 0;  ///< bytes per record
+    package::Stage stage = package::Stage::count;  ///< the stage that makes the chunk for each photo; `count`
+                                                   ///< if the chunk is scene-wide
+    ChunkLevels levels = ChunkLevels::single;  ///< levels that have such a chunk; unless this is `single`,
+                                               ///< the chunk holds tiles
+    bool compact = false;                      ///< coded if the effect `compact` is on
+    std::uint64_t record = 0;                  ///< bytes per record
     /// Returns the number of records; null if that number does not follow from SCEN and PHOT. For a
     /// scene-wide chunk, the photo record is empty.
     std::uint64_t (*count)(const package::SceneRecord&, const package::PhotoRecord&) = nullptr;

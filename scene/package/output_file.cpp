@@ -145,7 +145,7 @@ void expect_replaceable(const fs::path& file, const fs::path& to, const Row& row
                          (force ? ", or --force to replace it" : ""));
 }
 
-/// Checks a file that only this program uses, under a name that the program chose.
+/// Checks an auxiliary file, whose name this program chose and which only this program uses.
 void expect_own(const fs::path& file) {
     const fs::file_status status = fs::status(file);
     if (!fs::exists(status)) return;

@@ -52,15 +52,14 @@ struct Inputs {
 /// which the package is written until it is complete. Every command calls this before it does any work.
 /// Throws Error(usage) if the file is an input, a folder, a device or a pipe. Unless `force` is set, also
 /// throws Error(usage) if the file exists, has content and is not of a kind that may be replaced. `force`:
-/// the option
-/// --force; empty if the command does not have it.
+/// the value of the option --force; empty if the command does not have it.
 std::filesystem::path output_file(const std::filesystem::path& file, Product product, const Inputs& inputs,
                                   std::optional<bool> force);
 
-/// Checks a folder of results that are written together. If the folder contains the product `mark`, this
-/// command wrote the results, and the other files may be replaced. Throws Error(usage) if output_file()
-/// throws it for the mark. Unless `force` is set, also throws Error(usage) if the mark is missing but one of
-/// the other files exists.
+/// Checks a folder of results that are written together. If the folder contains the file `mark`, which is of
+/// the kind `product`, then this command wrote the results, and the other files may be replaced. Throws
+/// Error(usage) if output_file() throws it for the mark. Unless `force` is set, also throws Error(usage) if
+/// the mark is missing but one of the other files exists.
 void expect_result_folder(const std::filesystem::path& folder, const char* mark, Product product,
                           const std::vector<std::filesystem::path>& others, const Inputs& inputs, bool force);
 

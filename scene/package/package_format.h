@@ -21,7 +21,7 @@ inline constexpr std::uint32_t scene_wide = 0xffffffffu;
 enum class Form : std::uint32_t {
     raw,     ///< uncompressed
     zstd,    ///< for chunks without blocks: u64 length of the content, then a zstd frame
-    jpeg,    ///< tiles of color, as JPEG without the header, which all tiles share
+    jpeg,    ///< tiles of color, each a JPEG without the header, which all tiles share
     cells,   ///< a level of color, as the photo's own JPEG divided into cells
     planes,  ///< tiles with four bytes per texel, lossless
     depth    ///< tiles of rounded depth
@@ -74,8 +74,8 @@ struct SceneRecord {
     std::uint64_t scalar_fields;
     double up[3]{0, 0, 1};  ///< unit vector
     double shade[3]{};      ///< linear light of the background in the median photo; 0, 0, 0: unknown
-    /// The player's first view: from the position of a photo toward a point relative to the origin. If
-    /// `first_photo` is not the number of a photo, the view shows the whole model.
+    /// The player's first view, from the position of a photo toward a target, whose coordinates are relative
+    /// to the origin. If `first_photo` is not the number of a photo, the view shows the whole model.
     std::uint64_t first_photo = ~0ull;
     double first_target[3]{};
     double first_fov = 45;    ///< vertical angle that must fit into the frame, degrees
@@ -159,7 +159,7 @@ struct PointNode {
     std::uint8_t reserved[3];
 };
 
-/// A set of photos that is shown separately, such as those in infrared, or those from before a restoration.
+/// A set of photos that is shown separately, such as infrared photos, or photos taken before a restoration.
 struct ImageSetRecord {
     char name[56];          ///< UTF-8, zero-terminated
     std::uint64_t effects;  ///< bit i: Effect i is on for these photos
@@ -180,7 +180,7 @@ struct CoverageRecord {
     std::int16_t log2_density;     ///< log2(pixels per unit at the cluster's center) * 256
 };
 
-/// The number of discs on each model's surface in which photos are compared.
+/// The number of discs on each model's surface. Photos are compared within these discs.
 inline constexpr std::size_t surface_discs = 8192;
 
 /// The mean color of a disc of the surface in a photo, in linear light, as unorm16; all 0 if the disc is not
@@ -199,7 +199,7 @@ struct PoseRefinementRecord {
     std::uint64_t key;     ///< XXH3-64 of all inputs, the same for all photos
 };
 
-/// The pose of a refined camera when it is fitted as if another photo were not in the scene.
+/// The pose of a refined camera, fitted as if another photo were not in the scene.
 struct LeaveOneOutPoseRecord {
     std::uint32_t without;  ///< the photo held out of the fit
     std::uint32_t photo;    ///< the photo whose pose this is

@@ -39,7 +39,7 @@ std::uint64_t layout_checksum(const PackageLayout& layout, std::uint64_t names) 
 
 PackageLayout package_layout(std::span<const ChunkPlan> plan, std::uint64_t names) {
     PackageLayout out;
-    // This space includes the entry of an appended chunk.
+    // The directory has space for one more entry, that of an appended chunk.
     out.bytes = aligned(sizeof(package::Header) + (plan.size() + 1) * sizeof(DirectoryEntry));
     for (const ChunkPlan& chunk : plan) {
         out.directory.push_back(planned_entry(chunk, out.bytes));

@@ -19,8 +19,8 @@ struct ChunkPlan {
     bool compact = false;  ///< the chunk may be stored in a shorter form; the sizes are those of the raw form
 };
 
-/// The shard that one of several runs prepares: number `share` of `shares`, from 1. If both are 0, the run
-/// prepares all photos.
+/// The shard that one of several runs prepares: number `share`, counted from 1, of `shares`. If both are 0,
+/// the run prepares all photos.
 struct Share {
     std::uint32_t share = 0, shares = 0;
     bool holds(std::size_t photo) const { return shares == 0 || photo % shares == share - 1; }

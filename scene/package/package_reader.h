@@ -76,7 +76,8 @@ class PackageReader {
     std::span<const std::byte> raw(const package::DirectoryEntry&) const&& = delete;
     int descriptor() const;
     /// If the package is on a server, fetches these bytes, which stay readable as long as the result lives.
-    /// Otherwise does nothing. Throws Error(input), Error(storage), and Error(interrupted) when stopped.
+    /// Otherwise does nothing. Throws Error(input) if the bytes cannot be fetched, Error(storage) if the
+    /// cache cannot be used, and Error(interrupted) when stopped.
     [[nodiscard]] Held hold(std::span<const Part> parts, std::stop_token stop = {}) const;
     /// Discards fetched bytes that do not match a checksum, so that they are fetched again. False for a file.
     bool discard(std::span<const Part> parts) const;

@@ -32,7 +32,7 @@ class PackageSource {
     /// The descriptor of a file with these bytes, for copying; -1 if no file has all of them.
     virtual int descriptor() const = 0;
     /// Waits until all parts are readable. Returns null when stopped. Throws Error(input) if the bytes cannot
-    /// be fetched, and Error(storage).
+    /// be fetched, and Error(storage) if the cache cannot be used.
     virtual Held hold(std::span<const Part> parts, std::stop_token stop) = 0;
     /// Discards fetched bytes that do not match a checksum, so that hold() fetches them again. Returns false
     /// if there is no other copy.

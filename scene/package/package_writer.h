@@ -73,7 +73,8 @@ class PackageWriter {
 
     /// Keeps a chunk that FILE.part already holds, as `entry` describes it.
     void keep(const package::DirectoryEntry& entry);
-    /// Copies a chunk from another package for photo `photo`. The caller must check that the chunk is valid.
+    /// Copies a chunk from another package to photo `photo` of this package. The caller must check that the
+    /// chunk is valid.
     void copy(const PackageReader& from, const package::DirectoryEntry& entry, std::uint32_t photo);
     /// Skips the chunks of an unusable photo. The range of these chunks stays empty, and takes no space if
     /// the file system supports holes.
@@ -86,8 +87,8 @@ class PackageWriter {
     std::uint64_t checksum_of(package::Type type, std::uint32_t photo, std::uint32_t level = 0) const;
     /// The size in bytes of the finished package, or, before that, of its part.
     std::uint64_t size() const;
-    /// Completes the package. Throws Error(storage), and std::logic_error if a planned chunk was neither
-    /// written, kept, copied nor skipped.
+    /// Completes the package. Throws Error(storage) if the disk fails, and std::logic_error if a planned
+    /// chunk was not written, kept, copied or skipped.
     void finish();
 
   private:

@@ -20,10 +20,10 @@ struct RemoteOptions {
     std::filesystem::path cache{};
     std::uint64_t cache_bytes = std::uint64_t(4) << 30;  ///< limit on all cached files on the disk
     std::chrono::milliseconds connect_timeout{10'000};
-    std::chrono::seconds stall_timeout{20};  ///< maximum time below 256 bytes per second
+    std::chrono::seconds stall_timeout{20};  ///< maximum time with fewer than 256 bytes per second
     /// The pause before the second try. The pause before the third try is four times as long.
     std::chrono::milliseconds retry_pause{250};
-    int max_requests = 6;  ///< in flight at once, 1 to 64; each takes 64 KiB of memory for bodies
+    int max_requests = 6;  ///< requests in flight at once, 1 to 64; each buffers 64 KiB of its body
     std::uint64_t first_bytes = 256 << 10;  ///< fetched on opening; rounded up to 64 KiB, at most 64 MiB
     std::filesystem::path certificates{};   ///< PEM file with trusted authorities; empty: those of the system
 };
@@ -32,7 +32,7 @@ struct RemoteOptions {
 struct Traffic {
     std::uint64_t bytes_received = 0;    ///< bytes of response bodies
     std::uint64_t requests = 0;          ///< each try counts
-    std::uint64_t bytes_from_cache = 0;  ///< present in the cache when first requested, in whole blocks
+    std::uint64_t bytes_from_cache = 0;  ///< whole blocks that were in the cache when first requested
     double bytes_per_second = 0;         ///< rate of reception over the last two seconds
 };
 
@@ -43,19 +43,19 @@ struct Traffic {
 /// The size of the cache is limited. When the limit is exceeded, files that no process has open are deleted.
 /// Then blocks of this file are freed, least recently fetched first, and read as zero again. Blocks are not
 /// freed while any process fetches them or keeps them with keep(), and the blocks fetched on opening are
-/// never freed. If these blocks alone exceed the limit, so does the cache. Anyone who reads bytes that are
-/// not kept must verify them, and fetch them again if necessary.
+/// never freed. If these blocks alone exceed the limit, so does the cache. Callers that read bytes without
+/// keeping them must verify the bytes, and fetch them again if necessary.
 ///
-/// RemoteFile is thread-safe, except that it must outlive all calls. Several processes may open the same
-/// file. Errors of the server or the network are Error(input), and errors of the cache are Error(storage).
-/// Messages have one line.
+/// RemoteFile is thread-safe, but must outlive all calls to it. Several processes may open the same file.
+/// Server and network errors are reported as Error(input), and cache errors as Error(storage). Messages are
+/// one line long.
 class RemoteFile {
   public:
     /// Opens the file with one request, for the first bytes. A cached copy is used if it is current according
     /// to the server's ETag or Last-Modified; otherwise it is dropped. If the server cannot be reached, the
     /// cached copy is used unchecked (see offline()). Throws Error(input) if the server does not support
     /// ranges, if it has no such file, or if it cannot be reached and there is no cached copy. Throws
-    /// Error(storage), and Error(interrupted) when stopped.
+    /// Error(storage) if the cache cannot be used, and Error(interrupted) when stopped.
     explicit RemoteFile(std::string_view url, const RemoteOptions& options = {}, std::stop_token stop = {});
     ~RemoteFile();
     RemoteFile(RemoteFile&&) noexcept;
@@ -75,8 +75,8 @@ class RemoteFile {
     /// Waits until all ranges are present. Ranges that another thread is fetching are not requested again.
     /// Returns false when stopped; requests that nobody else waits for are then canceled. A call for many
     /// bytes does not block other calls: their requests are interleaved in the order in which they are
-    /// needed. Throws Error(input) if three tries fail or the file has changed on the server,
-    /// Error(storage), and Error(internal) if a range extends beyond the file.
+    /// needed. Throws Error(input) if three tries fail or the file has changed on the server, Error(storage)
+    /// if the cache cannot be used, and Error(internal) if a range extends beyond the file.
     [[nodiscard]] bool fetch(std::span<const ByteRange> ranges, std::stop_token stop = {});
     /// True if all bytes of the range have been fetched and have not been freed since.
     bool present(ByteRange range) const;

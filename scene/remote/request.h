@@ -35,7 +35,7 @@ class Request {
     virtual std::string condition() const { return {}; }
     /// Called with the headers of the last response, before its body. `asked`: the requested part of the
     /// range, that is, the range without the bytes that arrived before a disconnection. Returns the same as
-    /// flaw_of(), and may shorten() the range.
+    /// flaw_of(), and may call shorten().
     virtual std::string flaw(const Answer& answer, ByteRange asked) = 0;
     /// Stores the next bytes of the body, which lie within the range. May throw Error(storage).
     virtual void store(std::uint64_t offset, std::span<const std::byte> bytes) = 0;

@@ -364,7 +364,7 @@ struct Transfers::Impl {
     std::unique_ptr<CURLM, CloseMulti> multi_;
     std::mutex mutex_;
     std::vector<std::unique_ptr<Active>> incoming_;  ///< guarded by the mutex
-    // Used only by the thread.
+    // Used only by the transfer thread.
     std::deque<std::unique_ptr<Active>> waiting_;  ///< sorted by turn, then in order of arrival
     std::vector<std::unique_ptr<Active>> in_flight_;
     std::jthread thread_;

@@ -11,7 +11,7 @@ namespace vantage {
 
 /// A text for visitors, in UTF-8: one text for all languages, or one for each language.
 struct StoryText {
-    std::string plain;                               ///< used if there are no texts by language
+    std::string plain;  ///< the text for all languages; used if `by_language` is empty
     std::map<std::string, std::string> by_language;  ///< keys are tags such as "en" or "pt-BR"
     bool empty() const { return plain.empty() && by_language.empty(); }
     bool operator==(const StoryText&) const = default;
@@ -71,7 +71,8 @@ struct StoryAttract {
 
 /// A curator's presentation of a package or a scene.
 struct Story {
-    std::string language = "en";  ///< of plain texts; also used if a text lacks the visitor's language
+    /// The language of plain texts, and the fallback for texts that lack the visitor's language.
+    std::string language = "en";
     StoryText title;
     std::optional<StoryView> opening{};
     std::optional<StoryBackground> background{};

@@ -9,11 +9,11 @@
 namespace vantage {
 
 /// Dangling references within a story: to the notes at which tours stop, to the views of these notes, and to
-/// the tour of the attract loop. Each reference is one line, which states its location.
+/// the tour of the attract loop. The result has one line for each of them, which states its location.
 std::vector<std::string> dangling_references(const Story& story);
 
-/// Pictures of notes that are missing from the story's folder `folder` or lack the signature of a PNG or JPEG
-/// file.
+/// The pictures of notes whose files are missing from `folder`, the story's folder, or lack the signature of
+/// a PNG or JPEG file.
 std::vector<std::string> missing_pictures(const Story& story, const std::filesystem::path& folder);
 
 /// Anchors that lie outside `box`, which is in the input's coordinates, by more than a tenth of its diagonal.

@@ -18,7 +18,7 @@ inline constexpr float background_trust = 7, correction_scale = 500;
 struct BackgroundContent {
     std::vector<Eigen::Vector3f> positions;               ///< relative to the origin
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise as seen from inside
-    std::vector<package::ClusterRecord> clusters;         ///< in order, they cover all these triangles
+    std::vector<package::ClusterRecord> clusters;         ///< cover all these triangles, in order
     /// Per vertex: the background color (robust mean), sRGB; 8 times the label of the photo that shows it,
     /// plus the trust in that photo, 0 to 7.
     std::vector<std::array<std::uint8_t, 4>> colors;

@@ -62,7 +62,7 @@ inline bool from_all_photos(const EffectRow& row) { return row.basis != Basis::s
 /// The gain from an effect in photos that are held out completely and predicted from the other photos.
 struct Judgment {
     int photos = 0;              ///< number of photos held out
-    double gain = 0, error = 0;  ///< the mean, after the best gain per channel, and its standard error; dB
+    double gain = 0, error = 0;  ///< mean, after fitting a color gain per channel, and standard error; dB
     double noise = 0;            ///< the standard error estimated from the losses, see summarize(); dB
     double worst = 0;            ///< the lowest gain in any photo; dB
     int worse = 0;               ///< number of photos that get worse
@@ -88,8 +88,8 @@ struct EffectDecision {
     double measured = 0;                         ///< in the row's unit
     std::string evidence;                        ///< one human-readable sentence
     std::optional<Judgment> judgment{};          ///< set if photos were held out to make the decision
-    std::vector<ImageSetDecision> image_sets{};  ///< one per image set, if made separately; the effect
-                                                 ///< is on if it is on for any of them
+    std::vector<ImageSetDecision> image_sets{};  ///< one per image set, if decided separately; the effect
+                                                 ///< is on if it is on for any image set
 };
 
 enum class EffectChoice { automatic, on, off };

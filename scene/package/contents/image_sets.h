@@ -11,7 +11,7 @@ namespace vantage {
 /// A set of photos that is shown separately, such as infrared photos.
 struct ImageSet {
     std::string name;
-    EffectSet effects = 0;  ///< those of the scene, and those decided from the photos of this image set
+    EffectSet effects = 0;  ///< effects decided for the whole scene, and those decided for this image set
 };
 
 /// The image sets of a package, with the default one first. If the effect is off, there is a single image set

@@ -14,10 +14,11 @@ namespace vantage {
 /// Whether a chunk of tiles (TILE, MASK, DPTH) is stored in a known form and has the tiles of this level.
 bool holds_level(const PackageReader& package, const package::DirectoryEntry& chunk, const Level& level);
 
-/// Copies or decodes a tile with its border, tile_bytes bytes, to `to`. Returns false if the tile is damaged.
-/// Reads only the bytes of the tile and, if the package is on a server, fetches them; bytes that do not match
-/// their checksum are fetched once more. The chunk must hold the level. Thread-safe. Throws Error(storage),
-/// Error(input) if the bytes cannot be fetched, and Error(interrupted) when stopped.
+/// Copies or decodes a tile, including its border (tile_bytes bytes in all), to `to`. Returns false if the
+/// tile is damaged. Reads only the bytes of the tile and, if the package is on a server, fetches them; bytes
+/// that do not match their checksum are fetched once more. The chunk must hold the level. Thread-safe. Throws
+/// Error(input) if the bytes cannot be fetched, Error(storage) if the cache cannot be used, and
+/// Error(interrupted) when stopped.
 bool read_tile(const PackageReader& package, const package::DirectoryEntry& chunk, const Level& level,
                std::size_t tile, std::span<std::byte> to, std::stop_token stop = {});
 
@@ -32,7 +33,7 @@ struct TilePlace {
                               std::stop_token stop);
 
 /// The bytes of the package that read_tile() reads in addition to the chunk's head, which must be readable.
-/// Only color that is stored in cells has several pieces.
+/// There are several pieces only for color that is stored in cells.
 std::vector<std::span<const std::byte>> stored_pieces(const PackageReader& package,
                                                       const package::DirectoryEntry& chunk,
                                                       const Level& level, std::size_t tile);

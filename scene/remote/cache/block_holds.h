@@ -17,8 +17,8 @@ class BlockHolds {
     /// `fd`: the table's descriptor, which is not owned.
     explicit BlockHolds(int fd) : fd_(fd) {}
 
-    /// Holds blocks, which may be held several times. Waits while another process is freeing one of them.
-    /// Throws Error(storage) if the file system does not support locks.
+    /// Holds blocks. A block may be held more than once at the same time. Waits while another process is
+    /// freeing one of them. Throws Error(storage) if the file system does not support locks.
     void hold(std::span<const BlockRun> runs);
     void release(std::span<const BlockRun> runs);
     /// If no process holds the block, calls `free`, which must not throw, and returns its result; the block

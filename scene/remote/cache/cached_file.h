@@ -35,7 +35,8 @@ class CachedFile : public std::enable_shared_from_this<CachedFile> {
     /// Opens the cached file in a folder. Returns null if there is none or if it is damaged. Throws
     /// Error(storage).
     static std::shared_ptr<CachedFile> open(const std::filesystem::path& folder);
-    /// Creates a cached file in a folder that has none of its files. Throws Error(storage).
+    /// Creates a cached file in a folder that contains none of the files named in `cached`. Throws
+    /// Error(storage).
     static std::shared_ptr<CachedFile> create(const std::filesystem::path& folder, const Origin& origin);
     ~CachedFile();
 

@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// The error for a system call on a cache file that has just failed.
+/// The error for a system call that has just failed on a cache file.
 inline Error storage_error(const std::filesystem::path& path, const char* doing) {
     return {Exit::storage, path.string() + ": cannot " + doing + ": " + std::strerror(errno)};
 }
