@@ -90,7 +90,8 @@ bool is_sky() { return distance(surface_position, weight_eye) > sky_distance * b
 
 vec3 calmed(vec3 root, float share) {
     vec3 off = (root - calm) / sky_spread;
-    // Objects that stand out from the sky are not infinitely far away, and would appear twice.
+    // Colors that stand out from the sky are faded: they belong to objects at a finite distance, which would
+    // appear twice.
     if (is_sky()) share /= 1.0 + dot(off, off);
     return max(mix(calm, root, share), vec3(0.0));
 }

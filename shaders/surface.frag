@@ -75,8 +75,8 @@ vec3 lit(vec3 n, vec3 v) {
 
 #ifdef TRANSPARENT
 // The color of a transparent surface: its own color where it faces the viewer, and a darker color at a slant,
-// like that of the bare surface. A transparent surface is lit and shows scalar fields like the opaque surface
-// with its photos.
+// like that of the bare surface. Light and scalar fields are applied to it as to an opaque surface that shows
+// photos.
 vec3 own_color(vec3 n, vec3 v) {
     vec3 base = decode(max(surface_color.rgb, vec3(0.0))), color = base * (0.12 + 0.35 * abs(dot(n, v))) / bare_gray;
 #ifdef LIGHT

@@ -35,8 +35,8 @@ vec3 seen_from(vec2 pixel, vec3 corner) {
 }
 
 // Sets the surface at this sample from the triangle with this number, counted from 0. Also sets the
-// position's derivatives by pixel and the triangle's normal. The barycentric weights come from homogeneous
-// edge functions (Olano and Greer 1997), which are also valid for corners behind the viewer.
+// triangle's normal and the position's derivatives with respect to the pixel. The barycentric weights come
+// from homogeneous edge functions (Olano and Greer 1997), which are also valid for corners behind the viewer.
 void read_surface(uint triangle, out vec3 along_x, out vec3 along_y, out vec3 across) {
     uvec3 v = uvec3(indices[3u * triangle], indices[3u * triangle + 1u], indices[3u * triangle + 2u]);
     vec3 corner = position_of(v.x), ab = position_of(v.y) - corner, ac = position_of(v.z) - corner;

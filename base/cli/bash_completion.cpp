@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// The kind of file or folder to complete a value with; empty if the value is neither.
+/// The kind of file or folder that a value names; empty if the value names neither.
 std::string kind_of(const DescribedOption& o) {
     if (o.type == "TEXT") return o.values.empty() ? "FILE" : "";
     return o.type == "FILE" || o.type == "FOLDER" || o.type == "PACKAGE" ? o.type : "";

@@ -43,7 +43,7 @@ int report_exception(const char* program) noexcept {
         if (e.code() == std::errc::resource_unavailable_try_again)
             return report(
                 Exit::memory,
-                "cannot start another thread or process: out of memory, or there are too many of them");
+                "cannot start another thread or process: out of memory, or too many threads or processes");
         return report(Exit::internal, e.what());
     } catch (const std::exception& e) {
         return report(Exit::internal, e.what());

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double farthest = 1e12;  ///< input units; positions farther out have no precision left
+constexpr double farthest = 1e12;  ///< input units; positions farther from the origin would be too imprecise
 
 /// A value as shown in a message: one short line.
 std::string shown(const json& value) {

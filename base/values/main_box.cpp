@@ -10,7 +10,7 @@
 namespace vantage {
 namespace {
 
-constexpr double stray_ratio = 20;  ///< ratio of distances; vertices within it reduce precision only slightly
+constexpr double stray_ratio = 20;  ///< ratio of distances; smaller ratios reduce precision only slightly
 
 std::vector<std::uint32_t> vertices_in_use(std::size_t vertices,
                                            std::span<const std::array<std::uint32_t, 3>> triangles) {

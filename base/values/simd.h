@@ -4,8 +4,8 @@
 
 /// Marks a function that loops over pixels. The function is compiled both for AVX2 and for the baseline; one
 /// version is selected at program start. The two versions give bit-identical results, because AVX2 without
-/// FMA has no fused multiply-add. Under sanitizers, there is only one version, because they are initialized
-/// after the selection.
+/// FMA has no fused multiply-add. With sanitizers, there is only one version, because sanitizers are
+/// initialized after the selection.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(VANTAGE_SANITIZED)
 #define VANTAGE_SIMD __attribute__((target_clones("avx2", "default")))
 #else

@@ -25,7 +25,7 @@ double worth(const PhotoPair& pair);
 
 /// Finds photos that see the same part of the surface. Photos of different image sets are never paired,
 /// because the colors of different image sets cannot be compared. The data that the spans refer to must
-/// outlive the object.
+/// outlive this object.
 class SharedSurface {
   public:
     /// Shared discs are counted with bit operations; angles and colors are computed only for candidates.

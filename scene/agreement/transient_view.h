@@ -24,7 +24,7 @@ struct TransientView {
 
     Grid<const Texel> grid() const { return {texels.data(), width, height}; }
 };
-/// Sets a texel's depth and its color, uncorrected, from linear light (NaN: the photo has no pixel). Call
+/// Sets a texel's depth and its uncorrected color, given in linear light (NaN: the photo has no pixel). Call
 /// find_ranges() afterwards.
 void set_color(TransientView::Texel& texel, const float* linear, float z);
 /// Computes `low` and `high` of all texels from their colors.

@@ -32,7 +32,7 @@ class TransientWithout {
     PhotoColors colors_;
     std::vector<Pose> poses_;
     std::optional<LruCache<TransientView>>
-        corrected_;  ///< views with the color corrections for the photo held out
+        corrected_;  ///< views with the color corrections that were fitted without the held-out photo
     std::map<std::uint32_t, TransientMap> maps_;
 };
 

@@ -56,8 +56,8 @@ struct PixelRect {
 /// The cells needed to decode a part, row by row.
 std::vector<std::size_t> cells_of(const CellGrid& grid, const PixelRect& part);
 
-/// Decodes a part, which must lie within the photo, to width * height * 4 bytes. The pixels are those of the
-/// whole JPEG. Returns false if a cell is damaged.
+/// Decodes a part, which must lie within the photo, to width * height * 4 bytes. The pixels are identical to
+/// those of the whole JPEG. Returns false if a cell is damaged.
 bool decode_cells(std::span<const std::byte> header, const CellGrid& grid, const PixelRect& part,
                   const CellAt& cell, std::span<std::byte> rgba);
 

@@ -137,9 +137,9 @@ struct BackgroundRecord {
     std::uint64_t hidden;  ///< triangles of the mesh
 };
 
-/// A point of a cloud. The coordinates x, y and z, from the lowest bit, are in units of 1/2^21 of the side of
-/// its node's cube. The coordinates are rounded down to a cell, whose center represents the point. `color` is
-/// sRGB, followed by 255.
+/// A point of a cloud. Its coordinates x, y and z follow one another from the lowest bit. They are in units
+/// of 1/2^21 of the side of the node's cube, and are rounded down to a cell, whose center represents the
+/// point. `color` is sRGB, followed by 255.
 struct PackedPoint {
     std::uint32_t low, high;
     std::uint8_t color[4];

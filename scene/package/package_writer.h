@@ -87,8 +87,8 @@ class PackageWriter {
     std::uint64_t checksum_of(package::Type type, std::uint32_t photo, std::uint32_t level = 0) const;
     /// The size in bytes of the finished package, or, before that, of its part.
     std::uint64_t size() const;
-    /// Completes the package. Throws Error(storage) if the disk fails, and std::logic_error if a planned
-    /// chunk was not written, kept, copied or skipped.
+    /// Completes the package. Throws Error(storage) if writing fails, and std::logic_error if a planned chunk
+    /// was not written, kept, copied or skipped.
     void finish();
 
   private:

@@ -59,7 +59,7 @@ struct RemoteFile::Impl {
     std::atomic<std::uint64_t> bytes_from_cache = 0;
 
     std::mutex mutex;
-    std::vector<bool> used;               ///< for each block, since the file was opened; guarded by the mutex
+    std::vector<bool> used;               ///< for each block: whether it was used; guarded by the mutex
     std::condition_variable_any changed;  ///< a part has finished
     std::unordered_map<std::uint64_t, std::shared_ptr<Part>> pending;  ///< by block; guarded by the mutex
     Transfers transfers;  ///< the last member, because its thread uses the others

@@ -25,7 +25,7 @@ struct RemoteOptions {
     std::chrono::milliseconds retry_pause{250};
     int max_requests = 6;  ///< requests in flight at once, 1 to 64; each buffers 64 KiB of its body
     std::uint64_t first_bytes = 256 << 10;  ///< fetched on opening; rounded up to 64 KiB, at most 64 MiB
-    std::filesystem::path certificates{};   ///< PEM file with trusted authorities; empty: those of the system
+    std::filesystem::path certificates{};   ///< PEM file of trusted authorities; empty: the system's file
 };
 
 /// Traffic since the file was opened.

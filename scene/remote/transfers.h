@@ -16,7 +16,7 @@ struct TransferOptions {
     std::chrono::milliseconds retry_pause{
         250};                            ///< before the second try; four times as long before the third
     int max_in_flight = 6;               ///< requests
-    std::filesystem::path certificates;  ///< PEM file with trusted authorities; empty: those of the system
+    std::filesystem::path certificates;  ///< PEM file of trusted authorities; empty: the system's file
 };
 
 /// Carries out requests for one URL in a separate thread, in the order of their turns. Requests share

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double farthest = 1e12;  ///< input units; positions farther out have no precision left
+constexpr double farthest = 1e12;  ///< input units; positions farther from the origin would be too imprecise
 constexpr double smallest = 1e-6, largest = 1e6;
 constexpr double matrix_tolerance = 1e-4;  ///< for matrices that other programs wrote with few digits
 

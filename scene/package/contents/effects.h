@@ -42,7 +42,7 @@ enum class Basis {
 struct EffectRow {
     Effect effect;
     const char* name;      ///< as stored in packages
-    const char* option;    ///< as documented for the command line, which also accepts `name`
+    const char* option;    ///< the name documented for the command line, which also accepts `name`
     const char* measures;  ///< the quantity compared with the threshold; stored in packages
     const char* unit;      ///< unit of the measured value; stored in packages
     double threshold;      ///< the effect is on if the value exceeds it

@@ -29,9 +29,9 @@ std::optional<PointCloud> read_point_cloud(const PackageReader& package);
 package::PackedPoint packed(const Eigen::Vector3d& position, const package::PointNode& node);
 Eigen::Vector3d unpacked(const package::PackedPoint& point, const package::PointNode& node);
 
-/// For each node, the distance between points where no child refines it. This distance is the node's own
-/// spacing, but at most that of its ancestors, because the ancestors' points fill even leaves that have few
-/// points of their own.
+/// For each node, the distance between points in the parts of its cube that no child refines. This distance
+/// is the node's own spacing, but at most that of its ancestors, because the ancestors' points fill even
+/// leaves that have few points of their own.
 std::vector<float> local_spacings(const std::vector<package::PointNode>& nodes);
 
 /// The deepest descendant of `node` whose cube contains `point`, which is a point of `node`.

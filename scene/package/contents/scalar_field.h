@@ -42,7 +42,7 @@ struct ValueRange {
 };
 
 /// The whole range of the field. With `centered`, the range is symmetric about 0; with `logarithmic`, it is
-/// that of the positive values. In any case, low < high, and if `logarithmic` is set, low > 0.
+/// the range of the positive values. In any case, low < high, and if `logarithmic` is set, low > 0.
 ValueRange whole_range(const ScalarField& field, bool centered, bool logarithmic);
 
 }  // namespace vantage

@@ -32,8 +32,8 @@ struct TilePlace {
 [[nodiscard]] Held hold_tiles(const PackageReader& package, std::span<const TilePlace> tiles,
                               std::stop_token stop);
 
-/// The bytes of the package that read_tile() reads in addition to the chunk's head, which must be readable.
-/// There are several pieces only for color that is stored in cells.
+/// The bytes of the package that read_tile() reads in addition to the chunk's head. The head must be
+/// readable. There are several pieces only for color that is stored in cells.
 std::vector<std::span<const std::byte>> stored_pieces(const PackageReader& package,
                                                       const package::DirectoryEntry& chunk,
                                                       const Level& level, std::size_t tile);

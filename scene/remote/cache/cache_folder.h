@@ -15,9 +15,9 @@ namespace vantage {
 std::filesystem::path default_remote_cache();
 
 /// The cached files, each in a folder named by the XXH3-128 of its URL. A lock serializes finding, creating
-/// and deleting them across processes. Only folders with a file `origin` that is ours are modified, and in
-/// these only files with the names of cached files. The cache must be on a local disk, and may be deleted at
-/// any time.
+/// and deleting them across processes. Only folders that contain an `origin` written by this program are
+/// modified, and in these folders only files with the names of cached files. The cache must be on a local
+/// disk, and may be deleted at any time.
 class CacheFolder {
   public:
     /// Creates the folder if it is missing. Throws Error(storage).
