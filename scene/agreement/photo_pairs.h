@@ -20,7 +20,7 @@ struct PhotoPair {
     double color = 0;      ///< median |ln ratio| of linear light, mean of the channels
 };
 
-/// A score that favors pairs with much common surface and similar viewing directions.
+/// A score that favors pairs that have much of the surface in common and similar viewing directions.
 double worth(const PhotoPair& pair);
 
 /// Finds photos that see the same part of the surface. Photos of different image sets are never paired,

@@ -54,7 +54,7 @@ struct SharedDiscs {
 /// the number of shared discs of each photo.
 SharedDiscs shared_discs(Samples samples, std::vector<std::size_t>& count);
 
-/// The components that shared discs connect: for each photo, the first photo of its component.
+/// The components of photos connected by shared discs: for each photo, the first photo of its component.
 std::vector<std::uint32_t> components(const SharedDiscs& discs, std::size_t photos);
 
 }  // namespace vantage

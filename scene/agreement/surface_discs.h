@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// A small disc on the model's surface, in which photos are compared.
+/// A small disc on the model's surface. Photos are compared within such discs.
 struct SurfaceDisc {
     Eigen::Vector3f center, normal;  ///< the normal's sign is arbitrary; 0 on a degenerate triangle
     float radius;

@@ -13,7 +13,7 @@ namespace vantage::codec {
 namespace {
 
 constexpr int wanted_width = 64, wanted_height = 128;  ///< approximate size of a cell in pixels
-constexpr int max_interval = 16;  ///< MCUs, so that a row of a cell fits into 65535 bytes
+constexpr int max_interval = 16;  ///< in MCUs, so that a row of a cell fits into 65535 bytes
 
 int divided_up(int a, int b) { return (a + b - 1) / b; }
 

@@ -66,11 +66,11 @@ struct DirectoryEntry {
 struct SceneRecord {
     double origin[3];
     double bounds_min[3],
-        bounds_max[3];  ///< bounds of the input, in its units, without strays (base/values/main_box.h)
+        bounds_max[3];  ///< bounds of the input without strays (base/values/main_box.h), in input units
     std::uint64_t vertices, triangles, clusters, photos;
     double reference_density;  ///< pixels per unit at which the depth weight is 255
-    double border_width;       ///< pixels of a photo 3072 px wide at which the border weight is 255
-    std::uint64_t effects;     ///< bit i: Effect i is on
+    double border_width;    ///< distance at which the border weight is 255, in pixels of a photo 3072 px wide
+    std::uint64_t effects;  ///< bit i: Effect i is on
     std::uint64_t scalar_fields;
     double up[3]{0, 0, 1};  ///< unit vector
     double shade[3]{};      ///< linear light of the background in the median photo; 0, 0, 0: unknown
@@ -106,7 +106,7 @@ struct PhotoRecord {
     double visible_vertices;  ///< fraction of the vertices that this photo sees, [0,1]
     double gain[3];           ///< factors that match the photo's linear light to the mean photo's
     std::uint64_t source_bytes, source_checksum;  ///< length and XXH3-64 of the photo's file
-    float vignetting[3];      ///< light lost at radius r (see SampleRecord), as -ln: f0 r^2 + f1 r^4 + f2 r^6
+    float vignetting[3];      ///< loss at radius r (see SampleRecord): -ln(light) = f0 r^2 + f1 r^4 + f2 r^6
     std::uint32_t image_set;  ///< number of the photo's image set in BAND; 0 if there is no BAND
 };
 

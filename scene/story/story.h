@@ -82,8 +82,8 @@ struct Story {
     bool operator==(const Story&) const = default;
 };
 
-/// The text in a language ("de-AT", then "de"). If there is none, it is the text in the story's language,
-/// otherwise that in the first available language.
+/// The text in a language ("de-AT", then "de"). If there is none, the text in the story's language or,
+/// failing that, in the first available language.
 const std::string& text_in(const Story& story, const StoryText& text, const std::string& language);
 
 /// A sorted list of all languages of the story's texts, including the story's own language.

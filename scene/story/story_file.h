@@ -10,7 +10,7 @@ namespace vantage {
 /// The value of "format" in a story.
 inline constexpr const char* story_format = "vantage-story-1";
 
-/// A story, and one line for each unknown key in its file, which was ignored.
+/// A story, and one line for each unknown key in its file. These keys were ignored.
 struct ReadStory {
     Story story;
     std::vector<std::string> unknown;

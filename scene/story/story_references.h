@@ -12,8 +12,8 @@ namespace vantage {
 /// the tour of the attract loop. The result has one line for each of them, which states its location.
 std::vector<std::string> dangling_references(const Story& story);
 
-/// The pictures of notes whose files are missing from `folder`, the story's folder, or lack the signature of
-/// a PNG or JPEG file.
+/// The notes' pictures that are missing from `folder`, the story's folder, or lack the signature of a PNG or
+/// JPEG file.
 std::vector<std::string> missing_pictures(const Story& story, const std::filesystem::path& folder);
 
 /// Anchors that lie outside `box`, which is in the input's coordinates, by more than a tenth of its diagonal.

@@ -34,7 +34,7 @@ enum class Effect : int {
 enum class Basis {
     scene,      ///< the cameras and the mesh, before any photo is prepared
     colors,     ///< the surface colors in all photos, after all are prepared
-    pixels,     ///< the surface as matched between all photos, after all are prepared
+    pixels,     ///< the surface, matched between photos, after all are prepared
     background  ///< the background in all photos, after all are prepared
 };
 

@@ -31,8 +31,9 @@ OpaquePart opaque_part(std::span<const package::ClusterRecord> clusters,
 /// The whole mesh if the effect is off. The package's shape must be valid (scene/package/package_shape.h).
 OpaquePart opaque_part(const PackageReader& package);
 
-/// The reason why a package with the effect is damaged: it has no alpha, or a cluster is mixed or out of
-/// order. Empty if the package is valid or the effect is off. The shape of the other chunks must be valid.
+/// The reason why a package with the effect is damaged: it has no alpha, or a cluster is out of order or
+/// has both opaque and transparent triangles. Empty if the package is valid or the effect is off. The shape
+/// of the other chunks must be valid.
 std::optional<std::string> transparency_damage(const PackageReader& package);
 
 }  // namespace vantage
