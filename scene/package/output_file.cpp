@@ -151,8 +151,8 @@ void expect_own(const fs::path& file) {
     if (!fs::exists(status)) return;
     if (!fs::is_regular_file(status) || (fs::file_size(file) > 0 && !is_package(head_of(file))))
         refuse(file,
-               "has a name that is needed while the package is written, but is from another program; move it "
-               "away");
+               "has a name that is needed while the package is written, but was not written by Vantage; move "
+               "it away");
 }
 
 }  // namespace
