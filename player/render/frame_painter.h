@@ -10,7 +10,7 @@
 namespace vantage {
 
 /// Paints planned frames: the bare surface of each eye, then points, photos and transparent surfaces on it,
-/// which the resolver adds to the samples of the eye's picture. Belongs to the OpenGL thread; the
+/// which the resolver adds to the samples of the eye's picture. Must be used on the OpenGL thread. The
 /// constructor's arguments must outlive it.
 class FramePainter {
   public:

@@ -23,8 +23,8 @@ struct PaintedImageSet {
     FrameReport report{};
 };
 
-/// Resolves sums of photos into the samples of a picture, and shows samples. Belongs to the OpenGL thread;
-/// the resources must outlive it.
+/// Resolves sums of photos into the samples of a picture, and shows samples. Must be used on the OpenGL
+/// thread. The resources must outlive it.
 class FrameResolver {
   public:
     explicit FrameResolver(FrameResources& resources);
@@ -35,7 +35,7 @@ class FrameResolver {
     /// Stores the picture in `sums`, made from photos that are being replaced. Its holes are transparent.
     /// resolve() mixes it into the new picture.
     void resolve_before(int sums, const PaintedImageSet& image_set);
-    /// Shows the samples of an eye; the target has the view's size. `image_sets`: the image sets of the
+    /// Shows the samples of an eye. The target must have the view's size. `image_sets`: the image sets of the
     /// samples.
     void show(const View& view, const RenderSettings& settings, const ShownImageSets& image_sets,
               const ShowTarget& target);

@@ -17,7 +17,7 @@
 namespace vantage {
 
 /// Resources for drawing a package's frames: its model, photos and points in graphics memory, and render
-/// targets. Belongs to the OpenGL thread; the package must outlive it.
+/// targets. Must be used on the OpenGL thread. The package must outlive it.
 struct FrameResources {
     FrameResources(const PackageReader& package, const MemoryBudget& budget);
     FrameResources(const FrameResources&) = delete;

@@ -27,13 +27,13 @@ struct PictureSpec {
 Picture take_picture(Renderer& renderer, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side);
 
-/// The picture of this size that `show` draws into the framebuffer that it is given; without a report.
+/// The picture of this size that `show` draws into the framebuffer passed to it. The report is empty.
 Picture picture_of(FrameSize size, const std::function<void(GLuint target)>& show);
 
-/// The renderer's last picture, which must show the same view; without a report.
+/// The renderer's last picture, which must show the same view. The report is empty.
 Picture shown_picture(Renderer& renderer, const View& view, const RenderSettings& settings);
 
-/// Writes a PNG to FILE.part and renames it. Throws Error(storage).
+/// Writes a PNG to FILE.part and renames it to FILE. Throws Error(storage).
 void write_png(const std::filesystem::path& file, const Picture& picture);
 /// Throws Error(input).
 Picture read_png(const std::filesystem::path& file);

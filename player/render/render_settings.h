@@ -57,7 +57,7 @@ struct LightSettings {
     bool operator==(const LightSettings&) const = default;
 };
 
-/// The map and the range of one field, as determined by the settings.
+/// The color map and the value range of one field, as determined by the settings.
 struct FieldLegend {
     ColorMap map;
     ValueRange range;

@@ -11,8 +11,8 @@
 
 namespace vantage {
 
-/// Renders a package: plans, paints and shows frames. Belongs to the OpenGL thread; the package must outlive
-/// it.
+/// Renders a package: plans, paints and shows frames. Must be used on the OpenGL thread. The package must
+/// outlive it.
 class Renderer {
   public:
     Renderer(const PackageReader& package, const MemoryBudget& budget);
@@ -51,7 +51,7 @@ class Renderer {
     std::uint64_t held() const { return held_; }
 
   private:
-    std::uint64_t held_ = gl::memory_held();  ///< first the amount that others hold, during construction
+    std::uint64_t held_ = gl::memory_held();  ///< during construction, the amount that others hold
     FrameResources resources_;
     FramePlanner planner_;
     FrameResolver resolver_;

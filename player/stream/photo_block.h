@@ -11,7 +11,7 @@ namespace vantage {
 using PhotoBlock = shader::Photo;
 static_assert(shader::level_count == max_levels);
 
-/// Sets the fields that do not change between frames, for a photo of which nothing is resident. `label`: see
+/// Sets the fields that do not change between frames, for a photo that has no resident data. `label`: see
 /// BackgroundContent.
 PhotoBlock make_photo_block(const package::PhotoRecord& photo, std::uint32_t index, std::uint8_t label = 0);
 

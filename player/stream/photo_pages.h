@@ -10,7 +10,7 @@
 
 namespace vantage {
 
-/// Page numbers of all tiles of a package; those of a photo are consecutive, level by level.
+/// Page numbers of all tiles of a package. A photo's pages are numbered consecutively, level by level.
 struct PhotoPages {
     std::array<std::uint32_t, max_levels> color{}, weight_maps{};  ///< first page of each level
     std::uint32_t color_first = 0, color_count = 0, weight_map_first = 0, weight_map_count = 0;
@@ -26,7 +26,7 @@ StreamRequest color_request(const PackageReader& package, const PackagePages& pa
                             std::uint32_t level, std::uint32_t tile);
 StreamRequest weight_map_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,
                                  std::uint32_t level, std::uint32_t tile);
-/// The minimum level of color for drawing a photo: the second coarsest.
+/// The level of color without which a photo is not drawn: the second coarsest.
 std::uint32_t base_level(const package::PhotoRecord& photo);
 /// The number of tiles in the base level, at most four.
 std::uint32_t base_tiles(const package::PhotoRecord& photo);

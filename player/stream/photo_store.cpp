@@ -216,7 +216,8 @@ void PhotoStore::write_pages(std::uint32_t photo, PhotoBlock& block, std::byte* 
             next + pages.color_count + pages.weight_maps[l] - pages.weight_map_first;
     }
     const auto write = [&](std::uint32_t entry) { std::memcpy(table + std::size_t(next++) * 4, &entry, 4); };
-    // The first picture, and a photo that was not shown before, have nothing coarser to fade in from.
+    // In the first picture, and for a photo that was not shown before, there is nothing coarser to fade in
+    // from.
     const std::uint32_t at_once = pages.color[base_level(photos_[photo])];
     for (std::uint32_t page = pages.color_first; page < pages.color_first + pages.color_count; ++page)
         write(residency_->color_entry(page, page < at_once));

@@ -17,18 +17,18 @@
 namespace vantage {
 
 /// The parts of the photos that are resident or in flight. In each frame, call begin_frame(), request the
-/// needed parts, call stream() or load(), and then write_pages() for the shaders. Belongs to the OpenGL
+/// needed parts, call stream() or load(), and then write_pages() for the shaders. Must be used on the OpenGL
 /// thread.
 class PhotoStore {
   public:
     PhotoStore(const PackageReader& package, std::uint64_t ring_bytes);
 
-    /// Allocates at most `bytes` of graphics memory. Keeps the present allocation if it is at most `bytes`
-    /// and more than half of a new one; otherwise evicts everything. Throws Error(usage) if `bytes` is
-    /// insufficient.
+    /// Allocates at most `bytes` of graphics memory. Keeps the current allocation if it is at most `bytes`
+    /// and more than half the size of a new one. Otherwise, evicts everything. Throws Error(usage) if `bytes`
+    /// is insufficient.
     void fit(std::uint64_t bytes, bool with_coordinates);
-    /// Makes space for this many tiles at once. If the limits of the arrays are lower, raises the limits,
-    /// which evicts everything, unless all arrays together would then exceed `bytes`.
+    /// Makes space for this many tiles at once. If the arrays' limits are lower, raises them and evicts
+    /// everything. Leaves the limits unchanged if all arrays together would otherwise exceed `bytes`.
     void make_room(std::uint32_t color, std::uint32_t weight_maps, std::uint64_t bytes);
     std::uint64_t bytes() const { return residency_ ? residency_->bytes() : 0; }
     bool has_coordinates() const { return residency_ && residency_->layout().coordinates > 0; }
@@ -42,8 +42,8 @@ class PhotoStore {
     /// Begins a frame at `now` seconds; without `fade`, tiles are shown at full weight as soon as they
     /// arrive.
     void begin_frame(double now, bool fade);
-    /// Requests the minimum for drawing a photo: color of its base level, coarsest weight maps, and texture
-    /// coordinates if `coordinates`.
+    /// Requests the minimum for drawing a photo: color of its base level, coarsest weight maps, and, if
+    /// `coordinates` is set, texture coordinates.
     void need_base(std::uint32_t photo, bool coordinates);
     /// Requests tiles. Returns the number of these parts that are not resident, not counting damaged parts.
     std::size_t need(std::uint32_t photo, const TileNeeds& needs);
@@ -63,7 +63,7 @@ class PhotoStore {
     /// Fetches and uploads everything requested since the last call or the start of the frame. Waits. Throws
     /// Error(input) if a server does not deliver the data.
     void load();
-    /// Like load(), within `budget` bytes. Returns the number of bytes uploaded.
+    /// Like load(), but uploads at most `budget` bytes. Returns the number of bytes uploaded.
     std::size_t load(std::size_t budget);
     /// Uploads a complete photo in this frame, without a time limit. Returns the number of bytes uploaded.
     std::size_t load_whole(std::uint32_t photo);

@@ -12,10 +12,10 @@
 namespace vantage {
 
 /// Keeps blocks of a cloud's points in graphics memory. Evicts the least recently used blocks, but never
-/// those that the current frame uses. Belongs to the OpenGL thread.
+/// those that the current frame uses. Must be used on the OpenGL thread.
 class PointStore {
   public:
-    /// The maximum graphics memory for points, and that for the upload buffer.
+    /// The maximum graphics memory for points, and the maximum for the upload buffer.
     static constexpr std::uint64_t max_bytes = std::uint64_t(256) << 20, ring_bytes = std::uint64_t(4) << 20;
 
     /// Uses `bytes` of graphics memory for points, but at least two blocks.

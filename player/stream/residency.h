@@ -32,7 +32,7 @@ ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& 
                               bool with_coordinates);
 
 /// Keeps tiles, thumbnails and texture coordinates in graphics memory. Evicts the least recently used of
-/// these, but never those that the current frame uses. Belongs to the OpenGL thread.
+/// these, but never those that the current frame uses. Must be used on the OpenGL thread.
 class Residency {
   public:
     /// The delay before damaged or undelivered resources are fetched again.

@@ -24,10 +24,10 @@ struct StreamRequest {
     Resource resource;
     std::uint32_t key;
     const package::DirectoryEntry* chunk;
-    std::uint32_t block = 0;                          ///< in a chunk with blocks
-    std::uint64_t first = 0, bytes = 0;               ///< in a chunk without blocks
-    const package::DirectoryEntry* second = nullptr;  ///< chunk whose block with the same number follows
-    bool reweighted = false;                          ///< weight maps get the transient weights of `weights`
+    std::uint32_t block = 0;                          ///< number of the block, if the chunk has blocks
+    std::uint64_t first = 0, bytes = 0;               ///< range in bytes, if the chunk has no blocks
+    const package::DirectoryEntry* second = nullptr;  ///< chunk whose block of the same number is also read
+    bool reweighted = false;                          ///< `weights` replaces stored transient weights
     const TransientMap* weights = nullptr;            ///< see set_weights
 
     /// Size in the upload ring; for tiles, the decoded size.

@@ -22,7 +22,7 @@ gl::Texture TileArray::made(std::uint32_t layers) const {
 }
 
 void TileArray::expect(std::uint32_t layers) {
-    // The array does not grow gradually, since each step copies the content.
+    // The array does not grow gradually, since each step would copy the content.
     const bool few = !grown_ && layers <= all_ / 2;
     if (layers > layers_ && all_ > layers_) grow(few ? layers : all_);
 }

@@ -9,7 +9,7 @@ namespace vantage {
 /// An array texture of tiles. It starts with few layers and is enlarged to its maximum on demand: the first
 /// picture, which needs few tiles, does not wait for the full allocation. If few layers are expected,
 /// expect() allocates only these, since touching memory for the first time takes as long as uploading tiles.
-/// Belongs to the OpenGL thread.
+/// Must be used on the OpenGL thread.
 class TileArray {
   public:
     /// `label` must outlive it. `first`: the initial number of layers.

@@ -90,7 +90,7 @@ class TileStream {
     std::unordered_map<std::uint64_t, bool> begun_;  ///< in flight, or fetched but not yet taken
     StreamedSoFar streamed_;
     std::string failure_;
-    std::unique_ptr<RemoteBytes> remote_;  ///< exists for a remote package; uses the mutex
+    std::unique_ptr<RemoteBytes> remote_;  ///< null unless the package is remote; uses the mutex
     std::vector<std::jthread> threads_;    ///< declared last, because the threads use all members above
 };
 

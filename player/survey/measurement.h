@@ -45,7 +45,7 @@ struct Measurement {
 struct Measured {
     std::optional<double>
         value{};  ///< nullopt if invalid, with the reason in `note`; always nullopt for Measure::point
-    std::optional<double> uncertainty{};  ///< standard uncertainty; nullopt if a point's is unknown
+    std::optional<double> uncertainty{};  ///< standard uncertainty; nullopt if that of a point is unknown
     const char* unit = "";                ///< such as "cm", "cm2", "deg"
     std::string note{};                   ///< additional remark, or empty
 };
@@ -58,7 +58,7 @@ Measured evaluate(const Measurement& measurement, const Scale& scale, const Eige
 /// "x 1.253   y 0.004   z 12.480", with as many digits as the uncertainty allows.
 std::string coordinates_text(const SurveyPoint& point);
 /// "2.014 ± 0.003 m" as displayed in the window, with as many digits as the uncertainty allows, or six if the
-/// uncertainty is unknown. Without a value, returns the note.
+/// uncertainty is unknown. If there is no value, returns the note.
 std::string text_of(const Measured& measured);
 
 }  // namespace vantage

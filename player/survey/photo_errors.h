@@ -8,8 +8,9 @@
 namespace vantage {
 
 /// The camera error of each photo in pixels, estimated from the pairs of overlapping photos that prepare
-/// compared. Each pair has a median distance between matching corners; the error is the median of these over
-/// the photo's pairs, weighted by the number of matches. The error is nullopt if a photo has no matches.
+/// compared. Each pair has a median distance between matching corners; the error is the median of these
+/// distances over the photo's pairs, weighted by the number of matches. The error is nullopt if a photo has
+/// no matches.
 std::vector<std::optional<double>> photo_errors(std::span<const package::PairRecord> pairs,
                                                 std::size_t photos);
 

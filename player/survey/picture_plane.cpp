@@ -16,7 +16,8 @@ using Eigen::Vector3d;
 
 constexpr double least_angle = 1e-6;  ///< radians; smaller angles are treated as zero
 
-/// The finite numbers between commas or spaces; empty if there is anything else.
+/// The numbers in a text, separated by commas or spaces; empty if the text contains anything but finite
+/// numbers.
 std::vector<double> numbers_in(std::string text) {
     std::ranges::replace(text, ',', ' ');
     std::istringstream in(text);

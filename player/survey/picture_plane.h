@@ -14,11 +14,11 @@ struct PicturePlane {
 };
 
 /// Parses the name of a plane through the origin of the input coordinates: top, bottom, front, back, left or
-/// right, viewed from that side. `scene_up` is the scene's up direction. If x is level, it points right in
-/// the front view, and also in the top view, as on a map: with z up, the front view looks along y, and y
-/// points upward in the top view. Also parses nine numbers separated by commas: a point of the plane, the
-/// plane's normal toward the viewer, and the picture's up direction. If the last three numbers are missing,
-/// up is `scene_up`, or any direction if `scene_up` is along the normal. Throws Error(usage).
+/// right, viewed from that side. `scene_up` is the scene's up direction. If the x axis is horizontal, it
+/// points right in the front view and, as on a map, in the top view: with z up, the front view looks along y,
+/// and y points upward in the top view. Also parses nine numbers separated by commas: a point of the plane,
+/// the plane's normal toward the viewer, and the picture's up direction. If the last three numbers are
+/// missing, up is `scene_up`, or any direction if `scene_up` is along the normal. Throws Error(usage).
 PicturePlane parse_plane(const std::string& text, const Eigen::Vector3d& scene_up);
 
 /// The rectangle of the plane covered by the model's bounds.

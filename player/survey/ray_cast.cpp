@@ -9,7 +9,7 @@
 namespace vantage {
 namespace {
 
-constexpr double on_edge = 1e-12;  ///< barycentric; lets a ray through an edge intersect one of its triangles
+constexpr double on_edge = 1e-12;  ///< barycentric tolerance, so that rays do not pass between triangles
 
 /// Whether the ray enters a box within `range`.
 bool enters(const Ray& ray, const Eigen::Vector3d& low, const Eigen::Vector3d& high, RayRange range) {

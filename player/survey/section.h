@@ -35,7 +35,7 @@ class KnownExtents {
     std::array<double, 2> along(const PlanScene& scene, const Eigen::Vector3d& normal);
 
   private:
-    static constexpr std::size_t most = 8;  ///< for the input's axes, and for viewing directions of cuts
+    static constexpr std::size_t most = 8;  ///< enough for the input's axes and some viewing directions
     std::vector<std::pair<Eigen::Vector3d, std::array<double, 2>>> known_;
 };
 

@@ -31,7 +31,7 @@ class SurveySaver {
     void write_until(const std::stop_token& stop);
 
     std::filesystem::path path_;
-    SurveyFile file_;  ///< owned by the thread while `writing_`
+    SurveyFile file_;  ///< used only by the thread while `writing_` is set
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::optional<Survey> next_;

@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// Units of length. `unknown`: the input's own units, if its files do not say which.
+/// Units of length. `unknown`: the input's own units, if its files do not state them.
 enum class Unit { unknown, m, cm, mm, ft, in, count };
 
 /// "m", "cm", "mm", "ft", "in", or "units".
@@ -14,7 +14,7 @@ std::optional<Unit> unit_named(std::string_view name);
 
 /// The length of an input unit, and the displayed unit.
 struct Scale {
-    double length = 1;           ///< length of an input unit, in `unit`; above 0
+    double length = 1;           ///< length of an input unit, in `unit`; positive
     Unit unit = Unit::unknown;   ///< unknown: `length` is 1
     Unit shown = Unit::unknown;  ///< if unknown, the same as `unit`
     double relative = 0;         ///< standard uncertainty of `length`, as a fraction of it

@@ -15,17 +15,18 @@ struct InputAxes {
 };
 InputAxes input_axes(const PackageReader& package);
 
-/// A camera at a view of a story.
+/// The camera of a story's view.
 Navigation camera_at(const StoryView& view, const InputAxes& axes);
 
 /// A position rounded to a multiple of a power of ten that is at most a millionth of `distance`.
 Eigen::Vector3d rounded_place(const Eigen::Vector3d& place, double distance);
 
-/// A camera as a view of a story. Positions are rounded according to the distance to the target.
+/// The story view that corresponds to a camera. Positions are rounded according to the distance to the
+/// target.
 StoryView story_view(const Navigation& camera, const InputAxes& axes);
 
-/// Timed key views of a flight along stops. The flight starts at time 0, at `start` or else at the first
-/// stop. Throws Error(input) naming `story_file` if a stop has no view.
+/// Timed key views of a flight along stops. The flight starts at time 0, at `start` if given, otherwise at
+/// the first stop. Throws Error(input) naming `story_file` if a stop has no view.
 std::vector<KeyView> keys_of(const Story& story, const std::vector<StoryStop>& stops,
                              const std::optional<Navigation>& start, const InputAxes& axes,
                              const std::string& story_file);

@@ -10,7 +10,8 @@ struct TourStop {
     std::size_t stop;
     double reached;
 };
-/// The state `seconds` after the tour's start; after the tour's end, the last stop. The tour must have stops.
+/// The state `seconds` after the tour's start; after the tour's end, the last stop. The tour must have at
+/// least one stop.
 TourStop tour_stop(const StoryTour& tour, double seconds);
 
 }  // namespace vantage

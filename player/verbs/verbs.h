@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// The command line of vantage-player. Its actions return the exit code and throw Error.
+/// The command line of vantage-player. Its actions return the exit code or throw Error.
 Command player_command();
 
 /// Parts of player_command(). Without a verb, the command opens a window.

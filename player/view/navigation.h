@@ -11,7 +11,7 @@ struct Navigation {
     Eigen::Vector3d eye, target, up;
     Eigen::Matrix3d R;  ///< cam_from_origin
     double fov = 45;    ///< vertical, degrees
-    double aspect = 0;  ///< width over height of the frame, such as a photo, that `fov` is for; 0: any
+    double aspect = 0;  ///< aspect ratio of the photo or other frame to which `fov` refers; 0: any
 };
 
 /// A position at the photo's camera, in its viewing direction. The target is as far away as the surface that

@@ -24,8 +24,8 @@ Panorama panorama_at(const View& view, const Eigen::Vector3d& up, FrameSize size
 Eigen::Vector2d pixel_of(const Panorama& panorama, const Eigen::Vector3d& direction);
 
 /// The views of a cube's faces around the eye: front, right, back, left, top and bottom. Each view shows 90
-/// degrees plus `margin`, a fraction of these, which is at least two pixels wide. At the center of a face,
-/// the resolution is `finer` times that of the panorama.
+/// degrees plus a margin on each side: the fraction `margin` of the face's width, but at least two pixels. At
+/// the center of a face, the resolution is `finer` times that of the panorama.
 std::array<View, 6> cube_views(const Panorama& panorama, double finer, double margin);
 /// The rotations from the panorama's axes to those of each face.
 std::array<Eigen::Matrix3d, 6> cube_axes();

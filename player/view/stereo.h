@@ -12,7 +12,7 @@ enum class StereoMode { off, side_by_side, over_under, anaglyph, checkerboard, c
 /// The eye separation and the depth of zero parallax, in scene units. Points nearer than that depth appear in
 /// front of the screen.
 struct Eyes {
-    double distance = 0;      ///< eye separation; 0: `share` of the convergence
+    double distance = 0;      ///< eye separation; 0: `share` times the depth of convergence
     double share = 1.0 / 30;  ///< comfortable fraction (Mendiburu 2009)
     double convergence = 0;   ///< 0: depends on the view
     bool operator==(const Eyes&) const = default;

@@ -30,7 +30,7 @@ ColumnRange columns_of(const StereoPanorama& panorama, int slice);
 inline constexpr std::size_t slice_views = 3;
 /// The rotations from the panorama's axes to those of a slice's views.
 std::array<Eigen::Matrix3d, slice_views> slice_axes(const StereoPanorama& panorama, int slice);
-/// The extent, from its center, that each view covers alone, as tangents.
+/// Half the extent that each view covers alone, as tangents.
 Eigen::Vector2d slice_half(const StereoPanorama& panorama);
 /// The views of the left and the right eye, which have the same size. They cover the view's own part and a
 /// margin of at least two pixels around it (`margin` is a tangent). At the center, their resolution is

@@ -25,7 +25,7 @@ Kiosk make_kiosk(Session& session, std::optional<AttractLoop> tour, double home_
 /// Ends a tour on input; when idle, returns to the initial state and starts the tour.
 void attend(Kiosk& kiosk, Session& session, bool touched, double now);
 
-/// When attend() must be called next if there is no input, in seconds.
+/// The time, in seconds, at which attend() must be called next if there is no input.
 double attends_at(const Kiosk& kiosk);
 
 }  // namespace vantage

@@ -14,7 +14,7 @@
 namespace vantage {
 
 /// A scene in a window or a headset: a package and the packages added to it, with the scene's story,
-/// measurements and output files. Belongs to the OpenGL thread.
+/// measurements and output files. Must be used on the OpenGL thread.
 struct LoadedScene {
     /// Fits the session to the scene. The package must outlive it.
     LoadedScene(const PackageReader& package, const std::vector<SceneObject>& all, const ShowOptions& options,

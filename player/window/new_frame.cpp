@@ -35,7 +35,7 @@ void point_before_wheel(GLFWwindow* window) {
     ImGui::GetIO().AddMousePosEvent(at.x, at.y);
 }
 
-// Keys are in ImGui's queue. A key that is also released gets a separate frame there.
+// Keys are in ImGui's queue, which handles the press and the release of a key in separate frames.
 void new_frame(const PointerState& mouse, const UserInput& input) {
     ImGuiIO& io = ImGui::GetIO();
     const PointerState p = input.pointer.value_or(mouse);

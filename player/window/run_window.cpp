@@ -125,7 +125,7 @@ void beat(int heartbeat_fd) {
     [[maybe_unused]] const auto written = ::write(heartbeat_fd, &byte, 1);  // a full pipe is no error
 }
 
-/// ImGui needs some frames to react to events.
+/// ImGui needs a few frames to react to events.
 constexpr int frames_after_event = 3;
 
 /// Whether the next frame would equal the last one. `lively`: the frames that remain to be drawn after the
@@ -134,8 +134,9 @@ bool is_idle(const WindowState& state, const ShownScene& scene, int lively) {
     return scene.rests() && !keys_in_use(state.input) && lively == 0;
 }
 
-/// Whether to draw a frame: always, unless the window `may_rest`. If it may, waits at rest for an event or
-/// the scene's next frame; otherwise frames at rest, which are counted, follow at a lower rate.
+/// Takes events, and returns whether to draw a frame. If the window `may_rest`, a scene at rest waits for an
+/// event or for its next frame. Otherwise, every frame is drawn, because frames are counted, but at a lower
+/// rate while the scene is at rest.
 bool take_events(GlfwWindow& window, WindowState& state, const ShownScene& scene, bool may_rest,
                  int& lively) {
     constexpr double longest_rest = 1, between_counted = 0.03;  // seconds

@@ -1,6 +1,6 @@
 // Decodes tiles and photos. An input is a byte that selects the decoder, the width and height, and the data.
-// Checks that a divided JPEG can be reassembled. Pictures are small, because large ones would spend the time
-// in code that does not depend on their content.
+// Checks that a divided JPEG can be reassembled. Pictures are small, because most of the time for large ones
+// would be spent in code that does not depend on their content.
 #include <turbojpeg.h>
 
 #include <cstdint>

@@ -227,7 +227,7 @@ TEST_F(WindowControls, OfTheBarAndTheRadar) {
         w.choose("Bar Light", entry);
         EXPECT_EQ(w.session.settings.light.light, light) << entry;
     }
-    // Each camera is on the map and can be clicked within some pixels.
+    // Each camera is on the map, and clicks up to a few pixels away select it.
     w.key(GLFW_KEY_F6);
     std::set<std::uint32_t> flown;
     const Controls::Place map = *w.find("Radar map");

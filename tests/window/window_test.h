@@ -31,7 +31,8 @@ class WindowTest : public TemporaryFolder {
         std::filesystem::copy_file(package_of(scene), dir / name);
         return dir / name;
     }
-    /// Runs the window until `done` accepts the file's text. Fails the test after several seconds.
+    /// Runs the window until `done` accepts the file's text. Fails the test if this takes more than a few
+    /// seconds.
     template <class Done>
     std::string written_until(HeadlessWindow& w, const std::filesystem::path& file, const Done& done) const {
         std::string text;

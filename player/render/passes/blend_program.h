@@ -26,7 +26,7 @@ struct BlendVariant {
     int anisotropy;
     bool refined_colors;
     EffectSet effects = 0;        ///< effects of the photos' image set, if there are several image sets
-    BlendOn on = BlendOn::model;  ///< all others imply per_fragment
+    BlendOn on = BlendOn::model;  ///< any other value implies per_fragment
     bool behind_points = false;   ///< points may occlude the frame's surface
 
     auto operator<=>(const BlendVariant&) const = default;

@@ -10,8 +10,8 @@ namespace vantage {
 /// this depth.
 inline constexpr float depth_behind_mesh = 0x1p-55f;
 
-/// Draws clusters of the model with the current program. Belongs to the OpenGL thread; the scene must outlive
-/// it.
+/// Draws clusters of the model with the current program. Must be used on the OpenGL thread. The scene must
+/// outlive it.
 class ClusterDraws {
   public:
     using Clusters = std::span<const std::uint32_t>;  ///< ascending
@@ -26,18 +26,19 @@ class ClusterDraws {
     void use_coarse(CoarseMesh mesh);
     const CoarseMesh& coarse() const { return coarse_; }
 
-    /// All draws of a pass are between begin() and end().
+    /// All draws of a pass must take place between begin() and end().
     void begin() { ring_.begin(); }
     void end() { ring_.end(); }
     /// Draws clusters once per eye, with the background behind the mesh. `photos`: for each cluster of the
     /// scene, one bit per photo of the pass. Clusters without photos are skipped; if `photos` is empty, all
     /// are drawn. Returns the number of draws.
     std::size_t draw(Clusters clusters, std::span<const std::uint32_t> photos, std::size_t eyes = 1);
-    /// Like draw(), but with one call of OpenGL, either for clusters of the mesh or for transparent clusters.
+    /// Like draw(), but with a single OpenGL call, either for clusters of the mesh or for transparent
+    /// clusters.
     std::size_t draw_mesh(Clusters clusters, std::span<const std::uint32_t> photos, std::size_t eyes = 1) {
         return draw_run(clusters, photos, 0, eyes);
     }
-    /// Draws the entire coarse mesh, and of `clusters` those that belong to the background.
+    /// Draws the entire coarse mesh, and those of `clusters` that belong to the background.
     void draw_coarse(Clusters clusters, std::size_t eyes);
 
   private:

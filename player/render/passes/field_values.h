@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// The scalar fields of a package. Belongs to the OpenGL thread; the package must outlive it.
+/// The scalar fields of a package. Must be used on the OpenGL thread. The package must outlive it.
 class FieldValues {
   public:
     explicit FieldValues(const PackageReader& package);

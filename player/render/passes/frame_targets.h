@@ -18,7 +18,7 @@ struct SurfaceTargets {
 
 /// The render targets of a frame: the bare surface, the picture of photos that are being replaced, two float
 /// targets of sums (best photo and transient masking read one and write the other), and the samples of each
-/// eye's picture. They may be allocated for larger frames.
+/// eye's picture. They may have been allocated for larger frames.
 struct FrameTargets {
     int width = 0, height = 0;  ///< frame size in pixels; up to `allocated`
     FrameSize allocated;        ///< size of the largest frame
@@ -51,7 +51,8 @@ struct FrameTargets {
 /// Binds a framebuffer and sets the viewport for a frame of this size.
 void bind_target(GLuint framebuffer, FrameSize size);
 
-/// During its lifetime, nothing is cleared or drawn outside the frame, whose targets may be much larger.
+/// During its lifetime, nothing is cleared or drawn outside the frame, although the targets may be much
+/// larger.
 class DrawnRegion {
   public:
     explicit DrawnRegion(const FrameTargets& targets) {

@@ -65,8 +65,8 @@ class PhotosOfPass {
     std::size_t count_;
 };
 
-/// Sets uniforms with one bit per photo of the pass: for each label, the photos that have it, and the nearest
-/// photos.
+/// Sets uniforms that contain one bit per photo of the pass. For each background label, a uniform marks the
+/// photos that have the label; another uniform marks the nearest photos.
 void set_background_bits(std::span<const std::uint32_t> photos, const PlanScene& scene,
                          const std::vector<float>& shares) {
     static_assert(max_photos_per_pass == shader::pass_photos && max_photos_per_pass < 32);

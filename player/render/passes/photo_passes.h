@@ -24,8 +24,8 @@ struct PointSurface {
     bool alone = false;  ///< the model is hidden
 };
 
-/// Draws photos on the model and on points, several per pass. Belongs to the OpenGL thread; the constructor's
-/// arguments must outlive it.
+/// Draws photos on the model and on points, several per pass. Must be used on the OpenGL thread. The
+/// constructor's arguments must outlive it.
 class PhotoPasses {
   public:
     PhotoPasses(const PackageReader& package, const PlanScene& scene, const PhotoStore& store,

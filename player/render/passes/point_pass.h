@@ -12,8 +12,8 @@
 
 namespace vantage {
 
-/// Plans, streams and draws a package's point cloud, occluded by the model. Belongs to the OpenGL thread; the
-/// package must outlive it.
+/// Plans, streams and draws a package's point cloud, occluded by the model. Must be used on the OpenGL
+/// thread. The package must outlive it.
 class PointPass {
   public:
     /// `bytes`: graphics memory for points.

@@ -23,7 +23,7 @@ std::optional<PickedPoint> point_numbered(const PackageReader& package, const Po
                                           std::span<const DrawnNode> nodes, std::uint32_t number);
 
 /// Finds the point at a pixel of the last frame. Its number is read back asynchronously, so the answer
-/// arrives a few calls later. Belongs to the OpenGL thread.
+/// arrives a few calls later. Must be used on the OpenGL thread.
 class PointPicking {
   public:
     /// Receives the pending answer if it has arrived, and requests the point at `pixel`, counted from the

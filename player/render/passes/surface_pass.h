@@ -24,7 +24,7 @@ struct TransparentTarget {
     std::uint32_t capacity;
 };
 
-/// Draws the bare surface of the model, and its transparent surfaces. Belongs to the OpenGL thread; the
+/// Draws the bare surface of the model, and its transparent surfaces. Must be used on the OpenGL thread. The
 /// constructor's arguments must outlive it.
 class SurfacePass {
   public:

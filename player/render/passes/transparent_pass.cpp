@@ -9,7 +9,7 @@ namespace vantage {
 namespace {
 
 constexpr std::uint64_t fragment_bytes = sizeof(shader::TransparentFragment);
-constexpr std::size_t counters = 2;  ///< before the heads: fragments stored, and those behind the sorted ones
+constexpr std::size_t counters = 2;  ///< of stored and of unsorted fragments; they precede the heads
 
 std::uint64_t pixels(int width, int height) { return std::uint64_t(width) * std::uint64_t(height); }
 std::uint64_t head_bytes(int width, int height) { return 4 * (counters + pixels(width, height)); }

@@ -16,8 +16,8 @@ struct FragmentCount {
 };
 
 /// The buffers in which transparent surfaces are collected: weighted sums (McGuire and Bavoil 2013) and, in
-/// exact mode, a list of fragments per pixel (Yang et al. 2010), which the resolve pass sorts. Belongs to the
-/// OpenGL thread.
+/// exact mode, a list of fragments per pixel (Yang et al. 2010), which the resolve pass sorts. Must be used
+/// on the OpenGL thread.
 class TransparentPass {
   public:
     /// Average capacity of lists, in fragments per pixel; further fragments are added to the sums.

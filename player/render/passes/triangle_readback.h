@@ -17,7 +17,7 @@ namespace vantage {
 /// unless requested. With these triangles, plans cover only the visible surface, not hidden parts.
 class TriangleReadback {
   public:
-    /// Graphics memory for frames of this size.
+    /// Graphics memory needed for frames of this size.
     static std::uint64_t bytes(FrameSize frame) {
         const FrameSize samples = Seen::samples(frame);
         return std::uint64_t(samples.width + 1) * std::uint64_t(samples.height + 1) * 8;
@@ -28,7 +28,7 @@ class TriangleReadback {
     void capture(const FrameTargets& targets, const View& view);
     /// Takes the triangles that have arrived; with `wait`, waits for those in flight. Returns whether the
     /// triangles have changed. Numbers above `triangles`, the scene's count, belong to triangles of a coarse
-    /// mesh; they are mapped to the triangles that these replace.
+    /// mesh; they are mapped to the scene's triangles in `stands_for`, which the coarse triangles replace.
     bool update(bool wait, std::size_t triangles, std::span<const std::uint32_t> stands_for);
 
     /// The result is valid as long as the caller holds it.

@@ -14,15 +14,16 @@
 namespace vantage {
 
 /// Plans frames and streams their data: chooses photos and tiles for the triangles visible to each eye.
-/// Belongs to the OpenGL thread; the resources must outlive it.
+/// Must be used on the OpenGL thread. The resources must outlive it.
 class FramePlanner {
   public:
     FramePlanner(FrameResources& resources, const MemoryBudget& budget);
 
     /// Plans a frame, allocates its targets, and streams its tiles and the first eye's points. With
     /// Loading::streamed, the plan may be that of an earlier frame (see PlanMaker). Unless is_complete(),
-    /// photos and tiles are chosen once for both eyes: otherwise the eyes would have different colors, and
-    /// selection dominates planning time. Throws Error(usage) if the view cannot be drawn.
+    /// photos and tiles are chosen once for both eyes: separate choices would give the eyes different colors
+    /// and take much longer, since choosing dominates planning time. Throws Error(usage) if the view cannot
+    /// be drawn.
     FrameReport plan(const FrameRequest& request);
     /// Streams points for an eye, and adds their statistics to `report`.
     void stream_points(const PlannedEye& eye, FrameReport& report);
@@ -38,7 +39,7 @@ class FramePlanner {
     /// Whether the plan of a shown image set has this photo.
     bool uses(std::uint32_t photo) const { return frame_.eyes.front().plans.uses(photo); }
     /// Makes the coarse mesh for reduced frames on another thread, and uses it when it is finished. With
-    /// `wait`, returns only then.
+    /// `wait`, waits until it is finished.
     void coarsen(bool wait);
     /// The current limit on graphics memory, in bytes: the budget's limit, or more if a frame needs more.
     std::uint64_t graphics_budget() const { return graphics_budget_; }

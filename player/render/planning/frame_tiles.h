@@ -10,7 +10,7 @@
 
 namespace vantage {
 
-/// Requests the tiles of frames. Belongs to the OpenGL thread; the resources must outlive it.
+/// Requests the tiles of frames. Must be used on the OpenGL thread. The resources must outlive it.
 class FrameTiles {
   public:
     using Pass = std::span<const PlannedPhoto* const>;

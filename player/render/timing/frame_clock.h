@@ -10,8 +10,8 @@
 namespace vantage {
 
 /// Measures frame times without waiting for the graphics card: the longer of CPU time and GPU time (from
-/// timer queries), available some frames later. With a software renderer, which draws during glFinish(),
-/// measures the time until that call returns. Belongs to the OpenGL thread.
+/// timer queries), available a few frames later. With a software renderer, which draws during glFinish(),
+/// measures the time until that call returns. Must be used on the OpenGL thread.
 class FrameClock {
   public:
     /// A frame that has been drawn.

@@ -36,7 +36,7 @@ void learn(Pacing& p, bool reduced, double whole) {
 
 Pacing next_pacing(Pacing p, Pace drawn, double ms, double goal_ms) {
     constexpr double suddenly = 1.5, as_before = 1.2, caution = 0.85;
-    // If the slowdown persisted, frames at the new pace would take at least .7 of the goal.
+    // If the slowdown persisted, frames at the new pace would take at least 0.7 of the goal.
     constexpr double passed = 0.63;
     constexpr int watched = 8;
     if (!(ms > 0) || !(goal_ms > 0) || !std::isfinite(ms)) return p;

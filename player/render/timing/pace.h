@@ -21,8 +21,9 @@ inline constexpr double max_for_all_photos = 3;
 inline constexpr Pace coarse_pace{0.25, true};
 
 /// The pace of the next frame after a frame at `pace` that took `ms`, if the goal is `goal_ms`. Slows down
-/// immediately, and speeds up by at most a fifth of the pixels per frame. Without a time or a positive goal,
-/// returns `pace`. `all_photos`: ratio of the duration of a full frame to that of a reduced frame.
+/// immediately, and speeds up by at most a fifth of the pixels per frame. Returns `pace` if `ms` or `goal_ms`
+/// is not positive, or if `ms` is not finite. `all_photos`: ratio of the duration of a full frame to that of
+/// a reduced frame.
 Pace next_pace(Pace pace, double ms, double goal_ms, double all_photos = max_for_all_photos);
 
 /// The pace of the next frame, and the state from previous frames.
@@ -37,7 +38,7 @@ struct Pacing {
 };
 
 /// Like next_pace(), but for a series of frames, one of which was drawn at the pace `drawn` and took `ms`;
-/// that frame may be some frames old. Keeps the pace while frames take .72 to .92 of the goal, so that the
+/// that frame may be a few frames old. Keeps the pace while frames take 0.72 to 0.92 of the goal, so that the
 /// resolution does not change in every frame. Evaluates a new pace only from frames drawn at that pace, and
 /// returns to the former pace immediately after a temporary slowdown.
 Pacing next_pacing(Pacing pacing, Pace drawn, double ms, double goal_ms);

@@ -15,7 +15,7 @@ inline constexpr std::array<const char*, 7> timed_pass_names{"surface",     "pho
 /// Milliseconds by pass.
 using PassTimes = std::array<double, timed_pass_names.size()>;
 
-/// Adds up the GPU time of each pass from timestamps, without waiting. Belongs to the OpenGL thread.
+/// Adds up the GPU time of each pass from timestamps, without waiting. Must be used on the OpenGL thread.
 class PassClock {
   public:
     /// Starts timing.

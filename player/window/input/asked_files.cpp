@@ -49,7 +49,7 @@ void AskedFiles::add_cut(std::vector<SectionLine> lines, const PackageReader& pa
 
 void AskedFiles::add(const std::string& stem, const char* extension, const std::string& what,
                      std::function<void(const std::string& file)> write) {
-    // Texts are translated here, since translations belong to this thread.
+    // Texts are translated here, since translations may be used only on this thread.
     jobs_.push_back([=, write = std::move(write), texts = WrittenTexts{what}] {
         return written_numbered(stem, extension, texts, write);
     });

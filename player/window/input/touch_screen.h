@@ -9,7 +9,7 @@ struct GLFWwindow;
 namespace vantage {
 
 /// The touch screen under a window. GLFW only reports the first finger, as a mouse. Touch events need X11
-/// with XInput 2.2; elsewhere there are none, and the first finger remains a mouse.
+/// with XInput 2.2. Otherwise there are none, and the first finger acts as a mouse.
 class TouchScreen {
   public:
     /// Listens on a separate thread, which wakes the window's thread when that thread waits for events.

@@ -16,7 +16,7 @@ void check_name(const std::string& name) {
                "the name \"" + name + "\" contains characters that are not allowed in names");
 }
 
-/// Checks that the names of an action or an action set differ from the names of the others.
+/// Checks that the names of an action or an action set differ from those of all others.
 template <class Named>
 void check_difference(const Named& added, const Named& other) {
     if (added.name == other.name) breach(XR_ERROR_NAME_DUPLICATED, "there is \"" + added.name + "\" already");
@@ -30,7 +30,7 @@ void check_subactions(const Instance& instance, const std::vector<XrPath>& paths
     for (std::size_t i = 0; i < paths.size(); ++i) {
         const std::string& text = path_text(instance, paths[i]);
         if (std::find(known.begin(), known.end(), text) == known.end())
-            breach(XR_ERROR_PATH_UNSUPPORTED, text + " is not a top level user path");
+            breach(XR_ERROR_PATH_UNSUPPORTED, text + " is not a top-level user path");
         if (std::find(paths.begin(), paths.begin() + std::ptrdiff_t(i), paths[i]) !=
             paths.begin() + std::ptrdiff_t(i))
             breach(XR_ERROR_PATH_UNSUPPORTED, text + " is given twice");

@@ -41,7 +41,8 @@ const void* next_of_type(const void* next, XrStructureType type);
 /// The text in an array of fixed size; checks that the text is terminated and not empty.
 std::string checked_text(const char* text, std::size_t size, XrResult error, const char* what);
 
-/// Sets the count, and returns whether the program requests values. If so, the capacity must suffice.
+/// Sets the count, and returns whether the program requests values. If it does, the capacity must be
+/// sufficient.
 bool asks_for_values(uint32_t capacity, uint32_t* count, const void* out, std::size_t available);
 
 template <class T>

@@ -129,7 +129,7 @@ XrResult wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState*
 XrResult begin_frame(XrSession handle, const XrFrameBeginInfo* info) {
     Session& session = running_session(handle);
     if (info) check_struct(info, XR_TYPE_FRAME_BEGIN_INFO);
-    require(session.waited.has_value(), XR_ERROR_CALL_ORDER_INVALID, "xrWaitFrame was not called before");
+    require(session.waited.has_value(), XR_ERROR_CALL_ORDER_INVALID, "xrWaitFrame has not been called");
     const bool discards = session.begun.has_value();
     if (discards) note("frame discarded");
     session.begun = std::exchange(session.waited, std::nullopt);
@@ -140,7 +140,7 @@ XrResult begin_frame(XrSession handle, const XrFrameBeginInfo* info) {
 XrResult end_frame(XrSession handle, const XrFrameEndInfo* info) {
     Session& session = running_session(handle);
     check_struct(info, XR_TYPE_FRAME_END_INFO);
-    require(session.begun.has_value(), XR_ERROR_CALL_ORDER_INVALID, "xrBeginFrame was not called before");
+    require(session.begun.has_value(), XR_ERROR_CALL_ORDER_INVALID, "xrBeginFrame has not been called");
     if (!check_graphics(session)) return XR_ERROR_RUNTIME_FAILURE;
     check_frame_end(*info, *session.begun);
     record(*session.begun, checked_layers(handle, *info));

@@ -64,7 +64,8 @@ std::optional<Input> stated_input(const Hand& hand, const std::string& component
     return found == hand.inputs.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// The input stated in the scenario, one coordinate of a stated stick, or the default component of an input.
+/// A component's value in the scenario. If it is missing, uses the stick of which the component is a
+/// coordinate, or else the component's "/value" or "/click".
 Input input_of(const Hand& hand, const std::string& component) {
     if (const auto stated = stated_input(hand, component)) return *stated;
     const std::string parent = component.substr(0, component.rfind('/'));
@@ -219,7 +220,7 @@ XrResult get_current_profile(XrSession handle, XrPath user, XrInteractionProfile
     check_struct(out, XR_TYPE_INTERACTION_PROFILE_STATE);
     require(!session.attached.empty(), XR_ERROR_ACTIONSET_NOT_ATTACHED, "no action sets are attached");
     const std::string text = path_text(instance, user);
-    require(is_user(text), XR_ERROR_PATH_UNSUPPORTED, "the path is not a top level user path");
+    require(is_user(text), XR_ERROR_PATH_UNSUPPORTED, "the path is not a top-level user path");
     const bool is_hand = hand_of(text) < world().now.hands.size();
     out->interactionProfile = is_hand && session.profile ? path_of(instance, *session.profile) : XR_NULL_PATH;
     return XR_SUCCESS;
@@ -271,7 +272,7 @@ XrResult get_source_name(XrSession handle, const XrInputSourceLocalizedNameGetIn
     require(!session.attached.empty(), XR_ERROR_ACTIONSET_NOT_ATTACHED, "no action sets are attached");
     constexpr XrInputSourceLocalizedNameFlags known = 7;
     require(info->whichComponents != 0 && (info->whichComponents & ~known) == 0, XR_ERROR_VALIDATION_FAILURE,
-            "no components of the name are requested, or unknown components are");
+            "no component of the name is requested, or an unknown one is requested");
     const std::string source = path_text(instance_of(session.instance), info->sourcePath);
     const std::pair<XrInputSourceLocalizedNameFlags, std::string> parts[] = {
         {XR_INPUT_SOURCE_LOCALIZED_NAME_USER_PATH_BIT, hand_of(source) == 0 ? "Left Hand" : "Right Hand"},

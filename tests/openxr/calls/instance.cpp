@@ -73,7 +73,7 @@ XrResult enumerate_instance_extensions(const char* layer, uint32_t capacity, uin
 XrResult create_instance(const XrInstanceCreateInfo* info, XrInstance* out) {
     check_struct(info, XR_TYPE_INSTANCE_CREATE_INFO);
     require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the instance is null");
-    require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "the flags are unknown");
+    require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "the flags are not 0");
     check_application(info->applicationInfo);
     require(info->enabledApiLayerCount == 0, XR_ERROR_API_LAYER_NOT_PRESENT, layer_error);
     Instance instance{};

@@ -51,7 +51,7 @@ void check_flags(const Part& part, XrCompositionLayerFlags flags) {
     constexpr XrCompositionLayerFlags known = XR_COMPOSITION_LAYER_CORRECT_CHROMATIC_ABERRATION_BIT |
                                               XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT |
                                               XR_COMPOSITION_LAYER_UNPREMULTIPLIED_ALPHA_BIT;
-    part.require((flags & ~known) == 0, XR_ERROR_VALIDATION_FAILURE, "the flags are unknown");
+    part.require((flags & ~known) == 0, XR_ERROR_VALIDATION_FAILURE, "a flag is unknown");
 }
 
 bool contains(const XrSwapchainCreateInfo& image, const XrRect2Di& rect) {
@@ -68,7 +68,7 @@ json checked_image(const Part& part, const XrSwapchainSubImage& image, bool dept
     part.require(contains(swapchain->info, image.imageRect), XR_ERROR_SWAPCHAIN_RECT_INVALID,
                  "the image rectangle exceeds the swapchain, or is empty");
     part.require(image.imageArrayIndex < swapchain->info.arraySize, XR_ERROR_VALIDATION_FAILURE,
-                 "the array index exceeds the swapchain");
+                 "the array index exceeds the swapchain's array size");
     part.require(is_depth(swapchain->info.format) == depth, XR_ERROR_VALIDATION_FAILURE,
                  "the swapchain has a color format where depth is expected, or vice versa");
     part.require(swapchain->released.has_value(), XR_ERROR_LAYER_INVALID,
@@ -82,7 +82,8 @@ json checked_image(const Part& part, const XrSwapchainSubImage& image, bool dept
 void check_fov(const Part& part, const XrFovf& fov) {
     for (const float angle : {fov.angleLeft, fov.angleRight, fov.angleUp, fov.angleDown})
         part.require(std::isfinite(angle) && std::abs(angle) < std::numbers::pi_v<float> / 2,
-                     XR_ERROR_VALIDATION_FAILURE, "an angle of the field of view is not below 90 degrees");
+                     XR_ERROR_VALIDATION_FAILURE,
+                     "an angle of the field of view is not between -90 and 90 degrees");
     part.require(fov.angleLeft < fov.angleRight && fov.angleDown < fov.angleUp, XR_ERROR_VALIDATION_FAILURE,
                  "the field of view is empty or mirrored");
 }
@@ -91,9 +92,9 @@ json checked_depth(const Part& part, const XrCompositionLayerDepthInfoKHR& info)
     part.require(has_extension(part.session, XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME),
                  XR_ERROR_VALIDATION_FAILURE, "XR_KHR_composition_layer_depth is not enabled");
     const bool in_range = info.minDepth >= 0 && info.minDepth < info.maxDepth && info.maxDepth <= 1;
-    part.require(in_range, XR_ERROR_VALIDATION_FAILURE, "the depth range is not within 0 to 1");
+    part.require(in_range, XR_ERROR_VALIDATION_FAILURE, "the depth range is empty or extends beyond 0 to 1");
     part.require(info.nearZ != info.farZ && info.nearZ >= 0 && info.farZ >= 0, XR_ERROR_VALIDATION_FAILURE,
-                 "the near and far distances are equal, negative or not numbers");
+                 "the near and far distances are equal, or one of them is negative or not a number");
     json out = checked_image({part.session, part.name + " depth"}, info.subImage, true);
     out["min"] = info.minDepth;
     out["max"] = info.maxDepth;

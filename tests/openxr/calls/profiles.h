@@ -16,7 +16,8 @@ std::string extension_of_profile(const std::string& profile);
 bool has_component(const std::string& profile, const std::string& path);
 bool suits_action(const std::string& profile, const std::string& path, XrActionType type);
 
-/// The hand to which the path belongs: 0 is left, 1 is right. Other values have no controller.
+/// The hand to which the path belongs: 0 is left, 1 is right. Any other value means that the path belongs to
+/// neither hand.
 std::size_t hand_of(const std::string& path);
 /// "/input/trigger/value"
 std::string component_of(const std::string& path);

@@ -32,12 +32,12 @@ XrResult create_session(XrInstance handle, const XrSessionCreateInfo* info, XrSe
     check_struct(info, XR_TYPE_SESSION_CREATE_INFO,
                  {XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR, XR_TYPE_GRAPHICS_BINDING_EGL_MNDX});
     require(out, XR_ERROR_VALIDATION_FAILURE, "the output for the session is null");
-    require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "the flags are unknown");
+    require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "the flags are not 0");
     check_system(info->systemId);
     require(instance.extensions.contains(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME), XR_ERROR_VALIDATION_FAILURE,
             "XR_KHR_opengl_enable is not enabled");
     require(instance.knows_requirements, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING,
-            "xrGetOpenGLGraphicsRequirementsKHR was not called before");
+            "xrGetOpenGLGraphicsRequirementsKHR has not been called");
     const GraphicsContext graphics = checked_context(instance, *info);
     require(handles().sessions.empty(), XR_ERROR_LIMIT_REACHED, "a session already exists");
     Session session{};

@@ -13,9 +13,9 @@ constexpr std::size_t images = 3;
 void check_size(const XrSwapchainCreateInfo& info) {
     require(info.width > 0 && info.height > 0 && info.width <= max_swapchain_side &&
                 info.height <= max_swapchain_side,
-            XR_ERROR_VALIDATION_FAILURE, "the size is not between 1 and the largest supported");
+            XR_ERROR_VALIDATION_FAILURE, "the width or the height is 0 or exceeds the maximum");
     require(info.arraySize > 0 && info.mipCount > 0 && info.sampleCount > 0, XR_ERROR_VALIDATION_FAILURE,
-            "there are no array layers, mip levels or samples");
+            "the array size, the mip count or the sample count is 0");
     require(info.faceCount == 1 || info.faceCount == 6, XR_ERROR_VALIDATION_FAILURE,
             "the number of faces is neither 1 nor 6");
     require(info.faceCount == 1 && info.sampleCount == 1, XR_ERROR_FEATURE_UNSUPPORTED,

@@ -45,7 +45,7 @@ class Drawn {
     PanelDrawing drawing_;
 };
 
-/// A panel whose pixels are millimeters and whose center is straight ahead.
+/// A panel whose pixels are one millimeter wide and whose center is straight ahead.
 Panel panel_ahead(double away) {
     return {.origin = {-0.2, -0.15, away}, .unit = 0.001, .width = 400, .height = 300};
 }

@@ -36,8 +36,8 @@ TEST(ShownTiles, ContainTilesWithEnoughVisiblePixels) {
         const std::vector<float> weights(samples.size(), 1.0f);
         return shown_tiles(photo, nullptr, cam_from_origin(photo), {samples, weights, pixels}, 0.1);
     };
-    // From the photo's own camera, each pixel is a texel: columns 0 to 268 fill tile 0 and 20 columns of tile
-    // 1.
+    // From the photo's own camera, each pixel is a texel. The first 268 columns fill tile 0 and 20 columns of
+    // tile 1.
     const View own = view_of_photo(photo, 1);
     TileNeeds n = needs(plane_samples(own, 4, 0, 268), 16);
     EXPECT_EQ(n.color[0], (std::vector<std::uint32_t>{0, 7, 14, 21, 28, 35})) << "seven columns, six rows";
