@@ -106,7 +106,7 @@ void FramePainter::draw_photos(PaintedImageSet& image_set) {
     const ViewPlan& plan = image_set.drawn.plan;
     const Pass drawn = plan.drawn();
     image_set.report.photos = drawn.size();
-    // Points that receive photos come first: their depth keeps photos off the model behind them.
+    // Points that receive photos are drawn first: their depth keeps photos off the model behind them.
     const SceneParts& parts = resources_->parts;
     const bool shows = shows_points(image_set.drawn.settings, parts),
                first = photos_on_points(image_set.drawn.settings, parts);

@@ -22,8 +22,8 @@ class FramePainter {
     void begin(const PlannedFrame& frame);
     /// Paints an eye, and may draw the bare surface of the next one. Adds this eye's statistics to `report`.
     void paint(PlannedFrame& frame, std::size_t eye, FrameReport& report);
-    /// Replaces the picture of the last painted eye with the photos of the frame's first eye, in their
-    /// current state of fading, seen from another view, with one sample per pixel.
+    /// Replaces the picture of the last painted eye with another view of the photos of the frame's first eye.
+    /// The photos keep their current state of fading. Each pixel gets one sample.
     void paint_again(PlannedFrame& frame, const View& view, const RenderSettings& settings);
 
   private:

@@ -79,7 +79,7 @@ enum class PointSize {
 
 /// Source of point colors.
 enum class PointColor {
-    automatic,  ///< from photos in a point-only scene, the points' own colors next to a mesh
+    automatic,  ///< photos in a point-only scene; the points' own colors if there is a mesh
     photos,     ///< from photos where one shows the point, otherwise the point's own color
     own
 };
@@ -173,7 +173,7 @@ struct RenderSettings {
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< per frame
     std::vector<SectionPlane> sections;  ///< at most max_sections; only cut the mesh
     PlainBackground plain_background;
-    FrameSize capacity;  ///< frames up to this size, or the view's, need no new render targets
+    FrameSize capacity;  ///< targets are at least this large, so frames up to this size need no new ones
     bool operator==(const RenderSettings&) const = default;
 };
 

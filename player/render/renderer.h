@@ -29,9 +29,9 @@ class Renderer {
     FrameReport prepare(const FrameRequest& request);
     /// Draws an eye of the last prepared frame, and adds to that frame's report.
     void paint(std::size_t eye, FrameReport& report);
-    /// Replaces the picture of the last draw() with one that shows the same photos, in their current state of
-    /// fading, from another view of the same size, with one sample per pixel. The plan and the fading do not
-    /// change. If settings.weights_from is the view of the last draw(), surfaces keep their weights.
+    /// Replaces the picture of the last draw() with another view of the same size, which shows the same
+    /// photos with one sample per pixel. The plan and the state of fading do not change. If
+    /// settings.weights_from is the view of the last draw(), surfaces keep their weights.
     void redraw(const View& view, const RenderSettings& settings);
     /// Shows the samples of an eye in a framebuffer of the view's size.
     void show(const View& view, const RenderSettings& settings, const ShowTarget& target);

@@ -25,7 +25,8 @@ class RemoteBytes {
     RemoteBytes(const PackageReader& package, std::function<void()> arrived);
     ~RemoteBytes();
 
-    /// Replaces the queue, most urgent first. Cancels transfers that no request in the new queue needs.
+    /// Replaces the queue; the most urgent request comes first. Cancels transfers that no request in the new
+    /// queue needs.
     void want(std::span<const StreamRequest> requests);
     /// Result of a request.
     struct Arrival {

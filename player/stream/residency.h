@@ -52,7 +52,7 @@ class Residency {
     /// Marks a resource as used in this frame. If it is not resident, returns false and appends it to
     /// `missing` unless it was damaged recently.
     bool need(const StreamRequest& request, std::vector<StreamRequest>& missing);
-    /// Like need(), for all of a photo's texture coordinates.
+    /// Like need(), but for all of a photo's texture coordinates.
     bool need_coordinates(std::uint32_t photo, std::vector<StreamRequest>& missing);
     /// Uploads fetched data, at most `budget` bytes or one larger piece. Returns the number of bytes
     /// uploaded.
@@ -76,7 +76,7 @@ class Residency {
     }
     std::optional<std::uint32_t> coordinate_slot(std::uint32_t photo) const;
     bool holds(const StreamRequest& request) const;
-    /// Whether a photo's texture coordinates are resident or arriving.
+    /// Whether a photo's texture coordinates are resident or in flight.
     bool has_slot(std::uint32_t photo) const { return slot_pool_.layer_of(photo).has_value(); }
     /// The number of additional resources of a kind that this frame can hold.
     std::uint32_t available(Resource resource) const { return pool_of(resource).available(frame_); }

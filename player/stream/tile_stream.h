@@ -33,8 +33,8 @@ struct Fetched {
     std::size_t bytes() const { return piece ? piece->bytes : 0; }
 };
 
-/// Worker threads that copy or decode pieces of the mapped package into the upload ring; pieces of a remote
-/// package are fetched first. All functions must be called on the OpenGL thread; only wait() blocks.
+/// Worker threads that copy or decode pieces of the mapped package into the upload ring. Pieces of a remote
+/// package are downloaded beforehand. All functions must be called on the OpenGL thread; only wait() blocks.
 class TileStream {
   public:
     TileStream(const PackageReader& package, std::size_t ring_bytes, unsigned threads);
@@ -42,7 +42,7 @@ class TileStream {
     TileStream(const TileStream&) = delete;
     TileStream& operator=(const TileStream&) = delete;
 
-    /// Replaces the queue of requests, most urgent first. Requests in flight are not affected.
+    /// Replaces the queue of requests; the most urgent one comes first. Requests in flight are not affected.
     void want(std::span<const StreamRequest> requests);
     /// The next fetched request; empty if there is none, or if that request has more than `budget` bytes.
     std::optional<Fetched> take(std::size_t budget);

@@ -95,7 +95,7 @@ Derived height(std::span<const Vector3d> p, const Vector3d& up) { return {up.dot
 
 /// The least-squares plane of points, through their mean.
 struct FittedPlane {
-    Vector3d middle = Vector3d::Zero(), normal, along;  ///< unit vectors: normal to the plane, and along it
+    Vector3d middle = Vector3d::Zero(), normal, along;  ///< unit vectors: the normal, and one in the plane
     double farthest = 0;                                ///< largest distance of a point from the plane
 };
 

@@ -132,8 +132,7 @@ std::vector<Shot> read_path(const std::string& file, const PackageReader& packag
             const std::optional<std::uint32_t> image_set = take_image_set(line, package);
             const std::optional<double> at = take_time(line, shots.empty() ? 0 : shots.back().at.value_or(0));
             if (!shots.empty() && at.has_value() != shots.back().at.has_value())
-                throw Error(Exit::usage,
-                            "either every view has at=SECONDS or none has, expected the same as before");
+                throw Error(Exit::usage, "expected at=SECONDS for every view or for none");
             const auto [view, distance] = parse_view_and_distance(line, package, size);
             shots.push_back({name, view, image_set, at, distance});
         } catch (const Error& e) {

@@ -36,8 +36,9 @@
 namespace vantage {
 namespace {
 
-/// Saves settings for the next session. Earlier image set names are kept if the package has none. The
-/// exposure is omitted, since it refers to a photo of this package.
+/// Saves settings for the next session. The names of image sets that were saved earlier are kept if the
+/// package has fewer than two image sets. The exposure is omitted, since it refers to a photo of this
+/// package.
 void remember(const Session& session, const PackageReader& package, Remembered& r) {
     r.settings = session.settings;
     r.settings.exposure.reset();

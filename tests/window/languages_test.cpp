@@ -28,7 +28,7 @@ class WindowLanguages : public WindowTest {
         options.window.language = language;
         return options;
     }
-    /// The letters that are not ASCII in the translations of a compiled catalog.
+    /// The non-ASCII letters in the translations of a compiled catalog.
     static std::set<unsigned> letters_of_catalog(const std::string& language) {
         const auto share =
             std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / "share";

@@ -69,8 +69,8 @@ class DrawnRegion {
 std::vector<std::uint32_t> read_triangles(const FrameTargets& targets);
 
 /// Targets for frames of at most this size, for one or two eyes, with one surface per eye or a shared one,
-/// `fine` * `fine` samples per pixel at once. Throws Error(usage) if the graphics card cannot draw a frame of
-/// this size.
+/// and with `fine` * `fine` samples per pixel at once. Throws Error(usage) if the graphics card cannot draw a
+/// frame of this size.
 FrameTargets make_frame_targets(FrameSize allocated, std::size_t eyes = 1, std::size_t surfaces = 1,
                                 int fine = 1);
 

@@ -7,11 +7,12 @@
 
 namespace vantage {
 
-/// A program that runs a fragment shader once per pixel of the viewport: three vertices without attributes.
+/// A program that runs a fragment shader once per pixel of the viewport if three vertices are drawn without
+/// attributes.
 gl::Program full_frame_program(const char* label, const char* fragment_shader,
                                const std::vector<std::string>& defines = {});
 
-/// Makes such a program current for all pixels of the framebuffer `target`, which has this size; disables
+/// Makes such a program current and binds the framebuffer `target`, with a viewport of this size. Disables
 /// depth testing and blending.
 void begin_full_frame(const gl::Program& program, GLuint target, FrameSize size);
 

@@ -28,8 +28,8 @@ class PointPass {
     }
     bool placed() const { return bool(places_); }
 
-    /// Chooses nodes for the view, requests them and uploads those that have arrived; waits for all of them
-    /// if the settings wait for tiles. Returns the number of bytes uploaded.
+    /// Chooses nodes for the view, requests them and uploads those that have arrived. If the settings require
+    /// waiting for tiles, waits for all nodes. Returns the number of bytes uploaded.
     std::size_t stream(const View& view, const RenderSettings& settings, int side, double now);
     /// The number of planned nodes that are not yet loaded.
     std::size_t missing() const { return missing_; }

@@ -14,7 +14,7 @@ namespace vantage {
 
 /// The preprocessor symbols of a scene with a background.
 std::vector<std::string> background_defines(const PlanScene& scene);
-/// The symbols for features that are compiled on demand: light, a scalar field.
+/// The symbols for the features that are compiled on demand: light and a scalar field.
 std::vector<std::string> asked_defines(const RenderSettings& settings, const FieldValues& fields);
 
 /// The target in which transparent surfaces are collected.

@@ -17,13 +17,13 @@ struct FrameNeeds {
     Transparency transparency = Transparency::off;
 };
 
-/// The memory needs of a frame of this size, drawn from `image_sets` for each of the eyes, with `fine` *
+/// The requirements of a frame of this size if each eye's picture is drawn from `image_sets`, with `fine` *
 /// `fine` samples per pixel at once.
 FrameNeeds needs_of(const FrameResources& resources, FrameSize frame,
                     std::span<const ImageSetFrame> image_sets, std::size_t eyes, int fine);
 /// Whether all samples of each pixel can be drawn in one frame for one eye, with one texel of the targets per
-/// sample. False if anything in the frame has a width in pixels, or if targets of that size would be too
-/// large.
+/// sample. False if the width of anything in the frame is specified in pixels, or if targets of that size
+/// would be too large.
 bool draws_samples_at_once(const FrameResources& resources, const RenderSettings& settings, FrameSize frame,
                            int side, const MemoryBudget& budget);
 /// Whether the existing targets are sufficient.

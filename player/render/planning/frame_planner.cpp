@@ -70,8 +70,8 @@ FrameReport FramePlanner::plan(const FrameRequest& request) {
     const auto planning = std::chrono::steady_clock::now();
     ordered_.clear();
     for (PlannedEye& eye : frame_.eyes) order_plans(eye);
-    // Reduced frames do not plan ahead: frames at rest are slow then, and drawing one takes longer than
-    // planning it.
+    // While frames are reduced, nothing is planned ahead: frames at rest are slow, and drawing one takes
+    // longer than planning it.
     maker_.update(ordered_, settings.loading != Loading::streamed, settings.reduced ? nullptr : request.next);
     report.plan_ms = milliseconds_since(planning);
     if (complete) make_room();
@@ -135,14 +135,14 @@ bool FramePlanner::take_seen(PlannedEye& eye, bool wait) {
 }
 
 /// Requests plans for an eye's image sets. In a frame that is not complete, the first eye's plans serve both
-/// eyes: the second eye's plan uses their photos and has no tiles of its own.
+/// eyes: the second eye's plans use the photos of the first eye's plans and have no tiles of their own.
 void FramePlanner::order_plans(PlannedEye& eye) {
     PlannedEye& first = frame_.eyes.front();
     for (std::size_t b = 0; b < eye.image_sets.size(); ++b) {
         const ImageSetFrame& image_set = eye.image_sets[b];
         const bool complete = is_complete(image_set.settings.loading);
         PlanSettings how = plan_settings(image_set.settings, resources_->trials.anisotropy);
-        // Photos on points show more of the scene than the visible triangles.
+        // Photos on points also show parts of the scene beyond the visible triangles.
         const bool on_points = photos_on_points(image_set.settings, resources_->parts);
         if (complete && !on_points && frame_.sample.index == 0) find_seen(eye, image_set);
         OrderedPlan ordered{image_set.plan};

@@ -26,8 +26,8 @@ void choose_image_set(RenderSettings& settings, std::uint32_t image_set, const P
     if (image_set == 0 || !scene.has_background()) return;
     const bool shown = settings.background != ShowBackground::off;
     settings.background = ShowBackground::off;
-    // Coordinates are chosen as if there were a background, so that a change of image sets needs no other
-    // data from the photos.
+    // Coordinates are chosen as if there were a background, so that a change of image sets requires no
+    // additional data of the photos.
     if (shown && settings.coordinates == Coordinates::automatic) settings.coordinates = Coordinates::fragment;
 }
 

@@ -10,8 +10,8 @@ struct Pace {
     bool reduced = false;  ///< see RenderSettings::reduced
     bool operator==(const Pace&) const = default;
 };
-/// Minimum scale of a frame. Coarser frames would hardly be faster, because the time for the triangles
-/// remains.
+/// Minimum scale of a frame. Coarser frames would hardly be faster, because the time for drawing triangles
+/// stays the same.
 inline constexpr double least_scale = 0.15;
 
 /// Maximum ratio of the duration of a full frame to that of a reduced frame.

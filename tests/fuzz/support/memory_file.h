@@ -35,7 +35,7 @@ class MemoryFile {
     int fd_;
 };
 
-/// An in-memory folder, for inputs of several files.
+/// An in-memory folder, for inputs that consist of several files.
 class MemoryFolder {
   public:
     MemoryFolder() {

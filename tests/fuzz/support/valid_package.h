@@ -18,7 +18,7 @@
 
 namespace vantage::fuzz {
 
-/// A tetrahedron around the scene that is partly visible in the photo.
+/// A background: a tetrahedron that surrounds the scene and is partly visible in the photo.
 inline BackgroundContent valid_background() {
     BackgroundContent s;
     s.positions = {{0, 0, 9}, {9, 0, -9}, {-9, 9, -9}, {-9, -9, -9}};

@@ -10,9 +10,9 @@ bool is_known_profile(const std::string& profile);
 /// The extension that the profile requires; empty if none.
 std::string extension_of_profile(const std::string& profile);
 
-/// Whether the controller has a path such as /user/hand/left/input/trigger/value, or
-/// /user/hand/left/input/trigger for any of its components; and whether an action of this type can be bound
-/// to the path.
+/// has_component(): whether the controller has a path such as /user/hand/left/input/trigger/value. The path
+/// /user/hand/left/input/trigger stands for any of its components. suits_action(): whether an action of this
+/// type can be bound to the path.
 bool has_component(const std::string& profile, const std::string& path);
 bool suits_action(const std::string& profile, const std::string& path, XrActionType type);
 

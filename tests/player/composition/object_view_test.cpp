@@ -43,7 +43,7 @@ TEST(Placement, ShowsAPlacedPointWhereTheSceneHasIt) {
 }
 
 TEST(Placement, TurnsAboutXThenYThenZ) {
-    // A quarter turn about x takes y to z; the quarter turn about z that follows leaves the vector there.
+    // A quarter turn about x maps y to z, and the subsequent quarter turn about z does not change the vector.
     EXPECT_TRUE((rotation_of({{}, {90, 0, 90}, 1}) * Vector3d::UnitY()).isApprox(Vector3d::UnitZ(), 1e-12));
     EXPECT_TRUE((rotation_of({{}, {90, 0, 90}, 1}) * Vector3d::UnitX()).isApprox(Vector3d::UnitY(), 1e-12));
     EXPECT_TRUE((rotation_of({{}, {0, 90, 0}, 1}) * Vector3d::UnitZ()).isApprox(Vector3d::UnitX(), 1e-12));

@@ -31,7 +31,8 @@ double column(const EyeTarget& picture, int x) {
     return sum;
 }
 
-/// The number of pixels that differ by more than half of white from the exact value along their ray.
+/// The number of pixels that differ from the exact value along their ray by more than half the value of
+/// white.
 int wrong_pixels(const EyeTarget& picture, const std::function<bool(const Vector3d&)>& shows) {
     const FrameSize size = frame_size(picture.eye.view);
     const std::vector<float> values = picture.values();

@@ -19,8 +19,8 @@ struct Color {
     bool background = false;
 };
 
-/// The red channel of the filled picture, at half size. Samples are drawn as red times weight, and weight.
-/// `behind`: the colors for holes in the background.
+/// The red channel of the filled picture, at half size. Each sample consists of red times its weight, and the
+/// weight. `behind`: the colors for holes in the background.
 std::vector<float> filled(int width, int height, const std::function<Color(int x, int y)>& drawn,
                           float samples = 1, bool behind = false) {
     const gl::HeadlessContext context;
