@@ -29,8 +29,8 @@ constexpr std::size_t quick_points = 600;  ///< number of points in the trial fi
 /// The minimum agreement, relative to that of the cameras alone and to that of the next best alignment. A
 /// wall that is shifted along its own plane agrees almost as well: only its relief reveals the shift.
 constexpr double least_share = 0.5, clearly = 1.05;
-/// Limits, as fractions of a photo's longer side, of the epipolar error of a matched feature and of the
-/// uncertainty of the alignment.
+/// The maximum epipolar error of a matched feature and the maximum uncertainty of the alignment, as fractions
+/// of a photo's longer side.
 constexpr double max_epipolar = 0.003, max_uncertain = 0.0005;
 
 /// A surface, and the frame in which motions of points toward it are expressed.
@@ -254,7 +254,7 @@ class Aligner {
     std::vector<Camera> cameras_;
     MotionFrame frame_;
     std::vector<SharedFeature> features_;
-    double of_cameras_ = 0;  ///< agreement of the cameras alone
+    double of_cameras_ = 0;  ///< agreement of the features with the cameras alone
     Points points_, quick_;
 };
 

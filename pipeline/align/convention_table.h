@@ -7,12 +7,12 @@
 
 namespace vantage {
 
-/// A known deviation of camera files or meshes from the definition of their format, which a program or an
-/// export setting causes and which changing all cameras undoes.
+/// A known deviation of camera files or meshes from the definition of their format, caused by a program or an
+/// export setting. It can be undone by changing all cameras.
 struct Convention {
     const char* name;     ///< value of --convention
     const char* meaning;  ///< in messages: "the mesh is turned by 180 degrees about x"
-    /// Whether the convention moves all cameras together, so that only the mesh shows if it applies.
+    /// Whether the convention moves all cameras together, so that only the mesh reveals whether it applies.
     bool of_mesh;
     std::optional<Camera> (*apply)(Camera camera,
                                    const Similarity& transform);  ///< empty if nothing changes

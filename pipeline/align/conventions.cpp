@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The error whose weight is one half; a tenth of a percent is 4 px in a photo of 12 megapixels.
+/// The error at which the weight is one half: a tenth of a percent, which is 4 px in a 12-megapixel photo.
 constexpr double half = 0.001;
 /// Matched features with a larger epipolar error do not show the same point; a mesh with larger errors does
 /// not fit.
@@ -185,8 +185,8 @@ bool has_open_terms(const SceneInput& scene) {
     });
 }
 
-/// Tests with a few pairs of photos whether the input is right as read: many features then agree well with
-/// the cameras and the mesh, so that no other convention needs to be tried; empty if the pairs are
+/// Tests with a few pairs of photos whether the input is right as read. If many features agree well with the
+/// cameras and the mesh, no other convention needs to be tried. The result is empty if the pairs are
 /// inconclusive.
 std::optional<ConventionTrials> as_read_by_pairs(const SceneInput& scene, std::size_t pairs,
                                                  const FeatureSettings& how, MeshOnDemand& mesh) {

@@ -22,8 +22,8 @@ std::vector<SharedFeature> agreeing_features(std::span<const SharedFeature> feat
                                              std::span<const Camera> cameras, double most);
 
 /// The features with measurable parallax: in photo b, their distance from the image of the point at infinity
-/// on photo a's ray is at least `least`, as a fraction of b's longer side. Other features agree with a mesh
-/// at any distance.
+/// on photo a's ray is at least `least`, as a fraction of b's longer side. Features without parallax agree
+/// with a mesh at any distance.
 std::vector<SharedFeature> features_with_parallax(std::span<const SharedFeature> features,
                                                   std::span<const Camera> cameras, double least);
 

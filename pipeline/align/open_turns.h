@@ -13,13 +13,13 @@ struct OpenTurns {
     std::vector<std::uint32_t> unknown;  ///< photos whose features are inconclusive
 };
 
-/// Decides from the features that such photos share with their neighbors: they lie near the epipolar lines
-/// either only if the photo is turned or only if the photo is not. Tests at most 300 photos. Both lists are
+/// Decides for each such photo from the features that it shares with its neighbors: they lie near the
+/// epipolar lines only if the photo is turned, or only if it is not. Tests at most 300 photos. Both lists are
 /// empty if no orientation is in doubt.
 OpenTurns find_open_turns(std::span<const PhotoInput> photos, const FeatureSettings& how);
 
-/// Gives the camera the size of the photo turned by 90 degrees about its center; because of this size,
-/// read_photo() then turns the pixels.
+/// Changes the camera's size and principal point to those of the photo after a turn by 90 degrees about its
+/// center. Because of the new size, read_photo() turns the pixels.
 void take_as_displayed(PhotoInput& photo);
 
 }  // namespace vantage

@@ -16,14 +16,15 @@ namespace {
 
 constexpr std::size_t max_names = 20;  ///< in a warning
 
-/// The wrong orientation of a photo that must be turned by `orientation`.
+/// The wrong orientation of a photo that must still be turned by the EXIF `orientation`, as a phrase for
+/// messages.
 const char* lies(int orientation) {
     if (orientation == 3) return "upside down";
     return orientation == 6 || orientation == 8 ? "turned by 90 degrees" : "mirrored";
 }
 
 /// Adds one warning for all photos that have the same EXIF orientation. `found`: whether the photos are known
-/// to be wrong.
+/// to be turned the wrong way.
 void warn_of_turns(SceneInput& scene, const std::vector<std::uint32_t>& photos, bool found) {
     std::map<std::pair<int, int>, std::vector<std::string>> names;  // by orientation and its open turn
     for (const std::uint32_t i : photos) {

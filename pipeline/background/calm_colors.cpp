@@ -97,7 +97,7 @@ std::vector<Eigen::Array3f> calm_colors(const Backdrop& backdrop, std::span<cons
                 out[v] += rise * rise * (sky[v].head<3>() - out[v]);
         }
     }
-    // The edge between sky and land stays sharp: the hill's color does not bleed into the sky above it.
+    // The edge between sky and land stays sharp: the color of the land does not bleed into the sky above it.
     std::vector<std::uint8_t> soft;
     for (std::size_t v = 0; v < n; ++v) soft.push_back(shown[v][3] == 0 && !backdrop.is_sky[v]);
     relax(sphere, soft, smoothing, out);

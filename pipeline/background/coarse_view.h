@@ -31,7 +31,7 @@ struct CoarseView {
     /// mesh.
     std::vector<Eigen::Array3f> ln;
     std::vector<float> z;              ///< depth of the mesh, +inf in open texels
-    std::size_t pixels = 0, open = 0;  ///< numbers of texels with a pixel, and of open texels
+    std::size_t pixels = 0, open = 0;  ///< number of texels with a pixel, and number of open texels
 
     bool is_open(std::size_t texel) const { return !std::isnan(ln[texel][0]); }
 };

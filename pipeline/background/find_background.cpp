@@ -175,8 +175,8 @@ Background find_background(const BackgroundInput& in) {
     const MeshPlanes mesh = mesh_planes(in.discs, some.views);
     Background out{first_decision(in, some.views), {}, shade_beside(some.views)};
     if (!out.decision.on) return out;
-    // Runs concurrently with the validation, except for scans of objects: in most other scenes, the effect
-    // stays on after the validation.
+    // Runs concurrently with the validation, because the effect usually stays on. For scans of objects, it
+    // often does not, so the estimate runs only if the validation keeps the effect.
     std::future<Backdrop> estimate =
         std::async(in.kind == KindOfScan::object ? std::launch::deferred : std::launch::async,
                    [&] { return estimate_backdrop(some.views, mesh, {}, in.threads); });

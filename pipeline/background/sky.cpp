@@ -10,7 +10,7 @@ namespace vantage {
 namespace {
 
 constexpr float brightest = 130;     ///< minimum sRGB code of the brightest channel
-constexpr float steepest = 14;       ///< maximum difference between neighboring texels, codes
+constexpr float steepest = 14;       ///< maximum difference between neighboring texels, sRGB codes
 constexpr float far_away = 20;       ///< distance in units of the cameras' spread
 constexpr double far_share = 0.1;    ///< minimum fraction of distant directions in a connected region
 constexpr int smallest_part = 30;    ///< texels
@@ -32,8 +32,8 @@ cv::Mat1f brightness(const CoarseView& v) {
     return out;
 }
 
-/// For each texel, 255 if it is open, above the horizon and looks like sky, 1 if it is only open and above
-/// the horizon, otherwise 0.
+/// For each texel: 255 if it is open, lies above the horizon and looks like sky; 1 if it is open and lies
+/// above the horizon, but does not look like sky; otherwise 0.
 cv::Mat1b candidates(const CoarseView& v, const Eigen::Vector3f& down) {
     const cv::Mat1f light = brightness(v);
     cv::Mat1b out(v.k.height, v.k.width, uchar(0));

@@ -91,7 +91,7 @@ struct Votes {
     float all = 0, sky = 0;
 };
 
-/// Points of a triangle: its middle, and near its corners.
+/// Points on a triangle: its center, and one point near each corner.
 std::array<Eigen::Vector3d, 4> points_on(const std::array<Eigen::Vector3d, 3>& corners) {
     const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3;
     std::array<Eigen::Vector3d, 4> out{middle, middle, middle, middle};
@@ -115,7 +115,7 @@ void vote(const SkyPicture& p, const cv::Mat1b& sky, const std::array<Eigen::Vec
     if (seen > 0) out.all += 1, out.sky += shown / seen;
 }
 
-/// The vertex indices of these triangles, three per triangle.
+/// The vertex indices of the triangles in `numbers`, three per triangle.
 std::vector<std::uint32_t> indices_of(std::span<const std::array<std::uint32_t, 3>> triangles,
                                       std::span<const std::uint32_t> numbers) {
     std::vector<std::uint32_t> out;

@@ -24,7 +24,7 @@ namespace vantage {
 namespace {
 
 constexpr double worth_having = 0.01;   ///< minimum fraction of a photo's pixels that are open
-constexpr double least_compared = 400;  ///< texels in all photos; with fewer, the verdict is scaled down
+constexpr double least_compared = 400;  ///< texels in all photos; with fewer, the fractions are scaled down
 constexpr double same_enough = 25;      ///< dB, for a background that moves with the camera
 constexpr double plain_enough = 30;     ///< dB
 constexpr double close_codes = 25;      ///< maximum difference in each channel, sRGB codes
@@ -97,8 +97,9 @@ cv::Mat from_backdrop(const CoarseView& view, const Backdrop& backdrop, std::spa
     return out;
 }
 
-/// Two predictions of the view: as if the background moved with the camera, from the same pixels of the other
-/// views with the largest weights for the nearest; and as if the background had one color.
+/// Two predictions of the view. The first assumes that the background moves with the camera, and blends the
+/// same pixels of the other views, with the largest weights for the nearest views. The second assumes that
+/// the background has a single color.
 std::array<cv::Mat, 2> without_geometry(const CoarseView& view, std::span<const CoarseView> others) {
     std::array<cv::Mat, 2> out{blank(view), blank(view)};
     const Eigen::Vector3d eye = view.pose.center();

@@ -30,7 +30,7 @@ Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& war
     if (is_e57(file))
         throw Error(
             Exit::input,
-            file.string() + ": E57 is not supported; expected LAS or PLY, as CloudCompare writes them");
+            file.string() + ": E57 is not supported; expected LAS or PLY (CloudCompare can convert it)");
     if (has_nodes(file))
         throw Error(Exit::input,
                     file.string() + ": is not a supported point cloud; expected PLY, LAS, OBJ, STL or OFF");

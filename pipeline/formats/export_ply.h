@@ -35,8 +35,8 @@ struct PlyPoint {
     std::array<std::uint8_t, 3> color;
 };
 
-/// Writes a cloud of `count` points as binary little-endian PLY, where `each` passes the points, one by one,
-/// to the function that it receives. Throws Error(storage).
+/// Writes a cloud of `count` points as binary little-endian PLY. `each` must pass the points, one by one, to
+/// the function that it receives. Throws Error(storage).
 void write_points_ply(const std::filesystem::path& file, std::uint64_t count,
                       const std::function<void(const std::function<void(const PlyPoint&)>&)>& each);
 

@@ -72,8 +72,8 @@ Header read_header(const fs::path& file) {
     if (major != 1) throw wrong(file, "LAS version " + std::to_string(major) + ", expected 1");
     if (format & 0xc0)
         throw wrong(file,
-                    "is compressed (LAZ), which is not supported; expected LAS, as 'laszip' or 'pdal "
-                    "translate' write it");
+                    "is compressed (LAZ), which is not supported; expected LAS ('laszip' or 'pdal "
+                    "translate' can convert it)");
     if (format >= point_formats.size())
         throw wrong(file, "point format " + std::to_string(format) + ", expected 0 to 10");
     Header out{format,

@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// An XML file, whose functions throw Error(input) with the line.
+/// An XML file. Its functions throw Error(input) naming the line.
 class XmlFile {
   public:
     explicit XmlFile(std::filesystem::path file);

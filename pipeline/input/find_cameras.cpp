@@ -66,7 +66,8 @@ struct CameraChoice {
     }
 };
 
-/// All camera files, by format. Copies are farther from the folder `near`.
+/// All camera files, by format, with their distance from the folder `near`. Copies are usually farther from
+/// it.
 std::vector<CameraChoice> choices(std::span<const FormatFiles> all, const fs::path& near) {
     std::vector<CameraChoice> out;
     for (auto [format, files] : all) {
@@ -91,8 +92,8 @@ void rate(CameraChoice& file, const fs::path& folder, const Files& photos) {
     }
 }
 
-/// Reads files until one has a camera for every photo. Returns the best; among equals, that of the first
-/// format.
+/// Reads files until one has a camera for every photo. Returns the best; if files of several formats are
+/// equally good, the one whose format comes first.
 const CameraChoice& best_of(std::vector<CameraChoice>& all, const fs::path& folder, const Files& photos) {
     const CameraChoice* best = nullptr;
     for (auto of_format = all.begin(); of_format != all.end();) {
@@ -107,7 +108,7 @@ const CameraChoice& best_of(std::vector<CameraChoice>& all, const fs::path& fold
     return *best;
 }
 
-/// Returns the file that fits best and notes the unused files. A single file is not read.
+/// Returns the file that fits best and notes the unused files. If there is only one file, it is not read.
 fs::path best_fitting(const fs::path& root, std::span<const FormatFiles> files, InputFiles& found) {
     const bool by_mesh = !found.mesh.empty() && common_folder(found.mesh, root) == root;
     std::vector<CameraChoice> all = choices(files, by_mesh ? found.mesh.parent_path() : root);

@@ -25,10 +25,11 @@ struct ImageSetGroups {
     std::string note{};  ///< the reason why folders that look like image sets are not used; may be empty
 };
 
-/// Groups photos, given by their paths in the photos' folder. If `how` is `auto`, the first folder in a
-/// photo's path that is_known_image_set() decides, provided all photos in folders have one. If `how` is
-/// `folders`, the first folder decides, and photos outside any folder form the image set `photos`. Otherwise,
-/// `how` is the path of a TOML file with a name and a pattern, or a list of patterns, per image set:
+/// Groups photos, given by their paths in the photos' folder. If `how` is `auto`, the image set of a photo is
+/// the first folder in its path for which is_known_image_set() is true, provided that all photos in folders
+/// have such a folder. If `how` is `folders`, it is the first folder, and photos outside any folder form the
+/// image set `photos`. Otherwise, `how` is the path of a TOML file with a name and a pattern, or a list of
+/// patterns, per image set:
 ///
 ///     visible = "*_vis.jpg"
 ///     infrared = ["ir/*", "nir_??.tif"]

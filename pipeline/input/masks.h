@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// Finds photos' masks, pictures that are dark where a photo must not be shown. A mask may be NAME.mask.png
+/// Finds photos' masks: pictures that are dark where the photo must not be shown. A mask may be NAME.mask.png
 /// next to the photo, NAME.png in a folder `masks` next to the photo's folder, or NAME.png in a folder
 /// `masks` one level higher, in the subfolder with the same name as the photo's folder. NAME is the photo's
 /// file name, with or without its extension; names are compared by comparable_name(). Lists each folder once.

@@ -37,7 +37,7 @@ std::vector<std::string> parts_from_the_end(const std::string& path) {
     return parts;
 }
 
-/// The name without its extension, provided that it is the extension of a photo, unlike that of "IMG_1.2".
+/// The name without its extension if this is an extension of photos, unlike the ".2" of "IMG_1.2".
 std::string stem_of(const std::string& name) {
     return has_photo_extension(name) ? fs::path(name).stem().string() : name;
 }

@@ -16,8 +16,8 @@ namespace vantage {
 /// Reads and decodes photos ahead of time, on cores that are idle while one thread prepares the model.
 class PhotoPrefetch {
   public:
-    /// Starts decoding the photos with the indices `photos` in scene.photos, in this order, on `threads`
-    /// threads. If `threads` is 0, no photo is decoded. The scene and `trace` (may be null) must outlive this
+    /// Starts decoding, on `threads` threads, the photos of the scene whose indices are in `photos`, in this
+    /// order. If `threads` is 0, no photo is decoded. The scene and `trace` (may be null) must outlive this
     /// object, and the photos must not change.
     PhotoPrefetch(const SceneInput& scene, const std::vector<std::size_t>& photos, unsigned threads,
                   Trace* trace);
@@ -25,7 +25,7 @@ class PhotoPrefetch {
     ~PhotoPrefetch() { next_ = photos_.size(); }
 
     /// Returns a photo, waiting for it if it is being decoded; nullopt if decoding has not started (it is
-    /// then canceled), failed, or read a file with another identity. To be called at most once per photo.
+    /// then canceled), failed, or read a file with another identity. Must be called at most once per photo.
     std::optional<RgbaImage> take(std::size_t photo, const FileIdentity& identity);
 
   private:

@@ -23,16 +23,16 @@ struct PhotoInput {
     bool linear = false;              ///< whether the file stores linear light
     ProfileUse profile{};             ///< use of the file's ICC profile
     std::vector<StampedFile> read{};  ///< photo and mask, stamped before the photo's header was read
-    std::uint32_t image_set = 0;      ///< index in SceneInput::image_sets
+    std::uint32_t image_set = 0;      ///< index into SceneInput::image_sets
     int orientation = 1;              ///< EXIF
     int open_turn = 0;  ///< EXIF orientation that the pixels may still need to fit their camera; 0 if none
 };
 
 /// The paths of an input's parts.
 struct InputFiles {
-    std::filesystem::path mesh;     ///< empty in a scene of points only
+    std::filesystem::path mesh;     ///< empty in a point-only scene
     std::filesystem::path cameras;  ///< a file, or a COLMAP folder; empty without photos
-    std::filesystem::path photos;   ///< a folder; empty in a scene of points only without photos
+    std::filesystem::path photos;   ///< a folder; empty in a point-only scene without photos
     std::vector<std::filesystem::path>
         compared{};  ///< meshes or clouds from which the mesh's deviation is measured
     std::vector<std::filesystem::path> points{};  ///< point clouds to show, with the mesh or alone

@@ -10,8 +10,8 @@
 namespace vantage {
 namespace {
 
-/// The record of `count` triangles, whose vertices start at `indices`, where `first` is the number of the
-/// first triangle.
+/// The record of a cluster of `count` triangles. Their vertex indices begin at `indices`, and `first` is the
+/// number of the first triangle.
 package::ClusterRecord bounds(const std::vector<Eigen::Vector3f>& positions, const std::uint32_t* indices,
                               std::uint32_t first, std::uint32_t count) {
     Eigen::Vector3f low = positions[indices[0]], high = low;
@@ -57,7 +57,8 @@ class Splitter {
     }
 
   private:
-    /// Reorders the cluster's triangles into two parts and returns the size of the first; 0 to keep it whole.
+    /// Reorders the cluster's triangles into two parts and returns the size of the first part, or 0 to keep
+    /// the cluster whole.
     std::uint32_t partition(const package::ClusterRecord& c) {
         constexpr float max_cutoff = 0.87f;  // sine of the cone's half angle
         if (c.radius <= 0.02f * scene_radius_) return 0;
@@ -97,8 +98,8 @@ Eigen::AlignedBox3f box_of(const std::vector<Eigen::Vector3f>& positions) {
     return box;
 }
 
-/// The space-filling curve has a fixed resolution: with far points in its range, all others would fall into
-/// one cell.
+/// Clamps the positions to the box. The space-filling curve has a fixed resolution: if its range included
+/// points far away, all others would fall into one cell.
 std::vector<Eigen::Vector3f> clamped(std::vector<Eigen::Vector3f> positions, const Eigen::AlignedBox3f& box) {
     for (Eigen::Vector3f& p : positions) p = p.cwiseMax(box.min()).cwiseMin(box.max()).eval();
     return positions;

@@ -128,7 +128,7 @@ struct NearestSurface::State {
     static bool visit(RTCPointQueryFunctionArguments* args) {
         Query& query = *static_cast<Query*>(args->userPtr);
         query.consider(query.surface.on_primitive(query.at, args->primID));
-        // Single precision must not exclude equally near triangles.
+        // Rounding to single precision must not exclude equally near triangles.
         const double reach = (query.distance + query.tolerance() + query.rounding) * (1 + 1e-6);
         const auto radius = float(std::min(reach, 3e38));
         if (!(radius < args->query->radius)) return false;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr unsigned cluster_triangles = 256;
 
-/// Each vertex's position in the order of first use; unused vertices come last.
+/// The new index of each vertex, by order of first use; unused vertices come last.
 std::vector<std::uint32_t> first_use_order(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
     constexpr std::uint32_t unused = ~0u;
     std::vector<std::uint32_t> order(vertices, unused);

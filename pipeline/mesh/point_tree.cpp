@@ -22,8 +22,8 @@ constexpr int finest_grid = 6;  ///< maximum halvings of a node's cube into the 
 constexpr int finest_leaf = 8;  ///< maximum halvings of a leaf's cube to find the spacing of its points
 constexpr std::array<std::uint8_t, 4> gray{200, 200, 200, 255};
 
-/// A point and the cells that contain it, in Morton order: the code has three bits per halving of the root's
-/// cube, with x in the lowest and the first halving in the highest bits.
+/// A point and the Morton code of the cells that contain it: three bits per halving of the root's cube, of
+/// which x is the lowest. The first halving is in the highest bits of the code.
 struct Placed {
     std::uint64_t code;
     std::uint32_t point;
@@ -161,8 +161,8 @@ class Builder {
         return std::ldexp(size, -grid);
     }
 
-    /// Moves the points that are nearest to the centers of their cells to the front, in order, and returns
-    /// their number.
+    /// Moves one point per cell, the nearest to the cell's center, to the front, in order, and returns the
+    /// number of these points.
     std::size_t take_sample(Run points, int level) {
         taken_.clear(), left_.clear();
         for (std::size_t begin = 0; begin < points.size();) {

@@ -14,7 +14,7 @@ namespace vantage {
 struct PointTree {
     std::vector<package::PointNode> nodes;  ///< level by level, the root first
     std::vector<std::uint32_t> order;       ///< points of the cloud, grouped by node
-    std::vector<std::uint64_t> starts;      ///< index in `order` of the first point of each node
+    std::vector<std::uint64_t> starts;      ///< index into `order` of the first point of each node
     std::uint32_t blocks = 0;
 
     bool empty() const { return nodes.empty(); }

@@ -27,7 +27,7 @@ std::uint32_t code_of(const Eigen::Vector3i& cell) {
            spread(std::uint32_t(cell.z())) << 2;
 }
 
-/// Number, sum and products of points, relative to the cube's corner.
+/// The number of points, their sum, and the sum of their outer products, relative to the cube's corner.
 struct Moments {
     double count = 0;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -113,8 +113,8 @@ std::vector<Cell> cells_of(const Mesh& cloud, const CellGrid& grid) {
     return cells;
 }
 
-/// The normal of the best-fitting plane of the points in a cell and its neighbors. If these points span no
-/// plane, any direction perpendicular to them.
+/// The normal of the best-fitting plane of the points in a cell and its neighbors. If these points do not
+/// span a plane, it is any direction perpendicular to them.
 Eigen::Vector3d normal_of(const std::vector<Cell>& cells, const Cell& at, const CellGrid& grid) {
     Moments around;
     const int most = (1 << grid.level) - 1;

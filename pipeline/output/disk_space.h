@@ -19,9 +19,9 @@ std::uint64_t disk_space_for(const std::filesystem::path& out);
 /// Whether the folder of `out` is in memory, so that no disk limits the writing.
 bool is_in_memory(const std::filesystem::path& out);
 
-/// Makes sure that the package fits on the disk. A finished package stays until the new one is complete; only
-/// if the disk cannot hold both, the old file itself becomes the part to be resumed, provided it has the same
-/// layout and no process has it open. Throws Error(storage).
+/// Makes sure that the package fits on the disk. A finished package stays until the new one is complete. Only
+/// if the disk cannot hold both does the old file itself become the part to be resumed, provided that it has
+/// the same layout and no process has it open. Throws Error(storage).
 void ensure_disk_space(const std::filesystem::path& out, const PackageLayout& layout);
 
 }  // namespace vantage

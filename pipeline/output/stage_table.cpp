@@ -16,7 +16,7 @@ using package::Stage;
 
 void key_thumbnail(Fingerprint& f, const SceneKey& scene) { f.add(scene.settings.thumbnail); }
 
-/// The distance methods in the keys of weight maps.
+/// The numbers of the distance methods in the keys of weight maps.
 constexpr int exact_distances = 1, flooded_distances = 5;
 
 void key_weight_maps(Fingerprint& f, const SceneKey& scene) {

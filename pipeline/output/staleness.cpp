@@ -105,8 +105,8 @@ void compare_listed(const json& meta, const char* list, const std::vector<fs::pa
     }
 }
 
-/// Compares the mesh. A scene of points only has no mesh; a mesh may have been replaced with a cloud, or a
-/// cloud with a mesh.
+/// Compares the mesh. A point-only scene has no mesh; a mesh may have been replaced with a cloud, or a cloud
+/// with a mesh.
 void compare_mesh(const json& meta, const fs::path& mesh, IdentityCache& identities, Changes& out) {
     const json was = meta.at("inputs").value("mesh", json{});
     if (was.is_object() && mesh.empty())
@@ -117,7 +117,7 @@ void compare_mesh(const json& meta, const fs::path& mesh, IdentityCache& identit
         add_new(mesh, out);
 }
 
-/// In a scene of points only, all clouds must exist.
+/// In a point-only scene, all clouds must exist.
 void compare_only_clouds(const json& meta, const std::vector<fs::path>& files, Changes& out) {
     if (meta.at("inputs").contains("mesh")) return;
     std::set<std::string> now, before;
@@ -205,7 +205,7 @@ Changes changed_inputs(const PackageReader& package, const InputFiles& files, Id
     try {
         Changes out;
         compare_mesh(meta, files.mesh, identities, out);
-        // Earlier packages list the materials of an OBJ here.
+        // Packages of earlier versions list the materials of an OBJ here.
         for (const json& was : meta.at("inputs").value("materials", json::array()))
             compare(file_named(files.mesh.parent_path(), was.at("name").get<std::string>()), was, identities,
                     out);

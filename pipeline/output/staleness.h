@@ -27,8 +27,8 @@ std::vector<std::string> names_listed(const PackageReader& package, const char* 
 /// META cannot be read.
 std::string image_sets_wanted(const PackageReader& package);
 
-/// One line each about the settings that differ from the package's, the program's version if it differs, and
-/// color profiles that an earlier version did not convert.
+/// One line for each setting that differs from the package's, one for the program's version if it differs,
+/// and one for each warning about a color profile that an earlier version did not convert.
 std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings);
 
 /// The first chunk or tile of the package that does not match its checksum, as a message; empty if there is

@@ -59,7 +59,7 @@ void expect_readable(const OIIO::ImageSpec& spec, const std::string& format,
         fail(file, "its inks are not cyan, magenta, yellow and black alone, expected RGB");
 }
 
-/// Fails with advice for formats that need an additional library.
+/// Throws Error(input); for formats that need an additional library, the message contains advice.
 [[noreturn]] void fail_to_open(const std::filesystem::path& file, const std::string& reason) {
     const std::string extension = lower_extension(file);
     const bool heic = extension == ".heic" || extension == ".heif" || extension == ".avif";

@@ -20,7 +20,7 @@ struct SweptDepths {
     int labels = 0;
     float step = 0;
     std::vector<float> base;           ///< per direction
-    std::vector<float> most;           ///< limit per direction that leaves no camera behind the backdrop
+    std::vector<float> most;           ///< largest value per direction with no camera behind the backdrop
     std::vector<std::uint32_t> shown;  ///< directions that may be in a photo
     std::vector<float> cost;           ///< disagreement of the photos, per shown direction and label
     std::vector<std::vector<float>> planes;  ///< inverse distance or 0, per plane and shown direction

@@ -19,8 +19,8 @@ Version version_of(const LocatedJson& root) {
     return {int(v[0]), int(v[1]), int(v[2])};
 }
 
-/// fx and fy, which are in pixels before version 1.2.2 and in millimeters since then, with a pixel ratio that
-/// was fx / fy before version 1.2.5.
+/// fx and fy in pixels. Since version 1.2.2, the file contains a focal length in millimeters and a pixel
+/// ratio, which was fx / fy before version 1.2.5.
 std::array<double, 2> focal_of(const LocatedJson& i, const Version& version) {
     if (version < Version(1, 2, 0)) {
         const double f = numeral(i.at("pxFocalLength"));
@@ -114,7 +114,7 @@ CameraSet read_meshroom(const std::filesystem::path& file) {
             skipped.add(photo, is_in_rig(view) ? "part of a rig" : "no pose");
             continue;
         }
-        if (intrinsic == intrinsics.end()) view.at("intrinsicId").fail("an intrinsic of this file");
+        if (intrinsic == intrinsics.end()) view.at("intrinsicId").fail("the ID of an intrinsic in this file");
         set.entries.push_back({photo, read_intrinsic(intrinsic->second, version), CameraSet::Unit::pixels});
         set.entries.back().camera.cam_from_world = pose->second;
     }

@@ -148,7 +148,8 @@ class Chunk {
         set.entries = std::move(entries_);
         set.transform = first_;
         skipped_.tell(set.warnings);
-        // Camera positions are then geocentric, but the mesh is exported in projected coordinates.
+        // In a coordinate system that is not local, camera positions are geocentric, but the mesh is exported
+        // in projected coordinates.
         const std::string system = chunk_.child_value("reference");
         if (!system.empty() && !system.starts_with("LOCAL_CS"))
             set.warnings.push_back(

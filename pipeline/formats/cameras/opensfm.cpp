@@ -68,7 +68,7 @@ CameraSet read_opensfm(const std::filesystem::path& file) {
     for (const auto& [name, camera] : world.at("cameras").entries(max_cameras)) cameras.emplace(name, camera);
     for (const auto& [photo, shot] : *most) {
         const auto camera = cameras.find(shot.at("camera").text(1000));
-        if (camera == cameras.end()) shot.at("camera").fail("a camera of this file");
+        if (camera == cameras.end()) shot.at("camera").fail("the name of a camera in this file");
         set.entries.push_back({photo, read_camera(camera->second), CameraSet::Unit::pixels});
         set.entries.back().camera.cam_from_world = opensfm_pose(shot);
     }

@@ -128,7 +128,7 @@ class Frames {
     }
 
     LocatedJson all_;
-    Eigen::Matrix4d original_ = Eigen::Matrix4d::Identity();  ///< from the file's frame
+    Eigen::Matrix4d original_ = Eigen::Matrix4d::Identity();  ///< affine map from the file's frame
 };
 
 }  // namespace

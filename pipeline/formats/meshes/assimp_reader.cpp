@@ -99,7 +99,8 @@ class Joiner {
             parent.to_scene * local,
             parent.rounding + half_step * reach(parent.to_scene, local.translation().cwiseAbs().maxCoeff())};
     }
-    /// The largest coordinate into which one of magnitude `size` may be transformed, without the translation.
+    /// An upper bound on the coordinates of a transformed point, without the translation, if its original
+    /// coordinates are at most `size`.
     static double reach(const Eigen::Affine3d& transform, double size) {
         return size * transform.linear().cwiseAbs().rowwise().sum().maxCoeff();
     }

@@ -17,7 +17,7 @@ struct AssimpMesh {
 
 /// Reads a .gltf, .glb or .fbx with assimp, in a separate process, because damaged files can crash it. All
 /// meshes of the scene are joined, one instance per node that refers to them. Positions have single precision
-/// within their mesh; in FBX, so have the transforms of nodes. Coordinates are those of the file: neither its
+/// within their mesh, as do the transforms of nodes in FBX. Coordinates are those of the file: neither its
 /// axes nor its unit is converted. Polygons are triangulated; lines and points are skipped, but not their
 /// vertices. Colors are opaque; those of glTF, which are linear light, become sRGB. Corners that refer to no
 /// vertex become `no_vertex`; for a glTF, assimp drops their triangles. Throws Error(input).

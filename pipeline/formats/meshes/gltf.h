@@ -14,13 +14,13 @@ struct Gltf {
     std::vector<Eigen::Affine3d> nodes;
 };
 
-/// Reads the JSON of a .gltf, or that in a .glb. Throws Error(input) if the file is not glTF 2.0, if a buffer
-/// is missing or outside the file's folder, if the geometry depends on an extension that assimp does not
-/// know, or if a node has two parents.
+/// Reads the JSON of a .gltf or .glb. Throws Error(input) if the file is not glTF 2.0, if a buffer is missing
+/// or outside the file's folder, if the geometry depends on an extension that assimp does not know, or if a
+/// node has two parents.
 Gltf read_gltf(const std::filesystem::path& file);
 
-/// The file that a glTF in `folder` refers to: under the name as written, otherwise under the name with
-/// percent-encoding (%20) decoded.
+/// The file that a glTF in `folder` refers to: the one with the name as written or, if there is none, with
+/// the name after decoding of percent-encoded characters such as %20.
 std::filesystem::path gltf_file(const std::filesystem::path& folder, std::string_view uri);
 
 }  // namespace vantage

@@ -14,9 +14,9 @@ using MaterialColor = std::array<std::uint8_t, 4>;
 
 /// Reads a Wavefront MTL file: the diffuse color of each material (`Kd r g b`, treated as sRGB; default
 /// white) and its alpha (`d`, otherwise 1 - `Tr`; default 1), both clamped to [0, 1]. Lines of other kinds
-/// are skipped. Unreadable values keep their defaults, alpha from a texture (`map_d`) is not read, and if
-/// several materials have the same name, the last is used: each of these cases adds to `warnings`, one line
-/// per material and at most eight. Throws Error(input) if the file cannot be read.
+/// are skipped. Unreadable values keep their defaults, and alpha from a texture (`map_d`) is not read. If
+/// several materials have the same name, the last is used. These cases are reported in `warnings`, in at most
+/// one line per material and eight lines in all. Throws Error(input) if the file cannot be read.
 std::map<std::string, MaterialColor> read_mtl(const std::filesystem::path& file,
                                               std::vector<std::string>& warnings);
 

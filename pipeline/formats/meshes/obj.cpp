@@ -52,7 +52,7 @@ struct Library {
 /// A mesh and the names of its materials.
 struct ObjMesh {
     Mesh mesh;
-    std::vector<std::uint32_t> of_triangle;  ///< index in `names`; without a material, a larger number
+    std::vector<std::uint32_t> of_triangle;  ///< index into `names`; out of range without a material
     std::vector<std::string> names;          ///< names in the order of their first use
     std::vector<Library> libraries;
 };
@@ -126,8 +126,8 @@ class ObjReader {
         colored_ |= colored;
         for (std::size_t c = 0; c < 3; ++c) colors_[c].push_back(colored ? real(words[4 + c]) : no_color);
     }
-    /// The element that a corner's index refers to: counted from 1 (the element may be defined later), or
-    /// backward from the last of `count`, or `no_vertex` if there is no such element.
+    /// The element that a corner's index refers to; `no_vertex` if there is no such element. Indices count
+    /// from 1 (the element may be defined later) or, if negative, backward from the last of `count` elements.
     std::uint32_t element(std::string_view index, std::size_t count) const {
         std::int64_t i = 0;
         if (!parse_number(index, i)) fail("the index of a corner", index);

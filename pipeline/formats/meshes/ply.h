@@ -18,7 +18,7 @@ inline constexpr std::uint32_t no_vertex = 0xffffffffu;
 /// added to `warnings`. Throws Error(input) stating what was expected.
 Mesh read_ply(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
-/// Whether the header lists faces; also true without a valid header, which read_ply() then reports.
+/// Whether the header lists faces; also true if the header is invalid, which read_ply() then reports.
 bool ply_has_faces(const std::filesystem::path& file);
 
 }  // namespace vantage

@@ -43,8 +43,8 @@ struct Ply {
     }
 };
 
-/// Reads the header at the beginning of a PLY's bytes, where `body` is a view of the rest. Throws
-/// Error(input).
+/// Reads the header at the beginning of a PLY's bytes. `body` of the result is a view of the bytes after the
+/// header. Throws Error(input).
 Ply read_header(const std::filesystem::path& file, std::span<const char> bytes);
 
 }  // namespace vantage::ply

@@ -97,7 +97,7 @@ Mesh parse(const std::filesystem::path& file, const std::string& extension, Foun
     if (is_usd_file(file))
         throw Error(
             Exit::input,
-            file.string() + ": USD is not supported; expected PLY, OBJ or GLB, as Blender exports them");
+            file.string() + ": USD is not supported; expected PLY, OBJ or GLB (Blender can convert it)");
     return read_with_openmesh(file);
 }
 
