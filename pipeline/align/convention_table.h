@@ -20,8 +20,8 @@ struct Convention {
 
 std::span<const Convention> convention_table();
 
-/// Two of the conventions in the table. The result is empty if the file has no transform of its own, or if
-/// the lens has no tangential terms.
+/// Two of the conventions in the table. The result of the first is empty if the file has no transform of its
+/// own, and the result of the second if the lens has no tangential terms.
 std::optional<Camera> without_transform(Camera camera, const Similarity& transform);
 std::optional<Camera> swapped_tangential(Camera camera, const Similarity&);
 

@@ -20,10 +20,10 @@ using Eigen::Vector2d;
 
 /// The error at which the weight is one half: a tenth of a percent, which is 4 px in a 12-megapixel photo.
 constexpr double half = 0.001;
-/// Matched features with a larger epipolar error do not show the same point; a mesh with larger errors does
-/// not fit.
+/// Matched features whose epipolar error exceeds `far_off` do not show the same point. A mesh whose median
+/// error exceeds `misfit` does not fit.
 constexpr double far_off = 0.005, misfit = 0.005;
-/// Fewer features or a lower agreement are inconclusive.
+/// Results from fewer features, or with a lower agreement, are inconclusive.
 constexpr std::size_t enough = 60;
 constexpr double some_agreement = 0.15;
 /// The largest median error of a mesh that fits, relative to the median epipolar error; the typical ratio is

@@ -136,7 +136,7 @@ fs::path find_photos(const fs::path& root, const Files& files, const fs::path& c
     const fs::path beside = fs::is_directory(cameras) ? cameras : cameras.parent_path();
     std::vector<PhotoFolder> all;
     for (const fs::path& f : folders) all.push_back(rated(f, root, beside, entries));
-    // If a subfolder matches as many cameras, it is the photos' folder, not its parent.
+    // If a subfolder matches as many cameras as its parent, the subfolder is the photos' folder.
     std::vector<PhotoFolder> candidates;
     for (const PhotoFolder& f : all)
         if (std::ranges::none_of(all, [&](const PhotoFolder& below) {

@@ -40,8 +40,8 @@ class IdentityCache {
 
     /// Whether a package with this stamp was read in full and matched all its checksums.
     bool known_valid(const std::string& stamp) const;
-    /// Caches that the package is valid, under the same condition as identities: the file still has this
-    /// stamp, and any further modification would change it.
+    /// Records in the cache that the package is valid, under the same condition as for identities: the file
+    /// still has this stamp, and any further modification would change it.
     void remember_valid(const std::filesystem::path& file, const std::string& stamp);
 
   private:

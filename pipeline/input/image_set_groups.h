@@ -40,7 +40,8 @@ struct ImageSetGroups {
 /// Error(usage) if there are more than 64 image sets, or if a name cannot be the name of a folder.
 ImageSetGroups group_image_sets(std::span<const std::filesystem::path> photos, const std::string& how);
 
-/// The folder in `path`, a path in `root`, whose photos form a separate image set; empty if there is none.
+/// The folder in `path` whose photos form a separate image set; empty if there is none. `path` must be in
+/// `root`.
 std::filesystem::path image_set_folder(const std::filesystem::path& root, const std::filesystem::path& path,
                                        const std::string& how);
 

@@ -33,7 +33,7 @@ struct PhotoMatch {
     std::filesystem::path file;  ///< empty: none
     bool by_name = false;        ///< whether the extension also matches the camera's
     std::size_t folders = 0;     ///< number of folders in common with the camera's name or group
-    /// The files that fit equally well if `file` is empty.
+    /// If `file` is empty, the files that fit equally well.
     std::vector<std::filesystem::path> candidates = {};
 };
 

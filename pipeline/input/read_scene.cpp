@@ -169,7 +169,8 @@ void add_found(CameraFile&& cameras, const fs::path& folder, const std::vector<f
                              std::make_move_iterator(entries.end()));
 }
 
-/// The folder below the photos' folder to which a camera file belongs, if there is one file per folder.
+/// The subfolder of the photos' folder that contains the camera file, for scans with one camera file per
+/// subfolder.
 fs::path folder_of(const fs::path& cameras, const fs::path& photos) {
     return photos / *cameras.lexically_relative(photos).begin();
 }

@@ -80,7 +80,7 @@ void add_pieces(const Triangle& t, const Triangle& m, std::vector<Triangle>& out
     }
 }
 
-/// The mesh without edges that exceed the limit; empty if that takes too many triangles.
+/// The mesh subdivided until no edge exceeds the limit; empty if that takes too many triangles.
 std::optional<Mesh> subdivided(const Mesh& mesh, const Limit& limit) {
     Mesh out = mesh;
     const auto large = std::stable_partition(out.triangles.begin(), out.triangles.end(),

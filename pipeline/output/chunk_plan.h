@@ -21,7 +21,7 @@ struct LayoutSizes {
 /// The sizes for a package that is rewritten.
 LayoutSizes layout_sizes(const PackageReader& package, std::uint64_t meta_bytes, bool coordinates);
 
-/// Whether photos get texture coordinates per vertex: in a compact package, only if these are the default or
+/// Whether photos get texture coordinates per vertex: in a compact package, only if they are the default or
 /// if `asked` is set.
 bool stores_coordinates(const package::SceneRecord& scene, bool asked);
 

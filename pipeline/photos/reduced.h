@@ -4,8 +4,8 @@
 
 namespace vantage {
 
-/// The image scaled down to `size`: with bilinear interpolation above half of the image's size, otherwise
-/// with the area average (OpenCV).
+/// The image scaled down to `size`: by bilinear interpolation if `size` is above half of the image's size,
+/// otherwise by area averaging (OpenCV).
 RgbaImage reduced(const RgbaImage& image, const Level& size);
 
 /// The photo's size scaled down to at most `longest` pixels on the long side, never larger than the photo.

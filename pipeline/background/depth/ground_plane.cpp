@@ -57,7 +57,7 @@ class PlaneAgreement {
         Eigen::Vector3d direction;
         Eigen::Array3f ln;
     };
-    /// Limits the number of comparisons: a plane needs only some rays of each view.
+    /// Limits the number of comparisons: a sample of each view's rays is enough to judge a plane.
     void thin() {
         std::size_t count = 0;
         for (const auto& rays : rays_) count += rays.size();

@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder of a format with several files, where `path` is the folder itself or one of its files.
+/// The folder of a camera format that consists of several files. `path` is the folder itself or one of its
+/// files.
 fs::path folder_of(const fs::path& path) { return fs::is_directory(path) ? path : path.parent_path(); }
 
 bool is_colmap(const fs::path& path, const char* cameras) {

@@ -50,7 +50,7 @@ struct CameraFormat {
     CameraSet (*read)(const std::filesystem::path& path);  ///< reads a path that matches
     /// Further files that read() reads; null if there are none.
     std::vector<std::filesystem::path> (*companions)(const std::filesystem::path& path) = nullptr;
-    bool one_per_photo = false;  ///< whether there is one file per photo; read() then takes their folder
+    bool one_per_photo = false;  ///< whether there is one file per photo; read() then takes the folder
 };
 
 /// All formats; a file is read by the first that matches it.

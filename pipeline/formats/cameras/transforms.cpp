@@ -21,7 +21,7 @@ std::optional<LocatedJson> value_of(const LocatedJson& frame, const LocatedJson&
     return all.has(key) ? std::optional(all.at(key)) : std::nullopt;
 }
 
-/// An affine map of 3 or 4 rows of 4 numbers.
+/// An affine map, given as 3 or 4 rows of 4 numbers.
 Eigen::Matrix4d affine(const LocatedJson& matrix) {
     const std::vector<LocatedJson> rows = matrix.items(4);
     if (rows.size() < 3) matrix.fail("3 or 4 rows of 4 numbers");

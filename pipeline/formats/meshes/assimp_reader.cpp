@@ -73,7 +73,7 @@ class Joiner {
         for (const unsigned m : std::span(node.mMeshes, node.mNumMeshes)) add_mesh(*scene_.mMeshes[m], here);
         for (const aiNode* child : std::span(node.mChildren, node.mNumChildren)) add(*child, here);
     }
-    /// The joined mesh; must be called after the last node.
+    /// Returns the joined mesh. Must be called after the last node has been added.
     AssimpMesh result() {
         if (next_ != nodes_.size()) throw std::runtime_error("nodes are missing");
         Mesh& mesh = out_.mesh;
@@ -160,7 +160,7 @@ class Joiner {
     AssimpMesh out_;
 };
 
-/// Leaves only the importers of files with this extension, given without its dot.
+/// Removes all importers except those for files with this extension, which is given without its dot.
 void keep_importers_of(const std::string& extension, Assimp::Importer& importer) {
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;)
         if (std::string_view(importer.GetImporterInfo(i)->mFileExtensions).find(extension) ==

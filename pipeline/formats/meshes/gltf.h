@@ -19,8 +19,8 @@ struct Gltf {
 /// node has two parents.
 Gltf read_gltf(const std::filesystem::path& file);
 
-/// The file that a glTF in `folder` refers to: the one with the name as written or, if there is none, with
-/// the name after decoding of percent-encoded characters such as %20.
+/// The file that a glTF in `folder` refers to: the file with the name as written or, if there is none, the
+/// file with the name in which %20 and other percent-encoded characters are decoded.
 std::filesystem::path gltf_file(const std::filesystem::path& folder, std::string_view uri);
 
 }  // namespace vantage

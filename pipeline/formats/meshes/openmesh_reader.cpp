@@ -67,7 +67,7 @@ class Collector : public IO::BaseImporter {
     std::size_t n_faces() const override { return faces_; }
     std::size_t n_edges() const override { return 0; }
 
-    // Unused parts of a mesh.
+    // Parts of a mesh that are not used.
     HalfedgeHandle add_edge(VertexHandle, VertexHandle) override { return HalfedgeHandle(); }
     FaceHandle add_face(HalfedgeHandle) override { return FaceHandle(); }
     void add_face_texcoords(FaceHandle, VertexHandle, const std::vector<Vec2f>&) override {}

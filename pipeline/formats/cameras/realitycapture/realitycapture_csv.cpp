@@ -17,7 +17,7 @@
 namespace vantage {
 namespace {
 
-/// The cells of a line, which no program puts in quotes.
+/// The cells of a line. Quotes are not supported, because no program writes them.
 std::vector<std::string_view> cells(std::string_view line) {
     std::vector<std::string_view> out;
     for (;;) {

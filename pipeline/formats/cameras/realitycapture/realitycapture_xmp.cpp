@@ -99,7 +99,7 @@ std::vector<fs::path> realitycapture_sidecars(const fs::path& folder) {
     std::erase_if(out, [&](const fs::path& file) {
         const fs::path above = file.parent_path().parent_path();
         const bool is_below = file.lexically_relative(folder).has_parent_path();
-        // A sidecar in a subfolder, below another of the same name, is a copy.
+        // A sidecar in a subfolder is a copy if the folder above contains one of the same name.
         return !is_realitycapture_sidecar(file) || (is_below && fs::exists(above / file.filename()));
     });
     return out;
