@@ -100,7 +100,7 @@ std::vector<std::string> mesh_conventions() {
 }
 
 /// Tangential terms move features by only a few pixels, so both orders of the terms agree with the photos,
-/// one of them better. The number of features that move closer to their epipolar lines decides.
+/// but one of them agrees better. The number of features that move closer to their epipolar lines decides.
 void settle_tangential(const SceneInput& scene, std::span<const SharedFeature> features,
                        ConventionTrials& trials) {
     constexpr double max_nearer = 0.6;

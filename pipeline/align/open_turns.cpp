@@ -48,7 +48,7 @@ class Judge {
     bool agree_only(const std::vector<bool>& which, const std::vector<bool>& without) const {
         return agree_only(features_, which, without);
     }
-    /// Tests the same with only the features of one photo.
+    /// Like the function above, but uses only the features of one photo.
     bool agree_only(std::uint32_t photo, const std::vector<bool>& which,
                     const std::vector<bool>& without) const {
         std::vector<SharedFeature> own;

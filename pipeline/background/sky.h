@@ -32,9 +32,9 @@ struct Sky {
 Sky find_sky(std::span<const CoarseView> views, const SweptDepths& depths, const DirectionSphere& sphere,
              const std::vector<float>& inverse, const Eigen::Vector3d& down);
 
-/// For each direction, 1 if it is at infinity: at least half of the photos that cover it show sky there, or
-/// it is above the horizon, covered by fewer than two photos, and either high or hidden by the mesh in most
-/// photos. All values are 0 in a scene without sky.
+/// For each direction, 1 if it is at infinity. This is the case if at least half of the photos that cover it
+/// show sky there, or if it is above the horizon, is covered by fewer than two photos, and is either high or
+/// hidden by the mesh in most photos. All values are 0 in a scene without sky.
 std::vector<std::uint8_t> sky_directions(std::span<const CoarseView> views, const Sky& sky,
                                          const DirectionSphere& sphere, unsigned threads);
 

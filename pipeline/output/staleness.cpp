@@ -89,7 +89,8 @@ void compare_image_sets(const json& meta, const InputFiles& files, IdentityCache
         add_new(files.image_sets, out);
 }
 
-/// Compares the files in a list of META's inputs. Of several files with the same name, one must be unchanged.
+/// Compares the files in a list of META's inputs. Of several files with the same name, at least one must be
+/// unchanged.
 void compare_listed(const json& meta, const char* list, const std::vector<fs::path>& files,
                     IdentityCache& identities, Changes& out) {
     for (const json& was : meta.at("inputs").value(list, json::array())) {

@@ -15,7 +15,7 @@ PhotoHeader read_photo_header(const std::filesystem::path& file);
 /// Decodes a photo with libjpeg-turbo if it is a JPEG, otherwise with OpenImageIO (gray, 16-bit, float,
 /// alpha, CMYK). Colors with an ICC profile are converted to sRGB (color_profile.h), at 16 bits before
 /// rounding to 8. Pixels stay as stored, because cameras are calibrated on stored pixels; the EXIF
-/// orientation is applied only if the stored width and height equal those of `expected` swapped. Throws
+/// orientation is applied only if the stored width is the height of `expected`, and vice versa. Throws
 /// Error(input) if the photo is truncated, corrupt or of a different size.
 RgbaImage read_photo(const std::filesystem::path& file, PhotoSize expected);
 /// Like read_photo(), but from the file's bytes. `file` is used in messages; unless it is a JPEG, it is also

@@ -76,8 +76,8 @@ std::filesystem::path bundler_list(const std::filesystem::path& file);
 /// programs that write projects with an off-center principal point (MeshLab itself uses it only for the
 /// size). A mesh with a transformation is an error, because the mesh is not read through the project.
 CameraSet read_meshlab(const std::filesystem::path& file);
-/// Agisoft Metashape's cameras.xml, and that of PhotoScan before 1.0. Reads the chunk with the most poses.
-/// Skips cameras that are disabled, belong to a rig, lack a pose, or have a lens other than `frame`.
+/// Agisoft Metashape's cameras.xml, including that of PhotoScan before 1.0. Reads the chunk with the most
+/// poses. Skips cameras that are disabled, belong to a rig, lack a pose, or have a lens other than `frame`.
 CameraSet read_metashape(const std::filesystem::path& file);
 /// The XMP sidecars of RealityCapture and RealityScan in a folder.
 CameraSet read_realitycapture_xmp(const std::filesystem::path& folder);

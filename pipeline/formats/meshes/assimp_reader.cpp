@@ -58,7 +58,7 @@ Eigen::Affine3d affine(const aiMatrix4x4& m) {
 /// The accumulated transform of a node.
 struct Placement {
     Eigen::Affine3d to_scene = Eigen::Affine3d::Identity();
-    double rounding = 0;  ///< error of its transform and those of its ancestors, in units of the scene
+    double rounding = 0;  ///< error of its transform and its ancestors' transforms, in units of the scene
 };
 
 /// Joins the meshes of a scene.

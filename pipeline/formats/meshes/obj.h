@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// Reads a Wavefront OBJ file at double precision: vertices with their colors ("v x y z r g b", see
+/// Reads a Wavefront OBJ file in double precision: vertices with their colors ("v x y z r g b", see
 /// color_bytes(); white if only other vertices have one), normals and polygons, which become triangle fans. A
 /// line that ends in a backslash continues on the next, unless the backslash ends a comment or a name. A
 /// vertex with several normals gets their sum. Corners that refer to no vertex become `no_vertex`; lines of
