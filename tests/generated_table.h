@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// Expects that the rows of a table in a document are `rows`, which come from a program. The table follows
+/// Expects the rows of a table in a document to equal `rows`, which come from a program. The table follows
 /// the line "<!-- NAME: VANTAGE_WRITE_DOCS=1 writes the rows -->". If that variable is set, writes the rows
 /// into the document instead.
 inline void expect_table(const std::filesystem::path& document, const std::string& name,

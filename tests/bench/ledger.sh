@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures how long users have to wait, as ratios within one run, and appends a line for the current commit to
-# docs/records/ledger.csv. Prints values that are a tenth worse than the best of the last ten lines. Run it on an idle machine.
+# docs/records/ledger.csv. Prints values that are over 10 % worse than the best of the last ten lines. Run it on an idle machine.
 # Usage: tests/bench/ledger.sh [--build FOLDER] [--datasets FOLDER] [--records FILE] [--suite]
 #   --suite  also measure the time of the default tests, relative to a build from scratch (takes a quarter of an hour)
 set -euo pipefail
@@ -58,7 +58,7 @@ summary() { python3 -c 'import json, sys; print(json.load(open("bench/summary.js
 for name in sceaux fountain-P11 head; do
     if [ -d "$datasets/$name" ]; then preparing "$datasets/$name" $name; else record "prepare $name" "" && record "bytes $name" ""; fi
 done
-# a synthetic scene with a different number and size of photos
+# with_photos NAME COUNT WIDTH HEIGHT: prints data/NAME.toml with this number and size of photos
 with_photos() { sed "/^\[photos\]/,/^\[/{s/^count = .*/count = $2/;s/^width = .*/width = $3/;s/^height = .*/height = $4/}" "$source/data/$1.toml"; }
 with_photos garden 40 1400 1050 >demo40.toml
 "$vantage" synth demo40.toml -o demo40.scan >/dev/null 2>&1
@@ -99,7 +99,7 @@ header=commit$(printf ',%s' "${names[@]}")
 [ -f "$records" ] && [ "$(head -1 "$records")" = "$header" ] || { [ -f "$records" ] && mv "$records" "$records.old"; echo "$header" >"$records"; }
 commit=$(git -C "$source" rev-parse --short=9 HEAD)
 git -C "$source" diff --quiet HEAD -- || commit+=+
-# Lower values are always better. Entries that were not measured are empty.
+# Lower values are always better. The entries of values that were not measured are empty.
 awk -F, -v line="$commit$(printf ',%s' "${values[@]}")" '
     NR == 1 { for (i = 2; i <= NF; ++i) name[i] = $i; next }
     { row[++rows] = $0 }

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Measures the cost of preparing 10 to 1000 photos of one scene with varying exposure. It compares the total time and memory
-# with the estimate that is made before the first photo on a machine without history. It also measures the cost of making the
-# photos agree: computing the evidence, which prepare always does; fitting and validating gains; and, for up to 320 photos,
-# refining all poses, which must be forced because the scene does not need it. Writes many_photos.tsv and many_photos.svg into
-# FOLDER, and keeps the scenes there for reuse. For 1000 photos, this takes 35 GB.
+# with the estimate that prepare makes before it reads the first photo, on a machine without history. It also measures the
+# cost of making the photos agree: computing the evidence, which prepare always does; fitting and validating gains; and, for
+# up to 320 photos, refining all poses, which must be forced because the scene does not need it. Writes many_photos.tsv and
+# many_photos.svg into FOLDER, and keeps the scenes there for reuse. For 1000 photos, this takes 35 GB.
 # Usage: many_photos.sh VANTAGE FOLDER [PHOTOS...]
 set -euo pipefail
 vantage=$1

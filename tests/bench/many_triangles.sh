@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Measures the time and memory of `prepare` for 0.16 to 20 million triangles and two photos of 800x600 pixels, taken from
-# nearby, where the mesh fills the frame, and from 20 times as far away, where hundreds of triangles share a pixel. It measures
-# the whole command and vertex visibility alone, and records the estimate that is made before the first photo on a machine
-# without history. Writes many_triangles.tsv and many_triangles.svg into FOLDER.
+# Measures the time and memory of `prepare` for 0.16 to 20 million triangles and two photos of 800x600 pixels, taken close
+# up, where the mesh fills the frame, and from 20 times as far away, where hundreds of triangles share a pixel. It measures the
+# whole command and vertex visibility alone, and records the estimate that prepare makes before it reads the first photo, on a
+# machine without history. Writes many_triangles.tsv and many_triangles.svg into FOLDER.
 # Usage: many_triangles.sh VANTAGE FOLDER [MILLIONS...]
 set -euo pipefail
 vantage=$1

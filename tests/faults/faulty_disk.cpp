@@ -44,7 +44,7 @@ struct Fault {
     int from = 0, calls = 0;
     std::string folder;
     int log = -1;
-    std::mutex mutex;  ///< guards `calls`; is held while an operation is executed and recorded
+    std::mutex mutex;  ///< guards `calls`; held while an operation is executed and recorded
 
     Fault() {
         if (const char* text = std::getenv("FAULT")) std::sscanf(text, "%15[^:]:%d:%15s", call, &from, how);

@@ -1,4 +1,5 @@
-// Simulates power cuts after any operation, with any selection of the unflushed changes on the disk.
+// Simulates power cuts after random operations. Of the unflushed changes, a random subset has reached the
+// disk.
 #include <random>
 
 #include "tests/faults/disk_log.h"

@@ -227,7 +227,7 @@ class Soak:
             os.remove(picture)
 
     def read_while_written(self, p):
-        """Any verdict is allowed, but it must be right if the package is complete, and the command must not crash."""
+        """Reads a package that may be changing. Any verdict is allowed, but the commands must not crash or hang."""
         code, text = self.run([self.o.vantage, 'check', '--deep', p.file])
         self.expect('check while it may change', code, text, {0, 3, DAMAGED, INCOMPLETE})
         code, text = self.run([self.o.vantage, 'info', p.file])

@@ -21,7 +21,8 @@ class WrittenPackage : public Overnight {
     void SetUp() override;
     /// Restores the output folder to its state before the command.
     void start(const WritingCommand& c) const;
-    /// Runs the command with `fault`, the variables that faulty_disk.cpp reads; if it is empty, undisturbed.
+    /// Runs the command with `fault`, which sets the environment variables that faulty_disk.cpp reads. If
+    /// `fault` is empty, the command runs undisturbed.
     Outcome run_command(const WritingCommand& c, const std::string& fault = "") const;
     /// Expects the old or the new package; the package may be missing only if there was none before.
     void expect_old_or_new(const WritingCommand& c, const std::string& when) const;

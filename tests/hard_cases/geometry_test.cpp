@@ -224,7 +224,8 @@ TEST_F(Geometry, PhotosThatSeeNothingAreValid) {
 }
 
 TEST_F(Geometry, ClustersAreFiniteAtAllScales) {
-    // The square of a normal's length is the fourth power of an edge length, which overflows or underflows.
+    // The squared length of a normal grows with the fourth power of the edge length, so it overflows or
+    // underflows.
     std::vector<Eigen::Vector3f> unit;
     std::vector<std::uint32_t> indices;
     for (const Eigen::Vector3d& p : scene.mesh.positions) unit.push_back(p.cast<float>());

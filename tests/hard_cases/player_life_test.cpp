@@ -32,8 +32,8 @@ class PlayerLifetime : public PreparedScene {
         s.photos = 4;
         return s;
     }
-    /// Draws a frame every thirtieth of a second, starting at `now`, until the picture has settled; empty if
-    /// it never does.
+    /// Draws a frame every thirtieth of a second, starting at `now`, until the picture has settled. Returns
+    /// the report on the last frame, or nullopt if the picture never settles.
     std::optional<FrameReport> settle(Renderer& r, const View& view, const RenderSettings& s, double now,
                                       int frames = 300) {
         for (int i = 0; i < frames; ++i) {

@@ -115,7 +115,7 @@ TEST(PoseSolver, NoTracksLeavePosesUnchanged) {
 TEST(PoseSolver, FreeFrameWithoutAnAnchorStaysFinite) {
     Rig r = rig(4, 200);
     disturb(r, 3);
-    // With almost no anchor, all cameras can move together: the cost is flat in six directions.
+    // The anchor is so weak that all cameras can move together: the cost is flat in six directions.
     const PoseFit fit = solve(r, 1e-12, 1);
     EXPECT_TRUE(fit.usable);
     EXPECT_LT(largest(r), 200);

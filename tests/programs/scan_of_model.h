@@ -18,9 +18,9 @@ namespace vantage {
 /// The color of a photo's pixel that does not show the model.
 using BesideModel = std::function<std::array<std::uint8_t, 3>(int x, int y)>;
 
-/// Writes a scan of this model into a folder. Its photos are made with one ray per pixel. Photos show the
-/// model or, if `worlds` are given, these: the photos are divided into equally large consecutive groups, and
-/// each group shows one world.
+/// Writes a scan of this model into a folder. Its photos are made with one ray per pixel. By default,
+/// all photos show the model. If `worlds` are given, the photos are divided into equally large consecutive
+/// groups, and each group shows one of the worlds.
 inline void write_scan(const std::filesystem::path& folder, const SynthModel& model,
                        const std::vector<Camera>& cameras, const BesideModel& beside = {},
                        const std::vector<SynthModel>& worlds = {}) {

@@ -8,7 +8,8 @@
 #include "pipeline/synth/model_builder.h"
 #include "tests/programs/scan_of_model.h"
 
-/// Synthetic scans of five kinds, with z up. Each consists of a mesh, the world in the photos, and cameras.
+/// Synthetic scans of five kinds, with z up. Each consists of a mesh, the worlds that the photos show, and
+/// cameras.
 namespace vantage::places {
 
 using Eigen::Vector3d;

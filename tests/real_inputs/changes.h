@@ -122,8 +122,8 @@ inline std::string changed(std::string text, const std::string& from, const std:
 
 /// The standard command with additional options.
 inline std::string with(const std::string& more) { return std::string(prepare_command) + " " + more; }
-/// A command that compares the mesh with the one in `from`. This must give a scalar field even if the
-/// distance is constant. `then` is appended to the command.
+/// A command that compares the mesh with the one in `from`. Scalar fields are forced on, so that the distance
+/// is stored even if it is constant. `then` is appended to the command.
 inline std::string deviation(const std::string& from, const std::string& then) {
     return "vantage prepare {scan} -o {out}.vantage --no-report --effect scalar-fields=on --deviation-from " +
            from + " " + then;

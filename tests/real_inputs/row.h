@@ -22,7 +22,7 @@ struct Says : Parts {  ///< texts that the output of the last command must conta
 struct Never : Parts {  ///< texts that the output of the last command must not contain
     using Parts::Parts;
 };
-struct Holds : Parts {  ///< texts that the package's description must contain; if empty, no check
+struct Holds : Parts {  ///< texts that the package's description must contain; not checked if empty
     using Parts::Parts;
 };
 struct Command {

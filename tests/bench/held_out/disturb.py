@@ -117,7 +117,7 @@ def darken_corners(scene):
 
 
 def paint_figure(photo, random):
-    """A striped and mottled figure with a body and a head, two fifths of the photo's height."""
+    """A striped and mottled figure with a body and a head. It is two fifths as tall as the photo."""
     h, w = photo.shape[:2]
     x, y, tall = int(random.uniform(0.2, 0.8) * w), int(random.uniform(0.35, 0.7) * h), int(0.4 * h)
     mask = np.zeros((h, w), np.uint8)

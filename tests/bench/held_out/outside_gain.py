@@ -10,8 +10,9 @@ compares both pictures with the true photo (compare.py computes the PSNR after t
 that all variants color). Errors are standard errors of the mean over the photos.
 
 The held-out photo has its true camera, and the others have their cameras from the scan, because a wrong camera for the
-held-out photo would hide how pose_refinement affects the others. If pose_refinement was turned on for the whole scan, it is
-decided again for the rest of the photos and forced if it is then off; otherwise, "on" means `--effect pose-refinement=on`.
+held-out photo would hide how pose_refinement affects the others. If pose_refinement was turned on for the whole scan,
+prepare decides about it again for the remaining photos; if the decision is then "off", it is forced on. If it was off for the
+whole scan, "on" means `--effect pose-refinement=on`.
 
 A decision is right if the effect is on when the independent gain is above 0.05 dB, and off when that gain is below -0.05 dB."""
 import argparse
@@ -58,7 +59,7 @@ class Programs:
              '%s/%s.png' % (folder, name)])
 
     def scores(self, truth, folders, name):
-        """The PSNR of each folder's picture after gains, by label."""
+        """The PSNR of each folder's picture after the best gain per channel, by label."""
         renders = [x for label, folder in folders.items() for x in ('--renders', label + '=' + folder)]
         out = json.loads(run([sys.executable, self.compare, '--reference', truth, '--names', name, '--scale', '0.5', '--json',
                               *renders]))
@@ -123,8 +124,8 @@ def measure(programs, scene, every, work):
 
 
 def judgment(effect):
-    """The validation gain and its error. If a pose refinement was rejected, only the evidence contains
-    them; its last entry is the last attempt."""
+    """The validation gain and its error. If a pose refinement was rejected, they are only in
+    the evidence, whose last entry is the last attempt."""
     if effect['validated']:
         return '%+.2f ± %.2f dB' % (effect['validated']['gain'], effect['validated']['error'])
     found = re.findall(r'held-out photos (gain|lose) ([0-9.]+) dB \(standard error ([0-9.]+)', effect['evidence'])

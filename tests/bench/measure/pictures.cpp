@@ -51,8 +51,8 @@ class Frames {
     FlightTarget target_;
 };
 
-/// The PSNR of a picture against the exact picture, without gains, over the pixels that are colored in both
-/// pictures.
+/// The PSNR of a picture against the exact picture over the pixels that are colored in both pictures. No
+/// gains are applied.
 double psnr_against(const Picture& exact, const Picture& picture, const TrueView& view) {
     const auto scored = both(both(scored_pixels(exact, 0), scored_pixels(picture, 0)), view.seeable);
     return std::min(psnr_cap, score(exact, picture, scored).psnr);

@@ -25,7 +25,7 @@ struct PictureSetting {
 
 /// The mean errors of a scene's views compared with the truth, over visible pixels.
 struct PictureErrors {
-    double psnr = 0, ssim = 0, worst = 0;  ///< measured as in PictureScore, after gains
+    double psnr = 0, ssim = 0, worst = 0;  ///< measured as in PictureScore, after applying gains
     double uncolored = 0;                  ///< percent of the visible pixels
 };
 PictureErrors picture_errors(std::span<const TrueView> views, std::span<const Picture> pictures);

@@ -1,4 +1,4 @@
-// Measures the cost of transparent triangles: compares the painter's algorithm over a BSP tree with per-pixel
+// Measures the cost of transparent triangles: compares the painter's algorithm on a BSP tree with per-pixel
 // fragment lists and with weighted sums. Prints a table in Markdown.
 #include <epoxy/gl.h>
 #include <fmt/format.h>

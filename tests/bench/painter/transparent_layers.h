@@ -25,7 +25,7 @@ class TransparentLayers {
     };
     struct Pixel {
         std::vector<Fragment> fragments;
-        bool edge = false;  ///< a triangle's edge is so near that rounding decides about coverage
+        bool edge = false;  ///< a triangle's edge is so close that coverage depends on rounding
     };
     /// The fragments at the pixel centers, row by row; those of a pixel are in the order of their triangles.
     std::vector<Pixel> fragments(const View& view) const;

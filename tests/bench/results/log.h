@@ -8,7 +8,8 @@
 
 namespace vantage::bench {
 
-/// The completed jobs. Each is appended to a file when it ends, so that an interrupted run can be resumed.
+/// The completed jobs. Each job is appended to a file when it ends, so that an interrupted run can be
+/// resumed.
 class Log {
   public:
     /// Resumes the log if its recorded `run` is the same; otherwise, starts a new log. Drops an incomplete

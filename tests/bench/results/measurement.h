@@ -22,7 +22,7 @@ std::span<const Metric> metrics();
 /// The metric with this name. Throws std::out_of_range if there is none.
 const Metric& metric(const std::string& name);
 
-/// The PSNR in dB that is stored for equal pictures; larger values are limited to it.
+/// The PSNR in dB that is stored for identical pictures; larger values are clamped to it.
 constexpr double psnr_cap = 100;
 
 /// A part of a picture that illustrates the numbers.

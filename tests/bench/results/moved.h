@@ -14,13 +14,13 @@ struct Moved {
     const Metric* metric;
     double before;              ///< the earlier value; times are multiplied by the drift
     std::optional<double> now;  ///< nullopt if the value is no longer measured or not finite
-    double by;                  ///< change as a multiple of the noise, limited to 1e6; positive is worse
-    double weight;              ///< 0 to 1; below 1 for values under 1 % of the sweep's largest
+    double by;                  ///< change as a multiple of the noise, clamped to 1e6; positive means worse
+    double weight;              ///< 0 to 1; below 1 for values under 1 % of the sweep's largest value
 };
 
 /// The differences between two runs; points into the rows of the later run.
 struct Comparison {
-    double drift = 1;          ///< median ratio of all times: now divided by before
+    double drift = 1;          ///< median of the ratios of later to earlier times
     std::size_t times = 0;     ///< number of times from which `drift` is computed; with fewer than 5, it is 1
     std::size_t compared = 0;  ///< number of values
     std::vector<Moved> moved;  ///< sorted by `by` times `weight`: worst first, most improved last

@@ -114,7 +114,7 @@ std::vector<bool> seeable_pixels(const PackageReader& package, const RayScene& r
     return {seeable.begin(), seeable.end()};
 }
 
-/// The finest pyramid level within the effort's limit on size.
+/// The finest pyramid level that is within the effort's size limit.
 int level_for(const Effort& effort, int width, int height) {
     int level = 0;
     while (std::max(width, height) >> level > effort.longest) ++level;

@@ -106,7 +106,7 @@ TEST_F(Depth, SurfacesOccludeEachOtherBeyondAThirdOfAPixel) {
 
 TEST_F(Depth, FinelyTessellatedSphereDoesNotOccludeItsNearSide) {
     // The facets lie inside the sphere, so they occlude no line of sight to its near side. The cap up to the
-    // horizon is visible, and so is a little beyond the horizon where facets are below it.
+    // horizon is visible, and so is a narrow zone beyond it, where facets are below the horizon.
     constexpr std::uint32_t rings = 500, sectors = 1000;
     std::vector<std::uint32_t> indices;
     for (std::uint32_t r = 0; r < rings; ++r)

@@ -7,7 +7,8 @@ import subprocess
 
 from code_blocks import block_after, comment_after
 
-# The building is two units wide, so that orthophotos at the documented resolutions are small. There are photos 0000 to 0007.
+# The building is two units wide, so that orthophotos at the documented resolutions are small. The photos are
+# numbered 0000 to 0007.
 SMALL = '''
 scene = {seed = 3}
 building = {bays = 3, floors = 2, width = 2.0, height = 1.5, depth = 1.0, recess = 0.15}
@@ -52,7 +53,8 @@ class Inputs:
         return make
 
     def two(self, make, extension=''):
-        """Makes two files or folders, named chapel and altar: in a folder or, if a pattern of files is given, in its folder."""
+        """Makes two folders named chapel and altar or, with an extension, two such files. `to` is their folder or,
+        with an extension, a pattern of files in it."""
         def make_two(to):
             folder = to.parent if extension else to
             folder.mkdir(exist_ok=True)

@@ -28,8 +28,8 @@ class Frames : public GardenPackage {
         GardenPackage::SetUp();
         make_package({{Effect::background, EffectChoice::on}, {Effect::per_fragment, EffectChoice::on}});
     }
-    /// A photo's own view, a view between photos, and a view from so near that triangles extend behind the
-    /// viewer.
+    /// A photo's own view, a view between photos, and a view from so close that triangles extend behind
+    /// the viewer.
     static std::vector<View> views(const PackageReader& package) {
         std::vector<View> out;
         for (const double ahead : {0.0, 1.5, 4.0}) {
@@ -96,7 +96,8 @@ void expect_cut(const PackageReader& package, const View& view, std::vector<Sect
 }
 
 /// The largest difference between two pictures of the frame that was drawn last. Pixels whose triangle is
-/// seen at less than 3 degrees are excluded, because derivatives are not differences of neighbors there.
+/// seen at less than 3 degrees are excluded, because derivatives there do not equal the differences
+/// between neighboring pixels.
 int largest_difference(Renderer& renderer, const View& view, const Picture& a, const Picture& b) {
     constexpr double grazing = 0.05;
     const std::vector<std::uint32_t> triangles = read_triangles(renderer.resources().targets);
@@ -312,7 +313,7 @@ TEST_F(Frames, SamplesAreDrawnOneByOneWhereTargetsWouldBeTooLarge) {
     GLint longest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &longest);
     EXPECT_EQ(frames(any, longest / 2 + 1, 20), 4u) << "the frame can be drawn, but not at twice the size";
-    EXPECT_EQ(frames(small, 1000, 1000), 4u) << "three quarters of graphics memory are reserved for tiles";
+    EXPECT_EQ(frames(small, 1000, 1000), 4u) << "three quarters of graphics memory is reserved for tiles";
     EXPECT_EQ(frames(small, 100, 100), 1u);
 }
 

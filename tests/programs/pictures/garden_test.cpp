@@ -53,7 +53,7 @@ bool shows(const RayScene& world, const Camera& camera, const Eigen::Vector3d& p
 TEST_F(Garden, BackgroundHaveItsDepth) {
     const PackageReader package = prepared({});
     const auto found = read_background(package);
-    ASSERT_TRUE(found) << "lawn, hill and sky should give a background";
+    ASSERT_TRUE(found) << "lawn, hill and sky should produce a background";
     const RayScene world(build_world(spec).mesh), model(build_model(spec).mesh);
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
     for (const NamedCamera& c : cameras) center += c.camera.cam_from_world.center() / double(cameras.size());

@@ -65,7 +65,7 @@ std::vector<Flat> flat_pixels(const Renderer& renderer) {
     return out;
 }
 
-/// The brightness relative to a surface that faces the viewer, limited to 3.
+/// The brightness relative to a surface that faces the viewer, clamped to 3.
 double phong(const Flat& f, const Eigen::Vector3d& to_light, double facing_the_viewer) {
     const auto of = [](double facing, double glint) {
         return shader::light_ambient + shader::light_diffuse * std::max(facing, 0.0) +

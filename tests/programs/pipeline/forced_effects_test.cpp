@@ -39,8 +39,8 @@ class CalmScene : public TemporaryFolder {
     PackageReader prepared(const PrepareSettings& settings) const {
         return PackageReader(made_package(dir / "scan", settings));
     }
-    /// Views between the photos, where all photos show the wall. At the edge of a photo's frame, exact
-    /// coordinates would end a pixel later.
+    /// Views between the photos, in which all photos show the wall. At the edge of a photo's frame, exact
+    /// coordinates would extend the photo by a pixel.
     static std::vector<std::uint8_t> pictures(const PackageReader& package) {
         const gl::HeadlessContext context;
         Renderer renderer(package, MemoryBudget{});

@@ -1,4 +1,5 @@
-// Tests the grouping of photos into image sets, and the messages if photos cannot be grouped.
+// Tests the grouping of photos into image sets, and the error messages if photos cannot be
+// grouped.
 #include "pipeline/input/image_set_groups.h"
 
 #include <gtest/gtest.h>

@@ -166,7 +166,8 @@ TEST(PictureMetrics, LocateChanges) {
         const int y = 40 - c.worse->y, x = 330 - c.worse->x + column * (c.worse->width + 4);
         return std::span(crop.rgba).subspan(std::size_t(4 * (y * crop.width + x)), 3);
     };
-    EXPECT_TRUE(std::ranges::equal(texel(0), texel(1))) << "the picture before should be equal to the photo";
+    EXPECT_TRUE(std::ranges::equal(texel(0), texel(1)))
+        << "the picture before the change should be equal to the photo";
     EXPECT_FALSE(std::ranges::equal(texel(0), texel(2))) << "after: altered";
 
     const Change none = change_of(photo, before, before, scored);

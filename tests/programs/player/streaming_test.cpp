@@ -114,7 +114,7 @@ TEST_F(Streaming, UploadBudgetIsKeptAndThePictureConverges) {
     for (int frame = 0; frame < 400 && !report.settled; ++frame) {
         report = renderer.draw(view, settings, all(package), {}, frame / 30.0);
         ASSERT_LE(report.uploaded, settings.upload_bytes);
-        // On a busy machine, thumbnails of some photos arrive several frames before others.
+        // On a busy machine, thumbnails of some photos arrive several frames before those of others.
         const bool all_shown =
             report.photos > 0 && report.photos >= renderer.planner().frame().plan().photos.size();
         if (first.empty() && all_shown) first = shown_picture(renderer, view, settings).rgba;
@@ -277,7 +277,8 @@ TEST_F(Streaming, APictureOfASmallModelComesToRest) {
     settings.loading = Loading::repeatable;
     for (const double away : {100.0, 1000.0}) {
         const View view = view_towards({0.3 * away, -away, 0.2 * away}, {0, 0, 0}, {0, 0, 1}, 40, 640, 480);
-        // Draw as in a window: one sample per frame once everything is settled; otherwise, sampling restarts.
+        // Draw as in a window: each frame adds a sample once the picture has settled; any change restarts
+        // sampling.
         constexpr int side = 4;
         int samples = 0, frame = 0;
         bool settled = false;

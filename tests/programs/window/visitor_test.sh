@@ -27,7 +27,7 @@ shot() {
   screenshot "$1.ppm"
   [ -z "$pictures" ] || cp "$1.ppm" "$pictures/$1-$size.ppm"
 }
-# look NAME: sets x, y, times and likeness of the dormer, found in the screenshot
+# look NAME: finds the dormer in a screenshot; sets its position x and y, its scale `times` and its similarity `likeness`
 look() {
   shot "$1"
   read -r x y times likeness <<<"$("$find_picture" "$1.ppm" "$set/images/00003.jpg" 323 193 54 60)"

@@ -1,9 +1,9 @@
 # Functions for tests of the window with real mouse and key events through the X server; this file must be sourced. Needs
-# xvfb-run, xdotool and inotifywait. Changes appear in files that the player moves to the folder; the file `places` is written
-# with every frame.
+# xvfb-run, xdotool and inotifywait. A change is noticed when the player moves a file to the folder, as it does with the file
+# `places` in every frame.
 
 # Runs the calling script again under Xvfb, with a screen of this size, in an empty folder $dir. If it already runs under Xvfb,
-# continues.
+# only enters $dir.
 # under_xvfb WIDTHxHEIGHT "$@"
 under_xvfb() {
   local screen=$1
@@ -111,7 +111,7 @@ finger() {
 # screenshot FILE.ppm [LEFT TOP WIDTH HEIGHT]: uses the libraries of the system's Python
 screenshot() { /usr/bin/python3 "$source_of_tests/screenshot.py" "$@" || exit 1; }
 
-# Waits until a file is moved to the folder, but at most a second. Conditions passed to within() must not call this function.
+# Waits for up to a second until a file is moved to the folder. Conditions passed to within() must not call this function.
 changed() {
   read -r -t 1 -u "$changes" _ || return 0
   while read -r -t 0 -u "$changes"; do read -r -u "$changes" _; done

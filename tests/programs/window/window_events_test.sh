@@ -40,7 +40,7 @@ xdotool key o
 opens two.vantage
 quit
 
-# An orthophoto can be written while the window is in use, and it is the same as that from the command line.
+# An orthophoto can be written while the window is in use, and it is identical to the one from the command line.
 start one.vantage --no-saved-settings --size 1200x800
 key Tab
 press "Section Picture"; press "Section Blending"; press "Section Orthophoto"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Sends random events to the window in all its states: keys, clicks, drags, mouse wheel, fingers, dropped files, sizes, focus. The
-# window must not exit, hang or report an OpenGL error, and must come to rest afterward.
+# Sends random events to the window in all its states. The events are keys, clicks, drags, wheel turns, touches, dropped files,
+# and changes of size and focus. The window must not exit, hang or report an OpenGL error, and must come to rest afterward.
 # Usage: window_fuzz.sh VANTAGE PLAYER SOURCE_DIR [EVENTS [SEED]]; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"

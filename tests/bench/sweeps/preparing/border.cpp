@@ -1,4 +1,4 @@
-// Compares methods and resolutions for the distances in the border weight.
+// Compares methods and resolutions for computing the distances on which the border weight depends.
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>

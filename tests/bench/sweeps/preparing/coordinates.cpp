@@ -40,7 +40,7 @@ Triangles simplified(const BenchModel& model, unsigned divisor) {
     if (divisor == 1 || all.empty()) return all;
     Triangles out(all.size());
     const auto& p = model.positions();
-    // Any error is allowed: only the size of the triangles matters, not the look of the model.
+    // Any error is allowed: only the size of the triangles matters, not the model's appearance.
     out.resize(meshopt_simplify(out.data(), all.data(), all.size(), p.front().data(), p.size(),
                                 sizeof(Eigen::Vector3f), all.size() / 3 / divisor * 3, 1e9f));
     return out;

@@ -148,7 +148,8 @@ bool sees_photo(const RayScene& rays, const Camera& camera, const Eigen::Vector3
     return !rays.occluded(point, camera.cam_from_world.center() - point, near_enough(camera.intrinsics), 1);
 }
 
-/// The point of the mesh if it faces the photo and lies in its frame.
+/// The test point at `place`; empty if the surface faces away from the photo or `place` is outside the
+/// photo's frame.
 std::optional<TestPoint> test_point(const BenchModel& model, const RayScene& rays, const Camera& camera,
                                     const SurfacePoint& place) {
     const Eigen::Matrix3d c = corners(model.positions(), model.indices(), place.triangle);
@@ -283,7 +284,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
         if (!here.empty()) add(model, *rays, camera, effort.repeats, here, results);
     }
     if (points == 0) return {};
-    // Rays need no map but a tree over the model; all photos share the cost of the tree.
+    // Instead of a map, rays need a tree over the model. All photos share the cost of the tree.
     results.back().photo_ms = {tree_ms / double(model.scene().photos.size())};
     std::vector<Measurement> out = listed(results, points);
     for (std::size_t s = 0; s < out.size(); ++s) {

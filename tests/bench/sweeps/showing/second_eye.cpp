@@ -29,8 +29,8 @@ constexpr EyesSetting eyes_settings[] = {
     {"two eyes, overlapped", StereoMode::side_by_side, EyeSurfaces::overlapped},
     {"two eyes, at once", StereoMode::side_by_side, EyeSurfaces::at_once}};
 
-/// Draws the frames of a path with as many photos as a window blends. All tiles of complete pictures are
-/// resident.
+/// Draws the frames of a path with as many photos as a window blends. All tiles that complete
+/// pictures need are resident.
 class EyesFlight {
   public:
     EyesFlight(const PackageReader& package, const EyesSetting& setting, std::span<const View> path,

@@ -44,7 +44,7 @@ std::vector<View> eyes_at(const View& view, const PlanScene& scene) {
     return out;
 }
 
-/// Draws frames for two eyes as for a headset, with one sample per pixel.
+/// Draws frames for two eyes in the same way as for a headset, with one sample per pixel.
 class EyePairs {
   public:
     explicit EyePairs(const PackageReader& package)

@@ -163,7 +163,7 @@ void compare(const Tile& truth, const Bytes& tile, Differences& all) {
         }
 }
 
-/// The tiles coded in one format.
+/// The tiles encoded in one format.
 struct Coded {
     std::vector<Bytes> tiles;
     double encode_ms = 0;  ///< per tile

@@ -131,8 +131,7 @@ double tile_bytes_of(const Blocks& blocks, int size) {
     return double(tiles.size()) * size * size * 4;
 }
 
-/// About 16 MB of tiles of one size, which are cut out of an image and are too many for the processor's
-/// caches.
+/// About 16 MB of tiles of one size, cut from an image. Together, they do not fit in the processor's caches.
 std::vector<Bytes> cut_some(const Picture& image, int size) {
     const int count = std::clamp((1 << 22) / (size * size), 4, 256);
     std::vector<Bytes> out;

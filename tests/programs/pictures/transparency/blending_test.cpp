@@ -52,7 +52,8 @@ TEST_F(Transparent, ExactBlendingIsThatOfSortedFragments) {
         ASSERT_TRUE(effect_on(package.scene(), Effect::transparency));
         const gl::HeadlessContext context;
         Renderer renderer(package, MemoryBudget{});
-        // The lists have space for 4 layers per pixel on average, so 64 layers can cover a part of the frame.
+        // The lists have space for 4 layers per pixel on average, so 64 layers can cover only a part
+        // of the frame.
         const View view = facing(package, 75, 200, 200);
         const FrameReport report = taken(renderer, view, shown_as(Transparency::exact)).report;
         ASSERT_EQ(report.fragments_approximated, 0u) << "of " << report.fragments;
@@ -169,7 +170,7 @@ TEST_F(Transparent, WhatFindsNoRoomIsApproximatedAndCounted) {
     };
     {
         Renderer renderer(package, MemoryBudget{});
-        EXPECT_LT(mean_error(renderer), 1.5) << "surfaces behind 64 layers should be hardly visible";
+        EXPECT_LT(mean_error(renderer), 1.5) << "surfaces behind 64 layers should hardly be visible";
         const FrameReport r = taken(renderer, facing(package), shown_as(Transparency::exact)).report;
         EXPECT_GT(r.fragments, 50'000u);
         std::size_t deep = 0;

@@ -74,9 +74,9 @@ class Transparent : public TemporaryFolder {
         std::uniform_int_distribution<int> code(0, 255);
         return {std::uint8_t(code(random)), std::uint8_t(code(random)), std::uint8_t(code(random)), 255};
     }
-    /// Adds triangles that cross each other, with alpha from 0 to 1 inclusive. Every fifth is coplanar with
-    /// the one before it, at the same position or at another. The planes of these pairs face the viewer or
-    /// are `inclined`.
+    /// Adds triangles that cross each other, with alpha from 0 to 1 inclusive. Every fifth triangle is
+    /// coplanar with the one before it, either at the same position or at a different one. The planes of
+    /// these pairs face the viewer unless they are `inclined`.
     void scatter(int count, int max_alpha, bool inclined) {
         std::uniform_real_distribution<double> across(-3, 3), up(0.2, 4.5), size(1, 4);
         std::uniform_int_distribution<int> alpha(0, max_alpha), kind(0, 9);

@@ -18,7 +18,7 @@ class Contracts : public Overnight {
     static void write(const fs::path& to, const std::string& bytes) {
         std::ofstream(to, std::ios::binary) << bytes;
     }
-    /// Expects a refusal in one line, before any work, that leaves the file `kept` unchanged.
+    /// Expects a one-line refusal before any work is done, with the file `kept` left unchanged.
     void expect_refused(const std::string& words, const fs::path& kept,
                         const std::string& program = VANTAGE_PROGRAM) const {
         const std::string before = slurp(kept);

@@ -46,7 +46,7 @@ struct Prepared {
     Picture picture(const View& view, const RenderSettings& settings) {
         return take_picture(*renderer, view, settings, photos, 1);
     }
-    /// `count`: photos to blend; 0: all.
+    /// A photo's own view, with `count` photos blended (0: all photos).
     Picture own_view(std::uint32_t photo, Blend blend, int per_pass = 4, int count = 0) {
         RenderSettings s;
         s.blend = blend;

@@ -292,7 +292,7 @@ TEST_F(EndToEnd, BackgroundFillTheFrameAndLeaveTheMeshAlone) {
     }
     Prepared p = prepared(set);
     ASSERT_TRUE(effect_on(p.package->scene(), Effect::background))
-        << "trees, lawn and sky should give a background";
+        << "trees, lawn and sky should produce a background";
     EXPECT_EQ(p.package->directory().size(), chunks.size() + 1);
     for (const package::DirectoryEntry& e : chunks) {
         const auto* same = p.package->find(package::Type(e.type), e.photo, e.level);

@@ -1,4 +1,4 @@
-// Tests runs of vantage prepare that are killed, are stopped, or run out of disk space or memory, and runs
+// Tests runs of vantage prepare that are killed or stopped or that run out of disk space or memory, and runs
 // that resume them.
 #include <chrono>
 #include <cstdlib>

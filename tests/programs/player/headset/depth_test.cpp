@@ -36,7 +36,7 @@ TEST_F(HeadsetProgramAtLength, HandsOverTheDepthOfTheNearestObject) {
     const PackageReader package(file);
     const package::PhotoRecord& photo = package.photos()[2];
     const std::vector<Corners> mesh = triangles_of(make_plan_scene(package));
-    // The same package is a second object, nearer and to one side.
+    // The second object is the same package, placed nearer to the viewer and to one side.
     const Eigen::Matrix3d axes = view_of_photo(photo, 1).cam_from_origin.R;
     const Vector3d moved = seen_distance(photo) * (0.2 * axes.row(0) - 0.3 * axes.row(2)).transpose();
     SceneObject other{"second", file, {}};

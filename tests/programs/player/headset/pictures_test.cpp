@@ -171,8 +171,8 @@ TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
         return middle_distance(dir / "out" / name,
                                run.frames.at(std::size_t(frame - 1))["layers"][0]["views"][0]);
     };
-    // The trajectory starts 1.2 m above the floor, upward at 35 degrees and at a speed of 7.5 m/s, and ends
-    // on the ground at height 0.
+    // The trajectory starts 1.2 m above the floor at a speed of 7.5 m/s, directed upward at 35 degrees, and
+    // ends on the ground at height 0.
     const PackageReader package(file);
     Room room(package.photos()[2], Vector3d::UnitZ(), {0, 1.6, 0}, 1);
     const double ground = room.in_room({0, 0, -package.scene().origin[2]}).y();
