@@ -101,7 +101,7 @@ def first_picture(package, cache):
 
 
 def sharp_in_the_window(package, photo, folder, cache):
-    """The time in seconds until the window has all the tiles that it wants, including program start."""
+    """The time in seconds until the window has all the tiles that it wants, including the start of the program."""
     return run(["bench", package, "--photo", photo, "--paths", "still", "--modes", "stream", "--repeats", "1", "--path-frames", "5000",
                 "--until-exact", "--size", "1280x720", "-o", f"{folder}/bench", "--force"], cache)[0]
 

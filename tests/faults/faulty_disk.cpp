@@ -1,4 +1,4 @@
-// Simulates disk failures in a program that preloads this library, as set by FAULT="CALL:N:HOW".
+// Simulates disk failures in a program that preloads this library, as specified by FAULT="CALL:N:HOW".
 // CALL is pwrite, fallocate, fsync, rename, flock or statvfs, or "any" for all operations on files below
 // FAULT_FOLDER.
 // HOW is one of:

@@ -304,7 +304,8 @@ TEST(FrustumHardCases, NanSpheresDoNotHideOthers) {
 
 namespace {
 
-/// Two triangles in two clusters that one photo sees; the second cluster is a single point.
+/// Two triangles, each in its own cluster, and one photo that sees both; the second cluster is a single
+/// point.
 struct TwoClusters {
     std::vector<package::PhotoRecord> photos{1};
     std::vector<ClusterRecord> clusters{sphere({0, 0, 2}, 1), sphere({0, 0, 0}, 0)};

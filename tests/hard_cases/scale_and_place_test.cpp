@@ -1,5 +1,5 @@
-// Tests that a scene that is in other units, rotated or far from the origin gives the same weight maps,
-// coordinates and pictures.
+// Tests that a scene gives the same weight maps, coordinates and pictures if it is in other units, rotated or
+// far from the origin.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

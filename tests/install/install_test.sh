@@ -97,7 +97,7 @@ if command -v zsh >/dev/null; then
   for file in "$prefix"/share/zsh/vendor-completions/*; do zsh -n "$file"; done
 fi
 
-# Desktop files. The thumbnailer is called in the same way as by file managers.
+# Desktop files. The thumbnailer is called as file managers call it.
 if command -v desktop-file-validate >/dev/null; then
   desktop-file-validate "$prefix/share/applications/vantage-player.desktop"
 fi

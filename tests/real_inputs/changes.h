@@ -46,7 +46,7 @@ inline Change with_file(std::string file, std::string bytes) {
 inline Change with_list(std::string list) {
     return [=](Scan& s) { use_bundler(s, list); };
 }
-/// Replaces the mesh with the box as glTF, whose buffer is in a file named `uri`.
+/// Replaces the mesh with a glTF file of the box, whose buffer is in the file named by `uri`.
 inline Change with_gltf(std::string file, std::string uri) {
     return [=](Scan& s) {
         s.remove("mesh.ply");

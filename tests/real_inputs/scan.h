@@ -67,7 +67,7 @@ std::string box_stl();
 std::string box_stl_binary();
 GltfFile box_gltf(const Place& place = {});
 std::string box_fbx();  ///< FBX in text form, with centimeters as the unit
-/// A PLY of `points` points, which repeat the box's corners, without faces, as in COLMAP's fused.ply.
+/// A PLY with `points` points and no faces, like COLMAP's fused.ply. The points repeat the box's corners.
 std::string points_ply(std::size_t points = 1000);
 
 /// A photo of one color in the format of the extension: ".jpg", ".png", ".tif", ".exr", ".hdr", ...

@@ -4,8 +4,8 @@
 
 namespace vantage::bench {
 
-/// The depth at which two eyes converge on the center of a scene; the scene's size if the center is not in
-/// front of the viewer.
+/// The depth at which two eyes converge: the depth of the scene's center or, if the center is not in front of
+/// the viewer, the scene's size.
 inline double looked_at(const View& view, const PlanScene& scene) {
     const double depth = depth_in(view, Eigen::Vector3d::Zero());
     return depth > 0 ? depth : scene.size;

@@ -33,7 +33,7 @@ PictureErrors picture_errors(std::span<const TrueView> views, std::span<const Pi
 /// Renders all views of a scene with the given setting.
 std::vector<Picture> render_views(Renderer& renderer, const BenchScene& scene, const PictureSetting& setting);
 
-/// Draws frames of the view until a frame has all its tiles, but at most 1000 frames.
+/// Draws up to 1000 frames of the view, until a frame has all its tiles.
 void settle(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
 
 /// The time per frame, in milliseconds, of a still view with everything resident; includes all samples if

@@ -24,8 +24,8 @@ namespace {
 
 constexpr std::size_t long_table = 16, many_exhibits = 12, few_exhibits = 6;
 
-/// Formats all numbers in a column with the same number of decimal places: as many as give the largest number
-/// 4 significant digits, unless the smallest number would then have too few.
+/// Formats all numbers in a column with the same number of decimal places, so that the largest number has 4
+/// significant digits, unless the smallest number would then have too few.
 struct Column {
     const Metric* metric;
     Scale scale;

@@ -36,7 +36,7 @@ const Moved* find_moved(const PageContent& page, const Measurement& row, const c
 /// The CSS class of a change: "worse", "better", or "" if neither applies or the value is no longer measured.
 const char* verdict_class(const Moved& moved);
 
-/// Describes how far row `i` is from the front of a plot; empty if it is not on the plot.
+/// Describes how far row `i` is from the front of a plot; empty if the row is not in the plot.
 std::string verdict(std::span<const Measurement> rows, std::size_t i, const Plot& plot);
 
 PlotAxis axis_for(const char* metric, bool log);

@@ -27,7 +27,8 @@ class TransparentLayers {
         std::vector<Fragment> fragments;
         bool edge = false;  ///< a triangle's edge is so close that coverage depends on rounding
     };
-    /// The fragments at the pixel centers, row by row; those of a pixel are in the order of their triangles.
+    /// The fragments at the pixel centers, row by row; each pixel's fragments are in the order of their
+    /// triangles.
     std::vector<Pixel> fragments(const View& view) const;
 
     /// The fragment of a triangle at a pixel's center; empty if the triangle does not cover it.
@@ -46,7 +47,7 @@ class TransparentLayers {
 };
 
 /// Sorts fragments by distance, then by triangle (the lowest number is nearest), and blends them over
-/// `behind`. Colors are linear light and coverage.
+/// `behind`. Colors consist of linear light and coverage.
 Eigen::Vector4d blended(std::vector<TransparentLayers::Fragment> fragments, Eigen::Vector4d behind);
 
 }  // namespace vantage

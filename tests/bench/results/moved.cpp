@@ -43,7 +43,7 @@ double change(const Metric& m, double now, double before) {
     return (now - before) / larger / m.noise;
 }
 
-/// The largest value of each sweep and metric in both runs.
+/// The largest value of each metric in each sweep, over both runs.
 using Largest = std::map<std::pair<std::string, std::string>, double>;
 Largest largest(std::span<const Measurement> now, std::span<const Measurement> before) {
     Largest out;

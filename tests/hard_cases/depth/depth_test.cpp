@@ -39,8 +39,9 @@ TEST_F(Depth, EveryPixelMatchesItsFirstRayHit) {
 }
 
 TEST_F(Depth, DepthsAreExactOverANearFarRatioOfAMillion) {
-    // The surfaces are around the camera, so that single precision suffices for the near ones. Each strip of
-    // the frame has its own distance, and a second surface behind the first at 1.001 times its distance.
+    // There are surfaces on both sides of the camera, so that single precision suffices for the near ones.
+    // Each strip of the frame has its own distance, and a second surface behind the first at 1.001 times its
+    // distance.
     Soup soup;
     for (const double side : {-1.0, 1.0})
         for (int strip = 0; strip < 7; ++strip) {

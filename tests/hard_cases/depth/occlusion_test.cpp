@@ -1,4 +1,4 @@
-// Tests surfaces that are so close to each other that they only just occlude each other, or do not.
+// Tests surfaces that are so close to each other that they only just occlude each other or only just do not.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -16,7 +16,7 @@ TEST_F(Depth, NoTriangleOccludesItsOwnVertices) {
     tele.fx = tele.fy = 1e8;
     for (int trial = 0; trial < 20000; ++trial) {
         const Intrinsics& k = trial % 2 ? tele : depth_camera;
-        // Slivers of the smallest areas that are rasterized, with corners at different depths.
+        // Slivers with the smallest areas that are still rasterized, with corners at different depths.
         const double reach = trial % 4 < 2 ? 100 : 3;
         const Eigen::Vector2d a(random(5, 145), random(5, 105)),
             b = a + reach * Eigen::Vector2d(random(-1, 1), random(-1, 1));
@@ -138,7 +138,7 @@ TEST_F(Depth, FinelyTessellatedSphereDoesNotOccludeItsNearSide) {
             const Eigen::Vector3d p = positions[v].cast<double>();
             const auto at = project(k, pose, p);
             if (!at || !in_frame(k, at->pixel)) continue;
-            // The distance of the point in front of the plane in which the tangent cone touches the sphere.
+            // Positive if the point is in front of the plane in which the tangent cone touches the sphere.
             const double before = -(p - center).dot(p);
             if (before > 1e-6 * distance) ++in_cap, hidden += found[v].x() < 0;
             if (before < -0.03 * p.norm()) ++beyond, shown += found[v].x() >= 0;

@@ -113,7 +113,7 @@ class Depth : public TemporaryFolder {
             soup.indices, k);
     }
 
-    /// Counts the depths that lie outside the range that rays find within `reach` pixels of the map.
+    /// Counts the depths outside the range of depths that rays find within `reach` pixels of the map.
     static std::size_t count_wrong(const PhotoGeometry& g, const Soup& soup, const Intrinsics& k,
                                    const Pose& pose, double reach) {
         const Rays rays(soup.positions, soup.indices);

@@ -6,8 +6,8 @@
 Commands are the lines of code blocks that run vantage or vantage-player. Each page has a temporary folder, in which its commands
 run in order through `bash -c`. Inputs that no command of the page writes are made first. A command must end with exit code 0,
 and its outputs must exist. A window is closed by SIGTERM after its first picture, and must not have reported an error. A
-turntable's video is interrupted by SIGINT after its first frames. If a block shows the output of the commands before it, the
-first words of its lines must be printed. There are only two substitutions: https://example.org and https://museum.org are
+turntable's video is interrupted by SIGINT after its first frames. If a block shows the output of the commands before it, these
+must print the first words of its lines. There are only two substitutions: https://example.org and https://museum.org are
 replaced by a server of this test, and the folders /collection and /scans are replaced by folders of the page.
 """
 import json

@@ -107,8 +107,8 @@ TEST_F(Objects, EachPixelShowsTheObjectThatItsRayMeetsFirst) {
     std::size_t wrong = 0;
     for (int y = 2; y < together.height - 2; y += 2)
         for (int x = 2; x < together.width - 2; x += 2) {
-            // The nearest object at the pixel, and the objects around it, because either object may be shown
-            // at outlines.
+            // The nearest object at the pixel, and whether the same object is nearest at the pixels around
+            // it. At outlines, either object may be shown.
             std::optional<unsigned> nearest;
             bool inside = true;
             for (const auto& [dx, dy] : {std::pair(0, 0), {-2, 0}, {2, 0}, {0, -2}, {0, 2}}) {

@@ -201,7 +201,7 @@ TEST_F(Inspect, CoefficientsOfTheLensAreNamed) {
     const json& lens = j["cameras"]["lenses"][0];
     EXPECT_EQ(lens["coefficients"], (json{{"k1", {-0.08, -0.08}}, {"k2", {0.015, 0.015}}}));
     EXPECT_EQ(effect(j, "undistortion")["on"], true);
-    // The angle that the lens images at half the width, computed by fixed-point iteration.
+    // The tangent of the angle at which the lens sees the frame's edge, computed by fixed-point iteration.
     const double half = std::tan(spec.photos.fov / 2 * degrees);
     double x = half;
     for (int i = 0; i < 100; ++i) x = half / (1 + x * x * (spec.lens.k1 + x * x * spec.lens.k2));
@@ -259,7 +259,8 @@ TEST_F(Inspect, NothingIsWritten) {
     EXPECT_EQ(contents_of(dir), before);
 }
 
-/// Only files older than a few seconds, such as those of a dataset, would be cached.
+/// If identities were cached, it would be those of files older than a few seconds, such as those of a
+/// dataset.
 TEST_F(Inspect, IdentitiesOfFilesAreNotCached) {
     VANTAGE_DATASET(real, "sceaux-small");
     EXPECT_EQ(inspect(fs::absolute(real).string()).code, 0);

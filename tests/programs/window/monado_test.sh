@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Shows a demo scene in Monado's simulated headset, without a compositor window. It is tested without a display, through X11 with
-# the Khronos validation layer, and across the loss of the runtime.
+# Shows a demo scene in Monado's simulated headset, without a compositor window. The tests run without a display, through X11
+# with the Khronos validation layer, and across a loss of the runtime.
 # Usage: monado_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if Monado is not installed.
 set -euo pipefail
 vantage=$1 player=$2 source=$3

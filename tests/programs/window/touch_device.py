@@ -50,8 +50,8 @@ class Device:
             self.down[finger] = (x, y)
 
     def move(self, paths, rest=STEP):
-        """Moves the fingers together along their paths, functions of t in [0, 1], then holds them
-        for `rest` seconds before lifting them."""
+        """Moves the fingers together along their paths, which are functions of t in [0, 1],
+        then holds them for `rest` seconds before lifting them."""
         for finger, at in enumerate(paths):
             self.touch(finger, BEGIN, *at(0))
         for step in range(1, 21):

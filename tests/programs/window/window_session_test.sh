@@ -102,7 +102,8 @@ key F11
 soon_small() { at=$(place "Bar Expert"); [ "${at%% *}" -lt 1200 ]; }
 soon soon_small || fail "F11 does not leave full screen: Expert is at $at"
 
-# One package is dropped and added, and another is opened through the dialog. A truncated package does not replace the open one.
+# A package is dropped on the window and added to the scene; others are opened through the dialog. A truncated package does not
+# replace the open one.
 press "Section Picture"; press "Section Blending"  # they leave no space for the section of objects
 /usr/bin/python3 "$source_of_tests/drop_files.py" "$window" two.vantage || fail "the window does not accept files"
 there "Add to the scene" || fail "no question about a dropped package"

@@ -63,7 +63,7 @@ class EyePairs {
         }
         glFinish();
     }
-    /// Draws frames until the left eye's picture has all its tiles, but at most 1000 frames.
+    /// Draws up to 1000 frames, until the left eye's picture has all its tiles.
     Picture left_picture(const PairSetting& s, const TrueView& view) {
         for (int n = 0; n < 1000; ++n) {
             draw(s, view);

@@ -119,7 +119,7 @@ TEST_F(Contracts, EveryCameraFileIsAnInput) {
     write(sparse / "images.txt", slurp(sparse / "images.txt") + "# a comment\n");
     expect_stale(by_file, "images.txt next to the given cameras.txt has changed");
 
-    // The same cameras in a Bundler file, with the principal point in the middle.
+    // The same cameras in a Bundler file, with the principal point at the image center.
     std::string bundle = "# Bundle file v0.3\n6 0\n", list;
     for (const PhotoInput& photo : read_scene(discover(scene)).photos) {
         const Camera& c = photo.camera;

@@ -1,4 +1,4 @@
-// Tests packages prepared by several processes: simultaneously and as shards. The results are compared.
+// Tests packages prepared by several processes, either simultaneously or as shards. The results are compared.
 #include <cstdlib>
 #include <fstream>
 #include <future>

@@ -1,4 +1,4 @@
-// Tests the depth that is passed to the compositor, and scaling of the model between two hands.
+// Tests the depth that is passed to the compositor, and two-handed scaling of the model.
 #include <gtest/gtest.h>
 
 #include <cmath>
