@@ -10,8 +10,8 @@
 
 namespace vantage {
 
-/// An RGB color space: the primaries and the white point as CIE 1931 x and y, and a gamma, or 0 for the sRGB
-/// curve.
+/// An RGB color space: the primaries and the white point as CIE 1931 x and y, and a gamma (0 for the sRGB
+/// curve).
 struct RgbSpace {
     const char* name;
     std::array<double, 2> red, green, blue, white;

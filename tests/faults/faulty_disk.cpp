@@ -202,7 +202,7 @@ void record_written(int fd, const std::string& path, std::string_view data) {
     record('w', path, std::uint64_t(end) - data.size(), data);
 }
 
-/// The clock's error at this call, in seconds.
+/// The simulated error of the clock at this call, in seconds.
 time_t clock_error() {
     static const bool jumps = std::getenv("FAULT_CLOCK") != nullptr;
     static std::atomic<int> calls = 0;

@@ -267,7 +267,8 @@ TEST(ColorSolver, DiscsAtOneRadiusGiveNoVignetting) {
 }
 
 TEST(ColorSolver, BridgeBetweenTwoGroupsJoinsThem) {
-    // Photos 0 and 1 share many discs, as do photos 2 and 3; photos 1 and 2 share just enough.
+    // Photos 0 and 1 share many discs, as do photos 2 and 3; photos 1 and 2 share just enough to
+    // connect these pairs.
     SamplesByPhoto photos(4, std::vector<SampleRecord>(400, SampleRecord{}));
     for (int d = 0; d < 180; ++d)
         for (const std::size_t i : {0u, 1u}) photos[i][std::size_t(d)] = sample(i ? 0.2 : 0.1, 0.3);

@@ -36,7 +36,7 @@ namespace {
 
 constexpr unsigned seconds_limit = 120;  ///< limit per run; a run normally takes a fraction of a second
 
-/// The way to run `vantage`.
+/// How `vantage` is run.
 enum class Vantage { forked, program };
 
 struct Outcome {

@@ -29,8 +29,8 @@ struct Command {
     std::string words;
 };
 
-/// One realistic input and its expected outcome. The parts after `make` are an Exit, Says, Holds, a Command
-/// and Never, in any order. Absent parts have the values of a scan that is prepared successfully.
+/// One realistic input and its expected outcome. The parts after `make` are Exit, Says, Holds, Command and
+/// Never, in any order. Absent parts have the values of a scan that is prepared successfully.
 struct Row {
     std::string family;
     std::string what;  ///< description of the case, unique within the family

@@ -30,7 +30,7 @@ struct PageContent {
     std::optional<Comparison> comparison;
 };
 
-/// The change in a value since the earlier run; null if the value has not moved.
+/// The change in a value since the earlier run; null if the change does not exceed the noise.
 const Moved* find_moved(const PageContent& page, const Measurement& row, const char* metric);
 
 /// The CSS class of a change: "worse", "better", or "" if neither applies or the value is no longer measured.

@@ -19,7 +19,7 @@ class TransparentLayers {
 
     struct Fragment {
         double z;                ///< linear depth
-        std::uint32_t triangle;  ///< index in the package
+        std::uint32_t triangle;  ///< index of the triangle in the package
         Eigen::Vector3d color;   ///< linear light, shaded
         double alpha;
     };

@@ -21,7 +21,7 @@ struct Moved {
 /// The differences between two runs; points into the rows of the later run.
 struct Comparison {
     double drift = 1;          ///< median of the ratios of later to earlier times
-    std::size_t times = 0;     ///< number of times from which `drift` is computed; with fewer than 5, it is 1
+    std::size_t times = 0;     ///< number of timings from which `drift` is computed; if fewer than 5, it is 1
     std::size_t compared = 0;  ///< number of values
     std::vector<Moved> moved;  ///< sorted by `by` times `weight`: worst first, most improved last
     std::vector<std::string> appeared, vanished;  ///< settings, or whole scenes of a sweep

@@ -118,7 +118,7 @@ TEST_F(Depth, FinelyTessellatedSphereDoesNotOccludeItsNearSide) {
     struct Sight {
         double distance, focal;
     };
-    // The whole sphere, a part of it from close by, and its center through long lenses.
+    // The whole sphere, a part of it from close up, and its center through long lenses.
     for (const auto& [distance, focal] : {Sight{3, 700}, {1.06, 60}, {40, 15000}, {500, 3e5}}) {
         const Eigen::Vector3d center(0.1, -0.06, distance);
         std::vector<Eigen::Vector3f> positions;

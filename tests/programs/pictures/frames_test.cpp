@@ -68,7 +68,7 @@ double ms_of(const std::function<void()>& draw) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Compares a picture of sections with rays that are clipped by the sections.
+/// Compares a picture that is cut by sections with rays that are clipped by the same sections.
 void expect_cut(const PackageReader& package, const View& view, std::vector<SectionPlane> sections,
                 std::span<const std::uint32_t> photos) {
     Renderer renderer(package, MemoryBudget{});
@@ -183,7 +183,7 @@ TEST_F(Frames, ACoarseMeshInMotionLooksLikeTheMesh) {
     for (std::size_t i = 0; i < coarse.rgba.size(); ++i)
         squares += std::pow(int(coarse.rgba[i]) - int(of_mesh.rgba[i]), 2);
     EXPECT_GT(10 * std::log10(255 * 255 / (squares / double(coarse.rgba.size()))), 30);
-    // The triangle at a pixel belongs to the mesh.
+    // The triangle at each pixel must belong to the mesh.
     const auto triangles = renderer.planner().seen().triangles();
     ASSERT_FALSE(triangles.empty());
     EXPECT_LE(std::ranges::max(triangles), renderer.scene().triangles);

@@ -87,8 +87,8 @@ class PointScenes : public TemporaryFolder {
     std::filesystem::path mesh_file;
 };
 
-/// The mean difference of 8-bit values at pixels that are colored in both pictures. `share` receives their
-/// fraction of the pixels that are colored in `truth`.
+/// The mean difference of 8-bit values at pixels that are colored in both pictures. `share` receives
+/// the fraction of the pixels colored in `truth` that are also colored in `p`.
 double difference(const Picture& truth, const Picture& p, double& share) {
     double sum = 0;
     std::size_t both = 0, shown = 0;
@@ -212,7 +212,7 @@ TEST_F(PointScenes, NeedNoPhotos) {
     std::size_t shown = 0;
     for (std::size_t i = 3; i < p.rgba.size(); i += 4) shown += p.rgba[i] > 0;
     EXPECT_GT(shown, p.rgba.size() / 4 / 10);
-    // If the points' z axis points down, a view with a roll of half a turn is upright.
+    // If the points' z axis points down, a view that is rolled by half a turn is upright.
     run(player + " render " + package + " --view 0,-14,5,0,0,3,45,180 --size 200x150 -o " + at +
         "/rolled.png");
     const Picture rolled = read_png(dir / "rolled.png");

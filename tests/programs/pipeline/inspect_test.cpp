@@ -157,7 +157,7 @@ TEST_F(Inspect, StatesTheTruthOfASyntheticScan) {
     EXPECT_TRUE(j["not_seeing"].empty());
     EXPECT_EQ(effect(j, "undistortion")["on"], false);
     EXPECT_TRUE(effect(j, "pose-refinement")["on"].is_null())
-        << "this should be undecided, because only pixels can decide it";
+        << "this should be undecided, because the decision depends on the photos' pixels";
 
     // The cameras are on an arc of known radius around the building.
     const Eigen::Vector3d low = point(j["cameras"]["low"]), high = point(j["cameras"]["high"]);
@@ -259,8 +259,7 @@ TEST_F(Inspect, NothingIsWritten) {
     EXPECT_EQ(contents_of(dir), before);
 }
 
-/// If identities were cached, it would be those of files older than a few seconds, such as those of a
-/// dataset.
+/// Identities would be cached only for files that are older than a few seconds, such as those of a dataset.
 TEST_F(Inspect, IdentitiesOfFilesAreNotCached) {
     VANTAGE_DATASET(real, "sceaux-small");
     EXPECT_EQ(inspect(fs::absolute(real).string()).code, 0);

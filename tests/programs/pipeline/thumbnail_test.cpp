@@ -1,4 +1,4 @@
-// Tests `vantage thumbnail` in the way that file managers call it: it writes a picture of the photo that the
+// Tests `vantage thumbnail` by calling it as file managers do: it writes a picture of the photo that the
 // player shows first, or prints one line and returns an exit code.
 #include <cmath>
 #include <fstream>

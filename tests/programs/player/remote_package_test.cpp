@@ -1,4 +1,4 @@
-// Tests both programs with the URL of a package instead of a file, on correct and faulty servers.
+// Tests both programs with the URL of a package instead of a file, from correct and faulty servers.
 #include <gtest/gtest.h>
 
 #include <atomic>

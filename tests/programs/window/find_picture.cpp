@@ -1,4 +1,4 @@
-// Finds a part of a photo in a screenshot, at any size. Prints the position of the part's middle, its scale
+// Finds a part of a photo in a screenshot, at any size. Prints the position of the part's center, its scale
 // relative to the photo, and its similarity (correlation, at most 1). Usage: find_picture SCREENSHOT PHOTO
 // LEFT TOP WIDTH HEIGHT
 #include <cstdio>

@@ -130,7 +130,7 @@ soon() { within 6 "$@"; }
 failed=0
 fail() { echo "FAILED: $*"; failed=1; }
 
-# place NAME [share of its width]: waits for a control and prints the position of its center
+# place NAME [FRACTION]: waits for a control and prints the position of its center, or of the point at this fraction of its width
 place() { within 15 is_at "$@" && echo "$center"; }
 is_at() {  # sets center
   center=$(awk -F'\t' -v n="$1" -v share="${2:-0.5}" '$1 == n { print int($2 + $4 * share), int($3 + $5 / 2); exit }' places 2>/dev/null)

@@ -159,7 +159,8 @@ extern const Sweep border_sweep;
 const Sweep border_sweep{"border",
                          "Distance to the nearest border",
                          "Jump flooding is fast on a graphics card but slightly inexact, and weight maps at "
-                         "half the size cost only a quarter. How large are the errors in the border weight?",
+                         "half the size cost only a quarter as much. "
+                         "How large are the errors in the border weight?",
                          "the exact distance transform at full size",
                          "0 of 255",
                          {{"photo_ms", "weight_mean"}, {"photo_bytes", "weight_worst"}},

@@ -16,7 +16,7 @@ PictureSetting setting(std::string curve, std::string name, int side) {
     return s;
 }
 
-/// The exact setting has `most` samples along the side of a pixel.
+/// The exact setting has `most` samples along each side of a pixel.
 std::vector<PictureSetting> settings(int most) {
     std::vector<PictureSetting> out{setting("samples", fmt::format("{0}x{0}", most), most)};
     out.back().exact = true;

@@ -90,7 +90,7 @@ Bytes encode(const Format& f, Texels tile) {
     return out;
 }
 
-/// Decodes a tile into `tile`, which must already have a tile's size.
+/// Decodes a tile into `tile`, which must already be as large as a tile.
 void decode(const Format& f, Texels coded, Bytes& tile) {
     if (f.codec == Codec::raw) {
         std::memcpy(tile.data(), coded.data(), tile.size());

@@ -1,6 +1,6 @@
 #pragma once
-// Image sets of one object, which are shown one at a time: a synthetic building in visible light and in
-// infrared, which reveals an underdrawing.
+// Two image sets of one synthetic building, which are shown one at a time. One is in visible light; the other
+// is in infrared light and reveals an underdrawing.
 #include <sys/wait.h>
 
 #include <cstdlib>

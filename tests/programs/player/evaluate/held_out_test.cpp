@@ -35,8 +35,8 @@ void replace_by_noise(const fs::path& file) {
     });
 }
 
-/// The effects that depend on all photos are forced on, because validation could decide differently without a
-/// photo.
+/// The effects that depend on all photos are forced on, because validation could decide differently without
+/// one of the photos.
 PrepareSettings all_but_pose_refinement() {
     PrepareSettings settings;
     for (const Effect e : {Effect::exposure, Effect::vignetting, Effect::transients})
@@ -240,7 +240,7 @@ TEST_F(EvaluateAtLength, CamerasAreRegisteredWithoutTheHeldOutPhoto) {
     const auto held_out = records(dir / "without.vantage", false);
     const PackageReader package(file);
     const auto given = package.records<package::PoseRefinementRecord>(package::Type::pose_refinement);
-    // The displacement of the photo's middle in pixels.
+    // The displacement of the photo's center in pixels.
     const auto apart = [&](const Pose& a, const Pose& b) {
         const Eigen::Vector3d x = a.R.transpose() * (Eigen::Vector3d(0, 0, stored[3].seen_distance) - a.t);
         const Eigen::Vector3d p = b.R * x + b.t;

@@ -21,7 +21,7 @@ namespace {
 
 /// Actions of the right hand, frame by frame, with a headset at (0, 1.6, 0) that looks ahead.
 struct Script {
-    static constexpr int hold = 2;  ///< number of frames for which a button is down, and then up again
+    static constexpr int hold = 2;  ///< number of frames for which a button is held down, and then released
     json hands = json::array();
     int frame = 6;
     const Vector3d from{0.15, 1.3, -0.1};

@@ -148,7 +148,7 @@ TEST_F(HeadsetProgramAtLength, FinePicturesAreThoseOfOffscreenRenderingToTheEye)
 TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
     json s = scenario(90);
     s["eyes"] = {eye(97, 97, -45, 45, 45, -45, -0.032), eye(97, 97, -45, 45, 45, -45, 0.032)};
-    // The head looks ahead, teleports ahead, looks down, turns by 30 degrees and looks ahead.
+    // The user looks ahead, teleports ahead, looks down, turns by 30 degrees and looks ahead again.
     const Eigen::Quaterniond down(Eigen::AngleAxisd(-90 * degree, Vector3d::UnitX()));
     s["head"] = {pose({0, 1.6, 0}), pose({0, 1.6, 0}, down), pose({0, 1.6, 0})};
     s["head"][0]["frame"] = 0, s["head"][1]["frame"] = 40, s["head"][2]["frame"] = 60;
