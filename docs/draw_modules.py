@@ -5,7 +5,7 @@ usage: draw_modules.py BUILD/modules.txt [OUT.svg]        default: modules.svg b
 
 A module is drawn above the modules that it uses. Arrows join modules within a frame; small letters name the modules used from
 lower frames. Arrows that follow from other arrows are not drawn: a module that uses `refine` may also use all modules below
-`refine`. The script fails if modules form a cycle, or if a module uses a module of a higher folder."""
+`refine`. The script fails if modules form a cycle, or if a module uses a module from a higher folder."""
 import pathlib
 import sys
 
