@@ -30,7 +30,7 @@ struct PrepareRun {
     Share share{};                                               ///< the photos to process; default: all
     Trace* trace = nullptr;                                      ///< records each thread's work
     std::function<void(const ResourceEstimate&)> on_estimate{};  ///< called before the first photo is started
-    bool expect_view = false;  ///< call expect_mesh_in_view(), which may throw Error(misplaced)
+    bool expect_view = false;  ///< whether to call expect_mesh_in_view(), which may throw Error(misplaced)
     std::chrono::steady_clock::time_point start =
         std::chrono::steady_clock::now();  ///< start of the run; the estimated time counts from here
 };

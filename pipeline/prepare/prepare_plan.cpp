@@ -35,8 +35,8 @@ double spread(const Mesh& mesh, const package::SceneRecord& model) {
 }
 
 /// The finest density, rounded up to a power of two, so that adding or removing a photo does not change every
-/// weight map. An octave is twelve steps of the depth weight. The powers of two are relative to the model's
-/// size, because otherwise the rounding would depend on the unit of the input.
+/// weight map. An octave corresponds to twelve steps of the depth weight. The powers of two are relative to
+/// the model's size, because otherwise the rounding would depend on the unit of the input.
 double reference_density(const SceneInput& scene, const package::SceneRecord& model) {
     const double size = spread(scene.mesh, model);
     return std::exp2(std::ceil(std::log2(finest_density(scene) * size))) / size;

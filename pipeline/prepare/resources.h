@@ -66,8 +66,8 @@ unsigned photos_in_flight(const PrepareSettings& settings,
 /// (triangles + pixels), or in the bytes written to a disk if writing takes longer.
 struct ExpectedSeconds {
     double photos;
-    double finish;  ///< results of all photos, including the background unless it is off; refined poses take
-                    ///< longer
+    double finish;  ///< for results that depend on all photos, including the background unless it is off, but
+                    ///< not pose refinement
 };
 ExpectedSeconds expected_seconds(const SceneInput& scene, const PrepareSettings& settings,
                                  const package::SceneRecord& model, unsigned in_flight,

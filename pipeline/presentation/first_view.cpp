@@ -24,7 +24,7 @@ constexpr double least_fov = 8, max_fov = 70;  ///< degrees
 constexpr double nearby = 25 * degree;         ///< angle at the model between nearby photos
 constexpr double tolerated_roll = 15 * degree, usual_height = 40 * degree;
 constexpr double usual_distance = 0.5;  ///< width of the bell curve, in ln(distance / median)
-constexpr int cells = 24;               ///< number along the model's longest side, for measuring detail
+constexpr int cells = 24;               ///< along the model's longest side; detail is measured per cell
 
 /// The amount of detail at each disc: how much the normals and colors of nearby discs vary.
 std::vector<double> detail_of(Samples samples, std::span<const SurfaceDisc> discs) {

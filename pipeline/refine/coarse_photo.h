@@ -21,8 +21,8 @@ struct SquareMeans {
     int width = 0, height = 0;           ///< corners: one more than texels
     std::vector<Eigen::Array4f> colors;  ///< row by row; linear light, the fourth value unused
 
-    /// The mean around a position, which is in units of squares; each coordinate is at least 0 and at most
-    /// one square beyond the last.
+    /// The mean around a position in units of squares. Each coordinate must be at least 0 and at most one
+    /// square beyond the last.
     Eigen::Array4f around(float x, float y) const;
 };
 

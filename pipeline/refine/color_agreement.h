@@ -39,8 +39,7 @@ FoldColors colors_without(const Folds& folds, std::span<const std::uint32_t> len
 /// Converts the colors to the form in which predict() applies them. `colors` must outlive the result.
 Alternative alternative(const PhotoColors& colors, bool gains_on, bool vignetting_on, std::uint32_t photo);
 
-/// Writes gains and vignetting to the photos' records; for an effect that is off, the values that change
-/// nothing.
+/// Writes gains and vignetting to the photos' records. For an effect that is off, it writes neutral values.
 void apply_colors(const ColorRefinement& refinement, std::span<package::PhotoRecord> photos);
 
 }  // namespace vantage

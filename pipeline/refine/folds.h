@@ -61,7 +61,7 @@ class Folds {
         /// fold's photo.
         Sightings sightings(std::span<const Pose> poses, const Pose& own) const;
     };
-    /// Reads the photos of all folds into the cache, as many as fit, so that later calls need not wait.
+    /// Reads as many of the folds' photos into the cache as fit, so that later calls need not wait.
     void read_ahead() const;
     /// Calls visit(view) for every fold, on several threads. Throws Error(damaged).
     void each(const std::function<void(const View&)>& visit) const;

@@ -124,7 +124,7 @@ Mean mean_with_weights_of(const Sightings& s, std::span<const Blended> b, std::s
     Mean mean;
     std::size_t j = s.first[other];
     for (std::size_t i = s.first[pixel]; i < s.first[pixel + 1]; ++i) {
-        // Both pixels list the photos in the same order.
+        // The sightings of both pixels are sorted by photo.
         while (j < s.first[other + 1] && s.all[j].photo < s.all[i].photo) ++j;
         if (j == s.first[other + 1]) break;
         if (s.all[j].photo == s.all[i].photo) mean.add(b[j].weight, b[i].smooth);

@@ -27,10 +27,10 @@ Judgment summarize(std::span<const ValidatedPhoto> photos);
 /// Minimum number of photos for validating an effect.
 inline constexpr int min_validated_photos = 3;
 
-/// Whether an effect is worthwhile. Either held-out photos must gain by more than twice the noise or twice
-/// the standard error of the mean, or they must not lose more than that error while seams decrease by a
-/// tenth. In addition, no photo may lose more than 0.75 dB. Returns false if there are fewer than three
-/// photos.
+/// Whether an effect is worthwhile. Held-out photos must gain more than twice the noise or twice the standard
+/// error of the mean, whichever is smaller. Alternatively, seams must decrease by a tenth, and the photos may
+/// lose at most the standard error. In either case, no photo may lose more than 0.75 dB. Returns false if
+/// there are fewer than three photos.
 bool is_called_for(const Judgment& judgment);
 
 /// Validates an effect that is on: adds the judgment and its sentence to the decision, and turns the effect

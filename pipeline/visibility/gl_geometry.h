@@ -20,7 +20,7 @@ struct ModelBuffers {
 ModelBuffers upload_model(std::span<const Eigen::Vector3f> positions,
                           std::span<const Eigen::Vector3f> normals);
 
-/// Renders the depth, angle and triangle maps. To be called on the OpenGL thread. `indices`: three per
+/// Renders the depth, angle and triangle maps. Must be called on the OpenGL thread. `indices`: three per
 /// triangle, see triangles_in_frame. `near_far`: clip planes, see depth_range. Throws gl::Failure on OpenGL
 /// errors.
 PhotoGeometry render_geometry(const ModelBuffers& model, std::span<const std::uint32_t> indices,

@@ -20,7 +20,7 @@ RgbaImage decoded(const PhotoJob& job, PhotoFile& file) {
     return decode_photo(job.photo.file, file.bytes(), job.photo.decoded);
 }
 
-/// Throws Error(input) if the size of the mask is not that of the photo.
+/// Throws Error(input) if the mask and the photo differ in size.
 RgbaImage read_mask(const std::filesystem::path& file, const RgbaImage& photo) {
     try {
         return read_unprofiled(file, {photo.width, photo.height});

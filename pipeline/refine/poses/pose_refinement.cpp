@@ -24,7 +24,7 @@ using package::PhotoRecord;
 constexpr int evidence_size = 800, evidence_corners = 300;  ///< px on the longer side; corners per photo
 constexpr double max_displacement = 1, max_shift = 1.5;     ///< px; larger values require pose refinement
 
-/// The key of everything that the measurement of a pair depends on.
+/// A key computed from everything that the measurement of a pair depends on.
 std::uint64_t key_of(const PoseRefinementInput& in, const PhotoPair& pair) {
     const std::array parts{in.fingerprints[pair.a], in.fingerprints[pair.b]};
     return checksum(std::as_bytes(std::span(parts)));

@@ -9,7 +9,7 @@ namespace vantage {
 
 /// How another photo sees the surface at a pixel.
 struct Sighting {
-    std::uint32_t photo;  ///< index in the scene
+    std::uint32_t photo;  ///< index of the photo in the scene
     float root[3];        ///< square roots of linear light, as exposed
     float smooth[3];      ///< square roots of CoarsePhoto's `smooth`
     float theta;    ///< angle in radians between the rays from the surface to the viewer and to the photo
@@ -21,7 +21,7 @@ struct Sighting {
 /// The sightings for every pixel of a view, pixel by pixel.
 struct Sightings {
     std::vector<Sighting> all;
-    std::vector<std::uint32_t> first;  ///< index in `all` of each pixel's first sighting, and the end
+    std::vector<std::uint32_t> first;  ///< index into `all` of each pixel's first sighting, and the end
     std::span<const Sighting> at(std::size_t pixel) const {
         return std::span(all).subspan(first[pixel], first[pixel + 1] - first[pixel]);
     }

@@ -64,8 +64,8 @@ class SystematicFit {
         }
         return x;
     }
-    /// Holds one half of the cells and then the other out of the fit, and visits the held-out cells with
-    /// their residual displacement.
+    /// Holds out first one half of the cells and then the other, and visits the held-out cells with their
+    /// residual displacement.
     template <class Visit>
     void each_held_out(const Model& model, const Used& used, const Visit& visit) const {
         for (const bool half : {false, true}) {

@@ -20,8 +20,8 @@ struct LensError {
 /// Errors that show in the same way in many pairs of photos.
 struct SystematicErrors {
     std::vector<LensError> lenses;  ///< only lenses with an error
-    /// The smallest motion that makes the cameras fit the mesh when they are composed with it; the identity
-    /// if no error was found.
+    /// The smallest motion that makes the cameras fit the mesh when each camera is composed with it. It is
+    /// the identity if no error was found.
     Similarity common{};
     double common_motion = 0;  ///< median of the common motion, px
     double uncertainty = 0;    ///< standard error of the common motion, px

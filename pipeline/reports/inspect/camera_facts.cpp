@@ -13,8 +13,8 @@ namespace {
 using Unit = CameraSet::Unit;
 using Numbers = std::array<double, 4 + std::tuple_size_v<decltype(Lens::p)>>;
 
-/// The angle in radians, at most `widest`, between the optical axis and the ray that the lens images at
-/// `radius` (in focal lengths) in a direction. Negative for a negative radius.
+/// The angle in radians between the optical axis and the ray that the lens images at `radius` (in focal
+/// lengths) in the given direction, at most `widest`. Negative for a negative radius.
 double angle_at(const Lens& lens, double widest, const Eigen::Vector2d& direction, double radius) {
     if (radius < 0) return -angle_at(lens, widest, -direction, -radius);
     double low = 0, high = widest;
@@ -27,7 +27,7 @@ double angle_at(const Lens& lens, double widest, const Eigen::Vector2d& directio
     return low;
 }
 
-/// The field of view of a camera whose photo size is unknown, if the unit determines it, otherwise NaN.
+/// The field of view of a camera whose photo size is unknown. NaN if the unit does not determine it.
 double field_of_view(const CameraSet::Entry& entry, int axis) {
     if (entry.unit == Unit::pixels) return field_of_view(entry.camera, axis);
     Camera camera = entry.camera;

@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs a step. If it fails, its error becomes the error of the input, or a warning if the input already has
-/// an error.
+/// Runs a step. If the step fails, its error becomes the error of the input, or a warning if the input
+/// already has an error.
 template <class Step>
 void attempt(InputFacts& facts, const Step& step) {
     try {

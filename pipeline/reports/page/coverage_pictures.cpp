@@ -119,7 +119,7 @@ struct Canvas {
         if (z < p.nearest) p.nearest = z, p.first = number;
         if (z > p.farthest) p.farthest = z, p.last = number;
     }
-    /// Merges in a canvas of the same view whose triangles have higher numbers.
+    /// Merges another canvas of the same view into this one. Its triangles must have higher numbers.
     void add(const Canvas& others) {
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             Pixel& p = pixels[i];

@@ -16,8 +16,8 @@ struct Photo {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
 };
 
-/// Files like those that other programs write, according to the descriptions of the formats. They share no
-/// code with the readers.
+/// These functions return files like those that other programs write, according to the descriptions of the
+/// formats. They share no code with the readers.
 std::string colmap_cameras(const std::vector<Photo>& photos);
 std::string colmap_images(const std::vector<Photo>& photos);
 /// `chunk_R`, `chunk_t` and `chunk_scale` transform the chunk's frame to the world.

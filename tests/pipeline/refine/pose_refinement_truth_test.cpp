@@ -88,7 +88,8 @@ std::vector<std::uint32_t> welded(const Mesh& mesh) {
     return out;
 }
 
-/// Laplacian smoothing: `times` times, each vertex moves halfway to the mean of its neighbors.
+/// Laplacian smoothing in `times` steps: in each step, every vertex moves halfway to the mean of its
+/// neighbors.
 Mesh smoothed(Mesh mesh, int times) {
     const std::vector<std::uint32_t> at = welded(mesh);
     std::vector<std::set<std::uint32_t>> neighbors(at.size());

@@ -21,7 +21,7 @@ TEST(Verdict, SummarizesGainErrorAndWorstPhoto) {
     const Judgment j = validated({0.1, 0.3, -0.1, 0.5});
     EXPECT_NEAR(j.gain, 0.2, 1e-9);
     EXPECT_NEAR(j.error, 0.1291, 1e-4) << "standard error of the mean";
-    EXPECT_NEAR(j.noise, 0.0354, 1e-4) << "as if the loss of 0.1 occurred once up and once down in 4 photos";
+    EXPECT_NEAR(j.noise, 0.0354, 1e-4) << "as if one of 4 photos lost 0.1 and another gained 0.1";
     EXPECT_EQ(j.worse, 1);
     EXPECT_EQ(j.worst_photo, "photo2");
     EXPECT_NEAR(j.worst, -0.1, 1e-9);

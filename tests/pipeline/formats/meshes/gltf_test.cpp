@@ -180,7 +180,7 @@ TEST_F(GltfMesh, ColorsAreLinearLightAndOpaque) {
     GltfFile file;
     file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(four_corners) +
                   ", \"COLOR_0\": " + file.add(bytes) + "}, \"indices\": " + file.add(tetrahedron));
-    // In sRGB, 0.2158605 is 128 / 255, and 0.0030353 is 10 / 255.
+    // The linear value 0.2158605 is 128 / 255 in sRGB, and 0.0030353 is 10 / 255.
     const Floats numbers{{0.2158605f, 0, 1}, {0.0030353f, 1, 1}, {2, -1, 0}, {NAN, 1, 1}};
     file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(four_corners) +
                   ", \"COLOR_0\": " + file.add(numbers) + "}, \"indices\": " + file.add(tetrahedron));
