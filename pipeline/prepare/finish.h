@@ -31,7 +31,7 @@ struct FinishInput {
     OnProgress progress;                           ///< may be empty
 };
 
-/// Content that appears in single photos and is contradicted by others.
+/// Content that appears in individual photos and is contradicted by others.
 struct TransientMasks {
     EffectDecision decision;
     std::vector<double> disagreeing;  ///< per photo: the contradicted fraction of its visible surface

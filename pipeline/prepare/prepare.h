@@ -32,7 +32,7 @@ struct PrepareRun {
     std::function<void(const ResourceEstimate&)> on_estimate{};  ///< called before the first photo is started
     bool expect_view = false;  ///< whether to call expect_mesh_in_view(), which may throw Error(misplaced)
     std::chrono::steady_clock::time_point start =
-        std::chrono::steady_clock::now();  ///< start of the run; the estimated time counts from here
+        std::chrono::steady_clock::now();  ///< start of the run; the estimated time is counted from here
 };
 
 /// The result of a run.

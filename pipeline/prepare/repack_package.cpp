@@ -47,7 +47,7 @@ void copy_thumbnail(const PackageReader& from, PackageWriter& to, std::uint32_t 
     write_thumbnail(to, photo, {rgba, {int(r.thumbnail_width), int(r.thumbnail_height)}});
 }
 
-/// Copies a chunk of tiles; a chunk that already has a compact form keeps it.
+/// Copies a chunk of tiles. A chunk that is already in a compact form is not encoded again.
 void copy_tiles(const PackageReader& from, PackageWriter& to, std::uint32_t photo, const PhotoRecord& r,
                 Type type, std::uint32_t level) {
     const DirectoryEntry* e = from.find(type, photo, level);

@@ -62,10 +62,10 @@ double pixels(const PhotoInput& photo) { return double(photo.decoded.width) * ph
 constexpr double seconds_per_pixel = 17e-9, seconds_per_lens_pixel = 2e-9, seconds_per_triangle = 0.16e-6;
 /// Seconds for decoding.
 constexpr double seconds_per_jpeg_pixel = 5e-9, seconds_per_other_pixel = 35e-9;
-/// Seconds for writing a package to a disk, including flushing it at the end.
+/// Seconds per byte for writing a package to a disk, including the final flush.
 constexpr double seconds_per_written_byte = 2e-9;
-/// Seconds for comparing photos; validation takes additional time for at most `max_validated` photos, because
-/// few photos are held out.
+/// Seconds per photo for comparing photos, and for validation. Validation takes time for at most
+/// `max_validated` photos, because few photos are held out.
 constexpr double seconds_per_photo = 0.02, seconds_per_validated = 0.02;
 constexpr std::size_t max_validated = 12;
 /// Seconds per photo for computing the background.

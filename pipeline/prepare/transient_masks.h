@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// Finds content that appears in single photos and is contradicted by others. If the effect is on, its
+/// Finds content that appears in individual photos and is contradicted by others. If the effect is on, its
 /// weights are written to the weight maps' fourth channel; weights from an earlier run that are no longer
 /// needed are reset. The effect is considered if the worst photo is contradicted on more than half a percent
 /// of its visible surface; it is then validated with held-out photos. Throws Error(damaged) or

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 constexpr double radians = std::numbers::pi / 180;
 constexpr double usual_roll = 1.5 * radians;
-constexpr double outlier = 12 * radians;     ///< largest roll; larger ones are clamped
+constexpr double outlier = 12 * radians;     ///< maximum roll; larger rolls are clamped
 constexpr double on_its_side = 6 * radians;  ///< roll assumed for a camera on its side
 constexpr double leaning = 9 * radians;      ///< angle between the photos' mean and the up direction
 constexpr double within = 3;                 ///< standard errors

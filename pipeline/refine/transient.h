@@ -15,7 +15,8 @@ TransientView transient_view(const CoarsePhoto& photo);
 
 /// Views of photos as exposed, created on demand.
 using TransientViews = LruCache<TransientView>;
-inline constexpr std::size_t cached_views = 16;  ///< number cached at once, both as exposed and as corrected
+/// Maximum number of views cached at once as exposed, and of those cached as corrected.
+inline constexpr std::size_t cached_views = 16;
 
 /// The transient maps of all photos; each photo is compared with its partners. The map is empty for photos
 /// with fewer than two partners. The number of photos in memory is bounded. `uncorrected` may throw

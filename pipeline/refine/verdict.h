@@ -20,7 +20,7 @@ inline constexpr std::size_t fewest_pixels = 200;
 
 /// Summarizes the photos with at least `fewest_pixels` scored pixels; without photos, all values are 0.
 /// `noise` is the standard error that the mean would have if gains were as likely as losses of the same size.
-/// It is used because the spread of gains is not always noise: after one wrong camera is fixed, few photos
+/// It is used because the spread of gains is not always noise: after one wrong camera is fixed, a few photos
 /// gain much and none loses.
 Judgment summarize(std::span<const ValidatedPhoto> photos);
 

@@ -153,8 +153,8 @@ void write_photo(const Extraction& to, std::uint32_t i) {
     image(Type::depth, weight_map_level, files.depth, 1, Sample::f32);
 }
 
-/// The cameras of all photos in the folder, in the input's coordinates: those written by this call and by
-/// earlier ones.
+/// The cameras of all photos in the folder, including those written by earlier calls, in the input's
+/// coordinates.
 std::vector<NamedCamera> extracted_cameras(const Extraction& to) {
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(to.reader.scene().origin);
     std::vector<NamedCamera> out;

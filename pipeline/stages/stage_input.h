@@ -38,8 +38,8 @@ struct PosedPhoto {
 
 /// The pixel data read by the stages that use the model, as seen by a pinhole camera.
 struct CoarsePixels {
-    /// At `weight_map_level`, one byte per texel. Empty if the photo is opaque: then a texel is valid if the
-    /// lens images it.
+    /// At `weight_map_level`, one byte per texel. Empty if the photo is opaque; in that case, a texel is
+    /// valid if the lens images it.
     std::vector<std::uint8_t> valid;
     RgbaImage samples;  ///< at `sample_level`
 };

@@ -22,9 +22,9 @@ struct WeightMapLevel {
     std::vector<float> z;
 };
 
-/// The next coarser level. A weight is the mean of the valid texels among 2x2. Depth is the farthest finite
-/// depth among them, so that a surface seen by any of the texels stays visible. Odd edges repeat the last
-/// texel.
+/// The next coarser level. A weight is the mean of the valid texels in a 2x2 block. Depth is the farthest
+/// finite depth among them, so that a surface seen by any of the texels stays visible. Odd edges repeat the
+/// last texel.
 WeightMapLevel halve(const WeightMapLevel& level);
 
 /// The weight map stage: writes the levels of weight maps and depth.

@@ -11,10 +11,10 @@ struct SynthSpec {
         double width = 12, height = 7.5, depth = 6, recess = 0.7;
         int bays = 5, floors = 2;
         double max_edge = 0;  ///< longest side of the walls' quads; 0: not subdivided
-        bool chapel = false;  ///< a chapel with an urn instead; recess, bays and floors are then unused
+        bool chapel = false;  ///< a chapel with an urn instead; recess, bays and floors are ignored
     } building;
     struct Object {
-        double size = 1.3;  ///< radius of the torus knot; 2/3 of the urn's height
+        double size = 1.3;  ///< radius of the torus knot, or 2/3 of the urn's height
         int triangles = 40000;
         double distance = 3;  ///< from the facade
     } object;

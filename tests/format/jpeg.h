@@ -23,7 +23,7 @@ JpegHeader read_jpeg_header(Bytes bytes);
 // Copies a JPEG header and replaces its size.
 Buffer with_size(Bytes shared, const JpegHeader& header, Size size);
 
-// Decodes an area in a JPEG to RGBA.
+// Decodes an area of a JPEG to RGBA.
 Buffer decode_jpeg(Bytes file, Size size, Area area);
 
 }  // namespace independent

@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// The moved cameras whose photos have the most surface in common with this photo, ascending.
+/// The moved cameras whose photos have the most surface in common with this photo, in ascending order.
 std::vector<std::uint32_t> moved_near(const PoseSolution& s, const SharedSurface& shared,
                                       std::uint32_t photo) {
     std::vector<std::uint32_t> out;

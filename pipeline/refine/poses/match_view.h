@@ -17,7 +17,7 @@ struct MatchView {
     int level;
     Intrinsics k;   ///< of this level
     Pose pose;      ///< pose from which the depth was rendered
-    cv::Mat gray;   ///< u8, normalized by local mean and contrast, so independent of exposure
+    cv::Mat gray;   ///< u8, normalized by local mean and contrast to be independent of exposure
     cv::Mat depth;  ///< f32, linear z; +inf if the photo does not see the model
 };
 

@@ -23,7 +23,7 @@ struct LensFacts {
         const char* name;
         Range value;
     };
-    std::vector<Coefficient> coefficients{};  ///< coefficients that are not 0 for all cameras
+    std::vector<Coefficient> coefficients{};  ///< coefficients that are nonzero for at least one camera
 };
 
 struct CameraFacts {

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// The facts in a form for programs. docs/inspect.md lists the keys; all of them are always present.
+/// The facts as JSON, for programs. docs/inspect.md lists the keys; all of them are always present.
 nlohmann::json facts_json(const InputFacts& facts);
 
 }  // namespace vantage

@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// The facts in a form for people: labeled lines. Long lists are truncated; facts_json() has all entries. The
-/// error is not included, because the caller prints it.
+/// The facts as labeled lines, for people. Long lists are truncated; facts_json() has all entries. The error
+/// is not included, because the caller prints it.
 std::string facts_text(const InputFacts& facts);
 
 }  // namespace vantage

@@ -24,7 +24,7 @@ const std::array<CoverageClass, 5> coverage_classes{{{"no photo", {196, 48, 40}}
 
 namespace {
 
-/// The world axis along which up points, and the sign of up.
+/// The world axis nearest to the up direction, and its sign.
 struct UpAxis {
     int axis = 2;   ///< 0, 1, 2: x, y, z
     int sign = +1;  ///< -1 if the axis points down
@@ -82,7 +82,7 @@ ParallelView look_along(int axis, const UpAxis& up, const Eigen::Vector3f& low, 
     return p;
 }
 
-/// A side of the model. The sides above and below come last.
+/// A side of the model. The top and the bottom come last.
 struct Side {
     int axis;
     bool opposite;

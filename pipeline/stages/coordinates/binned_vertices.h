@@ -18,7 +18,8 @@ struct VertexBlocks {
 /// compact.
 struct BinnedVertices {
     static constexpr int bin_bits = position_bits + 2;  ///< bins of 4x4 pixels
-    static constexpr std::size_t crowded = 128;  ///< vertices in a bin, or on average in each of several rows
+    /// Bins with more vertices than this are crowded, and so are rows of bins with more on average.
+    static constexpr std::size_t crowded = 128;
     int columns = 0, rows = 0;
     std::vector<std::uint32_t> first;  ///< start of each bin, and the end of the last bin
     /// One element per vertex, followed by at least `lanes` elements of padding, which no triangle hides.

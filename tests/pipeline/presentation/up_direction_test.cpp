@@ -67,7 +67,7 @@ TEST(UpDirection, IsNotThatInWhichPhotographersLean) {
         const Vector3d up = up_direction(poses, {});
         EXPECT_LT(degrees_between(up, R * Vector3d::UnitZ()), 2) << seed;
         EXPECT_GT(degrees_between(mean.normalized(), R * Vector3d::UnitZ()), 12)
-            << "the mean of the columns leans";
+            << "the mean of the columns is tilted";
     }
 }
 

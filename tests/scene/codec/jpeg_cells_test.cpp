@@ -79,7 +79,7 @@ TEST(JpegCells, EveryPartHasThePixelsOfTheWholePhoto) {
                           {TJSAMP_411, 0},
                           {TJSAMP_GRAY, 0},
                           {TJSAMP_420, TJFLAG_PROGRESSIVE}};
-    // The widths in MCUs include a composite number, a prime, and less than one.
+    // The widths in MCUs include a composite number, a prime number, and a value less than one.
     const std::pair<int, int> sizes[] = {{320, 300}, {497, 263}, {5, 3}, {1072, 40}};
     for (const Kind& kind : kinds)
         for (const auto& [width, height] : sizes) {

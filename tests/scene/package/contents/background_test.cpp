@@ -70,7 +70,7 @@ TEST_F(BackgroundFile, ThatContradictThemselvesAreDamaged) {
     };
     BackgroundContent s = tetrahedron();
     s.triangles[2][1] = 4;
-    expect_damaged(s, "an index beyond the vertices");
+    expect_damaged(s, "an index beyond the last vertex");
     s = tetrahedron();
     s.positions[0].x() = std::numeric_limits<float>::quiet_NaN();
     expect_damaged(s, "a position that is NaN");
