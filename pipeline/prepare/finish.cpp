@@ -108,7 +108,8 @@ PackageReader open_part(const FinishInput& in) {
 Background add_background(const FinishInput& in, Samples samples, const ColorRefinement& colors,
                           std::span<const package::PhotoRecord> photos, KindOfScan kind) {
     if (points_only(in.scene))
-        return {decide(Effect::background, EffectChoice::automatic, 0, "the scene has points only"), {}, {}};
+        return {
+            decide(Effect::background, EffectChoice::automatic, 0, "the scene contains only points"), {}, {}};
     const Traced traced(in.geometry.trace, "background");
     const PackageReader part = open_part(in);
     Background found = find_background({.package = part,

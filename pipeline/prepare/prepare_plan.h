@@ -32,8 +32,8 @@ void expect_usable(const SceneInput& scene, const PrepareSettings& settings);
 /// Scales the cameras to photos that are reduced to at most `longest` pixels on the longer side.
 void reduce_photos(SceneInput& scene, int longest);
 
-/// Subdivides the model, compares it with the reference meshes, clusters and packs it; the scene's mesh is
-/// subdivided and reordered in the same way.
+/// Subdivides the model, compares it with the reference meshes, and clusters and packs it. The scene's mesh
+/// is subdivided and reordered in the same way.
 PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace* trace);
 
 /// Inspects the scene and plans the chunks of the package or shard. Throws Error(input), or Error(usage) if a

@@ -19,7 +19,7 @@ inline constexpr double depth_step = 0.02;
 /// photo count. Interpolating between four corners gives the mean over a square at any position.
 struct SquareMeans {
     int width = 0, height = 0;           ///< corners: one more than texels
-    std::vector<Eigen::Array4f> colors;  ///< row by row; linear light, the fourth value unused
+    std::vector<Eigen::Array4f> colors;  ///< row by row, in linear light; the fourth value is unused
 
     /// The mean around a position in units of squares. Each coordinate must be at least 0 and at most one
     /// square beyond the last.
@@ -33,7 +33,7 @@ SquareMeans square_means(std::span<const std::array<float, 3>> colors, int width
 struct CoarsePhoto {
     struct Texel {
         float linear[3];  ///< light as exposed; NaN where the photo has no opaque pixel
-        float smooth[3];  ///< mean of `linear` over those of 9 x 9 texels that show the model; for seams
+        float smooth[3];  ///< for seams: mean of `linear` over those of 9 x 9 texels that show the model
         float z;          ///< +inf where the photo does not see the model
         float weight;     ///< the product of the lumigraph's factors for frame and borders
     };

@@ -13,7 +13,7 @@
 namespace vantage {
 
 /// The gains and vignetting that make the photos' colors agree better, the disagreement with and without
-/// them, and the decisions whether to apply them.
+/// them, and the decisions on whether to apply them.
 struct ColorRefinement {
     ColorFit fit;
     std::vector<std::uint32_t> lens;  ///< per photo, see lenses_of

@@ -164,7 +164,7 @@ double seams_of(const CoarsePhoto& target, const Sightings& s, std::span<const B
     const auto add = [&](std::size_t i, std::size_t j) {
         if (const auto found = step(target, s, b, smooth, i, j)) sum += *found, ++n;
     };
-    // Only every other row and column is used, which is hardly less precise.
+    // Only every other row and column is used, with hardly any loss of precision.
     for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < width; ++x) {
             const std::size_t at = y * width + x;

@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// A photo that is held out of all estimates and predicted from the others, without an effect and with it.
+/// A photo that is held out of all estimates and predicted from the others, both with and without an effect.
 struct ValidatedPhoto {
     std::string name;
     ValidationScore without, with;

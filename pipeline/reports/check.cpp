@@ -148,7 +148,7 @@ Finding finding_of(InputChange::Kind kind) {
 void check_against(const PackageReader& reader, const CheckDepth& depth, Issues& out) {
     std::optional<IdentityCache> default_cache;
     IdentityCache& identities = depth.identities ? *depth.identities : default_cache.emplace();
-    // Reference meshes and point clouds may be in other places in the folder.
+    // Reference meshes and point clouds may be anywhere in the folder.
     InputFiles others;
     for (const auto& [list, files] :
          {std::pair("compared", &others.compared), std::pair("points", &others.points)}) {

@@ -149,7 +149,7 @@ void compare_depths(std::span<const std::byte> a, std::span<const std::byte> b, 
     }
 }
 
-/// Returns an empty text if all tiles are the same.
+/// Returns an empty string if all tiles are the same.
 std::string compare_tiles(const PackageReader& a, const DirectoryEntry& of_a, const PackageReader& b,
                           const DirectoryEntry& of_b, const Level& level) {
     Texels t;
@@ -209,8 +209,8 @@ std::string compare_thumbnails(const PackageReader& a, const PackageReader& b, s
     return fmt::format("by at most {:.0f} of 255", t.largest);
 }
 
-/// Compares the finest level that differs, because coarser levels are derived from it. Returns an empty text
-/// if the content is the same.
+/// Compares the finest level that differs, because coarser levels are derived from it. Returns an empty
+/// string if the content is the same.
 std::string compare_chunk(const PackageReader& a, const PackageReader& b, Type type, std::uint32_t level,
                           std::uint32_t i, std::uint32_t j) {
     const PhotoRecord& photo = a.photos()[i];

@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// A difference between two packages: in a setting, the model, a photo, or something made from a photo.
+/// A difference between two packages: in a setting, the model, a photo, or data made from a photo.
 struct Difference {
     std::string of;    ///< "settings", "inputs", "model", or a photo's name
     std::string what;  ///< the setting or part; empty if `of` exists in only one package

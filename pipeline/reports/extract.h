@@ -20,7 +20,7 @@ struct Extracted {
 /// image set if there are several. Extracts the photos in `names`, or all photos if `names` is empty; photos
 /// without pixels are omitted. Replaces only pictures, meshes and cameras that an earlier call may have
 /// written; with `force`, replaces any file except inputs of the package. The mesh is that of the package, in
-/// which large triangles are divided, see subdivide_large_triangles(). Throws Error.
+/// which large triangles are divided (see subdivide_large_triangles()). Throws Error.
 Extracted extract(const std::filesystem::path& package, const std::filesystem::path& folder,
                   const std::vector<std::string>& names, bool undistorted = false, bool force = false);
 

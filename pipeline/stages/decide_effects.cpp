@@ -279,7 +279,7 @@ std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effe
         if (row.effect == Effect::per_fragment && has_points_only(scene)) {
             // The triangles of a stand-in are not drawn.
             decisions.push_back(
-                decide(row.effect, EffectChoice::automatic, 1e9, "the scene has points only"));
+                decide(row.effect, EffectChoice::automatic, 1e9, "the scene contains only points"));
             continue;
         }
         decisions.push_back(decide(row.effect, choice_of(choices, row.effect),

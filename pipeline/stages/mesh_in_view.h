@@ -13,8 +13,8 @@ inline constexpr double least_share_of_frame = 0.001;
 std::vector<std::string> photos_not_seeing_mesh(const SceneInput& scene);
 
 /// Throws Error(misplaced) with the bounding boxes of mesh and cameras if more than half of the photos do not
-/// see the mesh: its scale, position or coordinate frame differs from that of the cameras. `blind`: the
-/// number of photos that do not see the mesh.
+/// see the mesh. In that case, the scale, position or coordinate frame of the mesh differs from that of the
+/// cameras. `blind`: the number of photos that do not see the mesh.
 void expect_mesh_in_view(const SceneInput& scene, std::size_t blind);
 
 }  // namespace vantage

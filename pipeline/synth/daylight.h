@@ -20,7 +20,7 @@ struct Seen {
 Seen daylight(const SynthModel& model, const RayScene& rays, const Eigen::Vector3d& eye,
               const Eigen::Vector3d& direction, double pixel);
 
-/// Whether two neighboring pixels show the same surface, so that one ray per pixel is sufficient.
+/// Whether two neighboring pixels show the same surface, in which case one ray per pixel is sufficient.
 bool same_surface(const Seen& a, const Seen& b);
 
 }  // namespace vantage

@@ -20,7 +20,7 @@ struct SynthSpec {
     } object;
     struct Garden {
         double radius = 0;   ///< radius of the lawn or meadow; 0: no garden, and a sky without clouds
-        double hill = 8;     ///< height of the hill at twice the radius; with a chapel, of hills 4 km away
+        double hill = 8;     ///< height of the hill at twice the radius or, with a chapel, of hills 4 km away
         double railing = 0;  ///< thickness of the bars in front of the upper windows; 0: none
     } garden;                ///< in the photos, but not in the mesh
     struct Glass {

@@ -3,8 +3,8 @@
 
 namespace vantage {
 
-/// A marble urn with gadroons, garlands and two handles, `height` meters high, with approximately this many
-/// triangles, standing on `foot`.
+/// Adds a marble urn, `height` meters high, with gadroons, garlands and two handles. It stands on `foot` and
+/// has approximately `triangles` triangles.
 void add_urn(ModelBuilder& b, const Eigen::Vector3d& foot, double height, int triangles);
 
 }  // namespace vantage

@@ -32,7 +32,7 @@ std::pair<int, int> pixel_centers(Int low, Int high, int size) {
 /// Triangles after setup, in groups of `lanes`. Edge function i, opposite corner i, is nonnegative inside the
 /// triangle; 1/z and value/z are linear over the map.
 struct SmallTriangles {
-    Ints small;           ///< -1 for small triangles; for others, the fields after `large` are undefined
+    Ints small;           ///< -1 for small triangles; otherwise, the fields after `large` are undefined
     Ints large;           ///< -1 for large triangles
     Ints x0, x1, y0, y1;  ///< bounding box, pixels; may be empty
     Ints row[3], step_x[3], step_y[3];

@@ -1,7 +1,7 @@
 // independent_reader COMPACT RAW
 //
 // Reads two packages of one scene with code that was written only from scene/package/FORMAT.md and shares no
-// line with the project. This proves that the document is sufficient. RAW is the output of `vantage repack
+// code with the project. This proves that the document is sufficient. RAW is the output of `vantage repack
 // COMPACT -o RAW --tiles raw`, so it must contain the decoded chunks of COMPACT byte for byte.
 
 #include <algorithm>

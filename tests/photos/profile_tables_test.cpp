@@ -27,8 +27,8 @@ std::string cmyk_jpeg(const std::vector<std::uint8_t>& inks) {
     return jpeg;
 }
 
-/// Adds a profile to a JPEG, in segments of 60000 bytes. `claimed`: the number of segments that the JPEG
-/// states, if that is wrong.
+/// Adds a profile to a JPEG, in segments of 60000 bytes. `claimed`: the number of segments stated in the
+/// JPEG, if it should be wrong.
 std::string with_profile(std::string jpeg, const std::string& icc, std::size_t claimed = 0) {
     constexpr std::size_t most = 60000;
     const std::size_t count = (icc.size() + most - 1) / most;

@@ -92,8 +92,8 @@ void make_stages(const PhotoJob& job, const StageSet& missing, std::optional<Pho
     if (geometry.valid()) geometry.get();
 }
 
-/// Reuses chunks where possible and runs the other stages; returns those that ran. If the photo cannot be
-/// decoded, the reason is recorded in its state.
+/// Reuses chunks where possible and runs the other stages. Returns the stages that ran. If the photo cannot
+/// be decoded, the reason is recorded in its state.
 std::vector<Stage> make_missing(const PhotoJob& job, std::optional<PhotoFile>& file, package::PhotoRecord& r,
                                 PhotoState& state) {
     const auto stages = stages_of(r);

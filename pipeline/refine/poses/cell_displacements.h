@@ -10,7 +10,7 @@
 namespace vantage {
 
 /// The displacement of the surface in a cell of a pair's first photo, and its derivatives with respect to
-/// camera errors. All unknowns are in pixels.
+/// camera errors. All camera errors are expressed in pixels.
 struct CellDisplacement {
     Eigen::Vector2d moved;  ///< px of the first photo
     double weight;          ///< number of matches, at most 4

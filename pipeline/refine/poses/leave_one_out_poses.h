@@ -6,10 +6,10 @@
 
 namespace vantage {
 
-/// For each photo with pixels, poses of moved cameras that are fitted again without the photo's matches.
-/// There are up to package::poses_without_photo such cameras, those whose photos have the most surface in
-/// common with the photo; the other cameras stay. The result is sorted by photo, then by camera. The matches
-/// are those found with the solution's poses.
+/// For each photo with pixels, poses of moved cameras that are fitted again without the photo's matches. At
+/// most package::poses_without_photo cameras are fitted: those whose photos have the most surface in common
+/// with the photo. The other cameras stay. The result is sorted by photo, then by camera. The matches are
+/// those found with the solution's poses.
 std::vector<LeaveOneOutPose> leave_one_out_poses(const PoseRounds& rounds, const PoseSolution& solution,
                                                  const Folds& folds);
 

@@ -31,8 +31,8 @@ Matching match_pairs(const MatchViews& views, std::span<const package::PhotoReco
 
 /// Whether the pair has at least 20 matches and contradicts() is false for it.
 bool trusted(const package::PairRecord& pair);
-/// Whether at least 20 corners were compared and fewer than a quarter of them matched, so that the photos do
-/// not show the same surface.
+/// Whether at least 20 corners were compared and fewer than a quarter of them matched, which means that the
+/// photos do not show the same surface.
 bool contradicts(const package::PairRecord& pair);
 
 /// Median of the trusted pairs' median displacements, in px: over all pairs, over the pairs that contain a

@@ -138,8 +138,8 @@ class Surface {
                 (float(y) + 0.5f - float(target_.k.cy)) / float(target_.k.fy) * z, z};
     }
 
-    /// The difference from the neighbor whose depth is more similar, so that a normal at an edge is that of
-    /// one surface.
+    /// The difference from the neighbor with the more similar depth, so that a normal at an edge is that of a
+    /// single surface.
     Vector3f difference(int x, int y, int dx, int dy) const {
         const auto z = [&](int i, int j) {
             const bool inside = i >= 0 && j >= 0 && i < target_.k.width && j < target_.k.height;

@@ -17,8 +17,8 @@ constexpr int matched_side = 800, corners_of_neighbor = 300;
 /// more than `far_away` do not fit. The first limit distinguishes cameras from their neighbors; the second
 /// allows for inexact cameras.
 constexpr double near = 0.003, far_away = 0.01;
-constexpr double min_fit = 0.4;   ///< fraction of the corners
-constexpr double min_better = 2;  ///< multiple of the fit with the given cameras
+constexpr double min_fit = 0.4;   ///< minimum fraction of corners that match
+constexpr double min_better = 2;  ///< minimum ratio to the fit with the given cameras
 constexpr int max_neighbors = 3;
 constexpr std::size_t max_suspects = 12;
 

@@ -33,7 +33,7 @@ struct SystematicErrors {
 /// is at least three times its standard error (jackknife over photos) and at least 1 px for a lens, or 0.5 px
 /// between photos for all cameras. It must also reduce the displacement of held-out cells, and for a lens,
 /// poses alone must not explain the displacements better. A displaced mesh appears as a motion of all
-/// cameras; other errors in the mesh cannot be explained by few parameters.
+/// cameras; other errors in the mesh cannot be explained by a few parameters.
 SystematicErrors systematic_errors(const PoseRefinementInput& in, const CellDisplacements& cells);
 
 /// The median displacement of cells, in px, before and after the cameras of `photos` move individually, over

@@ -28,7 +28,7 @@ struct LensFacts {
 
 struct CameraFacts {
     std::size_t cameras = 0;        ///< in the files
-    Eigen::AlignedBox3d centers;    ///< box of the cameras' positions in input units
+    Eigen::AlignedBox3d centers;    ///< bounding box of the cameras' positions in input units
     std::vector<LensFacts> lenses;  ///< lenses with the most cameras first
 };
 

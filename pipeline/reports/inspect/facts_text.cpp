@@ -72,7 +72,7 @@ void add_shape(const ShapeFacts& shape, const std::vector<std::filesystem::path>
     out.add(label, "{}", has);
 }
 
-/// A horizontal and a vertical range.
+/// Text for a horizontal and a vertical range.
 std::string in_words(const Range& x, const Range& y, int digits, std::string_view unit) {
     const std::string across = in_words(x, digits), down = in_words(y, digits);
     if (y.empty() || across == down) return fmt::format("{} {}", across, unit);

@@ -25,7 +25,7 @@ struct InputFacts {
     InputFiles files;
     std::optional<ShapeFacts> mesh{}, points{};  ///< `points`: all clouds together
     std::string camera_format{};                 ///< display name
-    std::optional<CameraFacts> cameras{};        ///< if there is a scene, only those of usable photos
+    std::optional<CameraFacts> cameras{};        ///< only the cameras of usable photos if there is a scene
     std::optional<PhotoFacts> photos{};
     std::vector<std::string> warnings{};
 

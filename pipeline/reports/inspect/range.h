@@ -5,8 +5,7 @@
 
 namespace vantage {
 
-/// The smallest and the largest of a number of values. The range is empty (low > high) if there are no
-/// values.
+/// The smallest and the largest of several values. The range is empty (low > high) if there are no values.
 struct Range {
     double low = std::numeric_limits<double>::infinity(), high = -low;
 

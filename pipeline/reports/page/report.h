@@ -17,8 +17,8 @@ struct ReportRun {
 };
 
 /// Writes a self-contained HTML page about a package. The page shows completeness, warnings, effects with
-/// their evidence, coverage of the model, and each photo with its weight maps; if `run` is given, also the
-/// stages and their times. Throws Error(storage), or Error(damaged) if META cannot be parsed.
+/// their evidence, coverage of the model, and each photo with its weight maps. If `run` is given, it also
+/// shows the stages and their times. Throws Error(storage), or Error(damaged) if META cannot be parsed.
 void write_report(const std::filesystem::path& file, const PackageReader& package,
                   const std::optional<ReportRun>& run);
 

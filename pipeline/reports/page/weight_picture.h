@@ -19,10 +19,10 @@ extern const std::array<WeightColor, 6> weight_colors;
 /// The finest resolution of any photo at its median depth, in pixels per unit; 0 if no photo sees the model.
 double best_density(std::span<const package::PhotoRecord> photos);
 
-/// A photo's weight maps at a level of at most `longest` texels. White means full weight; otherwise the
-/// picture has the color of the weight map that lowers the weight most, deeper for lower weights. A photo
-/// counts as distant to the extent that its density is below `best`. The picture is 1x1 and gray if the photo
-/// has no weight maps. Throws Error(damaged).
+/// A photo's weight maps at a level of at most `longest` texels. White means full weight. Elsewhere, the
+/// picture has the color of the weight map that lowers the weight most. The lower the weight, the deeper the
+/// color. A photo counts as distant to the extent that its density is below `best`. The picture is 1x1 and
+/// gray if the photo has no weight maps. Throws Error(damaged).
 RgbaImage weight_picture(const PackageReader& package, std::uint32_t photo, double best, int longest);
 
 }  // namespace vantage

@@ -14,7 +14,7 @@ using namespace vantage;
 
 namespace {
 
-/// Limits the size of files, so that writing more fails, as on a full disk.
+/// Limits the size of files, so that further writes fail, as on a full disk.
 class SizeLimit {
   public:
     explicit SizeLimit(rlim_t bytes) : handler_(::signal(SIGXFSZ, SIG_IGN)) {

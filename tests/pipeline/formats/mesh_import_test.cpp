@@ -65,7 +65,7 @@ const char* const survey_ply =
     "500000.125 5000000.0625 100 0.5 255 0 0 128 7\n500001.125 5000000.0625 100 0.25 0 255 0 255 8\n"
     "500000.125 5000001.0625 100 0.125 0 0 255 255 -9\n3 0 1 2\n";
 
-/// The mesh of survey_ply in binary; if `big`, in big-endian byte order.
+/// The mesh of survey_ply as binary PLY, in big-endian byte order if `big` is set.
 std::string survey_binary(bool big) {
     std::string s = survey_ply;
     s.replace(s.find("ascii"), 5, big ? "binary_big_endian" : "binary_little_endian");
