@@ -38,7 +38,8 @@ Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& war
     cloud.triangles = {}, cloud.normals = {}, cloud.scalars = {};
     const std::string name = file.filename().string();
     if (const std::size_t n = drop_points(cloud, [&](std::size_t i) { return !usable(cloud.positions[i]); }))
-        warnings.push_back(name + ": " + std::to_string(n) + " invalid points dropped");
+        warnings.push_back(name + ": " + std::to_string(n) +
+                           (n == 1 ? " invalid point dropped" : " invalid points dropped"));
     if (cloud.positions.empty())
         throw Error(Exit::input, file.string() + ": has no point with finite coordinates");
     const MainBox box = main_box(cloud.positions, {});

@@ -56,7 +56,7 @@ constexpr std::array table{
     FindingRow{Finding::input_changed, "input-changed", Severity::warning, Exit::stale,
                "an input file has changed since the package was prepared (only with --against)"},
     FindingRow{Finding::input_new, "input-new", Severity::warning, Exit::stale,
-               "an input file was added since the package was prepared (only with --against)"},
+               "an input file has been added since the package was prepared (only with --against)"},
     FindingRow{Finding::input_missing, "input-missing", Severity::warning, Exit::stale,
                "an input file of the package no longer exists (only with --against)"},
     FindingRow{Finding::photo_skipped, "photo-skipped", Severity::warning, Exit::incomplete,

@@ -77,8 +77,8 @@ void pierced_wall(ModelBuilder& b, double x0, double x1, double low,
         b, o, [&](double x) { return o.high(x); }, high);
 }
 
-/// The steps of the reveal from the panel at its back to the wall, each with a shaft that supports an arch of
-/// beads.
+/// The stepped reveal around an opening, from the panel at its back out to the face of the wall. Each step
+/// but the outermost has a roll molding that follows the opening; on every other one, the arch is beaded.
 void reveal(ModelBuilder& b, const Opening& o, double recess, int orders, double step) {
     for (int k = 0; k < orders; ++k) {
         const double r = k * step, y0 = recess * (k - orders) / orders, y1 = y0 + recess / orders;

@@ -11,7 +11,7 @@ namespace vantage {
 
 /// Paints planned frames: the bare surface of each eye, then points, photos and transparent surfaces on it,
 /// which the resolver adds to the samples of the eye's picture. Must be used on the OpenGL thread. The
-/// constructor's arguments must outlive it.
+/// objects passed to the constructor must outlive the FramePainter.
 class FramePainter {
   public:
     FramePainter(FrameResources& resources, FrameTiles& tiles, FrameResolver& resolver)

@@ -160,12 +160,12 @@ Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warn
         if (const std::size_t n =
                 drop_points(mesh, [&](std::size_t i) { return !usable(mesh.positions[i]); }))
             warnings.push_back(file.filename().string() + ": " + std::to_string(n) +
-                               " invalid points dropped");
+                               (n == 1 ? " invalid point dropped" : " invalid points dropped"));
         if (mesh.positions.empty())
             throw Error(Exit::input, file.string() + ": has no point with finite coordinates");
     } else if (const std::size_t n = drop_invalid_triangles(mesh))
         warnings.push_back(file.filename().string() + ": " + std::to_string(n) +
-                           " invalid triangles dropped");
+                           (n == 1 ? " invalid triangle dropped" : " invalid triangles dropped"));
     if (extension == ".stl" || has_nodes(file)) weld(mesh);
     if (!mesh.points_only() || !mesh.normals.empty()) complete_normals(mesh);
     for (const std::string& w : coordinate_warnings(mesh, found.rounding))

@@ -37,9 +37,9 @@ using FreeHands = std::array<FreeHand, 2>;
 
 /// Advances by one frame, after `seconds`. The right (or only) stick turns the user in steps if moved
 /// sideways; while pushed forward it aims an arc, and when released it teleports to the arc's end. The other
-/// stick flies in its hand's pointing direction. Without a stick, the select button aims. A stick that was
-/// already deflected when it became active must be released first. Squeezing grabs the scene: one hand moves
-/// the scene, and two hands also turn and scale it.
+/// stick moves the user in the direction in which its hand points. Without a stick, the select button aims. A
+/// stick that was already deflected when it became active must be released first. Squeezing grabs the scene:
+/// one hand moves the scene, and two hands also turn and scale it.
 void continue_locomotion(Locomotion& locomotion, const Hands& hands, const FreeHands& free,
                          const RoomPose& head, double seconds, const SurfaceBetween& surface);
 

@@ -235,7 +235,7 @@ void MeasurePanel::choice_of_measure(Controls& c, bool keyboard) {
     c.explain("The quantity that the next clicks on the model measure.");
     if (!keyboard) return;  // nor a pointer near vertices
     ImGui::TextUnformatted(tr(instruction(next_.measure)));
-    ImGui::TextDisabled("%s", tr("Backspace removes the last point, Esc leaves."));
+    ImGui::TextDisabled("%s", tr("Backspace removes the last point; Esc stops measuring."));
     c.checkbox("Snap to vertices", &to_vertices_);
     c.explain(
         "Sets points on the nearest vertex of the mesh, if one is near the pointer; otherwise on the "

@@ -110,7 +110,7 @@ void photo_list_section(Controls& c, Session& s, const Renderer& renderer, doubl
     c.checkbox("Worst first", &list.worst_first);
     c.explain(
         "Sorts by the offset of a photo's content from that of the other photos, largest first. Offsets are "
-        "those with the cameras as given.");
+        "measured with the input's cameras, before any refinement.");
     if (!list.by_point) list.point.reset();
     point_line(list);
     const std::vector<std::uint32_t> photos = listed(s, scene);

@@ -25,7 +25,7 @@ struct PointSurface {
 };
 
 /// Draws photos on the model and on points, several per pass. Must be used on the OpenGL thread. The
-/// constructor's arguments must outlive it.
+/// objects passed to the constructor must outlive the PhotoPasses.
 class PhotoPasses {
   public:
     PhotoPasses(const PackageReader& package, const PlanScene& scene, const PhotoStore& store,

@@ -25,7 +25,7 @@ struct TransparentTarget {
 };
 
 /// Draws the bare surface of the model, and its transparent surfaces. Must be used on the OpenGL thread. The
-/// constructor's arguments must outlive it.
+/// objects passed to the constructor must outlive the SurfacePass.
 class SurfacePass {
   public:
     SurfacePass(const PackageReader& package, const PlanScene& scene, ClusterDraws& clusters,

@@ -15,7 +15,7 @@ void send(Instance& instance, const EventData& event) {
 
 /// Changes the state of a session and notifies the program.
 void set_state(XrSession handle, XrSessionState state);
-/// Changes the state of a running session through all states in between.
+/// Takes a running session to `state`, through all states in between.
 void walk_to(XrSession handle, XrSessionState state);
 
 /// Carries out an event of the scenario in the current frame.

@@ -159,8 +159,8 @@ TEST_F(Import, PlyPointsStripsAndBrokenFaces) {
         EXPECT_GT((b - a).cross(c - a).z(), 0) << "consistent winding";
     }
     ASSERT_EQ(warnings.size(), 2u);
-    EXPECT_NE(warnings[0].find("1 invalid points"), std::string::npos);
-    EXPECT_NE(warnings[1].find("1 invalid triangles"), std::string::npos);
+    EXPECT_NE(warnings[0].find("1 invalid point"), std::string::npos);
+    EXPECT_NE(warnings[1].find("1 invalid triangle"), std::string::npos);
 }
 
 TEST_F(Import, AlphaHasARangeOfItsOwn) {
@@ -209,13 +209,13 @@ TEST_F(Import, FacesMayPrecedeVertices) {
     const Mesh obj = read_mesh(dir / "mesh.obj", warnings);
     EXPECT_EQ(obj.triangles, (std::vector<std::array<std::uint32_t, 3>>(2, {0, 1, 2})));
     EXPECT_EQ(obj.normals[1], Eigen::Vector3f(0, 0, -1));
-    EXPECT_EQ(warnings, std::vector<std::string>{"mesh.obj: 1 invalid triangles dropped"});
+    EXPECT_EQ(warnings, std::vector<std::string>{"mesh.obj: 1 invalid triangle dropped"});
     const std::string faces = "element face 2\nproperty list uchar int vertex_indices\n",
                       vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
     put("mesh.ply",
         "ply\nformat ascii 1.0\n" + faces + vertices + "end_header\n3 0 1 2\n3 0 1 3\n0 0 0\n1 0 0\n0 1 0\n");
     EXPECT_EQ(read_mesh(dir / "mesh.ply", warnings).triangles.size(), 1u);
-    EXPECT_EQ(warnings.back(), "mesh.ply: 1 invalid triangles dropped");
+    EXPECT_EQ(warnings.back(), "mesh.ply: 1 invalid triangle dropped");
     std::string binary = "ply\nformat binary_little_endian 1.0\n" + faces + vertices + "end_header\n";
     for (const int last : {2, 3}) {
         append<std::uint8_t>(binary, 3);

@@ -250,7 +250,7 @@ TEST_F(PoseRefinementTruthAtLength, WrongFocalLengthIsNamedAndNotHiddenInPoses) 
     const std::vector<std::size_t> all = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
     expect("focal length of all 1 % too long", all, 1.01, "all photos: ", "% too long");
     expect("focal length of all 1 % too short", all, 0.99, "all photos: ", "% too short");
-    expect("focal length of one 1 % too long", {4}, 1.01, "0004.jpg: ", "% too long");
+    expect("focal length of one camera 1 % too long", {4}, 1.01, "0004.jpg: ", "% too long");
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ class Commands:
         return 0 if interrupted and code == INTERRUPTED else code, log.read_text()
 
     def run_window(self, command, folder):
-        """The exit code of a window that is closed after its first picture, or a description of its fault, and its output."""
+        """Closes a window after its first picture. Returns 0, or a description of what went wrong, and the output."""
         log = self.home / 'log'
         with log.open('w') as out:
             window = subprocess.Popen(['bash', '-c', command], cwd=folder, env=self.environment, stdin=subprocess.DEVNULL, stdout=out,
