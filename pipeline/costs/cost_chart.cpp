@@ -8,6 +8,7 @@
 
 #include "base/text/markup.h"
 #include "base/values/round_up.h"
+#include "pipeline/costs/cost_table.h"
 
 namespace vantage {
 namespace {
@@ -15,42 +16,45 @@ namespace {
 constexpr double width = 760, height = 400, left = 64, right = 16, top = 36, bottom = 52;
 /// Larger losses, in dB, are drawn at this height and labeled with their value.
 constexpr double lowest = -4;
-/// Trials that change the cost by less, relatively, are drawn only if the change in PSNR is certain.
-constexpr double least_change = 0.02;
 constexpr double letter = 6.6;  ///< width of a letter, px
 
 CostRatio cost_on(const PooledTrial& p, CostAxis axis) {
     return axis == CostAxis::preparing ? p.seconds : axis == CostAxis::storing ? p.bytes : p.frame;
 }
 
+double noise_on(std::span<const ScanCosts> scans, CostAxis axis) {
+    return axis == CostAxis::preparing ? noise_of(scans).seconds
+           : axis == CostAxis::storing ? size_noise
+                                       : noise_of(scans).frame;
+}
+
 struct Point {
     std::string label;
     double cost = 1, gain = 0, error = 0;
-    double certain_gain = 0;  ///< 0 if the gain is within its error
     bool marked = false, front = false;
 };
 
-std::vector<Point> points_of(std::span<const PooledTrial> trials, CostAxis axis) {
+std::vector<Point> points_of(std::span<const ScanCosts> scans, CostAxis axis) {
+    const double noise = noise_on(scans, axis);
     std::vector<Point> out(1);
     out[0].label = "defaults";
     out[0].marked = true;
-    for (const PooledTrial& p : trials) {
+    for (const PooledTrial& p : pooled_trials(scans)) {
         const CostRatio cost = cost_on(p, axis);
         if (p.trial.setting.empty() || p.trial.whole_frame || !cost || !p.psnr) continue;
-        if (std::abs(*cost - 1) < least_change && !certain(*p.psnr)) continue;
+        if (std::abs(*cost - 1) <= noise && !certain(*p.psnr)) continue;
         Point& point = out.emplace_back();
         point.label = p.trial.setting.substr(2) + " " + p.trial.value;
         point.cost = *cost;
         point.gain = p.psnr->mean;
         point.error = std::isfinite(p.psnr->error) ? p.psnr->error : 0;
-        point.certain_gain = certain(*p.psnr) ? p.psnr->mean : 0;
         point.marked = p.trial.setting == "--preset";
     }
     std::ranges::stable_sort(out, {}, &Point::cost);
     double best = -1e9;
     for (Point& p : out) {
-        p.front = p.certain_gain > best;
-        best = std::max(best, p.certain_gain);
+        p.front = p.gain > best;
+        best = std::max(best, p.gain);
     }
     return out;
 }
@@ -155,8 +159,8 @@ const char* title_of(CostAxis axis) {
     return axis == CostAxis::preparing ? "Preparing" : axis == CostAxis::storing ? "Storing" : "Drawing";
 }
 
-std::string cost_chart(std::span<const PooledTrial> trials, CostAxis axis) {
-    const std::vector<Point> points = points_of(trials, axis);
+std::string cost_chart(std::span<const ScanCosts> scans, CostAxis axis) {
+    const std::vector<Point> points = points_of(scans, axis);
     const Frame f(points);
     std::string out = fmt::format(
         "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {0:.0f} {1:.0f}' width='{0:.0f}' "

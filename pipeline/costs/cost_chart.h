@@ -14,7 +14,7 @@ enum class CostAxis { preparing, storing, drawing };
 /// joins the Pareto front, that is, the trials that no other trial beats in both cost and quality; the others
 /// are gray. The defaults and presets are marked with rings. Trials that change neither cost nor quality are
 /// omitted.
-std::string cost_chart(std::span<const PooledTrial> trials, CostAxis axis);
+std::string cost_chart(std::span<const ScanCosts> scans, CostAxis axis);
 
 /// The heading of a chart, such as "Preparing".
 const char* title_of(CostAxis axis);

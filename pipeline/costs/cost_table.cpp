@@ -15,9 +15,6 @@ namespace {
 /// once, not directly after the defaults: the speed of machines drifts.
 constexpr double noise_of_single_runs = 0.3;
 
-/// Relative changes in package size or memory up to this value are treated as noise.
-constexpr double size_noise = 0.005;
-
 std::string joined(const std::vector<std::string>& parts, const char* separator) {
     std::string out;
     for (const std::string& p : parts)
@@ -109,9 +106,11 @@ TextTable setting_table(std::span<const ScanCosts> scans) {
         if (row == out.rows.end())
             row = out.rows.insert(out.rows.end(), {setting, p.trial.usual, "", "", "", ""});
         const std::string line = joined({value + ": " + costs_text(p, noise), mean_text(p)}, "; ");
-        for (const auto& [cell, text] : {std::pair(dearer(p) ? 3 : 2, line), std::pair(4, error_text(p))})
+        const std::string where =
+            fmt::format("{}; {} photos", joined(p.scans, ", "), p.psnr ? p.psnr->values : 0);
+        for (const auto& [cell, text] :
+             {std::pair(dearer(p) ? 3 : 2, line), std::pair(4, error_text(p)), std::pair(5, where)})
             if (!text.empty()) (*row)[cell] += ((*row)[cell].empty() ? "" : "\n") + text;
-        (*row)[5] = fmt::format("{}; {} photos", joined(p.scans, ", "), p.psnr ? p.psnr->values : 0);
     }
     return out;
 }

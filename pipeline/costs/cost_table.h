@@ -7,6 +7,9 @@
 
 namespace vantage {
 
+/// Relative changes in package size or memory up to this value are treated as noise.
+inline constexpr double size_noise = 0.005;
+
 /// Relative differences in time up to these are reported as "same".
 struct CostNoise {
     double seconds = 0, frame = 0;

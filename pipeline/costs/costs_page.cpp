@@ -37,10 +37,10 @@ std::string costs_in_words(const TrialCosts& c, const TrialCosts& defaults, cons
     return out;
 }
 
-std::string chart_part(const std::vector<PooledTrial>& trials) {
+std::string chart_part(const std::vector<ScanCosts>& scans) {
     std::string out;
     for (const CostAxis axis : {CostAxis::preparing, CostAxis::storing, CostAxis::drawing})
-        out += fmt::format("<h2>{}</h2>\n{}", title_of(axis), cost_chart(trials, axis));
+        out += fmt::format("<h2>{}</h2>\n{}", title_of(axis), cost_chart(scans, axis));
     return out;
 }
 
@@ -84,13 +84,12 @@ std::vector<std::string> recipes_in_words(const ScanCosts& scan) {
 }
 
 std::string costs_page(const Costs& costs) {
-    const std::vector<PooledTrial> trials = pooled_trials(costs.scans);
     std::string out =
         "<!doctype html><html lang=en><meta charset=utf-8><title>Accuracy and cost</title>\n<style>" +
         std::string(page_style) + costs_style + "</style>\n<h1>Accuracy and cost</h1>\n<p>" +
         escaped(origin_of(costs)) + "</p>\n<ul>";
     for (const std::string& line : scans_in_words(costs)) out += "<li>" + escaped(line) + "\n";
-    out += "</ul>\n<p>" + escaped(reading) + "</p>\n" + chart_part(trials) + "<h2>Settings</h2>\n" +
+    out += "</ul>\n<p>" + escaped(reading) + "</p>\n" + chart_part(costs.scans) + "<h2>Settings</h2>\n" +
            as_html(setting_table(costs.scans));
     const CostNoise noise = noise_of(costs.scans);
     out += fmt::format(
