@@ -61,6 +61,17 @@ CoverProblem cover_problem(const VisibleSurface& s, const std::vector<Candidate>
     return problem;
 }
 
+/// The candidate, if any, taken from the viewer's position. Its picture is the view itself, so complete plans
+/// include it even if the cover does not need it.
+std::optional<std::size_t> own_candidate(const VisibleSurface& s, const PlanSettings& settings,
+                                         std::span<const std::uint32_t> allowed,
+                                         const std::vector<Candidate>& among) {
+    const auto own = settings.complete ? own_photo(s.scene, s.view, allowed) : std::nullopt;
+    const auto at = own ? std::ranges::find(among, *own, &Candidate::photo) : among.end();
+    if (at == among.end()) return {};
+    return std::size_t(at - among.begin());
+}
+
 }  // namespace
 
 PhotoChoice choose_photos(const VisibleSurface& s, const PlanSettings& settings,
@@ -74,11 +85,8 @@ PhotoChoice choose_photos(const VisibleSurface& s, const PlanSettings& settings,
         const double cosine = s.view.cam_from_origin.direction().dot(s.scene.poses[c.photo].direction());
         return settings.angle_limit <= 0 || std::acos(std::clamp(cosine, -1.0, 1.0)) <= settings.angle_limit;
     };
-    // Adds the photo taken from the viewer's position, even if the cover does not need it.
-    if (const auto own = settings.own_views ? own_photo(s.scene, s.view, allowed) : std::nullopt)
-        if (const auto at = std::ranges::find(all, *own, &Candidate::photo); at != all.end())
-            if (const auto i = std::size_t(at - all.begin()); !std::ranges::count(chosen, i))
-                chosen.push_back(i);
+    if (const auto own = own_candidate(s, settings, allowed, all); own && !std::ranges::count(chosen, *own))
+        chosen.push_back(*own);
     for (std::size_t i = 0; i < all.size() && chosen.size() < wanted; ++i)
         if (within(all[i]) && !std::ranges::count(chosen, i)) chosen.push_back(i);
     PhotoChoice out{{}, uncovered_share(problem, chosen)};

@@ -72,8 +72,8 @@ Colored count_colored(const Picture& picture, const Camera& from, const RayScene
 }
 
 /// Renders views from the camera of every `every`-th photo at full size, with the player's default settings.
-/// Expects to see the photo itself with the default blend and with "best". Surfaces that at least one photo
-/// sees must be colored; every `step`-th pixel is tested.
+/// Expects to see the photo itself with the default blend and with "best", blending all photos or only one.
+/// Surfaces that at least one photo sees must be colored; every `step`-th pixel is tested.
 void expect_own_views_are_the_photos(Prepared& p, int step, std::uint32_t every) {
     const Eigen::Map<const Eigen::Vector3d> origin(p.package->scene().origin);
     const RayScene rays(about_origin(p.scene.mesh, origin));
@@ -87,8 +87,8 @@ void expect_own_views_are_the_photos(Prepared& p, int step, std::uint32_t every)
         const Intrinsics& k = p.scene.photos[i].camera.intrinsics;
         const auto photo = read_photo(p.scene.photos[i].file, {k.width, k.height}).rgba;
         for (const Blend blend : {RenderSettings{}.blend, Blend::best})
-            worst = std::min(worst, psnr(p.own_view(i, blend), photo));
-        worst = std::min(worst, psnr(p.own_view(i, RenderSettings{}.blend, 4, 1), photo));
+            for (const int photos : {0, 1})
+                worst = std::min(worst, psnr(p.own_view(i, blend, 4, photos), photo));
         const Picture blended = p.own_view(i, Blend::average);
         average += psnr(blended, photo);
         const Colored count = count_colored(blended, cameras[i], rays, cameras, step);
