@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <thread>
@@ -23,6 +22,7 @@
 #include "pipeline/costs/costs_page.h"
 #include "pipeline/costs/known_costs.h"
 #include "pipeline/costs/measure_costs.h"
+#include "pipeline/run/processor_name.h"
 #include "scene/package/output_file.h"
 
 namespace vantage {
@@ -37,16 +37,9 @@ struct CostsOptions {
     bool force = false;
 };
 
-std::string processor() {
-    std::ifstream in("/proc/cpuinfo");
-    for (std::string line; std::getline(in, line);)
-        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-    return "unknown processor";
-}
-
 /// A result without measurements yet, for this program on this machine.
 Costs costs_here() {
-    Costs out{VANTAGE_VERSION, {}, processor(), "none", std::thread::hardware_concurrency(), {}};
+    Costs out{VANTAGE_VERSION, {}, processor_name(), "none", std::thread::hardware_concurrency(), {}};
     out.date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)));
     try {
         const gl::HeadlessContext context;

@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <optional>
 #include <thread>
 
@@ -17,6 +16,7 @@
 #include "base/gl/context.h"
 #include "base/text/error.h"
 #include "pipeline/input/file_identity.h"
+#include "pipeline/run/processor_name.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/page/page.h"
 #include "tests/bench/plots/gnuplot.h"
@@ -57,18 +57,11 @@ std::vector<fs::path> default_inputs(const std::string& set) {
     return out;
 }
 
-std::string processor() {
-    std::ifstream in("/proc/cpuinfo");
-    for (std::string line; std::getline(in, line);)
-        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-    return "unknown processor";
-}
-
 std::vector<std::string> machine() {
     const gl::HeadlessContext context;
     const gl::Device device = gl::current_device();
     const std::time_t now = std::time(nullptr);
-    return {fmt::format("{}, {} cores", processor(), std::thread::hardware_concurrency()),
+    return {fmt::format("{}, {} cores", processor_name(), std::thread::hardware_concurrency()),
             fmt::format(
                 "OpenGL: {}{}", device.renderer,
                 device.software ? " (software: frame times do not predict those of a graphics card)" : ""),
