@@ -100,7 +100,7 @@ std::vector<PooledTrial> pooled_trials(std::span<const ScanCosts> scans) {
     struct Pool {
         PooledTrial out;
         Sum seconds, bytes, memory, frame;
-        std::vector<double> psnr, ssim;
+        std::vector<double> psnr;
     };
     std::vector<Pool> pools;
     for (const ScanCosts& scan : scans)
@@ -120,7 +120,6 @@ std::vector<PooledTrial> pooled_trials(std::span<const ScanCosts> scans) {
             at->memory.add(memory_ratio(c, defaults));
             at->frame.add(frame_ratio(c, defaults));
             at->psnr.insert(at->psnr.end(), c.psnr.begin(), c.psnr.end());
-            at->ssim.insert(at->ssim.end(), c.ssim.begin(), c.ssim.end());
             at->out.scans.push_back(scan.name);
         }
     std::vector<PooledTrial> out;
@@ -130,7 +129,6 @@ std::vector<PooledTrial> pooled_trials(std::span<const ScanCosts> scans) {
         p.out.memory = p.memory.mean();
         p.out.frame = p.frame.mean();
         p.out.psnr = estimate(p.psnr);
-        p.out.ssim = estimate(p.ssim);
         out.push_back(std::move(p.out));
     }
     return out;

@@ -34,7 +34,7 @@ CostRatio frame_ratio(const TrialCosts& trial, const TrialCosts& defaults);
 struct PooledTrial {
     CostTrial trial;
     CostRatio seconds, bytes, memory, frame;  ///< geometric means over the scans
-    std::optional<MeanWithError> psnr, ssim;  ///< differences from the defaults, over all photos of all scans
+    std::optional<MeanWithError> psnr;        ///< differences from the defaults, over all photos of all scans
     std::vector<std::string> scans;           ///< names
 };
 /// Pools the trials that have the same setting and value; reduced photo sizes are the same if they are the

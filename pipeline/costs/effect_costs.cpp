@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string_view>
 
 #include "pipeline/costs/cost_table.h"
@@ -60,54 +61,59 @@ void add_judgment(const nlohmann::json& validated, EffectCost& out) {
     if (before > 0) out.seams = after / before - 1;
 }
 
-/// The measured time with the effect minus the time without it, averaged over the scans on which the effect
-/// was turned off or on. `before`: the defaults' times, each measured directly before.
-std::optional<double> measured_time(const KnownCosts& known, const std::string& option,
+/// A trial that turned an effect off or on.
+struct EffectTrial {
+    const TrialCosts& trial;
+    const TrialCosts& defaults;
+    double sign;  ///< 1 if the effect was turned off, -1 if it was turned on
+};
+
+std::vector<EffectTrial> trials_of(const KnownCosts& known, const std::string& option) {
+    std::vector<EffectTrial> out;
+    for (const ScanCosts& scan : known.costs.scans)
+        for (const TrialCosts& c : scan.trials)
+            if (c.trial.setting == "--effect" &&
+                (c.trial.value == option + "=off" || c.trial.value == option + "=on"))
+                out.push_back({c, scan.trials.front(), c.trial.value.ends_with("=off") ? 1.0 : -1.0});
+    return out;
+}
+
+/// The measured time with the effect minus the time without it, averaged over the trials. `before`: the
+/// defaults' times, each measured directly before.
+std::optional<double> measured_time(std::span<const EffectTrial> trials,
                                     std::vector<double> TrialCosts::*times,
                                     std::vector<double> TrialCosts::*before) {
-    double sum = 0;
-    int scans = 0;
-    for (const ScanCosts& scan : known.costs.scans)
-        for (const TrialCosts& c : scan.trials) {
-            const bool off = c.trial.value == option + "=off";
-            if (c.trial.setting != "--effect" || (!off && c.trial.value != option + "=on")) continue;
-            const std::vector<double>& defaults =
-                (c.*before).empty() ? scan.trials.front().*times : c.*before;
-            if ((c.*times).empty() || defaults.empty()) continue;
-            sum += (median_of(defaults) - median_of(c.*times)) * (off ? 1 : -1);
-            ++scans;
-        }
-    if (scans == 0) return {};
-    return sum / scans;
+    std::vector<double> differences;
+    for (const EffectTrial& t : trials) {
+        const std::vector<double>& paired = t.trial.*before;
+        const std::vector<double>& defaults = paired.empty() ? t.defaults.*times : paired;
+        if ((t.trial.*times).empty() || defaults.empty()) continue;
+        differences.push_back((median_of(defaults) - median_of(t.trial.*times)) * t.sign);
+    }
+    if (differences.empty()) return {};
+    return std::accumulate(differences.begin(), differences.end(), 0.0) / double(differences.size());
 }
 
 /// The gain in PSNR of held-out photos due to the effect.
-std::optional<MeanWithError> measured_gain(const KnownCosts& known, const std::string& option) {
+std::optional<MeanWithError> measured_gain(std::span<const EffectTrial> trials) {
     std::vector<double> gains;
-    for (const ScanCosts& scan : known.costs.scans)
-        for (const TrialCosts& c : scan.trials)
-            for (const double gain : c.psnr)
-                if (c.trial.setting == "--effect" && c.trial.value == option + "=off")
-                    gains.push_back(-gain);
-                else if (c.trial.setting == "--effect" && c.trial.value == option + "=on")
-                    gains.push_back(gain);
+    for (const EffectTrial& t : trials)
+        for (const double change : t.trial.psnr) gains.push_back(-t.sign * change);
     std::optional<MeanWithError> out = estimate(gains);
     if (out && gains.size() > 1) out->error = standard_error(gains);
     return out;
 }
 
 void add_measured(const KnownCosts& known, bool on, EffectCost& out) {
-    const std::string option = option_of(out.name);
-    out.typical = !known.own;
     if (!on) {
         out.frame_ms = 0;
         return;
     }
-    if (!out.gain) out.gain = measured_gain(known, option);
+    const std::vector<EffectTrial> trials = trials_of(known, option_of(out.name));
+    if (!out.gain) out.gain = measured_gain(trials);
     if (!out.seconds)
-        out.seconds =
-            measured_time(known, option, &TrialCosts::prepare_seconds, &TrialCosts::default_seconds);
-    out.frame_ms = measured_time(known, option, &TrialCosts::frame_ms, &TrialCosts::default_ms);
+        out.seconds = measured_time(trials, &TrialCosts::prepare_seconds, &TrialCosts::default_seconds);
+    out.frame_ms = measured_time(trials, &TrialCosts::frame_ms, &TrialCosts::default_ms);
 }
 
 }  // namespace

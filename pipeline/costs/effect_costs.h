@@ -21,7 +21,6 @@ struct EffectCost {
     std::optional<double> seconds;      ///< preparation time, summed over all threads if `spans` are given
     std::uint64_t bytes = 0;            ///< size of its data in the package
     std::optional<double> frame_ms;     ///< part of the opening view's frame time at 1280x720; 0 if it is off
-    bool typical = false;               ///< gain, seconds and frame_ms are from other scans
 };
 
 /// Returns one entry per effect, in the order of META. A gain is taken from the validation in META if there
