@@ -353,10 +353,6 @@ void add_prepare(const Command& program) {
              named({DistanceMethod::automatic, DistanceMethod::exact, DistanceMethod::jump_flooding}),
              "method for the distance from depth borders: exact, or jump flooding with OpenGL; "
              "auto: jump flooding on a GPU");
-    c.real("--border-width", settings.border_width, 1, 4096,
-           "distance at which the border weight reaches 1, in px of a photo 3072 px wide");
-    c.real("--border-threshold", settings.border_threshold, 1e-6, 10,
-           "relative depth step that counts as a border");
     c.integer("--thumbnail-size", settings.thumbnail, 16, 4096, "long side of the thumbnails in px");
     c.integer("--max-photo-size", settings.photo_size, 0, 1 << 16,
               "scale photos down so that the long side is at most this many px; 0 = full size");

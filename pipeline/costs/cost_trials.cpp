@@ -66,9 +66,8 @@ std::vector<CostTrial> cost_trials(const PackageReader& whole, bool prepares) {
          prepared("--preset", "ci", "default", true),
          prepared("--max-photo-size", std::to_string(side / 4), "full size", true),
          prepared("--threads", "1", "all cores"), prepared("--renderer", "opengl", "cpu without a GPU"),
-         thumbnails, prepared("--thumbnail-size", "128", "512"), prepared("--thumbnail-size", "1024", "512"),
-         prepared("--border-width", "16", "64"), prepared("--border-width", "256", "64"),
-         prepared("--border-threshold", "0.0025", "0.01"), prepared("--border-threshold", "0.04", "0.01")});
+         thumbnails, prepared("--thumbnail-size", "128", "512"),
+         prepared("--thumbnail-size", "1024", "512")});
     const auto has = [&](Effect effect) { return (whole.scene().effects >> int(effect) & 1) != 0; };
     if (has(Effect::per_fragment))
         add({{"--coordinates",

@@ -156,8 +156,6 @@ json names_of(const std::vector<std::string>& files) {
 json settings_json(const PrepareSettings& s) {
     json out{{"distance", name(s.distance)},
              {"render_by", name(s.render_by)},
-             {"border_width", s.border_width},
-             {"border_threshold", s.border_threshold},
              {"thumbnail", s.thumbnail},
              {"photo_size", s.photo_size},
              {"hold_out", s.hold_out},
@@ -277,8 +275,6 @@ PrepareSettings scene_settings_in(const std::string& meta) {
     PrepareSettings s;
     s.distance = distance_method(config.at("distance"));
     s.render_by = render_by(config.at("render_by"));
-    s.border_width = config.at("border_width");
-    s.border_threshold = config.at("border_threshold");
     s.validate = config.value("validate", true);
     s.vertex_coordinates = config.value("vertex_coordinates", false);
     return s;

@@ -21,8 +21,6 @@ constexpr int exact_distances = 1, flooded_distances = 5;
 
 void key_weight_maps(Fingerprint& f, const SceneKey& scene) {
     f.add(scene.distance == DistanceMethod::exact ? exact_distances : flooded_distances)
-        .add(scene.settings.border_width)
-        .add(scene.settings.border_threshold)
         .add(scene.reference_density);
 }
 
@@ -74,7 +72,7 @@ std::span<const StageRow> stage_table() {
          .pixels = PixelInput::alpha,
          .model = true,
          .held_out = false,
-         .settings = {"photo_size", "distance", "render_by", "border_width", "border_threshold"},
+         .settings = {"photo_size", "distance", "render_by"},
          .key = key_weight_maps,
          .adopt = nullptr,
          .make = make_weight_maps,

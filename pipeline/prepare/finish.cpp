@@ -40,7 +40,6 @@ PoseRefinement find_pose_refinement(const FinishInput& in, const PackageReader& 
                                         .discs = discs,
                                         .fingerprints = fingerprints,
                                         .known = in.known_pairs,
-                                        .border_width = in.geometry.border_width,
                                         .threads = in.threads,
                                         .validate = in.validate,
                                         .progress = in.progress};
@@ -151,7 +150,7 @@ ImageSetAgreement agree(const FinishInput& in, const PackageReader& part, ImageS
                         std::span<const SurfaceDisc> discs, std::vector<std::uint32_t> lens,
                         PhotoTables& photos) {
     ImageSetAgreement out;
-    const Folds folds({part, photos.records, of.samples, discs, in.geometry.border_width, in.threads});
+    const Folds folds({part, photos.records, of.samples, discs, in.threads});
     {
         const Traced traced(in.geometry.trace, "colors");
         out.colors = refine_colors(std::move(of.fit), std::move(lens), of.samples, in.choices,

@@ -190,8 +190,6 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
                                    .discs = discs,
                                    .renderer = renderer,
                                    .reference_density = scene.reference_density,
-                                   .border_width = settings.border_width,
-                                   .border_threshold = settings.border_threshold,
                                    .writer = writer};
     FinishInput in{.geometry = geometry,
                    .out = out,

@@ -249,8 +249,6 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
                                    .discs = discs,
                                    .renderer = renderer,
                                    .reference_density = plan.scene.reference_density,
-                                   .border_width = settings.border_width,
-                                   .border_threshold = settings.border_threshold,
                                    .writer = writer,
                                    .trace = run.trace};
     const PhotoContext context{.scene = scene,

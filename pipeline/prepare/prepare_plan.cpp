@@ -12,6 +12,7 @@
 #include "pipeline/output/meta.h"
 #include "pipeline/output/photo_records.h"
 #include "pipeline/photos/reduced.h"
+#include "pipeline/stages/borders.h"
 #include "pipeline/stages/decide_effects.h"
 #include "scene/package/contents/point_cloud.h"
 
@@ -43,12 +44,11 @@ double reference_density(const SceneInput& scene, const package::SceneRecord& mo
 }
 
 package::SceneRecord scene_record(const PackedModel& model, const SceneInput& scene,
-                                  const PrepareSettings& settings,
                                   const std::vector<EffectDecision>& effects) {
     package::SceneRecord record = model.record;
     record.photos = scene.photos.size();
     record.reference_density = reference_density(scene, model.record);
-    record.border_width = settings.border_width;
+    record.border_width = border_width;
     for (const EffectDecision& d : effects) record.effects |= std::uint64_t(d.on) << int(d.effect);
     if (has_points_only(scene)) record.effects |= points_only_bit;
     if (effect_on(record, Effect::scalar_fields)) record.scalar_fields = scene.mesh.scalars.size();
@@ -121,7 +121,7 @@ PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const P
     const Traced traced(trace, "inspect");
     PreparePlan plan;
     plan.effects = inspect(scene, settings.effects);
-    plan.scene = scene_record(model, scene, settings, plan.effects);
+    plan.scene = scene_record(model, scene, plan.effects);
     plan.photos.records = photo_records(scene, settings, model.origin);
     plan.photos.states.resize(plan.photos.records.size());
     plan.meta = make_meta(scene, settings, plan.effects, identities);

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/values/tiling.h"
+#include "pipeline/stages/borders.h"
 #include "pipeline/stages/tile_levels.h"
 #include "shaders/contract.h"
 
@@ -81,7 +82,7 @@ CoarsePhoto every_second_texel(const CoarsePhoto& photo) {
 }
 
 CoarsePhoto read_coarse_photo(const PackageReader& package, const package::PhotoRecord& r,
-                              std::uint32_t photo, int level, double border_width) {
+                              std::uint32_t photo, int level) {
     CoarsePhoto out;
     out.k = intrinsics(r).at_level(level);
     out.pose = cam_from_origin(r);

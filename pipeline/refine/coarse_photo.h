@@ -54,6 +54,6 @@ CoarsePhoto every_second_texel(const CoarsePhoto& photo);
 
 /// Reads a photo's tiles, weight maps and depth at a level. Throws Error(damaged).
 CoarsePhoto read_coarse_photo(const PackageReader& package, const package::PhotoRecord& record,
-                              std::uint32_t photo, int level, double border_width);
+                              std::uint32_t photo, int level);
 
 }  // namespace vantage

@@ -22,8 +22,7 @@ std::vector<std::uint32_t> photos_to_hold_out(std::span<const package::PhotoReco
 
 Folds::Folds(const FoldsInput& in)
     : in_(in), shared_(in.photos, in.samples, in.discs), photos_(cached_photos, [this](std::uint32_t photo) {
-          CoarsePhoto read =
-              read_coarse_photo(in_.package, in_.photos[photo], photo, level(photo), in_.border_width);
+          CoarsePhoto read = read_coarse_photo(in_.package, in_.photos[photo], photo, level(photo));
           in_.package.forget_all();
           return read;
       }) {

@@ -23,7 +23,6 @@ struct FoldsInput {
     std::span<const package::PhotoRecord> photos;  ///< with their poses
     Samples samples;
     std::span<const SurfaceDisc> discs;  ///< one per sample of a photo
-    double border_width = 0;             ///< as in SceneRecord
     unsigned threads = 0;
     int long_side = 256;         ///< maximum longer side, in texels, of the levels at which photos are read
     std::size_t max_folds = 24;  ///< maximum number of photos held out

@@ -28,14 +28,11 @@ DistanceMethod distance_method(const std::string& name);
 struct PrepareSettings {
     DistanceMethod distance = DistanceMethod::automatic;
     RenderBy render_by = RenderBy::automatic;
-    double border_width = 64;  ///< distance at which the weight reaches 1, in px of a photo 3072 px wide
-    double border_threshold =
-        0.01;                  ///< minimum depth step at a border, relative to depth, per weight map pixel
-    int thumbnail = 512;       ///< longer side, in px
-    int photo_size = 0;        ///< longer side to which photos are reduced, in px; 0: full size
-    unsigned threads = 0;      ///< also the number of photos in flight; 0: one per core
-    std::uint64_t memory = 0;  ///< bytes; limits the number of photos in flight; 0: no limit
-    std::vector<std::string> hold_out;        ///< photos to be stored without their pixels
+    int thumbnail = 512;                ///< longer side, in px
+    int photo_size = 0;                 ///< longer side to which photos are reduced, in px; 0: full size
+    unsigned threads = 0;               ///< also the number of photos in flight; 0: one per core
+    std::uint64_t memory = 0;           ///< bytes; limits the number of photos in flight; 0: no limit
+    std::vector<std::string> hold_out;  ///< photos to be stored without their pixels
     std::vector<std::string> deviation_from;  ///< files of meshes or clouds with which the mesh is compared
     std::vector<std::string> points;          ///< files of point clouds to show with the mesh
     std::string image_sets = "auto";          ///< grouping of photos into image sets, see group_image_sets

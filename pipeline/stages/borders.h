@@ -12,6 +12,11 @@ struct DepthMap {
     std::vector<std::uint8_t> valid;
 };
 
+/// Distance from a border at which the border weight reaches 1, in pixels of a photo 3072 px wide.
+inline constexpr double border_width = 64;
+/// Minimum depth step at a border, relative to depth, per pixel of the weight map.
+inline constexpr double border_threshold = 0.01;
+
 /// 1 at depth discontinuities, silhouettes and invalid pixels, otherwise 0 [C, M]. At a discontinuity, the
 /// Sobel 3x3 response relative to depth exceeds `threshold`, and the second difference of 1/z relative to 1/z
 /// exceeds threshold / 4. The second condition excludes planes seen at a slant. The photo's outline is

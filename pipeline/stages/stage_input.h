@@ -21,8 +21,7 @@ struct GeometryContext {
     const PackedModel& model;
     const std::vector<SurfaceDisc>& discs;
     GeometryRenderer& renderer;
-    double reference_density;               ///< reference density of the depth weight
-    double border_width, border_threshold;  ///< as in PrepareSettings
+    double reference_density;  ///< reference density of the depth weight
     PackageWriter& writer;
     Trace* trace = nullptr;  ///< may be null
 };

@@ -114,8 +114,8 @@ void make_weight_maps(StageInput& in) {
     const Traced traced(c.trace, "weight maps", in.photo.name);
     const Intrinsics& k = in.photo.intrinsics;
     DepthMap depth{in.geometry.width, in.geometry.height, in.geometry.z, std::move(valid)};
-    const double full = c.border_width * k.width / 3072 / (1 << weight_map_level);
-    const auto borders = find_borders(depth, float(c.border_threshold));
+    const double full = border_width * k.width / 3072 / (1 << weight_map_level);
+    const auto borders = find_borders(depth, float(border_threshold));
     const auto border =
         border_weights(c.renderer.distances(borders, depth.width, depth.height, int(full) + 3), depth.width,
                        depth.height, float(full));

@@ -128,7 +128,7 @@ class Soak:
         return {INCOMPLETE} if incomplete else {VALID}
 
     def prepare(self, p, r):
-        settings = r.choice([[], [], ['--border-width', '48'], ['--refine', 'off'], ['--memory', '600M']])
+        settings = r.choice([[], [], ['--thumbnail-size', '128'], ['--refine', 'off'], ['--memory', '600M']])
         words = [self.o.vantage, 'prepare', p.scene, '-o', p.file, '--progress', 'none', *settings]
         inputs, broken = p.inputs(), p.broken()
         usual = {INCOMPLETE} if broken else {0}

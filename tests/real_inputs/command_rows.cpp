@@ -25,7 +25,7 @@ std::vector<Row> command_rows() {
         {"options", "--shard -1/3", nothing(), Exit::usage, Says{"--shard"}, no_package, Command{with("--shard -1/3")}},
         {"options", "--shard 1/3x", nothing(), Exit::usage, Says{"--shard 1/3x: expected"}, no_package, Command{with("--shard 1/3x")}},
         {"options", "--shard 1/1000000", nothing(), Exit::usage, Says{"--shard 1/1000000: expected"}, no_package, Command{with("--shard 1/1000000")}},
-        {"options", "--border-width nan", nothing(), Exit::usage, Says{"--border-width"}, no_package, Command{with("--border-width nan")}},
+        {"options", "--thumbnail-size nan", nothing(), Exit::usage, Says{"--thumbnail-size"}, no_package, Command{with("--thumbnail-size nan")}},
         {"options", "--border-distance fast", nothing(), Exit::usage, Says{"fast"}, no_package, Command{with("--border-distance fast")}},
         {"options", "--effect none=on", nothing(), Exit::usage, Says{"none"}, no_package, Command{with("--effect none=on")}},
         {"options", "--preset with a missing file", nothing(), Exit::usage, Says{"none"}, no_package, Command{with("--preset none")}},

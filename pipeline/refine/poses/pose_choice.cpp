@@ -245,8 +245,8 @@ class PoseChoice {
     /// Prepares validation on first use.
     void judging() {
         if (folds_) return;
-        folds_.emplace(FoldsInput{in_.package, in_.photos, in_.samples, in_.discs, in_.border_width,
-                                  in_.threads, validated_side, max_validated});
+        folds_.emplace(FoldsInput{in_.package, in_.photos, in_.samples, in_.discs, in_.threads,
+                                  validated_side, max_validated});
         gains_ = colors_without(*folds_, lenses_of(in_.photos), false).gains;
     }
 

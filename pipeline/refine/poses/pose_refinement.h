@@ -20,7 +20,6 @@ struct PoseRefinementInput {
     std::span<const SurfaceDisc> discs;           ///< one per sample of a photo
     std::span<const std::uint64_t> fingerprints;  ///< a fingerprint of each photo's content and pose
     std::span<const package::PairRecord> known;   ///< pairs measured earlier, reused if their keys match
-    double border_width = 0;                      ///< as in SceneRecord
     unsigned threads = 0;
     bool validate = true;   ///< whether held-out photos must confirm that cameras move
     OnProgress progress{};  ///< called in each round of matching; may be empty

@@ -11,7 +11,6 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
-#include "pipeline/run/settings.h"
 #include "pipeline/stages/borders.h"
 #include "pipeline/visibility/border_distance.h"
 #include "pipeline/visibility/gl_geometry.h"
@@ -31,7 +30,6 @@ struct Borders {
 /// The borders that prepare finds in each photo.
 std::vector<Borders> borders_of(const std::filesystem::path& input) {
     const SceneInput scene = read_scene(discover(input));
-    const PrepareSettings settings;
     std::vector<Eigen::Vector3f> positions;
     for (const Eigen::Vector3d& p : scene.mesh.positions) positions.push_back(p.cast<float>());
     std::vector<std::uint32_t> indices;
@@ -43,8 +41,8 @@ std::vector<Borders> borders_of(const std::filesystem::path& input) {
         const Pose& pose = photo.camera.cam_from_world;
         PhotoGeometry g = render_geometry(model, indices, k, pose, depth_range(positions, pose));
         const DepthMap depth{g.width, g.height, std::move(g.z), {}};
-        all.push_back({g.width, g.height, float(settings.border_width * k.width / 3072 / 2),
-                       find_borders(depth, float(settings.border_threshold))});
+        all.push_back({g.width, g.height, float(border_width * k.width / 3072 / 2),
+                       find_borders(depth, float(border_threshold))});
     }
     return all;
 }

@@ -10,7 +10,6 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
-#include "pipeline/run/settings.h"
 #include "pipeline/stages/borders.h"
 #include "pipeline/visibility/border_distance.h"
 #include "pipeline/visibility/photo_geometry.h"
@@ -40,8 +39,7 @@ Map depth_map(const BenchModel& model, const Camera& camera, double scale) {
         return std::max(2, int(std::lround(n * scale * (1 << weight_map_level))));
     };
     PhotoGeometry g = model.geometry(k.scaled(times(k.width), times(k.height)), camera.cam_from_world);
-    return {{g.width, g.height, std::move(g.z), {}},
-            float(PrepareSettings{}.border_width * k.width / 3072 * scale)};
+    return {{g.width, g.height, std::move(g.z), {}}, float(border_width * k.width / 3072 * scale)};
 }
 
 std::vector<float> chamfer_distance(const std::vector<std::uint8_t>& borders, int width, int height) {
@@ -94,7 +92,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, 
     const BenchModel model(read_scene(discover(scene.folder)));
     const gl::Program jump_flood = jump_flood_program();
     const double scale = 1.0 / (1 << level);
-    const float threshold = float(PrepareSettings{}.border_threshold);
+    const float threshold = float(border_threshold);
     std::vector<Errors> errors(std::size(methods));
     std::vector<std::vector<double>> ms(std::size(methods));
     std::vector<Measurement> out(std::size(methods));

@@ -40,7 +40,7 @@ TEST_F(Overnight, ProcessThatOpensAPartJustBeforeItIsCompletedLeavesThePackageAl
         return std::system(
             ("FAULT=flock:1:WAIT FAULT_CONTINUE=" + completed.string() +
              " LD_PRELOAD=" FAULTY_DISK " timeout 120 " VANTAGE_PROGRAM " prepare --progress none " +
-             scene.string() + " -o " + file.string() + " --no-report --border-width 48 >/dev/null 2>&1")
+             scene.string() + " -o " + file.string() + " --no-report --thumbnail-size 128 >/dev/null 2>&1")
                 .c_str());
     });
     while (!fs::exists(part_of(file))) std::this_thread::yield();
@@ -65,7 +65,7 @@ TEST_F(Overnight, SharesOfDifferentSettingsAreRejected) {
         PrepareRun run;
         run.share = {i, 2};
         PrepareSettings settings;
-        settings.border_width = 60 + i;
+        settings.distance = i == 1 ? DistanceMethod::exact : DistanceMethod::jump_flooding;
         prepare(
             read_scene(discover(scene)), settings, dir / std::to_string(i), [](const Progress&) {}, run);
     }
