@@ -74,7 +74,7 @@ void expect_inputs(const std::vector<std::string>& inputs) {
 
 void print_costs(const Costs& costs, const fs::path& page) {
     const auto print = [](const std::string& line) { fmt::print(text_output(), "{}\n", line); };
-    for (const std::string& line : scans_in_words(costs)) print(line);
+    for (const std::string& line : as_lines(scan_table(costs))) print(line);
     print("");
     for (const std::string& line : as_lines(trial_table(costs.scans))) print(line);
     for (const ScanCosts& s : costs.scans) {

@@ -32,6 +32,7 @@ struct Point {
     std::string label;
     double cost = 1, gain = 0, error = 0;
     bool marked = false, front = false;
+    bool everywhere = true;  ///< measured on all scans
 };
 
 std::vector<Point> points_of(std::span<const ScanCosts> scans, CostAxis axis) {
@@ -49,10 +50,12 @@ std::vector<Point> points_of(std::span<const ScanCosts> scans, CostAxis axis) {
         point.gain = p.psnr->mean;
         point.error = std::isfinite(p.psnr->error) ? p.psnr->error : 0;
         point.marked = p.trial.setting == "--preset";
+        point.everywhere = p.scans.size() == scans.size();
     }
     std::ranges::stable_sort(out, {}, &Point::cost);
     double best = -1e9;
     for (Point& p : out) {
+        if (!p.everywhere) continue;
         p.front = p.gain > best;
         best = std::max(best, p.gain);
     }
@@ -181,7 +184,8 @@ std::string cost_chart(std::span<const ScanCosts> scans, CostAxis axis) {
         const char* const color = p.front ? "#1b6ca8" : "#999";
         out += line(x, f.y(p.gain - p.error), x, f.y(p.gain + p.error),
                     fmt::format("stroke='{}'", color).c_str());
-        out += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='4' fill='{}'/>\n", x, y, color);
+        out += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='4' fill='{}' stroke='{}'/>\n", x, y,
+                           p.everywhere ? color : "white", color);
         if (p.marked)
             out += fmt::format(
                 "<circle cx='{:.1f}' cy='{:.1f}' r='8' fill='none' stroke='#d1495b' stroke-width='2'/>\n", x,

@@ -26,9 +26,19 @@ CostRatio ratio(const std::optional<double>& a, const std::optional<double>& b) 
     return *a / *b;
 }
 
-CostRatio ratio(const std::vector<double>& a, const std::vector<double>& b) {
-    if (a.empty() || b.empty()) return {};
-    return ratio(std::optional(median_of(a)), std::optional(median_of(b)));
+/// The relative difference between successive times that 90 % of the differences do not exceed.
+double noise_of(std::span<const ScanCosts> scans, double (*time_of)(const TrialCosts&)) {
+    std::vector<double> changes;
+    for (const ScanCosts& scan : scans) {
+        double last = 0;
+        for (const TrialCosts& c : scan.trials) {
+            const double time = time_of(c);
+            if (last > 0 && time > 0) changes.push_back(std::abs(std::log(time / last)));
+            if (time > 0) last = time;
+        }
+    }
+    constexpr double least = 0.05;
+    return changes.empty() ? least : std::max(least, std::exp(quantile(changes, 0.9)) - 1);
 }
 
 /// The value by which trials on different scans are pooled. A photo size becomes a fraction of the scan's
@@ -82,9 +92,13 @@ double median_of(std::vector<double> values) {
     return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
+double least_of(std::span<const double> seconds) {
+    return seconds.empty() ? 0 : *std::ranges::min_element(seconds);
+}
+
 CostRatio seconds_ratio(const TrialCosts& trial, const TrialCosts& defaults) {
-    return ratio(trial.prepare_seconds,
-                 trial.default_seconds.empty() ? defaults.prepare_seconds : trial.default_seconds);
+    return ratio(least_of(trial.prepare_seconds),
+                 least_of(trial.default_seconds.empty() ? defaults.prepare_seconds : trial.default_seconds));
 }
 CostRatio bytes_ratio(const TrialCosts& trial, const TrialCosts& defaults) {
     return ratio(trial.package_bytes, defaults.package_bytes);
@@ -93,7 +107,8 @@ CostRatio memory_ratio(const TrialCosts& trial, const TrialCosts& defaults) {
     return ratio(trial.memory_bytes, defaults.memory_bytes);
 }
 CostRatio frame_ratio(const TrialCosts& trial, const TrialCosts& defaults) {
-    return ratio(trial.frame_ms, trial.default_ms.empty() ? defaults.frame_ms : trial.default_ms);
+    return ratio(median_of(trial.frame_ms),
+                 median_of(trial.default_ms.empty() ? defaults.frame_ms : trial.default_ms));
 }
 
 std::vector<PooledTrial> pooled_trials(std::span<const ScanCosts> scans) {
@@ -120,6 +135,7 @@ std::vector<PooledTrial> pooled_trials(std::span<const ScanCosts> scans) {
             at->memory.add(memory_ratio(c, defaults));
             at->frame.add(frame_ratio(c, defaults));
             at->psnr.insert(at->psnr.end(), c.psnr.begin(), c.psnr.end());
+            if (const auto of_scan = estimate(c.psnr)) at->out.psnr_of_scans.push_back(of_scan->mean);
             at->out.scans.push_back(scan.name);
         }
     std::vector<PooledTrial> out;
@@ -134,19 +150,12 @@ std::vector<PooledTrial> pooled_trials(std::span<const ScanCosts> scans) {
     return out;
 }
 
-double noise_of_times(std::span<const ScanCosts> scans, std::vector<double> TrialCosts::*of_defaults,
-                      std::vector<double> TrialCosts::*before_others) {
-    std::vector<double> changes;
-    for (const ScanCosts& scan : scans) {
-        std::vector<double> times;
-        for (const TrialCosts& c : scan.trials) {
-            const std::vector<double>& more = c.*(&c == &scan.trials.front() ? of_defaults : before_others);
-            std::ranges::copy_if(more, std::back_inserter(times), [](double t) { return t > 0; });
-        }
-        for (std::size_t i = 1; i < times.size(); ++i)
-            changes.push_back(std::abs(std::log(times[i] / times[i - 1])));
-    }
-    return changes.empty() ? 0 : std::exp(quantile(changes, 0.9)) - 1;
+double noise_of_seconds(std::span<const ScanCosts> scans) {
+    return noise_of(scans, [](const TrialCosts& c) { return least_of(c.default_seconds); });
+}
+
+double noise_of_frames(std::span<const ScanCosts> scans) {
+    return noise_of(scans, [](const TrialCosts& c) { return median_of(c.default_ms); });
 }
 
 }  // namespace vantage

@@ -22,6 +22,8 @@ double standard_error(std::span<const double> values);
 bool certain(const MeanWithError& e);
 
 double median_of(std::vector<double> values);
+/// The least of some durations, which other programs can only lengthen; 0 if there are none.
+double least_of(std::span<const double> seconds);
 
 /// A cost of a trial divided by that of the defaults; nullopt if either was not measured or is zero.
 using CostRatio = std::optional<double>;
@@ -35,6 +37,7 @@ struct PooledTrial {
     CostTrial trial;
     CostRatio seconds, bytes, memory, frame;  ///< geometric means over the scans
     std::optional<MeanWithError> psnr;        ///< differences from the defaults, over all photos of all scans
+    std::vector<double> psnr_of_scans;        ///< their mean on each scan
     std::vector<std::string> scans;           ///< names
 };
 /// Pools the trials that have the same setting and value; reduced photo sizes are the same if they are the
@@ -42,9 +45,8 @@ struct PooledTrial {
 std::vector<PooledTrial> pooled_trials(std::span<const ScanCosts> scans);
 
 /// The relative difference between two successive times of the defaults that 90 % of such differences do not
-/// exceed; 0 if no time was repeated. The times are `of_defaults` of a scan's first trial, and
-/// `before_others` of its other trials.
-double noise_of_times(std::span<const ScanCosts> scans, std::vector<double> TrialCosts::*of_defaults,
-                      std::vector<double> TrialCosts::*before_others);
+/// exceed, but at least 5 %. Each trial has one time: that of the defaults directly before it.
+double noise_of_seconds(std::span<const ScanCosts> scans);
+double noise_of_frames(std::span<const ScanCosts> scans);
 
 }  // namespace vantage

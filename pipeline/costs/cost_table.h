@@ -18,8 +18,15 @@ CostNoise noise_of(std::span<const ScanCosts> scans);
 
 /// "-31 %", "2.4 times", or "same" within the noise; empty if not measured.
 std::string change_text(const CostRatio& ratio, double noise);
-/// "-0.31 ± 0.08 dB", "no difference seen (± 0.12 dB)", or "identical"; empty if not measured.
+/// "preparing -57 %, package -59 %", or "same cost".
+std::string costs_text(const PooledTrial& trial, const CostNoise& noise);
+/// "-0.31 ± 0.08 dB", "equal (+0.01 ± 0.03 dB)", "cannot tell (-0.20 ± 0.42 dB)", or "identical"; empty if
+/// not measured.
 std::string gain_text(const std::optional<MeanWithError>& gain, bool whole_frame);
+
+/// The gain of a pooled trial; with its range over the scans if that exceeds 0.5 dB: "-0.77 ± 0.89 dB (by
+/// scan: -3.31 to +0.06)".
+std::string gain_text(const PooledTrial& trial);
 
 /// A table of text.
 struct TextTable {
@@ -28,12 +35,14 @@ struct TextTable {
 };
 /// A row per trial, for a terminal.
 TextTable trial_table(std::span<const ScanCosts> scans);
-/// A row per setting: default, cheaper values, more expensive values, errors, and the scans. The lines within
-/// a cell are separated by line feeds.
+/// A row per value of a setting, with its costs, quality and scans. The values of a setting are in order of
+/// their cost.
 TextTable setting_table(std::span<const ScanCosts> scans);
 
 std::vector<std::string> as_lines(const TextTable& table);  ///< in aligned columns
 std::string as_markdown(const TextTable& table);
 std::string as_html(const TextTable& table);
+/// The text as HTML, with text between backticks as code.
+std::string with_code(const std::string& text);
 
 }  // namespace vantage

@@ -12,12 +12,17 @@ namespace {
 /// A trial of an option of `vantage prepare`.
 CostTrial prepared(const std::string& option, const std::string& value, const std::string& usual,
                    bool frames = false) {
-    return {option, value, usual, {option, value}, {}, frames, false};
+    return {option, value, usual, "", {option, value}, {}, frames, false};
 }
 
 /// A trial of an option of vantage-player.
 CostTrial shown(const std::string& option, const std::string& value, const std::string& usual) {
-    return {option, value, usual, {}, {option, value}, true, false};
+    return {option, value, usual, "", {}, {option, value}, true, false};
+}
+
+CostTrial noted(CostTrial trial, const std::string& note) {
+    trial.note = note;
+    return trial;
 }
 
 int longest_side(const PackageReader& package) {
@@ -55,24 +60,30 @@ std::vector<CostTrial> cost_trials(const PackageReader& whole, bool prepares) {
     };
     add({prepared("--max-photo-size", std::to_string(side / 2), "full size", true),
          shown("--max-photos", "2", window_photos), shown("--max-photos", "8", window_photos),
-         prepared("--preset", "preview", "default", true), shown("--blend", "average", "lumigraph"),
+         noted(prepared("--preset", "preview", "default", true), "photos of at most 1024 px"),
+         shown("--blend", "average", "lumigraph"),
          prepared("--border-distance", "jfa^2", "exact without a GPU")});
     if (prepares) add(effect_trials(whole));
     CostTrial all_photos = shown("--max-photos", "0", window_photos);
     all_photos.value = "all";
-    const CostTrial thumbnails{"--thumbnails", "on", "off", {}, {"--thumbnails"}, true, false};
-    add({prepared("--refine", "off", "full", true), prepared("--validate", "off", "on"),
-         shown("--max-photos", "1", window_photos), all_photos, shown("--blend", "best", "lumigraph"),
-         prepared("--preset", "ci", "default", true),
+    add({prepared("--refine", "off", "full", true),
+         prepared("--validate", "off", "on"),
+         shown("--max-photos", "1", window_photos),
+         all_photos,
+         shown("--blend", "best", "lumigraph"),
+         noted(prepared("--preset", "ci", "default", true), "photos of at most 640 px, one thread"),
          prepared("--max-photo-size", std::to_string(side / 4), "full size", true),
-         prepared("--threads", "1", "all cores"), prepared("--renderer", "opengl", "cpu without a GPU"),
-         thumbnails, prepared("--thumbnail-size", "128", "512"),
+         noted(prepared("--threads", "1", "all cores"), "leaves the others to other programs"),
+         noted(prepared("--renderer", "opengl", "cpu without a GPU"), "the default with a GPU"),
+         {"--thumbnails", "on", "off", "for slow connections", {}, {"--thumbnails"}, true, false},
+         prepared("--thumbnail-size", "128", "512"),
          prepared("--thumbnail-size", "1024", "512")});
     const auto has = [&](Effect effect) { return (whole.scene().effects >> int(effect) & 1) != 0; };
     if (has(Effect::per_fragment))
         add({{"--coordinates",
               "vertex",
               "fragment",
+              "stored by --vertex-coordinates",
               {"--vertex-coordinates"},
               {"--coordinates", "vertex"},
               true,

@@ -19,6 +19,7 @@ json json_of(const TrialCosts& c) {
     json out{{"setting", c.trial.setting},
              {"value", c.trial.value},
              {"usual", c.trial.usual},
+             {"note", c.trial.note},
              {"prepare", c.trial.prepare},
              {"show", c.trial.show},
              {"frames", c.trial.frames},
@@ -36,8 +37,8 @@ json json_of(const TrialCosts& c) {
 
 TrialCosts trial_of(const json& j) {
     TrialCosts c;
-    c.trial = {j.at("setting"), j.at("value"),  j.at("usual"),      j.at("prepare"),
-               j.at("show"),    j.at("frames"), j.at("whole_frame")};
+    c.trial = {j.at("setting"), j.at("value"), j.at("usual"),  j.value("note", ""),
+               j.at("prepare"), j.at("show"),  j.at("frames"), j.at("whole_frame")};
     c.prepare_seconds = j.at("prepare_seconds").get<std::vector<double>>();
     c.frame_ms = j.at("frame_ms").get<std::vector<double>>();
     c.default_seconds = j.at("default_seconds").get<std::vector<double>>();

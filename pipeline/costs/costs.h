@@ -10,6 +10,7 @@ namespace vantage {
 struct CostTrial {
     std::string setting, value;        ///< "--max-photo-size", "1416"; empty: the defaults
     std::string usual;                 ///< the default value, for tables
+    std::string note;                  ///< purpose or content of the value, for tables; may be empty
     std::vector<std::string> prepare;  ///< options of `vantage prepare`; none: the default package
     std::vector<std::string> show;     ///< options of `vantage-player`
     bool frames = true;                ///< whether frame times may differ from the default's

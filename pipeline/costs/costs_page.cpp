@@ -4,8 +4,7 @@
 
 #include "base/text/markup.h"
 #include "base/text/page_style.h"
-#include "pipeline/costs/cost_chart.h"
-#include "pipeline/costs/cost_table.h"
+#include "pipeline/costs/cost_answers.h"
 
 namespace vantage {
 namespace {
@@ -15,14 +14,21 @@ constexpr const char* costs_style = R"(
 td { vertical-align: top; } svg { max-width: 100%; height: auto; } pre { margin: .3rem 0 .3rem 1rem; }
 )";
 
-/// How to read the table and the charts.
 constexpr const char* reading =
-    "Each row changes one setting of the defaults. Quality is the PSNR of photos that were held out of "
-    "preparing, rendered from their cameras and compared with the photo, after the best gain per channel; "
-    "the "
-    "difference from the defaults is measured on the pixels that both color. ± is the 95 % confidence "
-    "interval "
-    "over the photos; \"no difference seen\" means that it includes zero.";
+    "Photos were held out of preparing, rendered from their cameras, and compared with the originals (PSNR "
+    "after the best gain per channel; 3 dB: half the squared error). Each row of the table changes one "
+    "setting of the defaults; its quality is the mean difference from the defaults on the pixels that both "
+    "color. \"Equal\": the difference is certainly below 0.25 dB. \"Cannot tell\": the interval includes "
+    "zero, so the mean is not proven; it depends on the scan and its photos. Costs are geometric means over "
+    "the scans, "
+    "relative to the defaults. Frames are those of a still view at 1280x720; in motion, the window draws "
+    "smaller "
+    "frames to reach its frame rate.";
+
+constexpr const char* legend =
+    "Blue: nothing measured on all scans is both cheaper and better. Red rings: the defaults and the "
+    "presets. "
+    "Hollow: measured on some scans only. Settings that change neither cost nor quality are not drawn.";
 
 std::string costs_in_words(const TrialCosts& c, const TrialCosts& defaults, const CostNoise& noise) {
     std::string out;
@@ -37,10 +43,42 @@ std::string costs_in_words(const TrialCosts& c, const TrialCosts& defaults, cons
     return out;
 }
 
-std::string chart_part(const std::vector<ScanCosts>& scans) {
+/// A row per purpose and scan.
+TextTable recipe_table(const Costs& costs) {
+    TextTable out{{"for", "scan", "settings", "package", "a frame", "quality"}, {}};
+    for (std::size_t r = 0; r < costs.scans.front().recipes.size(); ++r)
+        for (const ScanCosts& s : costs.scans) {
+            if (r >= s.recipes.size()) continue;
+            const Recipe& recipe = s.recipes[r];
+            const TrialCosts& defaults = s.trials.front();
+            const bool same = recipe.costs.trial.prepare.empty() && recipe.costs.trial.show.empty();
+            out.rows.push_back({&s == &costs.scans.front() ? recipe.purpose + ": " + recipe.reason : "",
+                                s.name, settings_in_words(recipe),
+                                change_text(bytes_ratio(recipe.costs, defaults), 0),
+                                frame_in_words(recipe.costs.frame_ms),
+                                same ? "" : gain_text(estimate(recipe.costs.psnr), false)});
+        }
+    return out;
+}
+
+std::string html_of(const PagePart& part, const std::vector<ScanCosts>& scans) {
     std::string out;
-    for (const CostAxis axis : {CostAxis::preparing, CostAxis::storing, CostAxis::drawing})
-        out += fmt::format("<h2>{}</h2>\n{}", title_of(axis), cost_chart(scans, axis));
+    switch (part.kind) {
+        case PagePart::heading:
+            return "<h2>" + escaped(part.lines[0]) + "</h2>\n";
+        case PagePart::paragraph:
+            return "<p>" + with_code(part.lines[0]) + "</p>\n";
+        case PagePart::list:
+            for (const std::string& line : part.lines) out += "<li>" + with_code(line) + ".\n";
+            return "<ul>" + out + "</ul>\n";
+        case PagePart::table:
+            return as_html(part.rows);
+        case PagePart::chart:
+            return cost_chart(scans, part.axis);
+        case PagePart::code:
+            for (const std::string& line : part.lines) out += escaped(line) + "\n";
+            return "<pre>" + out + "</pre>\n";
+    }
     return out;
 }
 
@@ -51,23 +89,23 @@ std::string origin_of(const Costs& costs) {
                        costs.cores, costs.renderer);
 }
 
-std::vector<std::string> scans_in_words(const Costs& costs) {
-    std::vector<std::string> out;
+TextTable scan_table(const Costs& costs) {
+    TextTable out{{"scan", "photos", "triangles", "preparing", "package", "a frame", "held-out photos"}, {}};
     for (const ScanCosts& s : costs.scans) {
         const TrialCosts& d = s.trials.front();
-        std::string line = fmt::format("{}: {} photos of up to {}x{}, {} triangles", s.name, s.photos,
-                                       s.width, s.height, s.triangles);
-        if (s.whole_seconds)
-            line += fmt::format(
-                "; with the defaults, prepared in {:.1f} s into {:.1f} MB ({:.2f} times the photos)",
-                *s.whole_seconds, s.whole_bytes.value_or(0) / 1e6,
-                s.photo_bytes > 0 ? s.whole_bytes.value_or(0) / s.photo_bytes : 0);
-        line += fmt::format("; {:.0f} ms per frame", median_of(d.frame_ms));
-        if (const auto psnr = estimate(d.psnr))
-            line += fmt::format("; {} photos {}: {:.1f} ± {:.1f} dB in pictures {} px wide", psnr->values,
-                                s.excluded ? "excluded from blending" : "held out", psnr->mean, psnr->error,
-                                s.picture);
-        out.push_back(line + (s.complete ? "" : "; not all settings measured (--full measures them)"));
+        const auto psnr = estimate(d.psnr);
+        std::string package;
+        if (s.whole_bytes && s.photo_bytes > 0)
+            package = fmt::format("{:.1f} MB, {:.2f} times the photos", *s.whole_bytes / 1e6,
+                                  *s.whole_bytes / s.photo_bytes);
+        out.rows.push_back(
+            {s.name, fmt::format("{} of up to {}x{}", s.photos, s.width, s.height),
+             std::to_string(s.triangles), s.whole_seconds ? fmt::format("{:.1f} s", *s.whole_seconds) : "",
+             package, frame_in_words(d.frame_ms),
+             psnr ? fmt::format("{}: {:.1f} ± {:.1f} dB, {} px wide{}{}", psnr->values, psnr->mean,
+                                psnr->error, s.picture, s.excluded ? ", only excluded from blending" : "",
+                                s.complete ? "" : "; some settings not measured")
+                  : ""});
     }
     return out;
 }
@@ -83,24 +121,31 @@ std::vector<std::string> recipes_in_words(const ScanCosts& scan) {
     return out;
 }
 
+std::vector<PagePart> page_parts(const Costs& costs) {
+    std::vector<PagePart> out{{PagePart::heading, {"In short"}},
+                              {PagePart::list, cost_answers(costs.scans)},
+                              {PagePart::heading, {"Machine and scans"}},
+                              {PagePart::paragraph, {origin_of(costs) + ". With the defaults:"}},
+                              {PagePart::table, {}, scan_table(costs)},
+                              {PagePart::paragraph, {reading}}};
+    for (const CostAxis axis : {CostAxis::preparing, CostAxis::storing, CostAxis::drawing}) {
+        out.push_back({PagePart::heading, {title_of(axis)}});
+        out.push_back({PagePart::chart, {}, {}, axis});
+    }
+    out.push_back({PagePart::paragraph, {legend}});
+    out.push_back({PagePart::heading, {"Settings"}});
+    out.push_back({PagePart::table, {}, setting_table(costs.scans)});
+    out.push_back({PagePart::heading, {"Recommendations"}});
+    out.push_back({PagePart::table, {}, recipe_table(costs)});
+    if (costs.scans.size() == 1) out.push_back({PagePart::code, recipes_in_words(costs.scans.front())});
+    return out;
+}
+
 std::string costs_page(const Costs& costs) {
     std::string out =
         "<!doctype html><html lang=en><meta charset=utf-8><title>Accuracy and cost</title>\n<style>" +
-        std::string(page_style) + costs_style + "</style>\n<h1>Accuracy and cost</h1>\n<p>" +
-        escaped(origin_of(costs)) + "</p>\n<ul>";
-    for (const std::string& line : scans_in_words(costs)) out += "<li>" + escaped(line) + "\n";
-    out += "</ul>\n<p>" + escaped(reading) + "</p>\n" + chart_part(costs.scans) + "<h2>Settings</h2>\n" +
-           as_html(setting_table(costs.scans));
-    const CostNoise noise = noise_of(costs.scans);
-    out += fmt::format(
-        "<p>The defaults' times repeated to within {:.0f} % (preparing) and {:.0f} % (frames); smaller "
-        "changes are not reported.</p>\n<h2>Recommendations</h2>\n",
-        100 * noise.seconds, 100 * noise.frame);
-    for (const ScanCosts& s : costs.scans) {
-        out += "<h3>" + escaped(s.name) + "</h3>\n<pre>";
-        for (const std::string& line : recipes_in_words(s)) out += escaped(line) + "\n";
-        out += "</pre>\n";
-    }
+        std::string(page_style) + costs_style + "</style>\n<h1>Accuracy and cost</h1>\n";
+    for (const PagePart& part : page_parts(costs)) out += html_of(part, costs.scans);
     return out + "</html>\n";
 }
 

@@ -88,7 +88,7 @@ std::optional<double> measured_time(std::span<const EffectTrial> trials,
         const std::vector<double>& paired = t.trial.*before;
         const std::vector<double>& defaults = paired.empty() ? t.defaults.*times : paired;
         if ((t.trial.*times).empty() || defaults.empty()) continue;
-        differences.push_back((median_of(defaults) - median_of(t.trial.*times)) * t.sign);
+        differences.push_back((least_of(defaults) - least_of(t.trial.*times)) * t.sign);
     }
     if (differences.empty()) return {};
     return std::accumulate(differences.begin(), differences.end(), 0.0) / double(differences.size());

@@ -45,7 +45,7 @@ std::vector<const TrialCosts*> chosen(const ScanCosts& costs, const Passes& pass
 }
 
 CostTrial combined(const std::string& purpose, const std::vector<const TrialCosts*>& of) {
-    CostTrial out{"recommended", purpose, "", {}, {}, true, false};
+    CostTrial out{"recommended", purpose, "", "", {}, {}, true, false};
     for (const TrialCosts* c : of) {
         out.prepare.insert(out.prepare.end(), c->trial.prepare.begin(), c->trial.prepare.end());
         out.show.insert(out.show.end(), c->trial.show.begin(), c->trial.show.end());
@@ -96,7 +96,7 @@ std::vector<Recipe> recipes(const ScanCosts& costs, const std::string& input) {
         recipe(costs, input, "a laptop without a graphics card",
                fmt::format("the cheapest values that lose at most {} dB each, on average", acceptable_loss),
                "vantage-player", chosen(costs, cheaper, by_cost)),
-        recipe(costs, input, "a kiosk",
+        recipe(costs, input, "a kiosk or a mini PC",
                fmt::format("the most accurate values that lengthen frames by at most {:.0f} %",
                            100 * (acceptable_frame - 1)),
                "vantage-player kiosk", chosen(costs, finer, by_gain)),

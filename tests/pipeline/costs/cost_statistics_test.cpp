@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/costs/cost_answers.h"
 #include "pipeline/costs/cost_table.h"
 
 namespace vantage {
@@ -32,7 +33,6 @@ std::vector<ScanCosts> two_scans() {
         scans[i].trials.push_back(trial("--max-photo-size", i == 0 ? "2000" : "500", i == 0 ? 4 : 2, 1e6,
                                         {-1.0 - 0.2 * i, -1.1 - 0.2 * i}));
     }
-    scans[0].trials[0].prepare_seconds = {8, 8.4, 8.2};
     scans[0].trials[1].default_seconds = {8.2};
     return scans;
 }
@@ -59,11 +59,12 @@ TEST(CostStatistics, ScansArePooledByTheFractionOfThePhotosSize) {
 }
 
 TEST(CostStatistics, NoiseIsTheSpreadOfTheDefaultsRepeatedTimes) {
-    EXPECT_NEAR(noise_of(two_scans()).seconds, 8.4 / 8.2 - 1, 1e-9);
-    EXPECT_EQ(noise_of(two_scans()).frame, 0);
-    std::vector<ScanCosts> unpaired = two_scans();
-    unpaired[0].trials[1].default_seconds.clear();
-    EXPECT_EQ(noise_of(unpaired).seconds, 0.3) << "single runs, not beside those of the defaults";
+    std::vector<ScanCosts> scans = two_scans();
+    EXPECT_EQ(noise_of(scans).seconds, 0.05) << "the least, if no time was repeated";
+    scans[0].trials.push_back(scans[0].trials[1]);
+    scans[0].trials.back().default_seconds = {12.4, 9.02};
+    EXPECT_NEAR(noise_of(scans).seconds, 0.1, 1e-9) << "between the least times of both runs";
+    EXPECT_EQ(noise_of(scans).frame, 0.05);
 }
 
 TEST(CostTable, ReportsOnlyWhatExceedsTheNoise) {
@@ -72,21 +73,33 @@ TEST(CostTable, ReportsOnlyWhatExceedsTheNoise) {
     EXPECT_EQ(change_text(2.5, 0.05), "2.5 times");
     EXPECT_EQ(change_text({}, 0.05), "");
     EXPECT_EQ(gain_text(MeanWithError{-1, 0.2, 9}, false), "-1.00 ± 0.20 dB");
-    EXPECT_EQ(gain_text(MeanWithError{-1, 1.2, 9}, false), "no difference seen (± 1.20 dB)");
+    EXPECT_EQ(gain_text(MeanWithError{-1, 1.2, 9}, false), "cannot tell (-1.00 ± 1.20 dB)");
+    EXPECT_EQ(gain_text(MeanWithError{-0.05, 0.1, 9}, false), "equal (-0.05 ± 0.10 dB)");
     EXPECT_EQ(gain_text(MeanWithError{0, 0, 9}, false), "identical");
 }
 
-TEST(CostTable, PutsCheaperAndDearerValuesInDifferentColumns) {
+TEST(CostTable, ListsTheValuesOfASettingByTheirCost) {
     std::vector<ScanCosts> scans = two_scans();
     scans[0].trials.push_back(trial("--effect", "compact=off", 8, 9e6, {0, 0}));
+    scans[0].trials.push_back(trial("--max-photo-size", "1000", 2, 1e5, {-2, -2.1}));
     const TextTable table = setting_table(scans);
-    ASSERT_EQ(table.rows.size(), 2u);
-    EXPECT_EQ(table.rows[0][2], "half: preparing -65 %; -1.15 dB");
-    EXPECT_EQ(table.rows[0][3], "");
-    EXPECT_EQ(table.rows[1][0], "--effect compact");
-    EXPECT_EQ(table.rows[1][2], "");
-    EXPECT_EQ(table.rows[1][3], "off: package 9.0 times; identical");
-    EXPECT_EQ(table.rows[1][5], "large; 2 photos");
+    ASSERT_EQ(table.rows.size(), 3u);
+    using Row = std::vector<std::string>;
+    EXPECT_EQ(table.rows[0], (Row{"`--max-photo-size`", "usual", "a quarter",
+                                  "preparing -75 %, package -90 %", "-2.05 ± 0.64 dB", "large; 2 photos"}));
+    EXPECT_EQ(table.rows[1],
+              (Row{"", "", "half", "preparing -65 %", "-1.15 ± 0.21 dB", "all scans; 4 photos"}));
+    EXPECT_EQ(table.rows[2], (Row{"`--effect compact`", "usual", "off", "package 9.0 times", "identical",
+                                  "large; 2 photos"}));
+}
+
+TEST(CostAnswers, NameCostQualityAndCertainty) {
+    const std::vector<std::string> answers = cost_answers(two_scans());
+    ASSERT_EQ(answers.size(), 2u);
+    EXPECT_EQ(answers[0],
+              "Photos of half the width and height (`--max-photo-size`): preparing -65 %. Quality: "
+              "-1.15 ± 0.21 dB");
+    EXPECT_NE(answers[1].find("4 held-out photos of 2 scans"), std::string::npos) << answers[1];
 }
 
 TEST(Costs, AreReadAsTheyWereWritten) {

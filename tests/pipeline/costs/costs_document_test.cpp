@@ -47,15 +47,8 @@ This page shows how each setting of both programs affects quality, time and spac
 own scan and machine, in three minutes or, with `--full`, as long as it takes; `prepare --explain` and `info` then show the results.
 The page is made from `configs/costs.json`, which these commands wrote:
 
-    vantage costs sceaux --minutes 15 -o a            # likewise fountain-P11 and garden, three minutes each
-    vantage costs a/costs.json b/costs.json c/costs.json
-)";
-
-constexpr const char* reading = R"(
-**How to read it.** Every row changes one setting of the defaults. Photos were held out of preparing, rendered from their cameras, and
-compared with the originals (PSNR after the best gain per channel; 3 dB: half the squared error). Differences from the defaults count
-only pixels that both color. "±" is the 95 % confidence interval over the photos of all scans; "no difference seen" means that it
-includes zero, so that the setting matters less than the scan. Costs are geometric means over the scans, relative to the defaults.
+    for scan in sceaux fountain-P11 head demo-scene; do vantage costs $scan --minutes 60 -o costs-$scan; done
+    vantage costs costs-*/costs.json
 )";
 
 std::string bullets(const std::vector<std::string>& lines) {
@@ -64,68 +57,39 @@ std::string bullets(const std::vector<std::string>& lines) {
     return out;
 }
 
-/// One row per purpose and scan.
-TextTable recipe_table(const Costs& costs) {
-    TextTable out{{"for", "scan", "settings", "package", "frame", "held-out photos"}, {}};
-    if (costs.scans.empty()) return out;
-    for (std::size_t r = 0; r < costs.scans.front().recipes.size(); ++r)
-        for (const ScanCosts& s : costs.scans) {
-            if (r >= s.recipes.size()) continue;
-            const Recipe& recipe = s.recipes[r];
-            const CostNoise noise = noise_of({&s, 1});
-            std::string settings;
-            for (const auto* options : {&recipe.costs.trial.prepare, &recipe.costs.trial.show})
-                for (const std::string& o : *options) settings += (settings.empty() ? "`" : " ") + o;
-            const TrialCosts& defaults = s.trials.front();
-            out.rows.push_back({&s == &costs.scans.front() ? recipe.purpose + ": " + recipe.reason : "",
-                                s.name, settings.empty() ? "the defaults" : settings + "`",
-                                change_text(bytes_ratio(recipe.costs, defaults), 0),
-                                change_text(frame_ratio(recipe.costs, defaults), noise.frame),
-                                settings.empty() ? "" : gain_text(estimate(recipe.costs.psnr), false)});
-        }
+std::string joined_lines(const std::vector<std::string>& lines) {
+    std::string out;
+    for (const std::string& line : lines) out += line + "\n";
     return out;
 }
 
-/// The setting's name as code.
-TextTable with_code(TextTable table) {
-    for (auto& row : table.rows) row[0] = "`" + row[0] + "`";
-    return table;
+std::string file_of(CostAxis axis) {
+    std::string out = title_of(axis);
+    out[0] = char(out[0] + 'a' - 'A');
+    return out + ".svg";
 }
 
-/// The page as Markdown, with the charts in the folder `charts`.
-std::string costs_document(const Costs& costs, const std::string& charts, const std::string& approximations) {
-    const CostNoise noise = noise_of(costs.scans);
-    std::string out = heading;
-    out += fmt::format("\n**Machine.** {}.\n\n{}", origin_of(costs), bullets(scans_in_words(costs)));
-    out += reading;
-    out += fmt::format(
-        "\nThe defaults' times repeated to within {:.0f} % (preparing) and {:.0f} % (frames); smaller "
-        "changes "
-        "count as the same.\n",
-        100 * noise.seconds, 100 * noise.frame);
-    for (const CostAxis axis : {CostAxis::preparing, CostAxis::storing, CostAxis::drawing}) {
-        std::string file = title_of(axis);
-        file[0] = char(file[0] + 'a' - 'A');
-        out += fmt::format("\n## {0}\n\n![Quality against the cost of {1}]({2}/{1}.svg)\n", title_of(axis),
-                           file, charts);
+std::string markdown_of(const PagePart& part) {
+    switch (part.kind) {
+        case PagePart::heading:
+            return "## " + part.lines[0] + "\n";
+        case PagePart::paragraph:
+            return part.lines[0] + "\n";
+        case PagePart::list:
+            return bullets(part.lines);
+        case PagePart::table:
+            return as_markdown(part.rows);
+        case PagePart::chart:
+            return fmt::format("![Quality against cost](../data/cost/{})\n", file_of(part.axis));
+        case PagePart::code:
+            return "```\n" + joined_lines(part.lines) + "```\n";
     }
-    out +=
-        "\nBlue: nothing measured is both cheaper and better. Red rings: the defaults and the presets. "
-        "Settings that "
-        "change neither\ncost nor quality are not drawn.\n";
-    out += "\n## Settings\n\n" + as_markdown(with_code(setting_table(costs.scans)));
-    out +=
-        "\n## Approximations that are not settings\n\nWeight maps have half the width and height of the "
-        "photo, "
-        "and distances to depth borders are exact without a GPU. Errors of\nthe border weight, whose range "
-        "is "
-        "0 to 255, on Sceaux (`build/tests/bench/vantage-bench sceaux --set full --only border`):\n\n" +
-        approximations;
-    out +=
-        "\n## Recommendations\n\nThe settings are chosen by the rule in the first column, and the "
-        "combination is measured "
-        "again.\n\n" +
-        as_markdown(recipe_table(costs));
+    return {};
+}
+
+std::string costs_document(const Costs& costs) {
+    std::string out = heading;
+    for (const PagePart& part : page_parts(costs)) out += "\n" + markdown_of(part);
     return out;
 }
 
@@ -160,17 +124,21 @@ std::string approximations() {
                               fmt::format("{:.1f} MB", v["photo_bytes"].get<double>() / 1e6),
                               fmt::format("{:.0f} ms", v["photo_ms"].get<double>())});
     }
-    return as_markdown(table);
+    return "\n## Approximations that are not settings\n\nWeight maps have half the width and height of the "
+           "photo, and "
+           "distances to depth borders are exact without a GPU. Errors of\nthe border weight, whose range is "
+           "0 to 255, "
+           "on Sceaux (`build/tests/bench/vantage-bench sceaux --set full --only border`):\n\n" +
+           as_markdown(table);
 }
 
 TEST(CostsDocument, IsMadeFromTheShippedMeasurements) {
     const Costs costs = shipped();
-    const std::string page = costs_document(costs, "../data/cost", approximations());
+    const std::string page = costs_document(costs) + approximations();
     expect_file(source / "docs/accuracy-and-cost.md", page);
     EXPECT_LE(std::ranges::count(page, '\n'), 150);
-    expect_file(source / "data/cost/preparing.svg", cost_chart(costs.scans, CostAxis::preparing));
-    expect_file(source / "data/cost/storing.svg", cost_chart(costs.scans, CostAxis::storing));
-    expect_file(source / "data/cost/drawing.svg", cost_chart(costs.scans, CostAxis::drawing));
+    for (const CostAxis axis : {CostAxis::preparing, CostAxis::storing, CostAxis::drawing})
+        expect_file(source / "data/cost" / file_of(axis), cost_chart(costs.scans, axis));
 }
 
 TEST(CostsDocument, MeasurementsAreOfThisVersion) {
