@@ -10,73 +10,65 @@
 namespace vantage {
 namespace {
 
-struct Shortcuts {
-    std::string keys, labels;
-};
-
 /// The keys and labels of the blending modes: "1 2 3" and "Lumigraph, Average, Best photo".
-Shortcuts blend_shortcuts() {
-    Shortcuts out;
+Shortcut blend_shortcuts() {
+    Shortcut out;
     int key = 1;
     for (const BlendRow& row : blend_table()) {
         out.keys += (key > 1 ? " " : "") + std::to_string(key);
-        out.labels += std::string(key > 1 ? ", " : "") + tr(row.label);
+        out.action += std::string(key > 1 ? ", " : "") + tr(row.label);
         ++key;
     }
     return out;
 }
 
-/// One line of the help.
-struct Line {
-    const char *what, *does;
-    bool for_public = false;  ///< also available in a kiosk
-};
-
-void show_line(const Line& line) {
-    ImGui::TextColored(ImVec4(0.55f, 0.75f, 1, 1), "%s", tr(line.what));
+void show_line(const Shortcut& line) {
+    ImGui::TextColored(ImVec4(0.55f, 0.75f, 1, 1), "%s", tr(line.keys.c_str()));
     ImGui::SameLine(16 * ImGui::GetFontSize());
-    ImGui::TextUnformatted(tr(line.does));
+    ImGui::TextUnformatted(tr(line.action.c_str()));
 }
 
 }  // namespace
 
+std::vector<Shortcut> shortcuts() {
+    const Shortcut blends = blend_shortcuts();
+    return {{marked("drag, or one finger"), marked("orbit the model"), true},
+            {marked("drag, right or middle button"), marked("pan"), true},
+            {marked("Ctrl and drag"), marked("look around")},
+            {marked("wheel"), marked("zoom to or from the point under the pointer"), true},
+            {marked("double click, or two taps"), marked("move closer to the point under the pointer"), true},
+            {marked("two fingers"), marked("pan, move closer or away, turn"), true},
+            {marked("W A S D, Q E"), marked("fly; faster with Shift")},
+            {marked("H, Backspace"), marked("back to the first view; back to the previous view"), true},
+            {"N, B", marked("fly to the photo on the right, on the left"), true},
+            {"C", marked("compare with the closest photo; drag the line between them"), true},
+            {"V", marked("show photos, which photo, how many photos")},
+            {"X", marked("show the next image set"), true},
+            blends,
+            {"R, T", marked("record a path, replay it")},
+            {"M", marked("measure")},
+            {"J", marked("show or hide notes and tours")},
+            {marked("Ctrl+E"), marked("edit notes and tours")},
+            {"O", marked("open another package (or drop it here)")},
+            {"P", marked("screenshot")},
+            {marked("Ctrl+C, Ctrl+V"), marked("copy the view as a command line, fly to a copied view")},
+            {marked("arrow keys, Space or Enter"), marked("select a control, activate it"), true},
+            {marked("Ctrl+Tab, Alt"), marked("go to another panel, to the menu")},
+            {marked("Tab"), marked("all settings, or only the picture")},
+            {marked("F1 to F12"), marked("help and panels; F11: full screen")},
+            {marked("Ctrl with + or -"), marked("larger or smaller text")},
+            {marked("Esc"), marked("close help, stop a flight or a comparison"), true},
+            {marked("Ctrl+Q"), marked("quit")}};
+}
+
 void help_panel(Controls& c, WindowState& window) {
-    const Shortcuts blends = blend_shortcuts();
-    const Line lines[] = {
-        {marked("drag, or one finger"), marked("orbit the model"), true},
-        {marked("drag, right or middle button"), marked("pan"), true},
-        {marked("Ctrl and drag"), marked("look around")},
-        {marked("wheel"), marked("zoom to or from the point under the pointer"), true},
-        {marked("double click, or two taps"), marked("move closer to the point under the pointer"), true},
-        {marked("two fingers"), marked("pan, move closer or away, turn"), true},
-        {marked("W A S D, Q E"), marked("fly; faster with Shift")},
-        {marked("H, Backspace"), marked("back to the first view; back to the previous view"), true},
-        {"N, B", marked("fly to the photo on the right, on the left"), true},
-        {"C", marked("compare with the closest photo; drag the line between them"), true},
-        {"V", marked("show photos, which photo, how many photos")},
-        {"X", marked("show the next image set"), true},
-        {blends.keys.c_str(), blends.labels.c_str()},
-        {"R, T", marked("record a path, replay it")},
-        {"M", marked("measure")},
-        {"J", marked("show or hide notes and tours")},
-        {marked("Ctrl+E"), marked("edit notes and tours")},
-        {"O", marked("open another package (or drop it here)")},
-        {"P", marked("screenshot")},
-        {marked("Ctrl+C, Ctrl+V"), marked("copy the view as a command line, fly to a copied view")},
-        {marked("arrow keys, Space or Enter"), marked("select a control, activate it"), true},
-        {marked("Ctrl+Tab, Alt"), marked("go to another panel, to the menu")},
-        {marked("Tab"), marked("all settings, or only the picture")},
-        {marked("F1 to F12"), marked("help and panels; F11: full screen")},
-        {marked("Ctrl with + or -"), marked("larger or smaller text")},
-        {marked("Esc"), marked("close help, stop a flight or a comparison"), true},
-        {marked("Ctrl+Q"), marked("quit")}};
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
     ImGui::SetNextWindowBgAlpha(1);
     const char* const title = marked("Mouse, fingers and keys");
     if (ImGui::Begin(shown_name(title).c_str(), &window.panels.help,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
-        for (const Line& line : lines)
+        for (const Shortcut& line : shortcuts())
             if (line.for_public || !window.kiosk) show_line(line);
         const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
         c.note(title, low, ImVec2(low.x + size.x, low.y + size.y));

@@ -8,6 +8,7 @@
 #include "base/text/translation.h"
 #include "player/interface/help_panel.h"
 #include "player/render/passes/blend_table.h"
+#include "tests/generated_table.h"
 #include "tests/window/window_test.h"
 
 using namespace vantage;
@@ -49,6 +50,13 @@ TEST_F(WindowShows, TooltipsExplainWhatIsUnderThePointer) {
         explained += w.there("Tooltip");
     }
     EXPECT_GT(explained, 35u);
+}
+
+TEST(Shortcuts, AreThoseOfTheGuide) {
+    std::string rows;
+    for (const Shortcut& s : shortcuts())
+        rows += "| " + s.keys + " | " + s.action + " | " + (s.for_public ? "yes" : "") + " |\n";
+    expect_table(std::filesystem::path(VANTAGE_SOURCE_DIR) / "docs/window.md", "keys", rows);
 }
 
 TEST_F(WindowShows, EveryLanguageIsThatOfItsCatalog) {
