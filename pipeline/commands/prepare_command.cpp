@@ -219,17 +219,12 @@ void print_needs(const ResourceEstimate& n) {
     std::fflush(text_output());
 }
 
-PrepareResult prepare_shown(const PrepareOptions& o, SceneInput scene, IdentityCache& identities,
-                            Trace& trace, std::chrono::steady_clock::time_point start) {
+PrepareResult prepare_shown(const PrepareOptions& o, const Share& part, SceneInput scene,
+                            IdentityCache& identities, Trace& trace,
+                            std::chrono::steady_clock::time_point start) {
     ProgressLine line(o.progress);
-    const PrepareRun run{&stop_on_signals(InFlight::finished),
-                         o.strict,
-                         &identities,
-                         share(o.share),
-                         &trace,
-                         print_needs,
-                         true,
-                         start};
+    const PrepareRun run{
+        &stop_on_signals(InFlight::finished), o.strict, &identities, part, &trace, print_needs, true, start};
     return prepare(
         std::move(scene), o.settings, o.out, [&](const Progress& p) { line.show(p); }, run);
 }
@@ -264,6 +259,7 @@ int run_prepare(PrepareOptions o) {
             (row.basis == Basis::colors && o.refine == Refine::off))
             o.settings.effects[row.effect] = EffectChoice::off;
     choose_effects(o.effects, o.settings.effects);
+    const Share part = share(o.share);
     const auto start = std::chrono::steady_clock::now();
     const FoundInput found = find_input(o.input, o.settings);
     if (found.lacks) throw *found.lacks;
@@ -279,7 +275,7 @@ int run_prepare(PrepareOptions o) {
     SceneInput scene = read_traced(files, trace);
     const ConventionTrials fit = settled_or_warned(scene, o.settings, trace);
     print_scene(scene, fit);
-    const PrepareResult done = prepare_shown(o, std::move(scene), identities, trace, start);
+    const PrepareResult done = prepare_shown(o, part, std::move(scene), identities, trace, start);
     if (!o.trace.empty()) write_trace(o.trace, trace.spans());
     const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (o.writes_report())

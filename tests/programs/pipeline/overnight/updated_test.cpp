@@ -89,6 +89,8 @@ TEST_F(Overnight, UnchangedInputsRerunNothing) {
     const Outcome again = prepare_program();
     EXPECT_EQ(again.code, 0) << again.err;
     EXPECT_NE(again.out.find("nothing to do"), std::string::npos) << again.out;
+    EXPECT_EQ(prepare_program("--shard 0/3").code, int(Exit::usage))
+        << "an invalid option of a current package";
     EXPECT_EQ(fs::last_write_time(file), written);
 }
 
