@@ -79,6 +79,7 @@ Navigation CameraSpline::at(double seconds) const {
     const Knot& a = *(after - 1);
     if (after == knots_.end()) return camera_at(a.place);
     const Knot& b = *after;
+    if (a.place == b.place) return camera_at(a.place);  // without the rounding errors of the curve
     const double length = b.seconds - a.seconds, t = (seconds - a.seconds) / length, u = 1 - t;
     // Cubic Hermite curve.
     return camera_at(u * u * (1 + 2 * t) * a.place + t * t * (3 - 2 * t) * b.place +

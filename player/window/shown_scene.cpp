@@ -111,7 +111,7 @@ View ShownScene::update(int width, int height, double now) {
     if (kiosk_) attend(*kiosk_, s, s.window.touched, now);
     scene_.attend(s);
     use_clipboard(s, scene_.package(), now);
-    continue_flight(s.viewpoint, now);
+    continue_flight(s.viewpoint, now, picture_.is_final());
     continue_tour(scene_.active, s.viewpoint, now);
     note_view(s.viewpoint, now);
     layout_ = layout_of(s.window.panels, width, height, double(ImGui::GetFontSize()),

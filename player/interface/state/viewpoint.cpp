@@ -22,9 +22,27 @@ void replay(Viewpoint& v, const RecordedPath& path, double now) {
         Viewpoint::Flight{path.positions, now, double(path.positions.size() - 1) / positions_per_second};
 }
 
-void continue_flight(Viewpoint& v, double now) {
+namespace {
+
+/// Delays a flight that stands at a stop while the picture is not final.
+void wait_at_stop(Viewpoint::Flight& f, const Navigation& camera, double now, bool final) {
+    constexpr double longest = 15, soon = 0.1;  // seconds
+    const Navigation next = f.along->at(std::min(now, f.continued + soon) - f.start);
+    if (next.eye != camera.eye || next.R != camera.R)
+        f.waited = 0;
+    else if (!final && f.waited < longest) {
+        f.start += now - f.continued;
+        f.waited += now - f.continued;
+    }
+    f.continued = now;
+}
+
+}  // namespace
+
+void continue_flight(Viewpoint& v, double now, bool final) {
     if (!v.flight) return;
     if (v.flight->along) {
+        wait_at_stop(*v.flight, v.camera, now, final);
         v.camera = v.flight->along->at(now - v.flight->start);
         if (now - v.flight->start >= v.flight->seconds) v.flight.reset();
         return;

@@ -20,6 +20,7 @@ struct Viewpoint {
         std::vector<Navigation> stops;
         double start, seconds;
         std::shared_ptr<const CameraSpline> along{};
+        double continued = start, waited = 0;  ///< time of the last frame; seconds of waiting at this stop
     };
     std::optional<Flight> flight;
     /// Views before each movement of the camera, oldest first.
@@ -49,8 +50,10 @@ void start_flight(Viewpoint& viewpoint, const Navigation& to, double now, double
 void fly_to_point(Viewpoint& viewpoint, const Eigen::Vector3d& point, double now);
 /// Starts a flight along the recorded path, at the recorded speed.
 void replay(Viewpoint& viewpoint, const RecordedPath& path, double now);
-/// Moves the camera to its position on the flight in progress.
-void continue_flight(Viewpoint& viewpoint, double now);
+/// Moves the camera to its position on the flight in progress. At the stops of a curve, the flight's time
+/// does not pass until the picture is final, but for at most 15 seconds. `final`: whether the last picture
+/// was.
+void continue_flight(Viewpoint& viewpoint, double now, bool final = true);
 /// Stores the view from which the camera has just started to move.
 void note_view(Viewpoint& viewpoint, double now);
 

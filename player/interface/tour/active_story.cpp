@@ -69,7 +69,7 @@ void continue_tour(ActiveStory& active, const Viewpoint& viewpoint, double now) 
     if (!viewpoint.flight || !viewpoint.flight->along)
         return active.playing.reset();  // the last card stays open
     active.open.reset();
-    double at = active.playing->start;
+    double at = viewpoint.flight->start;
     for (const StoryStop& stop : active.story.tours[active.playing->tour].stops) {
         at += stop.fly;
         if (now >= at && now <= at + stop.stay)

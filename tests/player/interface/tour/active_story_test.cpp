@@ -61,6 +61,29 @@ TEST_F(ActiveStories, ToursFlyToEachStopAndShowItsCardWhileTheyStay) {
     EXPECT_LT((s.viewpoint.camera.eye - Vector3d(0, 10, 0)).norm(), 1e-6);
 }
 
+TEST_F(ActiveStories, AStopLastsFromTheFinalPictureOn) {
+    write(two_stops);
+    ActiveStory story = active();
+    Session s = session();
+    play_tour(story, s, 0, 100);
+    const auto at = [&](double now, bool final) {
+        continue_flight(s.viewpoint, now, final);
+        continue_tour(story, s.viewpoint, now);
+    };
+    for (const double now : {101.0, 101.9, 102.1}) at(now, false);  // arrives after 2 seconds
+    const auto camera = s.viewpoint.camera;
+    at(110, false);
+    EXPECT_EQ(s.viewpoint.camera.eye, camera.eye);
+    at(112.5, true);
+    EXPECT_EQ(s.viewpoint.camera.eye, camera.eye) << "stays for 3 seconds after the final picture";
+    EXPECT_EQ(s.viewpoint.camera.R, camera.R) << "without any motion, so that the picture is refined";
+    EXPECT_EQ(story.open, 0u);
+    at(113.5, true);
+    EXPECT_FALSE(story.open) << "on the way";
+    for (double now = 114; now < 140; now += 0.5) at(now, false);
+    EXPECT_FALSE(story.playing) << "no stop waits for longer than 15 seconds";
+}
+
 TEST_F(ActiveStories, InputEndsATour) {
     write(two_stops);
     ActiveStory story = active();
