@@ -26,8 +26,10 @@ std::optional<AttractLoop> attract_loop(const Story& story, const Navigation& ho
     const auto& stops = tour != story.tours.end() ? tour->stops : attract.stops;
     if (stops.empty()) return {};
     auto along = std::make_shared<const CameraSpline>(keys_of(story, stops, {}, axes, story_file));
-    const double seconds = along->seconds();
-    return AttractLoop{{}, std::move(along), seconds};
+    AttractLoop out{{}, along, along->seconds()};
+    out.tour.stops = stops;
+    out.tour.stops.front().fly = 0;
+    return out;
 }
 
 }  // namespace vantage

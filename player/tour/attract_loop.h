@@ -14,6 +14,7 @@ struct AttractLoop {
     std::vector<Navigation> positions{};
     std::shared_ptr<const CameraSpline> along{};
     double seconds = 0;
+    StoryTour tour{};  ///< the stops of `along`, which begins at the first of them; empty for other flights
 
     Navigation begin() const { return along ? along->at(0) : positions.front(); }
 };

@@ -23,7 +23,9 @@
 #include "player/interface/sections/photo_list_section.h"
 #include "player/interface/sidebar.h"
 #include "player/interface/state/failure_text.h"
+#include "player/interface/tour/invitation.h"
 #include "player/interface/tour/visitor_bar.h"
+#include "player/tour/tour_stop.h"
 #include "player/view/camera_path.h"
 #include "player/window/input/numbered_file.h"
 #include "player/window/input/view_clipboard.h"
@@ -155,6 +157,7 @@ RenderSettings ShownScene::shown_settings() const {
 
 void ShownScene::interface(const View& view, double now) {
     Session& s = session_;
+    if (kiosk_ && kiosk_->tours) return invite(now);
     if (s.window.panels.bar) visitor_bar(controls_, s, scene_.renderer, view, layout_.bar, now);
     if (!picture_.drawn()) return;  // the rest would delay the first picture
     const bool overlays = !picture_.in_parts();
@@ -184,6 +187,21 @@ void ShownScene::interface(const View& view, double now) {
     message_line(controls_, s.message, s.window.free, now);
     s.window.menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     note_navigation(s.window);
+}
+
+/// Invites visitors, and names the note at whose stop the tour stands.
+void ShownScene::invite(double now) {
+    const auto& flight = session_.viewpoint.flight;
+    const StoryTour& tour = kiosk_->tour->tour;
+    std::string title;
+    if (flight && flight->along && !tour.stops.empty()) {
+        const double seconds = now - flight->start;
+        const TourStop at = tour_stop(tour, seconds);
+        if (const StoryNote* note = note_of(scene_.active.story, tour.stops[at.stop].note);
+            note && seconds >= at.reached)
+            title = text_in(scene_.active.story, note->title, scene_.active.language);
+    }
+    invitation(controls_, title, session_.window.free);
 }
 
 /// Cuts the model with the session's planes, and draws the section.

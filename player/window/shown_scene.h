@@ -51,6 +51,7 @@ class ShownScene {
     void pick(const View& view);
     void interface(const View& view, double now);
     void tell(const View& view, double now);
+    void invite(double now);
     void add_objects(double now);
     void show_cut(const View& view);
 

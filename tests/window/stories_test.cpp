@@ -146,6 +146,25 @@ TEST_F(WindowStories, WhatAnotherProgramWroteIsNotReplaced) {
     EXPECT_EQ(slurp(file), text);
 }
 
+TEST_F(WindowStories, AnIdleKioskShowsItsLoopAndAnInvitation) {
+    write_five_notes();
+    Story story = saved();
+    story.attract = StoryAttract{5, "", {{story.notes[0].id, {}, 3, 60}}, 0};
+    write_story(story_file_of(package), story);
+    ShowOptions options;
+    options.window.kiosk = true;
+    HeadlessWindow w(package, options);
+    w.point_at({450, 200}), w.frames(3);
+    EXPECT_TRUE(w.there("Bar Home"));
+    EXPECT_FALSE(w.there("Invitation"));
+    w.wait(12);
+    EXPECT_TRUE(w.there("Invitation"));
+    EXPECT_FALSE(w.there("Bar Home") || w.there("Note 2"));
+    w.point_at({451, 200}), w.frames(3);
+    EXPECT_TRUE(w.there("Bar Home"));
+    EXPECT_FALSE(w.there("Invitation"));
+}
+
 TEST_F(WindowStories, AKioskShowsAndDoesNotEditThem) {
     write_five_notes();
     const std::string text = slurp(story_file_of(package));
