@@ -1,10 +1,18 @@
 #include "player/interface/overlays/side_views.h"
 
+#include <imgui.h>
+
+#include <Eigen/Geometry>
+
 #include "base/text/translation.h"
 #include "player/survey/picture_plane.h"
 #include "player/survey/survey.h"
+#include "player/view/photo_directions.h"
 
 namespace vantage {
+
+/// Angle in radians from the photos' directions beyond which hardly any photo shows the side.
+constexpr double most_angle = 1.2;
 
 void side_views_menu(Controls& c, Viewpoint& viewpoint, const PackageReader& package, double now) {
     struct Side {
@@ -16,8 +24,11 @@ void side_views_menu(Controls& c, Viewpoint& viewpoint, const PackageReader& pac
                               {marked("From the right"), "right"},
                               {marked("From the top"), "top"}};
     for (const auto& [label, plane] : sides) {
-        if (!c.menu_item(label, "")) continue;
         const PicturePlane side = parse_plane(plane, up_of(package.scene()));
+        ImGui::BeginDisabled(angle_from_photos(package.photos(), side.up.cross(side.right)) > most_angle);
+        const bool chosen = c.menu_item(label, "");
+        ImGui::EndDisabled();
+        if (!chosen) continue;
         start_flight(viewpoint, stand_beside(package.scene(), side.right, side.up, viewpoint.camera.up), now,
                      0.7);
     }

@@ -50,8 +50,10 @@ struct PhotoList {
 
 /// State of camera control by keys, drags and touch.
 struct Steering {
-    double flying_speed = 1;  ///< speed with the keys, in multiples of the default speed
-    bool inertia = true;      ///< drags released while moving continue
+    double flying_speed = 1;             ///< speed with the keys, in multiples of the default speed
+    bool inertia = true;                 ///< drags released while moving continue
+    bool near_photos = true;             ///< orbits and zooming out end where there are no photos
+    std::optional<Navigation> inside{};  ///< the camera before the drag in progress left the photos
     Glide glide;
     /// The anchor of a drag or a two-finger gesture.
     struct Grip {

@@ -21,12 +21,13 @@
 #include "player/survey/section.h"
 #include "player/view/photos_around.h"
 #include "player/view/pinch.h"
+#include "player/window/input/orbit_limit.h"
 
 namespace vantage {
 namespace {
 
-/// Limits on the eye's distance from its target, as fractions of the scene's size.
-constexpr double nearest = 1e-3, farthest = 30;
+/// The eye's least distance from its target, as a fraction of the scene's size.
+constexpr double nearest = 1e-3;
 
 /// The point under the pointer: on the mesh, or else at the target's distance.
 struct UnderPointer {
@@ -59,7 +60,7 @@ void drag(Session& s, const View& view, const PlanScene& scene, const Eigen::Vec
         look(s.viewpoint.camera, -left.right / focal, -left.down / focal);
     } else {
         const double radians = std::numbers::pi / std::max(1.0, double(io.DisplaySize.x));
-        orbit_about(s.viewpoint.camera, s.steering.grip->pivot, left.right * radians, left.down * radians);
+        orbit_near_photos(s, scene, s.steering.grip->pivot, left.right * radians, left.down * radians);
     }
     const double depth = std::abs(depth_in(view, s.steering.grip->pivot));
     fly(s.viewpoint.camera,
@@ -73,7 +74,7 @@ void move_to_pointer(Session& s, const View& view, const PlanScene& scene, const
     const UnderPointer at = under_pointer(view, s, scene, pointer);
     if (wheel != 0)
         approach_point(s.viewpoint.camera, at.point, std::pow(0.9, wheel), nearest * scene.size,
-                       farthest * scene.size);
+                       farthest_distance(s, scene));
     if (s.window.input.double_clicked && !s.window.panels.measure && at.on_mesh)
         fly_to_point(s.viewpoint, at.point, now);
 }
@@ -84,7 +85,7 @@ void pinch(Session& s, const View& view, const PlanScene& scene) {
     if (s.window.input.pinch_begins || !s.steering.grip)
         s.steering.grip = Steering::Grip{under_pointer(view, s, scene, p.center - p.moved).point};
     follow_pinch(s.viewpoint.camera, p, s.steering.grip->pivot, view, nearest * scene.size,
-                 farthest * scene.size);
+                 farthest_distance(s, scene));
 }
 
 /// The movement of the drag, or of its inertia, in this frame. Other movements end the inertia.
@@ -111,7 +112,9 @@ void move_by_pointer(Session& s, const PlanScene& scene, double now) {
         if (pinched) pinch(s, view, scene);
         if (points) move_to_pointer(s, view, scene, pointer, now);
     }
-    if (!s.window.input.pinch && !held && !dragged) s.steering.grip.reset();
+    if (s.window.input.pinch || held || dragged) return;
+    s.steering.grip.reset();
+    if (!s.viewpoint.flight) return_to_photos(s, now);
 }
 
 /// Maps the pointer to a hemisphere over the frame: the lamp is low if the pointer is at the frame's edge,

@@ -1,0 +1,51 @@
+#include "player/window/input/orbit_limit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "player/view/photo_directions.h"
+
+namespace vantage {
+namespace {
+
+double angle_of(const Navigation& n, const PlanScene& scene) {
+    return angle_from_photos(scene.photos, n.R.row(2).transpose());
+}
+
+/// The fraction of a turn away from the photos that is made.
+double yielding(double angle) {
+    const double left = std::clamp(2 - angle / free_angle, 0.0, 1.0);
+    return left * left;
+}
+
+}  // namespace
+
+void orbit_near_photos(Session& s, const PlanScene& scene, const Eigen::Vector3d& pivot, double right,
+                       double down) {
+    Navigation& camera = s.viewpoint.camera;
+    const Navigation before = camera;
+    orbit_about(camera, pivot, right, down);
+    if (!s.steering.near_photos) return;
+    const double was = angle_of(before, scene), is = angle_of(camera, scene);
+    if (is > free_angle && is > was) {
+        camera = before;
+        orbit_about(camera, pivot, right * yielding(is), down * yielding(is));
+    }
+    if (was <= free_angle) s.steering.inside = before;
+    if (is <= free_angle) s.steering.inside.reset();
+}
+
+void return_to_photos(Session& s, double now) {
+    if (s.steering.inside) start_flight(s.viewpoint, *s.steering.inside, now, 0.6);
+    s.steering.inside.reset();
+}
+
+double farthest_distance(const Session& s, const PlanScene& scene) {
+    constexpr double farthest = 30, least_height = 0.2;
+    if (!s.steering.near_photos) return farthest * scene.size;
+    const double half_height = std::tan(s.viewpoint.camera.fov / 2 * std::numbers::pi / 180);
+    return std::min(farthest, 0.5 / (least_height * std::max(half_height, 1e-3))) * scene.size;
+}
+
+}  // namespace vantage

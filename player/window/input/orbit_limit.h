@@ -1,0 +1,26 @@
+#pragma once
+#include <Eigen/Core>
+
+#include "player/interface/state/session.h"
+#include "player/plan/plan_scene.h"
+
+namespace vantage {
+
+/// Angle in radians from the viewing directions of the photos up to which the view orbits freely. Beyond it,
+/// little of the model was photographed.
+inline constexpr double free_angle = 0.35;
+
+/// Turns the camera about a point by angles in radians, as orbit_about() does. If the session stays near the
+/// photos, turning away from them meets a resistance that grows beyond `free_angle` and is complete at twice
+/// that angle.
+void orbit_near_photos(Session& session, const PlanScene& scene, const Eigen::Vector3d& pivot, double right,
+                       double down);
+
+/// After a drag that went beyond `free_angle`, starts a flight back.
+void return_to_photos(Session& session, double now);
+
+/// The largest distance from the target when zooming out, in scene units: if the session stays near the
+/// photos, that at which the model fills a fifth of the height.
+double farthest_distance(const Session& session, const PlanScene& scene);
+
+}  // namespace vantage
