@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "base/text/formatted.h"
 #include "base/text/translation.h"
 #include "player/render/passes/blend_table.h"
 
@@ -70,6 +71,9 @@ void help_panel(Controls& c, WindowState& window) {
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
         for (const Shortcut& line : shortcuts())
             if (line.for_public || !window.kiosk) show_line(line);
+        ImGui::Separator();
+        ImGui::TextUnformatted(
+            formatted(tr("Vantage %s, published under the MIT license"), VANTAGE_VERSION).c_str());
         const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
         c.note(title, low, ImVec2(low.x + size.x, low.y + size.y));
     }
