@@ -18,7 +18,7 @@ class CostsProgram : public Overnight {
     const fs::path folder = dir / "costs";
 };
 
-TEST_F(CostsProgram, MeasuresAScanAndContinuesWhereItStopped) {
+TEST_F(CostsProgram, MeasuresContinuesAndJoinsResults) {
     const Outcome first = costs(scene.string() + " --minutes 0.1");
     ASSERT_EQ(first.code, 0) << first.err;
     EXPECT_NE(first.out.find("for a laptop without a graphics card"), std::string::npos) << first.out;
@@ -39,23 +39,15 @@ TEST_F(CostsProgram, MeasuresAScanAndContinuesWhereItStopped) {
     EXPECT_EQ(later["trials"][0], defaults) << "measured again";
     EXPECT_GT(later["trials"].size(), scan["trials"].size());
 
-    fs::rename(scene, dir / "other");
-    ASSERT_EQ(costs((dir / "other").string() + " --minutes 0.1").code, 0);
-    EXPECT_NE(results()["scans"][0]["trials"][0], defaults) << "the measurements of another scan were kept";
-    fs::rename(dir / "other", scene);
-
     ASSERT_EQ(prepare_program("--explain").code, 0);
     const Outcome explained = prepare_program("--explain");
     EXPECT_NE(explained.out.find("measured on this scan by 'vantage costs'"), std::string::npos)
         << explained.out;
-}
 
-TEST_F(CostsProgram, JoinsResultsOnOnePage) {
-    prepare_here();
     ASSERT_EQ(costs(file.string() + " --minutes 0.1").code, 0);
-    const nlohmann::json of_package = results();
-    EXPECT_TRUE(of_package["scans"][0]["excluded"]);
-    EXPECT_TRUE(of_package["scans"][0]["trials"][0]["prepare_seconds"].empty());
+    const nlohmann::json of_package = results()["scans"][0];
+    EXPECT_TRUE(of_package["excluded"]) << "the measurements of another input were kept";
+    EXPECT_TRUE(of_package["trials"][0]["prepare_seconds"].empty());
     const std::string one = (folder / "costs.json").string();
     const Outcome joined = run("costs " + one + " " + one + " --json -o " + (dir / "both").string());
     ASSERT_EQ(joined.code, 0) << joined.err;
