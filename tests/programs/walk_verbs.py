@@ -31,7 +31,7 @@ SUCCEEDS = {
     'vantage diff': 'p.vantage p.vantage',
     'vantage extract': 'p.vantage -o files --photo 0001',
     'vantage thumbnail': 'p.vantage -o small.png',
-    'vantage costs': 'p.vantage --minutes 0.1 -o costs',
+    'vantage costs': f'{SOURCE}/configs/costs.json -o costs',
     'vantage-player kiosk': None,
     'vantage-player headset': None,
     'vantage-player render': 'p.vantage --photo 0001 -o picture.png',
