@@ -82,7 +82,7 @@ vec4 filtered(uint photo, vec2 pixel, Footprint f) {
 #endif
 }
 
-// The color in the mean photo's exposure, with vignetting corrected. Overexposed areas are not darkened,
+// The color at the mean photo's exposure, with vignetting corrected. Overexposed areas are not darkened,
 // except near the photo's own camera, where the picture has that photo's exposure.
 vec3 refined(uint photo, vec2 pixel, vec3 taken, float theta) {
     vec3 c = taken;

@@ -26,7 +26,7 @@ CostRatio ratio(const std::optional<double>& a, const std::optional<double>& b) 
     return *a / *b;
 }
 
-/// The relative difference between successive times that 90 % of the differences do not exceed.
+/// The 90th percentile of the relative differences between successive times, but at least 5 %.
 double noise_of(std::span<const ScanCosts> scans, double (*time_of)(const TrialCosts&)) {
     std::vector<double> changes;
     for (const ScanCosts& scan : scans) {

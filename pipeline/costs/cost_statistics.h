@@ -44,8 +44,8 @@ struct PooledTrial {
 /// same fraction of the full size. The result is in the order of the first scan's trials, the defaults first.
 std::vector<PooledTrial> pooled_trials(std::span<const ScanCosts> scans);
 
-/// The relative difference between two successive times of the defaults that 90 % of such differences do not
-/// exceed, but at least 5 %. Each trial has one time: that of the defaults directly before it.
+/// The 90th percentile of the relative differences between successive times of the defaults, at least 0.05.
+/// Each trial has one time: that of the defaults directly before it.
 double noise_of_seconds(std::span<const ScanCosts> scans);
 double noise_of_frames(std::span<const ScanCosts> scans);
 

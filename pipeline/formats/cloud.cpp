@@ -47,7 +47,8 @@ Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& war
         return std::ranges::binary_search(box.strays, std::uint32_t(i));
     };
     if (const std::size_t n = drop_points(cloud, stray))
-        warnings.push_back(name + ": " + std::to_string(n) + " points dropped that are far from all others");
+        warnings.push_back(name + ": " + std::to_string(n) + (n == 1 ? " point" : " points") +
+                           " far from all others dropped");
     return cloud;
 }
 

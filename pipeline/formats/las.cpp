@@ -185,7 +185,7 @@ Mesh read_las(const fs::path& file, std::vector<std::string>& warnings) {
     Points points = read_points(file, h);
     if (points.withheld > 0)
         warnings.push_back(file.filename().string() + ": " + std::to_string(points.withheld) +
-                           " points dropped that are marked as withheld");
+                           (points.withheld == 1 ? " point" : " points") + " marked as withheld dropped");
     if (points.mesh.positions.empty()) throw wrong(file, "has no points that are not withheld");
     if (const std::uint16_t most = largest_of(points.colors); most > 0)
         take_colors(points.colors, most, points.mesh);

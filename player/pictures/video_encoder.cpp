@@ -24,8 +24,8 @@ namespace {
 
 bool is_mp4(const std::filesystem::path& file) { return lower_extension(file) == ".mp4"; }
 
-/// The arguments of ffmpeg. Equal frames give equal files: the number of threads does not change the bytes,
-/// and version and date are omitted.
+/// The arguments of ffmpeg. Identical frames give identical files: the number of threads does not affect
+/// the output, and the version and the date are omitted.
 std::vector<std::string> arguments(const std::filesystem::path& part, bool mp4, const VideoFormat& f) {
     std::ostringstream rate;
     rate << f.frame_rate;

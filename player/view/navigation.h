@@ -33,8 +33,8 @@ Navigation stand_beside(const package::SceneRecord& scene, const Eigen::Vector3d
 /// A position at the photo's camera, or in front of the model if the package has no photos.
 Navigation home_of(const PackageReader& package, std::uint32_t photo);
 
-/// The view that `prepare` chose for the scene. For an image set other than that of the chosen photo, the
-/// view is at the camera of its nearest photo.
+/// The view that `prepare` chose for the scene. For an image set other than the chosen
+/// photo's, the view is at the camera of the nearest photo in that set.
 Navigation first_view(const PackageReader& package, std::uint32_t image_set);
 
 /// Orbits the target by angles in radians: `right` about up, `down` about the camera's x axis. Stops 3

@@ -32,9 +32,9 @@ inline constexpr std::size_t slice_views = 3;
 std::array<Eigen::Matrix3d, slice_views> slice_axes(const StereoPanorama& panorama, int slice);
 /// Half the extent that each view covers alone, as tangents.
 Eigen::Vector2d slice_half(const StereoPanorama& panorama);
-/// The views of the left and the right eye, which have the same size. They cover the view's own part and a
-/// margin of at least two pixels around it (`margin` is a tangent). At the center, their resolution is
-/// `finer` times that of the panorama.
+/// The views of the left and the right eye, which have the same size. They cover the part that only this view
+/// covers, plus a margin of at least two pixels on each side (`margin` is a tangent). At the center, their
+/// resolution is `finer` times that of the panorama.
 std::array<std::array<View, 2>, slice_views> eyes_of_slice(const StereoPanorama& panorama, int slice,
                                                            double finer, double margin);
 

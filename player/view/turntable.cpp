@@ -20,7 +20,7 @@ Eigen::Vector3d side_of_first_view(const PackageReader& package, const Eigen::Ve
     return level.norm() > 1e-3 * eye.norm() ? level.normalized() : up.unitOrthogonal();
 }
 
-/// A cylinder around the up direction through the origin.
+/// A cylinder whose axis passes through the origin in the up direction.
 struct Cylinder {
     double radius, half_height;
 };

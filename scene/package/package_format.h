@@ -22,7 +22,7 @@ enum class Form : std::uint32_t {
     raw,     ///< uncompressed
     zstd,    ///< for chunks without blocks: u64 length of the content, then a zstd frame
     jpeg,    ///< tiles of color, each a JPEG without the header, which all tiles share
-    cells,   ///< a level of color, as the photo's own JPEG divided into cells
+    cells,   ///< a level of color: the photo's original JPEG, divided into cells
     planes,  ///< tiles with four bytes per texel, lossless
     depth    ///< tiles of rounded depth
 };

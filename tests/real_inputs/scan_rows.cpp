@@ -1,4 +1,4 @@
-// Rows about the files and folders of scans, and about cameras and meshes.
+// Rows for the files and folders of scans, and for cameras and meshes.
 #include "tests/real_inputs/changes.h"
 
 namespace vantage::real_inputs {
@@ -82,7 +82,7 @@ std::vector<Row> scan_rows() {
         {"folders", "photos in two folders, with names that differ in case and extension", [](Scan& s) { s["images/Cam1/a.TIF"] = red(".tif"); s["images/Cam2/A.png"] = green(".png"); s.remove("images/A.jpg"); s.remove("images/B.jpg"); cameras_named({"cam1/A.jpg", "cam2/a.JPG", "C.jpg"})(s); }, Holds{"A.png=green C.jpg=blue a.TIF=red"}},
         {"folders", "photos with equal names in two folders, of which the cameras name one", [](Scan& s) { s["images/cam1/A.jpg"] = blue(); s.move("images", "images/cam2"); s.move("images/cam2/cam1", "images/cam1"); cameras_named({"cam2/A.jpg", "cam2/B.jpg", "cam2/C.jpg"})(s); }},
         {"folders", "the cameras name cam2/A.jpg, but only cam1/A.jpg is on disk", [](Scan& s) { s.move("images/A.jpg", "images/cam1/A.jpg"); cameras_named({"cam2/A.jpg", "B.jpg", "C.jpg"})(s); }, Exit::incomplete, Says{"skipped cam2/A.jpg: has a camera but no photo"}, Holds{"B.jpg=green C.jpg=blue;"}},
-        {"folders", "the cameras name equal files in two folders, but the photos are in one folder", cameras_named({"cam1/A.jpg", "cam2/A.jpg", "C.jpg"}), Exit::incomplete, Says{"cam1/A.jpg: has a camera but no photo"}, Holds{"C.jpg=blue;"}},
+        {"folders", "the cameras name files with equal names in two folders, but the photos are in one folder", cameras_named({"cam1/A.jpg", "cam2/A.jpg", "C.jpg"}), Exit::incomplete, Says{"cam1/A.jpg: has a camera but no photo"}, Holds{"C.jpg=blue;"}},
         {"folders", "the cameras name different files in two folders, but the photos are in one folder", cameras_named({"cam1/A.jpg", "cam2/B.jpg", "cam2/C.jpg"})},
         {"folders", "the cameras name folders on another machine", cameras_named({"/home/ann/photos/A.jpg", "/home/ann/photos/B.jpg", "/home/ann/photos/C.jpg"})},
         {"folders", "the cameras name images/A.jpg", cameras_named({"images/A.jpg", "images/B.jpg", "images/C.jpg"})},

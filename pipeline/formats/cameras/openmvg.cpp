@@ -30,7 +30,7 @@ Lens lens_of(const OpenmvgModel& m, const LocatedJson& data) {
     return brown_lens(radial, m.count == 5 ? c[3] : 0, m.count == 5 ? c[4] : 0, 0);
 }
 
-/// The archive names a type where it is first used, with the highest bit of its number set.
+/// The archive names a type only where it is first used; there, the highest bit of the type's number is set.
 class TypeNames {
   public:
     std::string of(const LocatedJson& value) {

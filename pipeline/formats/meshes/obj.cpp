@@ -271,7 +271,7 @@ std::vector<std::string> unknown_materials(const ObjMesh& obj,
 }
 
 std::string and_others(std::size_t count) {
-    return count == 0 ? "" : " and " + std::to_string(count) + " others";
+    return count == 0 ? "" : " and " + std::to_string(count) + (count == 1 ? " other" : " others");
 }
 
 /// The colors of the mesh's materials, by index; for a duplicate name, the color in the first library. Adds
@@ -295,7 +295,7 @@ std::vector<MaterialColor> material_colors(const ObjMesh& obj, const fs::path& f
         warnings.push_back(files.begin()->filename().string() + and_others(files.size() - 1) +
                            (files.size() > 1 ? ": have" : ": has") + " no material '" +
                            unknown.front().substr(0, 80) + "'" + and_others(unknown.size() - 1) +
-                           ", which faces of " + name + " use; they are treated as opaque");
+                           ", which faces of " + name + " use; these faces are treated as opaque");
     std::vector<MaterialColor> out;
     for (const std::string& used : obj.names)
         out.push_back(material_named(known, used).value_or(MaterialColor{255, 255, 255, 255}));

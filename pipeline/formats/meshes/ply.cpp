@@ -94,7 +94,7 @@ class Values {
     }
     bool is_native() const { return ply_.format != Format::text && !swapped(); }
     /// Rejects a count of elements for which the rest of the file is too short, before memory is allocated.
-    /// In text, a value takes at least a digit and a blank.
+    /// In text files, a value takes at least two bytes: a digit and a space.
     void check_count(std::size_t count, std::size_t bytes_each, std::size_t values_each) const {
         const std::size_t each = ply_.format == Format::text ? 2 * values_each : bytes_each;
         if (count > (rest_.size() + 1) / std::max<std::size_t>(1, each)) fail_truncated();

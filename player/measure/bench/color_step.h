@@ -8,8 +8,8 @@
 
 namespace vantage {
 
-/// A rendered frame: sRGB values, 0 to 255, not rounded, and triangles numbered from 1 (0: none); one per
-/// pixel, row by row from the top.
+/// A rendered frame: for each pixel, row by row from the top, the unrounded sRGB values (0 to 255) and the
+/// number of the triangle, starting at 1 (0: none).
 struct SeenFrame {
     View view;
     std::vector<std::array<float, 3>> codes;

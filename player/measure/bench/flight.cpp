@@ -19,7 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Loads all data that the path needs, as long as there is space.
+/// Loads all data that the path needs, as far as memory allows.
 void preload(ObjectSet& objects, const CameraPath& path, FrameSize size, RenderSettings settings,
              const std::vector<std::uint32_t>& photos) {
     settings.loading = Loading::complete;

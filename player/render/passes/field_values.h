@@ -29,7 +29,7 @@ class FieldValues {
     const PackageReader* package_;
     std::vector<ScalarField> fields_;
     std::vector<std::vector<float>> measured_;  ///< per field; empty if stored in the file or not yet shown
-    int loaded_ = -1;                           ///< the field whose values the model has
+    int loaded_ = -1;                           ///< the field whose values are loaded into the model
     gl::Texture color_map_;                     ///< created when a field is first shown
     ColorMap mapped_ = ColorMap::automatic;
 };

@@ -98,7 +98,7 @@ TEST_F(Las, WithheldPointsAreDroppedAndCounted) {
         warnings.clear();
         EXPECT_EQ(read(bytes).positions.size(), 3u);
         ASSERT_EQ(warnings.size(), 1u);
-        EXPECT_NE(warnings[0].find("1 points dropped that are marked as withheld"), std::string::npos);
+        EXPECT_NE(warnings[0].find("1 point marked as withheld dropped"), std::string::npos);
     }
 }
 

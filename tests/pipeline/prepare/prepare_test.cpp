@@ -76,7 +76,7 @@ TEST_F(PrepareAtLength, EveryDatasetPassesCheck) {
 }
 
 TEST_F(Prepare, OddPhotoSizesPassCheck) {
-    // Halving with rounding up changes the aspect ratio of a photo of 1062 x 797. A thumbnail with that ratio
+    // Halving and rounding up changes the aspect ratio of a photo of 1062 x 797. A thumbnail with that ratio
     // would be 512 x 385, not 512 x 384.
     for (const auto& [width, height] : {std::pair(1062, 797), {797, 1062}, {513, 1}, {3, 700}}) {
         SynthSpec spec = spec_named("tiny");

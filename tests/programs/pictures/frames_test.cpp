@@ -60,7 +60,7 @@ Difference difference(const std::vector<std::uint8_t>& a, const std::vector<std:
     return d;
 }
 
-/// The time that `draw` takes until the graphics card has finished, in milliseconds.
+/// The time in milliseconds from the call of `draw` until the graphics card has finished.
 double ms_of(const std::function<void()>& draw) {
     const auto begin = std::chrono::steady_clock::now();
     draw();

@@ -170,9 +170,8 @@ TEST_F(Mtl, OfTheSameName) {
 TEST_F(Mtl, AreMissedIfFacesUseThem) {
     write("a.mtl", "newmtl Skylight\nd 0.5\n");
     EXPECT_TRUE(mesh("mtllib a.mtl\nusemtl unused\n" + roof).colors.empty());
-    EXPECT_EQ(warnings,
-              std::vector<std::string>{"a.mtl: has no material 'tiles' and 1 others, which faces of "
-                                       "mesh.obj use; they are treated as opaque"});
+    EXPECT_EQ(warnings, std::vector<std::string>{"a.mtl: has no material 'tiles' and 1 other, which faces of "
+                                                 "mesh.obj use; these faces are treated as opaque"});
 }
 
 TEST_F(Mtl, AreNotSwallowedByCommentsAndNames) {
