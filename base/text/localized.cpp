@@ -11,24 +11,6 @@
 namespace vantage {
 namespace {
 
-constexpr char begin = '\1', end = '\2';  ///< marks before and after a number with a fraction
-
-/// The format, with a mark before and after each conversion of a floating-point number, such as "%.1f".
-std::string with_marks(std::string_view format) {
-    std::string out;
-    while (!format.empty()) {
-        const std::size_t length = format[0] != '%' ? std::min(format.find('%'), format.size())
-                                                    : format.find_first_not_of("-+ #0123456789.*hlLqjzt", 1);
-        const std::string_view piece =
-            format.substr(0, length < format.size() ? length + (format[0] == '%') : format.size());
-        format.remove_prefix(piece.size());
-        const bool fraction =
-            piece[0] == '%' && std::string_view("aAeEfFgG").find(piece.back()) != std::string_view::npos;
-        out += fraction ? begin + std::string(piece) + end : std::string(piece);
-    }
-    return out;
-}
-
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
@@ -36,20 +18,10 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 const char* decimal_separator() { return tr(MARKED_IN("decimal separator", ".")); }
 
 std::string localized(const char* format, ...) {
-    const std::string separator = decimal_separator();
     std::va_list arguments;
     va_start(arguments, format);
-    const std::string marked = formatted_list(with_marks(format).c_str(), arguments);
+    std::string out = formatted_list(format, arguments, decimal_separator());
     va_end(arguments);
-    std::string out;
-    bool number = false;
-    for (const char c : marked)
-        if (c == begin || c == end)
-            number = c == begin;
-        else if (number && c == '.')
-            out += separator;
-        else
-            out += c;
     return out;
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "base/text/formatted.h"
 #include "player/panels/picture_text.h"
+#include "player/survey/number_text.h"
 
 namespace vantage {
 namespace {
@@ -55,7 +55,7 @@ void draw_map(Picture& p, const Box& bar, ColorMap map, int isolines) {
 std::array<std::string, 3> value_texts(const ValueRange& range, bool logarithmic) {
     const double middle =
         logarithmic ? std::sqrt(range.low) * std::sqrt(range.high) : range.low / 2 + range.high / 2;
-    return {formatted("%.5g", range.low), formatted("%.5g", middle), formatted("%.5g", range.high)};
+    return {value_text(range.low, range), value_text(middle, range), value_text(range.high, range)};
 }
 
 }  // namespace

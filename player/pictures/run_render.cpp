@@ -115,8 +115,9 @@ void print_legend(const Renderer& renderer, const RenderSettings& settings) {
     const ScalarField* const field = renderer.resources().fields.shown(settings);
     if (!field) return;
     const auto [map, range] = field_legend(*field, settings.field);
-    std::fprintf(text_output(), "field %s  %g to %g, %s%s\n", field->name.c_str(), range.low, range.high,
-                 name_of(map), settings.field.logarithmic ? ", logarithmic" : "");
+    std::fprintf(text_output(), "field %s  %s to %s, %s%s\n", field->name.c_str(),
+                 value_text(range.low, range).c_str(), value_text(range.high, range).c_str(), name_of(map),
+                 settings.field.logarithmic ? ", logarithmic" : "");
 }
 
 }  // namespace

@@ -165,40 +165,54 @@ std::optional<double> propagated(const Measurement& m, std::span<const Vector3d>
     return std::sqrt(squares);
 }
 
+/// The largest distance of a point from the first one.
+double extent_of(std::span<const Vector3d> points) {
+    double out = 0;
+    for (const Vector3d& p : points) out = std::max(out, (p - points.front()).stableNorm());
+    return out;
+}
+
 /// `dimension`: 1 for lengths, 2 for areas.
 void scale_by(Measured& m, const Scale& scale, int dimension) {
     const double factor = std::pow(shown_length(scale), dimension);
     if (!m.value) return;
     *m.value *= factor;
+    m.size *= factor;
     if (m.uncertainty)
         m.uncertainty = std::hypot(*m.uncertainty * factor, dimension * *m.value * scale.relative);
 }
 
-std::string length_text(double input_units, const Scale& scale) {
-    return number_text(input_units * shown_length(scale)) + " " +
-           tr(names[std::size_t(shown_unit(scale))].length);
+std::string number_text_of(const Measured& m) {
+    return m.uncertainty ? number_text(*m.value, *m.uncertainty) : number_text(*m.value, 6, m.size);
 }
 
 std::string note_of(const Measurement& m, const Scale& scale, const Vector3d& up, double off_plane) {
-    const std::vector<Vector3d> p = positions_of(m);
+    std::vector<Vector3d> p = positions_of(m);
     const Vector3d step = p.back() - p.front();
+    const Derived along = chain(p);
+    Measured written{along.value, propagated(m, along.slopes), "", extent_of(p)};  // with the digits of this
+    scale_by(written, scale, 1);
+    const auto number = [&](double length) {
+        written.value = length * shown_length(scale);
+        return number_text_of(written);
+    };
+    const auto with_unit = [&](double length) {
+        return number(length) + " " + tr(names[std::size_t(shown_unit(scale))].length);
+    };
     switch (m.measure) {
         case Measure::distance:
-            return formatted(
-                tr("along x %s, y %s, z %s"), number_text(step.x() * shown_length(scale)).c_str(),
-                number_text(step.y() * shown_length(scale)).c_str(), length_text(step.z(), scale).c_str());
+            return formatted(tr("along x %s, y %s, z %s"), number(step.x()).c_str(), number(step.y()).c_str(),
+                             with_unit(step.z()).c_str());
         case Measure::height:
             return formatted(tr("horizontal distance %s"),
-                             length_text((step - up * up.dot(step)).stableNorm(), scale).c_str());
+                             with_unit((step - up * up.dot(step)).stableNorm()).c_str());
         case Measure::polyline:
             return formatted(tr_count("%zu segment", "%zu segments", p.size() - 1), p.size() - 1);
-        case Measure::area: {
-            std::vector<Vector3d> round = p;
-            round.push_back(p.front());
+        case Measure::area:
+            p.push_back(p.front());
             return formatted(
                 tr("on the plane that best fits the corners, which are up to %s away from it; perimeter %s"),
-                length_text(off_plane, scale).c_str(), length_text(*chain(round).value, scale).c_str());
-        }
+                with_unit(off_plane).c_str(), with_unit(*chain(p).value).c_str());
         default:
             return {};
     }
@@ -206,7 +220,7 @@ std::string note_of(const Measurement& m, const Scale& scale, const Vector3d& up
 
 Measured point(const Measurement& m) {
     const SurveyPoint& p = m.points.front();
-    return {{}, p.uncertainty, "units", coordinates_text(p)};
+    return {{}, p.uncertainty, "units", 0, coordinates_text(p)};
 }
 
 bool is_finite(const Measured& m) {
@@ -236,16 +250,19 @@ Measured evaluate(const Measurement& m, const Scale& scale, const Vector3d& up) 
                       : m.measure == Measure::angle  ? angle(p)
                       : m.measure == Measure::height ? height(p, up)
                                                      : chain(p);
-    Measured out{d.value, propagated(m, d.slopes), "", d.note};
+    const double extent = extent_of(p);
+    Measured out{d.value, propagated(m, d.slopes), "", extent, d.note};
     const Named& named = names[std::size_t(shown_unit(scale))];
     if (m.measure == Measure::angle) {
         const double degrees = 180 / std::numbers::pi;
         out.unit = "°";
+        out.size = 180;
         if (out.value) *out.value *= degrees;
         if (out.uncertainty) *out.uncertainty *= degrees;
     } else {
         const bool is_area = m.measure == Measure::area;
         out.unit = without_context(is_area ? named.area : named.length);
+        if (is_area) out.size = extent * extent;
         scale_by(out, scale, is_area ? 2 : 1);
     }
     if (!is_finite(out)) return {.note = tr("no value: the points are too far apart")};
@@ -259,7 +276,8 @@ std::string coordinates_text(const SurveyPoint& p) {
     for (int axis = 0; axis < 3; ++axis) {
         const double v = p.position[axis];
         out += std::string(axis ? "   " : "") + "xyz"[axis] + " " +
-               (p.uncertainty ? number_text(v, *p.uncertainty) : number_text(v, 10));
+               (p.uncertainty ? number_text(v, *p.uncertainty)
+                              : number_text(v, 10, p.position.cwiseAbs().maxCoeff()));
     }
     return out;
 }
@@ -268,10 +286,8 @@ std::string text_of(const Measured& m) {
     if (!m.value) return localized_numbers(m.note);
     const std::string unit =
         *m.unit ? std::string(m.unit) == "°" ? m.unit : std::string(" ") + tr_in("unit", m.unit) : "";
-    if (!m.uncertainty) return localized_numbers(number_text(*m.value)) + unit;
-    return localized_numbers(number_text(*m.value, *m.uncertainty) + " ± " +
-                             uncertainty_text(*m.uncertainty)) +
-           unit;
+    const std::string uncertainty = m.uncertainty ? " ± " + uncertainty_text(*m.uncertainty) : "";
+    return localized_numbers(number_text_of(m) + uncertainty) + unit;
 }
 
 }  // namespace vantage

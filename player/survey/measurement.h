@@ -47,6 +47,7 @@ struct Measured {
         value{};  ///< nullopt if invalid, with the reason in `note`; always nullopt for Measure::point
     std::optional<double> uncertainty{};  ///< standard uncertainty; nullopt if that of a point is unknown
     const char* unit = "";                ///< such as "cm", "cm2", "deg"
+    double size = 0;                      ///< magnitude of such a value, see number_text()
     std::string note{};                   ///< additional remark, or empty
 };
 
@@ -55,10 +56,10 @@ struct Measured {
 /// Values are always finite.
 Measured evaluate(const Measurement& measurement, const Scale& scale, const Eigen::Vector3d& up);
 
-/// "x 1.253   y 0.004   z 12.480", with as many digits as the uncertainty allows.
+/// "x 1.253   y 0.004   z 12.480", with as many digits as the uncertainty allows, or ten if it is unknown.
 std::string coordinates_text(const SurveyPoint& point);
 /// "2.014 ± 0.003 m" as displayed in the window, with as many digits as the uncertainty allows, or six if the
-/// uncertainty is unknown. If there is no value, returns the note.
+/// uncertainty is unknown. The lengths in notes have the same digits. If there is no value, returns the note.
 std::string text_of(const Measured& measured);
 
 }  // namespace vantage

@@ -18,7 +18,11 @@ std::string with_decimals(double value, int decimals) { return formatted("%.*f",
 
 }  // namespace
 
-std::string number_text(double value, int digits) { return formatted("%.*g", digits, value); }
+std::string number_text(double value, int digits, double size) {
+    const double last = std::pow(10, std::floor(std::log10(size)) + 1 - digits);
+    const double rounded = std::round(value / last) * last;
+    return formatted("%.*g", digits, size > 0 && std::isfinite(rounded) ? rounded : value);
+}
 
 std::string number_text(double value, double uncertainty) {
     return with_decimals(value, decimals_for(uncertainty));
@@ -26,6 +30,10 @@ std::string number_text(double value, double uncertainty) {
 
 std::string uncertainty_text(double uncertainty) {
     return with_decimals(uncertainty, decimals_for(uncertainty));
+}
+
+std::string value_text(double value, const ValueRange& range) {
+    return number_text(value, 5, std::max(std::abs(range.low), std::abs(range.high)));
 }
 
 }  // namespace vantage

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int all_digits = 12;
 
-std::string number_or_nothing(const std::optional<double>& value) {
-    return value ? number_text(*value, all_digits) : "";
+std::string number_or_nothing(const std::optional<double>& value, double size = 0) {
+    return value ? number_text(*value, all_digits, size) : "";
 }
 
 std::string quoted(const std::string& text) {
@@ -34,14 +34,14 @@ std::string points_text(const Measurement& m) {
 std::string direction_text(const Eigen::Vector3d& d) {
     for (int axis = 0; axis < 3; ++axis)
         if (std::abs(d[axis]) == 1) return std::string(d[axis] > 0 ? "+" : "-") + "xyz"[axis];
-    return number_text(d.x(), 4) + " " + number_text(d.y(), 4) + " " + number_text(d.z(), 4);
+    return number_text(d.x(), 4, 1) + " " + number_text(d.y(), 4, 1) + " " + number_text(d.z(), 4, 1);
 }
 
 std::string survey_csv(const Survey& s) {
     std::string out = "name,measure,value,uncertainty,unit,note,points\n";
     for (const Measurement& m : s.measurements) {
         const Measured is = evaluate(m, s.scale, s.up);
-        out += quoted(m.name) + "," + name_of(m.measure) + "," + number_or_nothing(is.value) + "," +
+        out += quoted(m.name) + "," + name_of(m.measure) + "," + number_or_nothing(is.value, is.size) + "," +
                number_or_nothing(is.uncertainty) + "," + is.unit + "," + quoted(is.note) + "," +
                quoted(points_text(m)) + "\n";
     }

@@ -21,7 +21,9 @@ SurveySaver::~SurveySaver() {
 Survey SurveySaver::read(const Survey& otherwise) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return !next_ && !writing_; });
-    return read_survey(file_, otherwise);
+    Survey out = read_survey(file_, otherwise);
+    exists_ = file_.content.has_value();
+    return out;
 }
 
 void SurveySaver::save(const Survey& survey) {
@@ -40,6 +42,11 @@ bool SurveySaver::busy() const {
     return next_ || writing_ || !trouble_.empty();
 }
 
+bool SurveySaver::exists() const {
+    const std::lock_guard lock(mutex_);
+    return exists_;
+}
+
 void SurveySaver::write_until(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     while (changed_.wait(lock, stop, [&] { return next_.has_value(); })) {
@@ -55,6 +62,7 @@ void SurveySaver::write_until(const std::stop_token& stop) {
         lock.lock();
         writing_ = false;
         trouble_ = trouble;
+        exists_ = file_.content.has_value();
         changed_.notify_all();
     }
 }

@@ -25,6 +25,8 @@ class SurveySaver {
     std::string take_trouble();
     /// Whether a survey is pending, or whether an error has not been taken.
     bool busy() const;
+    /// Whether the file existed when it was last read or written.
+    bool exists() const;
     const std::filesystem::path& path() const { return path_; }
 
   private:
@@ -35,7 +37,7 @@ class SurveySaver {
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::optional<Survey> next_;
-    bool writing_ = false;
+    bool writing_ = false, exists_ = false;
     std::string trouble_;
     std::jthread thread_;  ///< declared last, because the thread uses the other members
 };

@@ -116,6 +116,7 @@ TEST_F(WindowMeasures, NamesScaleAndTable) {
     HeadlessWindow w(package, from_photo());
     w.resize(1400, 900);
     w.key(GLFW_KEY_M);
+    EXPECT_EQ(shown_text().find("saved in"), std::string::npos) << "there is no file yet";
     w.press("Snap to vertices");
     click(w, {left, 0, low}), click(w, {left, 0, high});
     w.choose("Measure", "polyline");
@@ -123,6 +124,7 @@ TEST_F(WindowMeasures, NamesScaleAndTable) {
     w.key(GLFW_KEY_ENTER);
     EXPECT_NEAR(value(w, 2), 3.50333, 5e-4);
     w.press("distance 1");
+    EXPECT_NE(shown_text().find("saved in one.measurements.json"), std::string::npos) << shown_text();
     w.fill_in("Name", "Door");
     written(w, survey_file(), "\"name\": \"Door\"");
     w.fill_in("Known length", "6.03");

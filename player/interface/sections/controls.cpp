@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <optional>
-#include <string_view>
 
 #include "base/files/replace_file.h"
 #include "base/text/localized.h"
@@ -22,20 +22,20 @@ std::string shown_name(const char* name) {
 
 namespace {
 
-/// ImGui formats numbers with a decimal point; this function formats them for languages with another
-/// separator.
+/// Shows the number as localized() writes it, instead of ImGui's text. Numbers that are tiny in the slider's
+/// range are noise, and shown as 0.
 bool localized_slider(const std::string& label, double* value, const std::array<double, 2>& range,
                       const char* format, ImGuiSliderFlags flags) {
-    const bool as_imgui_does = decimal_separator() == std::string_view(".");
     const ImVec2 low = ImGui::GetCursorScreenPos(),
                  high(low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight());
-    if (!as_imgui_does) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
     const bool changed =
         ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, value, &range[0], &range[1], format,
                             flags | ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
-    if (as_imgui_does) return changed;
     ImGui::PopStyleColor();
-    const std::string text = localized(format, *value), name = label.substr(0, label.find("##"));
+    const bool noise = std::abs(*value) < 1e-9 * std::max(std::abs(range[0]), std::abs(range[1]));
+    const std::string text = localized(format, noise ? 0.0 : *value),
+                      name = label.substr(0, label.find("##"));
     const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
     const ImGuiStyle& style = ImGui::GetStyle();
     const float beside = (high.x - low.x - ImGui::CalcTextSize(text.c_str()).x) / 2;

@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "base/text/formatted.h"
 #include "base/text/localized.h"
 #include "base/text/translation.h"
 #include "player/interface/overlays/seen_triangle.h"
 #include "player/interface/overlays/value_at_pixel.h"
 #include "player/interface/sections/choice.h"
+#include "player/survey/number_text.h"
 
 namespace vantage {
 namespace {
@@ -72,8 +74,8 @@ void legend(const ScalarField& field, const FieldSettings& s, std::optional<doub
     }
     list.PopClipRect();
     ImGui::Dummy(ImVec2(width, histogram_height() + legend_height()));
-    ImGui::TextUnformatted(localized("%.5g", range.low).c_str());
-    const std::string text = localized("%.5g", range.high);
+    ImGui::TextUnformatted(localized_numbers(value_text(range.low, range)).c_str());
+    const std::string text = localized_numbers(value_text(range.high, range));
     ImGui::SameLine(width + ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(text.c_str()).x);
     ImGui::TextUnformatted(text.c_str());
 }
@@ -112,7 +114,10 @@ void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, cons
     legend(field, s, value);
     if (const char* unit = unit_of(field)) ImGui::TextDisabled("%s", tr(unit));
     if (value)
-        ImGui::TextUnformatted(localized(tr("under the pointer: %.5g"), *value).c_str());
+        ImGui::TextUnformatted(
+            formatted(tr("under the pointer: %s"),
+                      localized_numbers(value_text(*value, field_legend(field, s).range)).c_str())
+                .c_str());
     else
         ImGui::TextDisabled("%s", tr("under the pointer: no value"));
     static const char* const maps[] = {marked("automatic"), marked("viridis"), marked("magma"),

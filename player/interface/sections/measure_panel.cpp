@@ -223,7 +223,7 @@ void MeasurePanel::content(Controls& c, Session& s, double now) {
     if (c.button("Export table")) s.window.commands.push_back(SaveTable{survey_csv(survey_)});
     ImGui::EndDisabled();
     c.explain("Writes all measurements as a table (CSV) into the current folder.");
-    ImGui::TextDisabled(tr("saved in %s"), file_.path().filename().c_str());
+    if (file_.exists()) ImGui::TextDisabled(tr("saved in %s"), file_.path().filename().c_str());
 }
 
 void MeasurePanel::choice_of_measure(Controls& c, bool keyboard) {

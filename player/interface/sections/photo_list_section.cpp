@@ -53,8 +53,8 @@ std::string remark(const PhotoList& list, const package::PhotoRecord& photo, std
     if (list.by_point && list.point && at != list.showing.end())
         return localized(tr("pixels of %.3g"), at->size);
     const auto error = error_of(list, number);
-    const double stops = std::round(-10 * std::log2(std::max(photo.gain[1], 1e-9))) / 10;
-    return localized(tr("%.0f %%, %+.1f stops"), 100 * photo.visible_vertices, stops + 0.0) +  // no -0.0
+    return localized(tr("%.0f %%, %+.1f stops"), 100 * photo.visible_vertices,
+                     -std::log2(std::max(photo.gain[1], 1e-9))) +
            (error ? localized(tr(", %.1f px"), *error) : "");
 }
 

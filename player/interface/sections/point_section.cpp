@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
+#include <string>
 
 #include "base/text/localized.h"
 #include "base/text/translation.h"
+#include "player/survey/number_text.h"
 #include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
@@ -22,7 +24,10 @@ void under_pointer(const Renderer& renderer) {
     ImGui::TextDisabled("%s", shown ? tr("under the pointer:") : tr("under the pointer: no point"));
     for (int axis = 0; axis < 3; ++axis)
         if (shown)
-            ImGui::TextUnformatted(localized("%c  %.10g", "xyz"[axis], p -> position[axis]).c_str());
+            ImGui::TextUnformatted(
+                (std::string(1, "xyz"[axis]) + "  " +
+                 localized_numbers(number_text(p->position[axis], 10, p->position.cwiseAbs().maxCoeff())))
+                    .c_str());
         else
             ImGui::TextDisabled(" ");
     if (shown)

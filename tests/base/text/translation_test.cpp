@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <map>
 
@@ -48,6 +49,13 @@ TEST(Formatted, IsWhatPrintfPrints) {
     EXPECT_EQ(formatted("%s of %zu %%", "part", std::size_t(3)), "part of 3 %");
     EXPECT_EQ(formatted("%s", std::string(5000, 'x').c_str()), std::string(5000, 'x'));
     EXPECT_EQ(formatted("%s", ""), "");
+}
+
+TEST(Formatted, HasNoNegativeZero) {
+    EXPECT_EQ(formatted("%.1f, %+.1f, %5.1f, %g, %.0e", -0.04, -0.04, -0.04, -0.0, -0.0),
+              "0.0, +0.0,   0.0, 0, 0e+00");
+    EXPECT_EQ(formatted("%s, %d, %.1f, %g, %g", "-0.0", -10, -10.0, -1e-10, -HUGE_VAL),
+              "-0.0, -10, -10.0, -1e-10, -inf");
 }
 
 TEST(Localized, IsWhatPrintfPrintsInEnglish) {

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <random>
 
+#include "player/survey/number_text.h"
+#include "player/survey/survey.h"
 #include "tests/player/test_scene.h"
 
 using namespace vantage;
@@ -77,7 +79,7 @@ TEST(Measurement, TakesTheAreaOnThePlaneThatFitsBest) {
     const std::vector<Vector3d> warped{{0, 0, 0.1}, {2, 0, -0.1}, {2, 2, 0.1}, {0, 2, -0.1}};
     const Measured m = measured(Measure::area, warped);
     EXPECT_NEAR(*m.value, 4, 1e-12);
-    EXPECT_NE(m.note.find("0.1 units away"), std::string::npos) << m.note;
+    EXPECT_NE(m.note.find("0.100 units away"), std::string::npos) << m.note;
 }
 
 TEST(Measurement, StatesTheSpreadThatItsPointsGiveIt) {
@@ -154,4 +156,23 @@ TEST(Measurement, IsWrittenWithTheDigitsThatItHas) {
     m.points.front().uncertainty.reset();
     EXPECT_EQ(text_of(evaluate(m, meters, up)), "2.0137 m");
     EXPECT_EQ(coordinates_text({{1.25, -3, 5412345.5}, 0.01, ""}), "x 1.250   y -3.000   z 5412345.500");
+}
+
+TEST(Measurement, NotesHaveTheDigitsOfTheValueAndNoNoise) {
+    Measurement distance = measurement(Measure::distance, {{0, 0, 0}, {2.0137, 1e-17, -1e-17}}, 0.0021);
+    EXPECT_EQ(evaluate(distance, {}, up).note, "along x 2.0137, y 0.0000, z 0.0000 units");
+    distance.points.front().uncertainty.reset();
+    EXPECT_EQ(evaluate(distance, {}, up).note, "along x 2.0137, y 0, z 0 units");
+    Measurement height = measurement(Measure::height, {{0, 0, 0}, {1, 0, -1e-17}});
+    EXPECT_EQ(text_of(evaluate(height, {}, up)), "0.000 ± 0.014 units");
+    height.points.front().uncertainty.reset();
+    EXPECT_EQ(text_of(evaluate(height, {}, up)), "0 units");
+    EXPECT_NE(survey_csv({.measurements = {height}}).find("\"\",height,0,,"), std::string::npos);
+    Measurement area = measurement(Measure::area, tilted_l_shape({1, 2, 3}));
+    EXPECT_NE(evaluate(area, {}, up).note.find("up to 0.000 units away"), std::string::npos);
+    area.points.front().uncertainty.reset();
+    EXPECT_NE(evaluate(area, {}, up).note.find("up to 0 units away"), std::string::npos);
+    EXPECT_EQ(coordinates_text({{1.25, -1e-17, 3}, {}, ""}), "x 1.25   y 0   z 3");
+    EXPECT_EQ(direction_text(Vector3d(0.6, -1e-17, 0.8)), "0.6 0 0.8");
+    EXPECT_EQ(value_text(-1.3e-17, {-1.3e-17, 2.5}), "0");
 }
