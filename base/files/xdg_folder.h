@@ -8,4 +8,8 @@ namespace vantage {
 /// HOME/.cache. Empty if HOME is not set either.
 std::filesystem::path xdg_folder(const char* variable, const char* below_home);
 
+/// The user's folder of pictures: XDG_PICTURES_DIR in the file user-dirs.dirs of xdg-user-dirs, or
+/// HOME/Pictures if that does not name one. Empty if HOME is not set.
+std::filesystem::path pictures_folder();
+
 }  // namespace vantage

@@ -22,7 +22,7 @@ void OrthophotoWriter::attend(Session& s, const PackageReader& package, double n
     say(s.message,
         ended->well ? formatted(tr("%s written to %s"), tr_in("written", "orthophoto"), file_.c_str())
                     : failure_text(cannot_write(), ended->says),
-        now);
+        now, ended->well ? file_ : "");
 }
 
 std::string OrthophotoWriter::cannot_write() const {
@@ -31,7 +31,7 @@ std::string OrthophotoWriter::cannot_write() const {
 
 void OrthophotoWriter::start(Session& s, const PackageReader& package, double now) {
     const std::string pixel = formatted("%.12g", s.orthophoto.pixel);
-    file_ = free_name(package.path().stem().string() + "-orthophoto",
+    file_ = free_name(stem_for_files(package, "-orthophoto", true),
                       s.orthophoto.file == OrthophotoRequest::File::tiff ? ".tif" : ".png");
     std::vector<std::string> arguments = {
         "orthophoto",   package.path().string(),

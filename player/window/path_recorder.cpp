@@ -14,7 +14,7 @@ void save_path(Session& s, const PackageReader& package, double now) {
     const std::vector<Navigation>& positions = s.path.positions;
     if (positions.empty()) return;
     write_numbered(
-        s.message, package.path().stem().string(), ".path",
+        s.message, stem_for_files(package), ".path",
         formatted(tr_in("written", "%zu positions"), positions.size()), now,
         [&](const std::string& file) { write_path(file, positions, package, {}, positions_per_second); });
 }

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// Records the camera's path as long as the session requests it, and then writes it into the current folder.
+/// Records the camera's path as long as the session requests it, and then writes it next to the package.
 class PathRecorder {
   public:
     /// `rests`: whether nothing has moved since the last call.

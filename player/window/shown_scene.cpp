@@ -87,7 +87,7 @@ void ShownScene::frame(int width, int height, double now) {
     if (s.settings.points.pick) pick(view);
     picture_.show(shown, now);
     while (take<SaveScreenshot>(s.window.commands))
-        write_numbered(s.message, scene_.package().path().stem().string(), ".png",
+        write_numbered(s.message, stem_for_files(scene_.package(), "", true), ".png",
                        tr_in("written", "screenshot"), now,
                        [&](const std::string& file) { save_frame(file, width, height); });
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -184,7 +184,8 @@ void ShownScene::interface(const View& view, double now) {
     chooser_.attend(s.window.commands, s.message, package_folder(scene_.package()), now);
     open_dialog_.show(controls_, s.window);
     drop_dialog(controls_, s.window.commands, dropped_);
-    message_line(controls_, s.message, s.window.free, now);
+    message_line(controls_, s.message, s.window, now);
+    file_manager_.attend(s.window.commands, s.message, now);
     s.window.menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     note_navigation(s.window);
 }
@@ -235,7 +236,8 @@ double ShownScene::wakes_at() const {
     if (!session_.message.text.empty()) at = session_.message.shown ? session_.message.until : shown_at_;
     if (scene_.asked_files.busy() || scene_.note_picture.loading() || scene_.measure.saves())
         at = std::min(at, shown_at_ + 0.05);
-    if (orthophotos_.writes() || chooser_.asks()) at = std::min(at, shown_at_ + 0.5);
+    if (orthophotos_.writes() || chooser_.asks() || file_manager_.starts())
+        at = std::min(at, shown_at_ + 0.5);
     at = std::min(at, picture_.looks_again_at());
     if (ImGui::GetIO().WantTextInput) at = std::min(at, shown_at_ + blink_seconds);
     if (layout_.strip.height > 0) at = std::min(at, strip_.ranks_at());

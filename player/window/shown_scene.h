@@ -10,6 +10,7 @@
 #include "player/interface/sections/open_dialog.h"
 #include "player/interface/tour/story_editor.h"
 #include "player/interface/tour/story_panel.h"
+#include "player/window/input/file_manager.h"
 #include "player/window/input/system_chooser.h"
 #include "player/window/kiosk.h"
 #include "player/window/loaded_scene.h"
@@ -70,6 +71,7 @@ class ShownScene {
     PathRecorder path_recorder_;
     OrthophotoWriter orthophotos_;
     SystemChooser chooser_;
+    FileManager file_manager_;
 };
 
 }  // namespace vantage

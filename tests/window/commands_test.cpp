@@ -1,4 +1,7 @@
 // Commands from keys, menus, dialogs and dropped files.
+#include <fstream>
+
+#include "player/window/input/numbered_file.h"
 #include "tests/window/window_test.h"
 
 using namespace vantage;
@@ -90,11 +93,57 @@ TEST_F(WindowCommands, AViewIsCopiedAsACommandLineAndPasted) {
 
 TEST_F(WindowCommands, FilesThatCannotBeWrittenAreSaid) {
     if (!std::filesystem::exists("/proc/self")) GTEST_SKIP() << "this test needs a read-only folder";
+    std::filesystem::create_directory("scans");
+    HeadlessWindow w(copy_of(WindowScene::tiny, "scans/one.vantage"));
+    std::filesystem::rename("scans", "moved");
     std::filesystem::current_path("/proc");
-    HeadlessWindow w(package_of(WindowScene::tiny));
     w.key(GLFW_KEY_R), w.wait(0.5), w.key(GLFW_KEY_R);
     EXPECT_TRUE(w.there("Message"));
-    EXPECT_NE(w.session.message.text.find("tiny-0001.path"), std::string::npos) << w.session.message.text;
+    EXPECT_NE(w.session.message.text.find("/proc/one-0001.path"), std::string::npos)
+        << w.session.message.text;
+    EXPECT_FALSE(w.there("Copy path")) << "there is no file";
+}
+
+TEST_F(WindowCommands, AWrittenFileIsBesideThePackageAndItsMessageLeadsThere) {
+    std::filesystem::create_directory("scans");
+    std::filesystem::create_directory("programs");
+    std::ofstream("programs/xdg-open") << "#!/bin/sh\nprintf %s \"$1\" >'" << dir.string() << "/shown'\n";
+    std::filesystem::permissions("programs/xdg-open", std::filesystem::perms::owner_all);
+    HeadlessWindow w(copy_of(WindowScene::tiny, "scans/one.vantage"));
+    w.resize(500, 700);
+    w.key(GLFW_KEY_R), w.wait(0.5), w.key(GLFW_KEY_R);
+    const std::filesystem::path file = dir / "scans/one-0001.path";
+    EXPECT_TRUE(std::filesystem::exists(file));
+    EXPECT_NE(w.session.message.text.find(file.string()), std::string::npos) << w.session.message.text;
+    w.wait(10);
+    w.key(GLFW_KEY_M);
+    const Eigen::Vector2d copy = w.place("Copy path"), measure = w.place("Measure");
+    ASSERT_LT((copy - measure).norm(), 300) << "the panel is at the same place";
+    w.press("Copy path");
+    EXPECT_EQ(ImGui::GetClipboardText(), file.string()) << "the message is above the panel";
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", (dir / "programs").c_str(), 1);
+    w.press("Show the file");
+    ::setenv("PATH", path.c_str(), 1);
+    written(w, dir / "shown", file.parent_path().string());
+    w.point_at({250, 600}), w.wait(20);
+    EXPECT_FALSE(w.there("Message"));
+}
+
+TEST_F(WindowCommands, PicturesOfAPackageInAReadOnlyFolderAreInTheFolderOfPictures) {
+    std::filesystem::create_directories("home/.config");
+    std::filesystem::create_directories("home/Bilder");
+    std::ofstream("home/.config/user-dirs.dirs") << "# folders\nXDG_PICTURES_DIR=\"$HOME/Bilder\"\n";
+    const std::string home = std::getenv("HOME") ? std::getenv("HOME") : "";
+    ::setenv("HOME", (dir / "home").c_str(), 1);
+    ::unsetenv("XDG_CONFIG_HOME");
+    std::filesystem::create_directory("scans");
+    const PackageReader package(copy_of(WindowScene::tiny, "scans/one.vantage"));
+    EXPECT_EQ(stem_for_files(package, "-a", true), dir / "scans/one-a");
+    std::filesystem::rename("scans", "moved");
+    EXPECT_EQ(stem_for_files(package, "-a", true), dir / "home/Bilder/one-a");
+    EXPECT_EQ(stem_for_files(package, "-a"), dir / "one-a");
+    ::setenv("HOME", home.c_str(), 1);
 }
 
 TEST_F(WindowCommands, AskWhatToDoWithADroppedPackage) {

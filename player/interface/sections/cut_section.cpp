@@ -126,7 +126,7 @@ void cut_section(Controls& c, Session& s, const PlanScene& scene, const Eigen::V
         box_controls(c, cut, scene, origin);
     if (c.button("Export section")) s.window.commands.push_back(SaveCut{});
     c.explain(
-        "Writes the lines of the cut as a drawing (DXF) into the current folder, in the input's "
+        "Writes the lines of the cut as a drawing (DXF) next to the package, in the input's "
         "coordinates.");
     ImGui::EndDisabled();
 }

@@ -222,7 +222,7 @@ void MeasurePanel::content(Controls& c, Session& s, double now) {
     ImGui::BeginDisabled(survey_.measurements.empty());
     if (c.button("Export table")) s.window.commands.push_back(SaveTable{survey_csv(survey_)});
     ImGui::EndDisabled();
-    c.explain("Writes all measurements as a table (CSV) into the current folder.");
+    c.explain("Writes all measurements as a table (CSV) next to the package.");
     if (file_.exists()) ImGui::TextDisabled(tr("saved in %s"), file_.path().filename().c_str());
 }
 

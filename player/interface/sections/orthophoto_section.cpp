@@ -56,7 +56,7 @@ void orthophoto_section(Controls& c, Session& s, const PackageReader& package) {
     ImGui::BeginDisabled(o.writing);
     if (c.button("Write the orthophoto")) s.window.commands.push_back(SaveOrthophoto{});
     ImGui::EndDisabled();
-    c.explain("Writes the picture into the current folder; the window remains usable.");
+    c.explain("Writes the picture next to the package; the window remains usable.");
     if (o.writing) ImGui::TextUnformatted(tr("being written..."));
 }
 

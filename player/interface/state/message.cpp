@@ -2,8 +2,11 @@
 
 namespace vantage {
 
-void say(Message& message, const std::string& text, double now) {
-    message = {text, now + message_seconds, false};
+double seconds_of(const Message& message) { return message.file.empty() ? 6 : 20; }
+
+void say(Message& message, const std::string& text, double now, const std::filesystem::path& file) {
+    message = {text, now, false, file};
+    message.until += seconds_of(message);
 }
 
 }  // namespace vantage

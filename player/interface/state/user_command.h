@@ -35,6 +35,10 @@ struct SaveScene {};
 /// Saves the section's outlines as a drawing.
 struct SaveCut {};
 struct SaveOrthophoto {};
+/// Shows the folder of a file in the desktop's file manager.
+struct ShowFolder {
+    std::string file;
+};
 /// Copies the view to the clipboard as a command line.
 struct CopyView {};
 /// Flies to the view given as text.
@@ -47,7 +51,7 @@ struct CloseMenus {};
 /// A command from a key, a menu, a panel or a dropped file.
 using UserCommand =
     std::variant<Quit, OpenFile, ChooseFile, PlaceDropped, AddObject, SaveScreenshot, SaveTable, SaveScene,
-                 SaveCut, SaveOrthophoto, CopyView, PasteView, CloseMenus>;
+                 SaveCut, SaveOrthophoto, ShowFolder, CopyView, PasteView, CloseMenus>;
 /// Pending commands, in the order in which they were given. Each kind is handled in one place.
 using UserCommands = std::vector<UserCommand>;
 

@@ -150,7 +150,7 @@ void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View&
     ImGui::BeginDisabled(!active.changed);
     if (c.button("Save the story")) try {
             save(active);
-            say(s.message, formatted(tr("written to %s"), active.file.c_str()), now);
+            say(s.message, formatted(tr("written to %s"), active.file.c_str()), now, active.file);
         } catch (const Error& e) {
             say(s.message, failure_text(tr("The story is not saved."), e), now);
         }
