@@ -220,14 +220,25 @@ void ShownScene::tell(const View& view, double now) {
     const SurfaceAt surface = [&](const Eigen::Vector2d& pixel) {
         return surface_at_pixel(scene_.plan(), seen, pixel_in(seen.view.intrinsics, view.intrinsics, pixel));
     };
-    if (s.window.panels.story_editor) story_editor_.show(controls_, scene_.active, s, view, surface, now);
+    const std::vector<PlacedMesh> meshes = scene_.objects.meshes();
+    SurfaceAt hit_surface = [&](const Eigen::Vector2d& pixel) {
+        const auto hit = surface_on(meshes, ray_through(view, pixel), HUGE_VAL, s.settings.sections);
+        return hit ? std::optional(hit->at) : std::nullopt;
+    };
+    if (meshes.empty() || picture_.in_parts()) hit_surface = {};
+    s.window.places_note &= s.window.panels.story_editor;
+    if (s.window.panels.story_editor)
+        story_editor_.show(controls_, scene_.active, s, view, hit_surface, now);
     if (!s.window.panels.story) return;
     if (scene_.active.any() || !scene_.active.trouble.empty()) story_panel(controls_, scene_.active, s, now);
     if (picture_.in_parts()) return;
-    const auto clicked =
+    const MarkerInput input =
         draw_note_markers(controls_, note_markers(scene_.active.story, scene_.active.axes, view, surface),
                           scene_.active.story, scene_.active.language, scene_.active.open);
-    if (clicked) open_note(scene_.active, s.viewpoint, *clicked, now);
+    if (input.clicked) open_note(scene_.active, s.viewpoint, *input.clicked, now);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (input.dragged && s.window.panels.story_editor && scene_.active.editable())
+        place_note(scene_.active, *input.dragged, s, hit_surface, {double(mouse.x), double(mouse.y)});
     note_card(controls_, scene_.active, scene_.note_picture, s, now);
 }
 

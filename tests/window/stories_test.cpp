@@ -27,8 +27,10 @@ class WindowStories : public WindowTest {
     static void add_note(HeadlessWindow& w, const std::string& title) {
         w.point_at({450, 300});
         w.drag(2, 20, 0);
-        for (int i = 0; i < 4; ++i) w.draw(), w.frames();  // the surface position is known some frames later
-        w.press("Add a note here");
+        w.press("Add a note");
+        w.point_at({w.view().intrinsics.cx, w.view().intrinsics.cy}), w.frames();
+        w.click();
+        w.wait(1);  // no double click
         w.press("Title of the note"), w.type(title);
         w.press("Picture file of the note"), w.type("picture.png");
     }
@@ -177,4 +179,46 @@ TEST_F(WindowStories, AKioskShowsAndDoesNotEditThem) {
     w.key(GLFW_KEY_E, KeyPress::With::control);
     EXPECT_FALSE(w.there("Save the story"));
     EXPECT_EQ(slurp(story_file_of(package)), text);
+}
+
+TEST_F(WindowStories, ANoteIsPlacedAndMovedWithTheMouse) {
+    ShowOptions options;
+    options.package.photos = {"0002.jpg"};
+    HeadlessWindow w(package, options);
+    w.resize(1400, 900);
+    const Vector3d origin = Eigen::Map<const Vector3d>(w.package().scene().origin), eye = stands_at(w);
+    const auto pixel_of = [&](const Vector3d& place) {
+        return project(w.view().intrinsics, w.view().cam_from_origin, place - origin)->pixel;
+    };
+    const auto click_at = [&](const Eigen::Vector2d& pixel) {
+        w.wait(1);
+        w.point_at(pixel), w.frames();
+        w.click();
+    };
+    const Vector3d low(1.6, 0, 3.7), high(1.6, 0, 5.3);  // on the wall
+    const auto saved_anchor = [&] {
+        w.press("Save the story");
+        return saved().notes.at(0).anchor.value_or(Vector3d::Zero());
+    };
+    w.key(GLFW_KEY_E, KeyPress::With::control);
+    w.press("Add a note");
+    click_at({1390, 450});
+    EXPECT_TRUE(w.there("Message")) << "there is no surface";
+    click_at(pixel_of(low));
+    EXPECT_LT((saved_anchor() - low).norm(), 0.02);
+    click_at(pixel_of(high));
+    EXPECT_FALSE(w.there("List 2")) << "only one click places a note";
+    w.point_at(w.place("Note 1"));
+    const Eigen::Vector2d by = pixel_of(high) - w.place("Note 1");
+    w.drag(0, by.x(), by.y());
+    EXPECT_LT((saved_anchor() - high).norm(), 0.02);
+    EXPECT_LT((stands_at(w) - eye).norm(), 1e-9) << "dragging a mark is neither a click nor an orbit";
+    w.press("Move its mark");
+    click_at(pixel_of(low));
+    EXPECT_LT((saved_anchor() - low).norm(), 0.02);
+    w.press("Add a note");
+    w.point_at(pixel_of(high)), w.frames();
+    w.key(GLFW_KEY_ESCAPE);
+    click_at(pixel_of(high));
+    EXPECT_FALSE(w.there("List 2")) << "Esc cancels";
 }

@@ -45,10 +45,11 @@ std::vector<NoteMarker> note_markers(const Story& story, const InputAxes& axes, 
     return out;
 }
 
-std::optional<std::size_t> draw_note_markers(Controls& controls, const std::vector<NoteMarker>& markers,
-                                             const Story& story, const std::string& language,
-                                             std::optional<std::size_t> open) {
-    std::optional<std::size_t> clicked;
+MarkerInput draw_note_markers(Controls& controls, const std::vector<NoteMarker>& markers, const Story& story,
+                              const std::string& language, std::optional<std::size_t> open) {
+    MarkerInput input;
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool dragged = io.MouseDragMaxDistanceSqr[0] > io.MouseDragThreshold * io.MouseDragThreshold;
     const float side = 1.6f * ImGui::GetFontSize();
     for (const NoteMarker& m : markers) {
         // A window of the marker's size catches the click before the camera controls do.
@@ -61,14 +62,15 @@ std::optional<std::size_t> draw_note_markers(Controls& controls, const std::vect
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                          ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
-        if (ImGui::InvisibleButton(name.c_str(), ImVec2(side, side))) clicked = m.note;
+        if (ImGui::InvisibleButton(name.c_str(), ImVec2(side, side)) && !dragged) input.clicked = m.note;
+        if (ImGui::IsItemActive() && dragged) input.dragged = m.note;
         controls.note(name.c_str());
         const bool hovered = ImGui::IsItemHovered();
         ImGui::End();
         ImGui::PopStyleVar(2);
         draw_marker(m, text_in(story, story.notes[m.note].title, language), open == m.note, hovered);
     }
-    return clicked;
+    return input;
 }
 
 }  // namespace vantage

@@ -26,10 +26,13 @@ using SurfaceAt = std::function<std::optional<Eigen::Vector3d>(const Eigen::Vect
 std::vector<NoteMarker> note_markers(const Story& story, const InputAxes& axes, const View& view,
                                      const SurfaceAt& surface);
 
+/// The notes whose markers were clicked, or are being dragged.
+struct MarkerInput {
+    std::optional<std::size_t> clicked{}, dragged{};
+};
 /// Draws a numbered disc at each anchor, with the note's title next to it; hidden anchors are dimmed and have
-/// no title. Returns the clicked note.
-std::optional<std::size_t> draw_note_markers(Controls& controls, const std::vector<NoteMarker>& markers,
-                                             const Story& story, const std::string& language,
-                                             std::optional<std::size_t> open);
+/// no title.
+MarkerInput draw_note_markers(Controls& controls, const std::vector<NoteMarker>& markers, const Story& story,
+                              const std::string& language, std::optional<std::size_t> open);
 
 }  // namespace vantage

@@ -35,6 +35,7 @@ struct WindowState {
     std::vector<KeyPress> measuring;  ///< keys that measuring mode handles
     bool menu_open = false;           ///< a menu or list was open in the last frame
     bool navigates = false;           ///< a control had the keyboard focus in the last frame
+    bool places_note = false;         ///< the next click on the model places a note
     bool touched = false;             ///< any input since the last frame
     UserCommands commands;
 };

@@ -25,6 +25,7 @@ struct ActiveStory {
     };
     std::optional<Playing> playing{};
 
+    bool editable() const { return !file.empty() && trouble.empty(); }
     bool any() const { return !story.notes.empty() || !story.tours.empty(); }
 };
 

@@ -32,15 +32,63 @@ void make_tour(Story& story) {
 
 }  // namespace
 
-void StoryEditor::add(ActiveStory& active, const Session& s, const View& view, const SurfaceAt& surface) {
+bool place_note(ActiveStory& active, std::size_t note, const Session& s, const SurfaceAt& surface,
+                const Eigen::Vector2d& pixel) {
+    const auto at = surface ? surface(pixel) : std::nullopt;
+    if (!at) return false;
+    active.story.notes[note].anchor =
+        rounded_place(*at + active.axes.origin, (s.viewpoint.camera.target - s.viewpoint.camera.eye).norm());
+    active.open = note;
+    active.changed = true;
+    return true;
+}
+
+void StoryEditor::add(ActiveStory& active, const Session& s, const SurfaceAt& surface,
+                      const Eigen::Vector2d& pixel) {
     StoryNote note{free_note_id(active.story), {}, {}};
     note.view = story_view(s.viewpoint.camera, active.axes);
-    if (const auto at = surface({view.intrinsics.cx, view.intrinsics.cy}))
-        note.anchor = rounded_place(*at + active.axes.origin,
-                                    (s.viewpoint.camera.target - s.viewpoint.camera.eye).norm());
     active.story.notes.push_back(std::move(note));
     active.open = active.story.notes.size() - 1;
     active.changed = true;
+    place_note(active, *active.open, s, surface, pixel);
+}
+
+void StoryEditor::take_click(ActiveStory& active, Session& s, const SurfaceAt& surface, double now) {
+    if (!s.window.places_note || ImGui::GetIO().WantCaptureMouse || s.window.input.clicks.empty()) return;
+    const Eigen::Vector2d pixel(s.window.input.clicks.front().x, s.window.input.clicks.front().y);
+    if (!surface || !surface(pixel)) return say(s.message, tr("There is no surface here"), now);
+    if (moves_ && active.open)
+        place_note(active, *active.open, s, surface, pixel);
+    else
+        add(active, s, surface, pixel);
+    s.window.places_note = false;
+}
+
+/// Without a mouse or a surface to click, notes are placed at the center of the view.
+void StoryEditor::place_buttons(Controls& c, ActiveStory& active, Session& s, const View& view,
+                                const SurfaceAt& surface) {
+    const Eigen::Vector2d center(view.intrinsics.cx, view.intrinsics.cy);
+    const auto wait_for_click = [&](bool moves) {
+        moves_ = moves;
+        s.window.places_note = true;
+        s.window.panels.measure = false;  // it takes clicks, too
+    };
+    const bool at_center = s.window.navigates || !surface;
+    if (c.button("Add a note")) at_center ? add(active, s, surface, center) : wait_for_click(false);
+    c.explain(
+        "The next click on the model places the note, and stores this view. With the keyboard, the note is "
+        "placed at the center of the view.");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!active.open);
+    if (c.button("Move its mark")) {
+        if (at_center)
+            place_note(active, *active.open, s, surface, center);
+        else
+            wait_for_click(true);
+    }
+    ImGui::EndDisabled();
+    c.explain("The next click on the model moves the note's mark there. Marks can also be dragged.");
+    ImGui::SameLine();
 }
 
 /// Copies the texts of the open note to the text fields.
@@ -121,19 +169,19 @@ void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View&
     if (!ImGui::Begin(shown_name("Edit the story").c_str(), &s.window.panels.story_editor,
                       ImGuiWindowFlags_AlwaysAutoResize))
         return ImGui::End();
-    const bool fixed = active.file.empty() || !active.trouble.empty();
+    const bool fixed = !active.editable();
     if (fixed)
         ImGui::TextWrapped("%s", active.file.empty()
                                      ? tr("The story of a package on a server cannot be edited here.")
                                      : active.trouble.c_str());
     ImGui::BeginDisabled(fixed);
-    if (c.button("Add a note here")) add(active, s, view, surface);
-    c.explain("Places a note on the surface at the center of the view, and stores this view.");
-    ImGui::SameLine();
+    if (!fixed) take_click(active, s, surface, now);
+    place_buttons(c, active, s, view, surface);
     if (c.button("Set the opening view")) {
         active.story.opening = story_view(s.viewpoint.camera, active.axes);
         active.changed = true;
     }
+    if (s.window.places_note) ImGui::TextDisabled("%s", tr("Click on the model; Esc cancels."));
     take(active);
     if (edited_) {
         fields(c, active);

@@ -9,20 +9,30 @@
 
 namespace vantage {
 
-/// The panel for writing a story. The panel adds notes at the surface point in the center of the view, edits
-/// the open note, sorts the notes, makes a tour of them, and saves the story. Texts are edited in the
-/// displayed language.
+/// Moves a note's anchor to the surface at a pixel. Returns false if there is no surface. `surface` may be
+/// empty, here and below, if no surface can be clicked.
+bool place_note(ActiveStory& active, std::size_t note, const Session& session, const SurfaceAt& surface,
+                const Eigen::Vector2d& pixel);
+
+/// The panel for writing a story. The panel adds notes at points of the surface that are clicked, edits the
+/// open note, sorts the notes, makes a tour of them, and saves the story. Texts are edited in the displayed
+/// language.
 class StoryEditor {
   public:
     void show(Controls& controls, ActiveStory& active, Session& session, const View& view,
               const SurfaceAt& surface, double now);
 
   private:
-    void add(ActiveStory& active, const Session& session, const View& view, const SurfaceAt& surface);
+    void add(ActiveStory& active, const Session& session, const SurfaceAt& surface,
+             const Eigen::Vector2d& pixel);
+    void place_buttons(Controls& controls, ActiveStory& active, Session& session, const View& view,
+                       const SurfaceAt& surface);
+    void take_click(ActiveStory& active, Session& session, const SurfaceAt& surface, double now);
     void fields(Controls& controls, ActiveStory& active);
     void buttons(Controls& controls, ActiveStory& active, const Session& session);
     void take(const ActiveStory& active);
 
+    bool moves_ = false;                 ///< the next click moves the open note's anchor
     std::optional<std::size_t> edited_;  ///< the note in the text fields
     std::string language_;               ///< language of the edited texts
     std::array<char, 501> title_{};

@@ -174,10 +174,12 @@ void fly_on(Session& s, const PlanScene& scene, int by, double now) {
     }
 }
 
-/// Cancels the current mode: help, a flight, a comparison. Never closes the window.
+/// Cancels the current mode: help, placing a note, a flight, a comparison. Never closes the window.
 void leave(Session& s, double now) {
     if (s.window.panels.help)
         s.window.panels.help = false;
+    else if (s.window.places_note)
+        s.window.places_note = false;
     else if (s.viewpoint.flight)
         s.viewpoint.flight.reset();
     else if (s.settings.compare != Compare::nothing)
