@@ -52,6 +52,7 @@ std::vector<Shortcut> shortcuts() {
             {marked("Ctrl+E"), marked("edit notes and tours")},
             {"O", marked("open another package (or drop it here)")},
             {"P", marked("screenshot")},
+            {marked("Ctrl+Z, Ctrl+Shift+Z"), marked("undo, redo: notes, measurements, cuts, settings")},
             {marked("Ctrl+C, Ctrl+V"), marked("copy the view as a command line, fly to a copied view")},
             {marked("arrow keys, Space or Enter"), marked("select a control, activate it"), true},
             {marked("Ctrl+Tab, Alt"), marked("go to another panel, to the menu")},

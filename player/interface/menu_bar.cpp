@@ -63,6 +63,11 @@ void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
         if (c.menu_item("Quit", "Ctrl+Q")) s.window.commands.push_back(Quit{});
         ImGui::EndMenu();
     }
+    if (c.menu("Edit")) {
+        if (c.menu_item("Undo", "Ctrl+Z")) s.window.commands.push_back(Undo{});
+        if (c.menu_item("Redo", "Ctrl+Shift+Z")) s.window.commands.push_back(Redo{});
+        ImGui::EndMenu();
+    }
     if (c.menu("View")) {
         view_menu(c, s, renderer, now);
         ImGui::EndMenu();

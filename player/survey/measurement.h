@@ -16,6 +16,7 @@ struct SurveyPoint {
     std::optional<double>
         uncertainty{};  ///< standard uncertainty per coordinate, see smallest_footprint(); nullopt if unknown
     std::string photo{};  ///< the photo that has the smallest footprint; empty if unknown
+    bool operator==(const SurveyPoint&) const = default;
 };
 
 /// Kind of a measurement.
@@ -39,6 +40,7 @@ struct Measurement {
     std::string name;  ///< UTF-8, one line
     Measure measure;
     std::vector<SurveyPoint> points;
+    bool operator==(const Measurement&) const = default;
 };
 
 /// Result of a measurement.

@@ -15,6 +15,8 @@ struct Survey {
     Scale scale{};
     Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< unit vector, in input coordinates
     std::vector<Measurement> measurements{};
+    /// Ignores `up`, which follows from the scene.
+    bool operator==(const Survey& o) const { return scale == o.scale && measurements == o.measurements; }
 };
 
 /// "+z", or the direction's three numbers.

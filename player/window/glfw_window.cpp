@@ -52,7 +52,7 @@ struct GlfwWindow::Callbacks {
                       with == 0                  ? With::nothing
                       : with == GLFW_MOD_CONTROL ? With::control
                                                  : With::other,
-                      action == GLFW_REPEAT},
+                      action == GLFW_REPEAT, (modifiers & GLFW_MOD_SHIFT) != 0},
                      action != GLFW_RELEASE);
     }
     static void drop(GLFWwindow* w, int count, const char** files) { input(w).drop({files, files + count}); }

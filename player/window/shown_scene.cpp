@@ -125,6 +125,7 @@ View ShownScene::update(int width, int height, double now) {
     shown_at_ = now;
     if (take_all<CloseMenus>(s.window.commands)) controls_.close_menus();
     interface(view, now);
+    undo_.attend(s, scene_.active, scene_.measure, now);
     path_recorder_.attend(s, picture_.is_final(), scene_.package(), now);
     add_objects(now);
     scene_.asked_files.attend(s, scene_.package(), scene_.objects, now);
@@ -227,8 +228,7 @@ void ShownScene::tell(const View& view, double now) {
     };
     if (meshes.empty() || picture_.in_parts()) hit_surface = {};
     s.window.places_note &= s.window.panels.story_editor;
-    if (s.window.panels.story_editor)
-        story_editor_.show(controls_, scene_.active, s, view, hit_surface, now);
+    if (s.window.panels.story_editor) story_editor_.show(controls_, scene_.active, s, view, hit_surface, now);
     if (!s.window.panels.story) return;
     if (scene_.active.any() || !scene_.active.trouble.empty()) story_panel(controls_, scene_.active, s, now);
     if (picture_.in_parts()) return;

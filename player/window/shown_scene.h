@@ -10,6 +10,7 @@
 #include "player/interface/sections/open_dialog.h"
 #include "player/interface/tour/story_editor.h"
 #include "player/interface/tour/story_panel.h"
+#include "player/interface/undo.h"
 #include "player/window/input/file_manager.h"
 #include "player/window/input/system_chooser.h"
 #include "player/window/kiosk.h"
@@ -66,6 +67,7 @@ class ShownScene {
     Layout layout_;
     CutLines cut_lines_;
     StoryEditor story_editor_;
+    UndoHistory undo_;
     double shown_at_ = 0;
     std::optional<Kiosk> kiosk_;
     PathRecorder path_recorder_;

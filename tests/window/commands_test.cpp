@@ -116,6 +116,7 @@ TEST_F(WindowCommands, AWrittenFileIsBesideThePackageAndItsMessageLeadsThere) {
     EXPECT_TRUE(std::filesystem::exists(file));
     EXPECT_NE(w.session.message.text.find(file.string()), std::string::npos) << w.session.message.text;
     w.wait(10);
+    EXPECT_TRUE(w.there("Message")) << "longer than messages without buttons";
     w.key(GLFW_KEY_M);
     const Eigen::Vector2d copy = w.place("Copy path"), measure = w.place("Measure");
     ASSERT_LT((copy - measure).norm(), 300) << "the panel is at the same place";

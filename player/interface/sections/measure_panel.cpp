@@ -67,6 +67,7 @@ MeasurePanel::MeasurePanel(const PackageReader& package)
 /// Another program may have changed the file since the mode was last active.
 void MeasurePanel::begin(Session& s, double now) {
     active_ = true;
+    ++reads_;
     survey_.up = up_of(package_->scene());
     try {
         survey_ = file_.read(Survey{.up = survey_.up});
@@ -184,6 +185,16 @@ void MeasurePanel::end() {
         {free_name(next_.measure), next_.measure, std::exchange(next_.points, {})});
     changed();
     select(survey_.measurements.size() - 1);
+}
+
+void MeasurePanel::restore(Session& s, const Survey& expected, const Survey& survey, double now) {
+    s.window.panels.measure = true;
+    if (!active_) begin(s, now);
+    if (!(survey_ == expected)) return;
+    survey_.scale = survey.scale;
+    survey_.measurements = survey.measurements;
+    selected_.reset();
+    changed();
 }
 
 void MeasurePanel::changed() {

@@ -42,6 +42,12 @@ class MeasurePanel {
     /// Finishes a measurement with its current points, if there are enough.
     void end();
     void remove_last_point();
+    bool unfinished() const { return !next_.points.empty(); }
+    /// How often the file was read.
+    int reads() const { return reads_; }
+    const Survey& survey() const { return survey_; }
+    /// Enters the mode, and replaces the measurements if they are still equal to `expected`.
+    void restore(Session& session, const Survey& expected, const Survey& survey, double now);
     /// The panel's controls.
     void content(Controls& controls, Session& session, double now);
     struct Drawn {
@@ -76,6 +82,7 @@ class MeasurePanel {
     Survey survey_;
     std::vector<Measured> values_;  ///< of the measurements
     bool active_ = false;
+    int reads_ = 0;
     Measurement next_{"", Measure::distance, {}};  ///< being measured
     bool to_vertices_ = false;
     std::optional<SurveyPoint> under_;

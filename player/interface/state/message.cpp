@@ -2,7 +2,7 @@
 
 namespace vantage {
 
-double seconds_of(const Message& message) { return message.file.empty() ? 6 : 20; }
+double seconds_of(const Message& message) { return message.file.empty() ? 6 : 12; }
 
 void say(Message& message, const std::string& text, double now, const std::filesystem::path& file) {
     message = {text, now, false, file};

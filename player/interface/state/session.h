@@ -28,6 +28,11 @@ struct Cut {
     Eigen::Vector3d facing = -Eigen::Vector3d::UnitZ();  ///< toward the viewer, of length 1
     double share = 0.5;  ///< position in the model's extent across the plane, 0 to 1
     KnownExtents extents;
+
+    bool operator==(const Cut& o) const {
+        return by == o.by && low == o.low && high == o.high && on == o.on && other_side == o.other_side &&
+               across == o.across && facing == o.facing && share == o.share;
+    }
 };
 
 /// A request to write an orthophoto.

@@ -45,13 +45,17 @@ struct CopyView {};
 struct PasteView {
     std::string text;
 };
+/// Undoes the last change.
+struct Undo {};
+/// Repeats the change that was undone last.
+struct Redo {};
 /// Closes open menus and lists.
 struct CloseMenus {};
 
 /// A command from a key, a menu, a panel or a dropped file.
 using UserCommand =
     std::variant<Quit, OpenFile, ChooseFile, PlaceDropped, AddObject, SaveScreenshot, SaveTable, SaveScene,
-                 SaveCut, SaveOrthophoto, ShowFolder, CopyView, PasteView, CloseMenus>;
+                 SaveCut, SaveOrthophoto, ShowFolder, CopyView, PasteView, Undo, Redo, CloseMenus>;
 /// Pending commands, in the order in which they were given. Each kind is handled in one place.
 using UserCommands = std::vector<UserCommand>;
 

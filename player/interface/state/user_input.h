@@ -13,6 +13,7 @@ struct KeyPress {
     int place;  ///< GLFW code of the key's position on a US keyboard
     enum class With { nothing, control, other } with = With::nothing;  ///< other: with Alt or Super
     bool repeated = false;                                             ///< key repeat while held
+    bool shift = false;
 };
 
 /// Movement of the pointer while a mouse button was down, in pixels.

@@ -94,7 +94,7 @@ void StoryEditor::place_buttons(Controls& c, ActiveStory& active, Session& s, co
 /// Copies the texts of the open note to the text fields.
 void StoryEditor::take(const ActiveStory& active) {
     const std::string language = edited_language(active);
-    if (edited_ == active.open && language_ == language) return;
+    if (edited_ == active.open && language_ == language && ImGui::IsAnyItemActive()) return;
     edited_ = active.open;
     language_ = language;
     if (!edited_) return;

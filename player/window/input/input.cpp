@@ -174,7 +174,8 @@ void fly_on(Session& s, const PlanScene& scene, int by, double now) {
     }
 }
 
-/// Cancels the current mode: help, placing a note, a flight, a comparison. Never closes the window.
+/// Cancels the current mode (help, placing a note, a flight, a comparison), or closes the message about a
+/// file. Never closes the window.
 void leave(Session& s, double now) {
     if (s.window.panels.help)
         s.window.panels.help = false;
@@ -184,6 +185,8 @@ void leave(Session& s, double now) {
         s.viewpoint.flight.reset();
     else if (s.settings.compare != Compare::nothing)
         s.settings.compare = Compare::nothing;
+    else if (!s.message.file.empty())
+        s.message = {};
     else if (!s.window.kiosk)
         say(s.message, tr("Ctrl+Q quits"), now);
 }
@@ -218,11 +221,16 @@ void change_text(WindowState& window, float factor) {
 }
 
 /// Keys with Ctrl.
-void run_command(WindowState& window, int key) {
+void run_command(WindowState& window, const KeyPress& press) {
+    const int key = press.key;
     if (key == GLFW_KEY_Q && !window.kiosk) window.commands.push_back(Quit{});
     if (key == GLFW_KEY_E && !window.kiosk) window.panels.story_editor = !window.panels.story_editor;
     if (!ImGui::GetIO().WantTextInput && !window.kiosk) {  // otherwise they belong to a text field
         if (key == GLFW_KEY_C) window.commands.push_back(CopyView{});
+        if (key == GLFW_KEY_Y || (key == GLFW_KEY_Z && press.shift))
+            window.commands.push_back(Redo{});
+        else if (key == GLFW_KEY_Z)
+            window.commands.push_back(Undo{});
         if (const char* text = key == GLFW_KEY_V ? ImGui::GetClipboardText() : nullptr)
             window.commands.push_back(PasteView{text});
     }
@@ -291,7 +299,7 @@ void apply_input(Session& session, const PlanScene& scene, double now) {
     move_by_pointer(session, scene, now);
     move_lamp(session);
     for (const KeyPress& p : session.window.input.keys)
-        if (p.with == With::control) run_command(session.window, p.key);
+        if (p.with == With::control) run_command(session.window, p);
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput || io.WantCaptureKeyboard) return;  // a dialog is open, or a control has the focus
     if (session.window.menu_open && take_key(session.window.input, GLFW_KEY_ESCAPE))

@@ -64,7 +64,11 @@ press "Show"; press "which photo"
 settled colors.ppm
 alike photos.ppm colors.ppm && fail "false colors change nothing"
 there "Legend" || fail "false colors have no legend"
-press "Show"; press "photos"
+key ctrl+z
+gone "Legend" || fail "Ctrl+Z does not undo a setting"
+key ctrl+shift+z
+there "Legend" || fail "Ctrl+Shift+Z does not redo it"
+key ctrl+z
 settled again-photos.ppm
 alike photos.ppm again-photos.ppm || fail "the photos are not shown again as they were"
 
@@ -73,6 +77,9 @@ key F4  # the strip would cover the help
 settled strip.ppm
 key p
 soon test -s one-0001.png || fail "P writes no screenshot"
+there "Copy path" || fail "no message leads to the screenshot"
+key Escape
+gone Message || fail "Esc does not close the message"
 xdotool mousemove 600 250
 help() {  # help FILE.ppm: its pixels, without its rounded corners, and no message over it
   for _ in 1 2 3; do soon gone Message && break; done

@@ -1,0 +1,102 @@
+#include "player/interface/undo.h"
+
+#include <imgui.h>
+
+#include <utility>
+
+#include "base/text/formatted.h"
+#include "base/text/translation.h"
+#include "scene/story/story_file.h"
+
+namespace vantage {
+namespace {
+
+/// Copies the settings that are not undone: they follow the pointer, the frame or a comparison.
+void copy_transient(const RenderSettings& from, RenderSettings& to) {
+    to.compare = from.compare;
+    to.compare_photo = from.compare_photo;
+    to.swipe = from.swipe;
+    to.image_sets.how = from.image_sets.how;
+    to.image_sets.swipe = from.image_sets.swipe;
+    to.light.azimuth = from.light.azimuth;
+    to.light.elevation = from.light.elevation;
+    to.weights_from = from.weights_from;
+    to.points.pick = from.points.pick;
+    to.sections = from.sections;
+    to.capacity = from.capacity;
+}
+
+/// The open note stays open if it still exists.
+void restore(ActiveStory& active, const Story& story) {
+    const std::string open = active.open ? active.story.notes[*active.open].id : "";
+    active.story = story;
+    active.open.reset();
+    if (const StoryNote* const note = note_of(active.story, open))
+        active.open = std::size_t(note - active.story.notes.data());
+    active.playing.reset();
+    active.changed = story_text(story) != active.on_disk;
+}
+
+}  // namespace
+
+UndoHistory::Settings UndoHistory::settings_of(const Session& s) {
+    Settings out{s.settings, s.photos};
+    copy_transient({}, out.render);
+    return out;
+}
+
+template <class T>
+void UndoHistory::record(T& last, const T& now, bool is_change) {
+    if (last == now) return;
+    if (is_change) {
+        steps_.resize(done_);
+        if (steps_.size() == most_steps) steps_.erase(steps_.begin());
+        steps_.push_back(Step<T>{last, now});
+        done_ = steps_.size();
+    }
+    last = now;
+}
+
+void UndoHistory::record(const Session& s, const ActiveStory& active, const MeasurePanel& measure) {
+    const bool settled = settling_ == 0, read = std::exchange(reads_, measure.reads()) != measure.reads();
+    if (!settled) --settling_;
+    record(story_, active.story, settled);
+    record(survey_, measure.survey(), settled && !read);
+    record(cut_, s.cut, settled);
+    record(settings_, settings_of(s), settled);
+}
+
+void UndoHistory::move(Session& s, ActiveStory& active, MeasurePanel& measure, bool back, double now) {
+    if (back && measure.unfinished()) return measure.remove_last_point();
+    if (done_ == (back ? 0 : steps_.size()))
+        return say(s.message, back ? tr("Nothing to undo") : tr("Nothing to redo"), now);
+    const auto& step = steps_[back ? --done_ : done_++];
+    const char* what = "";
+    if (const auto* const story = std::get_if<Step<Story>>(&step)) {
+        what = tr_in("undo", "story");
+        restore(active, back ? story->before : story->after);
+    } else if (const auto* const survey = std::get_if<Step<Survey>>(&step)) {
+        what = tr_in("undo", "measurements");
+        measure.restore(s, back ? survey->after : survey->before, back ? survey->before : survey->after, now);
+    } else if (const auto* const cut = std::get_if<Step<Cut>>(&step)) {
+        what = tr_in("undo", "cut");
+        s.cut = back ? cut->before : cut->after;
+    } else if (const auto* const settings = std::get_if<Step<Settings>>(&step)) {
+        what = tr_in("undo", "settings");
+        const Settings& to = back ? settings->before : settings->after;
+        const RenderSettings current = std::exchange(s.settings, to.render);
+        copy_transient(current, s.settings);
+        s.photos = to.photos;
+    }
+    say(s.message, formatted(back ? tr("Undone: %s") : tr("Redone: %s"), what), now);
+    settling_ = 3;
+}
+
+void UndoHistory::attend(Session& s, ActiveStory& active, MeasurePanel& measure, double now) {
+    const bool in_use = ImGui::IsAnyItemActive() || ImGui::IsAnyMouseDown();
+    if (!in_use) record(s, active, measure);
+    while (const auto command = take_one_of<Undo, Redo>(s.window.commands))
+        if (!in_use) move(s, active, measure, std::holds_alternative<Undo>(*command), now);
+}
+
+}  // namespace vantage

@@ -1,0 +1,49 @@
+#pragma once
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "player/interface/sections/measure_panel.h"
+#include "player/interface/state/session.h"
+#include "player/interface/tour/active_story.h"
+
+namespace vantage {
+
+/// The changes of a scene's story, measurements, cut and settings, which a user can undo and redo.
+class UndoHistory {
+  public:
+    /// Records the changes since the last call, and executes the commands Undo and Redo. Changes by a control
+    /// or a mouse button in use are recorded as one step when it is released.
+    void attend(Session& session, ActiveStory& active, MeasurePanel& measure, double now);
+
+  private:
+    struct Settings {
+        RenderSettings render;  ///< without settings that are not undone
+        std::vector<std::uint32_t> photos;
+        bool operator==(const Settings&) const = default;
+    };
+    template <class T>
+    struct Step {
+        T before, after;
+    };
+    static constexpr std::size_t most_steps = 200;
+
+    static Settings settings_of(const Session& session);
+    void record(const Session& session, const ActiveStory& active, const MeasurePanel& measure);
+    template <class T>
+    void record(T& last, const T& now, bool is_change);
+    void move(Session& session, ActiveStory& active, MeasurePanel& measure, bool back, double now);
+
+    /// As recorded last.
+    Story story_;
+    Survey survey_;
+    Cut cut_;
+    Settings settings_;
+    int reads_ = -1;  ///< of the measurements
+    /// Frames during which changes are adjustments by the window, not by the user.
+    int settling_ = 1;
+    std::vector<std::variant<Step<Story>, Step<Survey>, Step<Cut>, Step<Settings>>> steps_;
+    std::size_t done_ = 0;  ///< the steps that are not undone
+};
+
+}  // namespace vantage

@@ -1,0 +1,94 @@
+// Changes are undone and redone.
+#include "player/survey/survey_file.h"
+#include "tests/window/shown_text.h"
+#include "tests/window/window_test.h"
+
+using namespace vantage;
+using Eigen::Vector3d;
+
+namespace {
+
+class WindowUndo : public WindowTest {
+  protected:
+    static bool shows(const std::string& text) { return shown_text().find(text) != std::string::npos; }
+    static void click(HeadlessWindow& w, const Vector3d& place) {
+        const Vector3d origin = Eigen::Map<const Vector3d>(w.package().scene().origin);
+        w.wait(1);  // no double click
+        w.point_at(project(w.view().intrinsics, w.view().cam_from_origin, place - origin)->pixel);
+        w.frames();
+        w.click();
+    }
+};
+
+}  // namespace
+
+TEST_F(WindowUndo, GoesBackThroughSettingsCutsMeasurementsAndNotesAndForthAgain) {
+    ShowOptions options;
+    options.package.photos = {"0002.jpg"};
+    HeadlessWindow w(copy_of(WindowScene::tiny), options);
+    w.resize(1400, 900);
+    const auto undo = [&] { w.key(GLFW_KEY_Z, control); };
+    const auto redo = [&] { w.key(GLFW_KEY_Y, control); };
+    undo();
+    EXPECT_TRUE(shows("Nothing to undo"));
+
+    const Show& show = w.session.settings.show;
+    w.key(GLFW_KEY_V);
+    ASSERT_EQ(show, Show::sources);
+    Panels& p = w.session.window.panels;
+    p.expert = p.cut = true;
+    p.picture = p.blending = p.fields = false;
+    w.frames(3);
+    w.press("Cut the model");
+    w.point_at(w.place("Cut at", 0.3));
+    w.drag(0, 40, 0);
+    const double cut_at = w.session.cut.share;
+    EXPECT_NE(cut_at, 0.5);
+    w.press("Cut the model");
+    w.key(GLFW_KEY_TAB);
+    w.key(GLFW_KEY_M);
+    click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
+    EXPECT_TRUE(w.there("distance 1"));
+    w.key(GLFW_KEY_M);
+    w.key(GLFW_KEY_E, control);
+    w.press("Add a note");
+    click(w, {1.6, 0, 3.7});
+    w.press("Title of the note"), w.type("Tower"), w.key(GLFW_KEY_ENTER);
+    EXPECT_TRUE(w.there("Note 1") && shows("1  Tower"));
+
+    undo();
+    EXPECT_TRUE(w.there("Note 1") && !shows("Tower")) << "the title is one step";
+    undo();
+    EXPECT_FALSE(w.there("Note 1"));
+    EXPECT_FALSE(w.there("Snap to vertices"));
+    undo();
+    EXPECT_TRUE(w.there("Snap to vertices")) << "the panel shows the change";
+    EXPECT_FALSE(w.there("distance 1"));
+    EXPECT_FALSE(w.session.cut.on);
+    undo();
+    EXPECT_TRUE(w.session.cut.on && w.session.cut.share == cut_at);
+    undo();
+    EXPECT_TRUE(w.session.cut.on && w.session.cut.share == 0.5) << "a drag of a slider is one step";
+    undo();
+    EXPECT_FALSE(w.session.cut.on);
+    EXPECT_EQ(show, Show::sources);
+    undo();
+    EXPECT_EQ(show, Show::colors);
+    undo();
+    EXPECT_TRUE(shows("Nothing to undo"));
+
+    for (int i = 0; i < 7; ++i) redo();
+    EXPECT_TRUE(show == Show::sources && w.session.cut.share == cut_at && !w.session.cut.on);
+    EXPECT_TRUE(w.there("distance 1") && w.there("Note 1") && shows("Tower"));
+    redo();
+    EXPECT_TRUE(shows("Nothing to redo"));
+    SurveyFile file = survey_file_of(dir / "one.vantage", false);
+    written_until(w, file.path,
+                  [&](const std::string&) { return read_survey(file, {}).measurements.size() == 1; });
+    undo(), undo(), undo();
+    click(w, {1.6, 0, 3.7});
+    undo();
+    click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
+    EXPECT_TRUE(w.there("distance 1")) << "without the point that was undone";
+    EXPECT_FALSE(w.there("distance 2"));
+}
