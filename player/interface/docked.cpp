@@ -7,6 +7,7 @@ namespace vantage {
 void begin_docked(const char* name, const Area& area, ImVec2 padding, ImGuiWindowFlags flags) {
     ImGui::SetNextWindowPos(ImVec2(float(area.left), float(area.top)));
     ImGui::SetNextWindowSize(ImVec2(float(area.width), float(area.height)));
+    ImGui::SetNextWindowBgAlpha(1);  // the picture would tint it
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | flags);

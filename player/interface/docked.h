@@ -5,7 +5,8 @@
 
 namespace vantage {
 
-/// Begins an ImGui window that fills an area of the layout and cannot be moved. ImGui::End() must follow.
+/// Begins an opaque ImGui window that fills an area of the layout and cannot be moved. ImGui::End() must
+/// follow.
 void begin_docked(const char* name, const Area& area, ImVec2 padding, ImGuiWindowFlags flags);
 
 /// Moves the current ImGui window into an area if its upper left corner is outside.

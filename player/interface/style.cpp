@@ -13,7 +13,7 @@ void set_colors(ImGuiStyle& style) {
     ImGui::StyleColorsDark(&style);
     style.Colors[ImGuiCol_WindowBg] = ImVec4(0.09f, 0.10f, 0.12f, 0.94f);
     style.Colors[ImGuiCol_PopupBg] = ImVec4(0.11f, 0.12f, 0.14f, 0.97f);
-    style.Colors[ImGuiCol_MenuBarBg] = ImVec4(0.09f, 0.10f, 0.12f, 0.95f);
+    style.Colors[ImGuiCol_MenuBarBg] = ImVec4(0.09f, 0.10f, 0.12f, 1);
     style.Colors[ImGuiCol_FrameBg] = ImVec4(0.19f, 0.21f, 0.25f, 1);
     style.Colors[ImGuiCol_Header] = ImVec4(0.17f, 0.22f, 0.30f, 1);
     style.Colors[ImGuiCol_TextDisabled] = ImVec4(0.62f, 0.65f, 0.70f, 1);

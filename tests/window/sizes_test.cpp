@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "tests/window/window_test.h"
 
@@ -94,4 +95,18 @@ TEST_F(WindowSizes, TheHelpAndAllToolsFitASmallWindow) {
         EXPECT_LE(help.high.y - help.low.y, 700);
         EXPECT_GT(help.high.y - help.low.y, 20 * 14) << "a line per key";
     }
+}
+
+TEST_F(WindowSizes, ThePictureDoesNotTintTheBarTheStripAndTheSidebar) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    w.key(GLFW_KEY_TAB);
+    const ImDrawData& drawn = *ImGui::GetDrawData();
+    int backgrounds = 0;
+    for (int i = 0; i < drawn.CmdListsCount; ++i) {
+        const std::string_view name = drawn.CmdLists[i]->_OwnerName;
+        if (name != "##bar" && name != "##photos" && name != "##sidebar") continue;
+        EXPECT_EQ(drawn.CmdLists[i]->VtxBuffer.front().col >> IM_COL32_A_SHIFT, 255u) << name;
+        ++backgrounds;
+    }
+    EXPECT_EQ(backgrounds, 3);
 }
