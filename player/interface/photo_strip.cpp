@@ -14,6 +14,15 @@
 #include "player/stream/stream_request.h"
 
 namespace vantage {
+namespace {
+
+/// Whether a viewer is at a photo's camera, up to the rounding of views that are written as text.
+bool is_at(const PlanScene& scene, std::uint32_t photo, const Eigen::Vector3d& eye) {
+    constexpr double rounding = 1e-4;  // of the scene's size
+    return (scene.poses[photo].center() - eye).norm() < rounding * scene.size;
+}
+
+}  // namespace
 
 PhotoStrip::~PhotoStrip() { forget(); }
 
@@ -54,23 +63,27 @@ void PhotoStrip::tooltip(Renderer& renderer, std::uint32_t photo) {
     ImGui::EndTooltip();
 }
 
-/// Sorts the photos, but not during a flight, nor while one of them is hovered or focused, because a target
-/// must not move while it is being clicked.
+/// Finds the photos' agreement with the view, except during a flight. They are sorted by it, but not while
+/// one of them is hovered or focused, because a target must not move while it is being clicked.
 void PhotoStrip::rank(const Session& s, const PlanScene& scene, const View& view, double now) {
-    const bool in_use = ImGui::IsWindowHovered() || (s.window.navigates && ImGui::IsWindowFocused());
-    if (ranked_at_ < 0 || (now - ranked_at_ > ranking_seconds && !s.viewpoint.flight && !in_use)) {
+    const auto changed = [&] { return !ranked_view_ || !same_view(*ranked_view_, view); };
+    if (changed() && (!ranked_view_ || (now - ranked_at_ > ranking_seconds && !s.viewpoint.flight))) {
         agreements_ = agreements(scene, view);
         ranked_at_ = now;
-        ranked_eye_ = s.viewpoint.camera.eye;
+        ranked_view_ = view;
     }
-    outdated_ = s.viewpoint.camera.eye != ranked_eye_;
+    outdated_ = changed();
+    const bool in_use = ImGui::IsWindowHovered() || (s.window.navigates && ImGui::IsWindowFocused());
+    if (sorted_by_ == agreements_ || (in_use && !sorted_by_.empty())) return;
+    sorted_by_ = agreements_;
+    ImGui::SetScrollX(0);  // the best matches are there
 }
 
 std::vector<std::uint32_t> PhotoStrip::order(const Session& s, const PlanScene& scene) const {
     std::vector<std::uint32_t> out;
     for (std::uint32_t i = 0; i < scene.photos.size(); ++i)
         if (scene.photos[i].levels && is_shown(s.settings.image_sets, scene.photos[i])) out.push_back(i);
-    std::ranges::stable_sort(out, std::ranges::greater(), [&](auto i) { return agreements_[i]; });
+    std::ranges::stable_sort(out, std::ranges::greater(), [&](auto i) { return sorted_by_[i]; });
     return out;
 }
 
@@ -131,7 +144,7 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
         const bool pointed_at = ImGui::IsItemHovered() | mark_if_navigated();
         const PhotoState state = {.blended = renderer.planner().uses(photo),
                                   .excluded = !std::ranges::binary_search(s.photos, photo),
-                                  .viewed_from = s.viewpoint.camera.eye == scene.poses[photo].center(),
+                                  .viewed_from = is_at(scene, photo, s.viewpoint.camera.eye),
                                   .shows_point = shows_listed_point(s.photo_list, photo),
                                   .pointed_at = pointed_at};
         const FalseColor c = false_color(photo);
@@ -146,8 +159,8 @@ void PhotoStrip::explain(const PlanScene& scene, std::uint32_t photo, const Phot
     const package::PhotoRecord& p = scene.photos[photo];
     const std::string set = scene.image_sets.size() > 1 ? scene.image_sets[p.image_set].name + ", " : "",
                       is = photo_state_text(state);
-    ImGui::SetTooltip(tr("%s, %s%u × %u, agreement %.0f %%%s"), p.name, set.c_str(), p.width, p.height,
-                      100 * agreements_[photo], is.empty() ? "" : ("\n" + is).c_str());
+    ImGui::SetTooltip(tr("%s, %s%u × %u\nmatches this view to %.0f %%%s"), p.name, set.c_str(), p.width,
+                      p.height, 100 * agreements_[photo], is.empty() ? "" : ("\n" + is).c_str());
 }
 
 }  // namespace vantage

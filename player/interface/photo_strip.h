@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "player/interface/photo_marks.h"
@@ -19,7 +20,7 @@ class PhotoStrip {
               double now);
     /// Shows a photo's name and thumbnail next to the pointer.
     void tooltip(Renderer& renderer, std::uint32_t photo);
-    /// Time at which photos are due to be sorted again, in seconds.
+    /// Time at which the photos' agreement with the view is due to be found again, in seconds.
     double ranks_at() const { return outdated_ ? ranked_at_ + ranking_seconds : HUGE_VAL; }
     /// Whether a visible thumbnail is still missing.
     bool lacks_pictures() const { return lacks_; }
@@ -37,9 +38,10 @@ class PhotoStrip {
 
     GLuint array_ = 0;                          ///< the texture that pictures_ are views of
     std::map<std::uint32_t, GLuint> pictures_;  ///< by layer
-    std::vector<double> agreements_;
-    double ranked_at_ = -1;
-    Eigen::Vector3d ranked_eye_ = Eigen::Vector3d::Zero();
+    std::vector<double> agreements_;            ///< with ranked_view_
+    std::vector<double> sorted_by_;             ///< these, or earlier ones while the strip is in use
+    std::optional<View> ranked_view_;
+    double ranked_at_ = 0;  ///< seconds
     bool outdated_ = false, lacks_ = false;
 };
 

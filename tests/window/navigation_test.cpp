@@ -1,6 +1,8 @@
 // The window is used with keys alone, and the strip marks photos.
 #include <algorithm>
+#include <string>
 
+#include "player/plan/plan.h"
 #include "tests/window/shown_text.h"
 #include "tests/window/window_test.h"
 
@@ -11,6 +13,22 @@ namespace {
 class WindowNavigation : public WindowTest {
   protected:
     static bool marked(const HeadlessWindow& w) { return w.session.window.navigates; }
+    /// The tooltip of the photo at which the viewer stands, once photos have been chosen for the view.
+    static std::string told_where_one_stands(HeadlessWindow& w) {
+        for (int i = 0; i < 3; ++i) w.draw(), w.wait(0.5);
+        for (int number = 1; number <= 5; ++number) {
+            w.point_at(w.place("Photo " + std::to_string(number))), w.frames(3);
+            if (std::string text = shown_text(); text.find("you are here") != text.npos) return text;
+        }
+        ADD_FAILURE() << "no photo is marked";
+        return {};
+    }
+    /// The percentage in the tooltip.
+    static int match_told() {
+        const std::string text = shown_text(), before = "matches this view to ";
+        const std::size_t at = text.find(before);
+        return at == text.npos ? -1 : std::stoi(text.substr(at + before.size()));
+    }
 };
 
 }  // namespace
@@ -89,4 +107,34 @@ TEST_F(WindowNavigation, TheStripSaysWhatAPhotoIs) {
     w.session.photos.clear();
     w.frames(3);
     EXPECT_NE(shown_text().find("excluded"), std::string::npos) << shown_text();
+}
+
+TEST_F(WindowNavigation, TheStripSaysHowWellAPhotoMatchesThePresentView) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    w.resize(300, 700);
+    w.point_at(w.place("Photo 1")), w.frames();
+    w.wheel(-20);
+    w.point_at(w.place("Photo 5")), w.frames(3);
+    const int before = match_told();
+    EXPECT_LT(before, 30) << shown_text();
+    w.click();
+    w.wait(2);
+    EXPECT_NE(shown_text().find("you are here"), std::string::npos) << shown_text();
+    const std::vector<double> matches = agreements(w.scene(), w.view());
+    EXPECT_NEAR(match_told(), 100 * *std::ranges::max_element(matches), 0.51) << shown_text();
+    EXPECT_GT(match_told(), before);
+    w.point_at({150, 300}), w.frames(3);
+    w.point_at(w.place("Photo 1")), w.frames(3);
+    EXPECT_NE(shown_text().find("you are here"), std::string::npos)
+        << "sorted, and scrolled to the beginning";
+}
+
+TEST_F(WindowNavigation, AViewReadFromTextIsThatOfThePhoto) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    w.key(GLFW_KEY_N), w.wait(1);
+    w.key(GLFW_KEY_C, control);
+    w.key(GLFW_KEY_N), w.wait(1);
+    w.key(GLFW_KEY_V, control);
+    w.wait(1);
+    told_where_one_stands(w);
 }
