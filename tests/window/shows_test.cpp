@@ -9,6 +9,7 @@
 #include "player/interface/help_panel.h"
 #include "player/render/passes/blend_table.h"
 #include "tests/generated_table.h"
+#include "tests/window/shown_text.h"
 #include "tests/window/window_test.h"
 
 using namespace vantage;
@@ -57,6 +58,13 @@ TEST(Shortcuts, AreThoseOfTheGuide) {
     for (const Shortcut& s : shortcuts())
         rows += "| " + s.keys + " | " + s.action + " | " + (s.for_public ? "yes" : "") + " |\n";
     expect_table(std::filesystem::path(VANTAGE_SOURCE_DIR) / "docs/window.md", "keys", rows);
+}
+
+TEST_F(WindowShows, FalseColorsSayWhichPhotosTheyCount) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    w.key(GLFW_KEY_V), w.key(GLFW_KEY_V);
+    EXPECT_NE(shown_text().find("blended photos (of 5) that show the surface: 0"), std::string::npos)
+        << shown_text();
 }
 
 TEST_F(WindowShows, EveryLanguageIsThatOfItsCatalog) {

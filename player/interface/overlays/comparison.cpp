@@ -9,6 +9,7 @@
 #include "base/text/translation.h"
 #include "base/values/srgb.h"
 #include "player/interface/overlays/agreeing_photo.h"
+#include "player/interface/sections/image_set_section.h"
 
 namespace vantage {
 namespace {
@@ -112,14 +113,18 @@ void toggle_comparison(Session& s, const PlanScene& scene, const View& view, dou
     fly_to(s, *photo, scene.photos[*photo], now);
 }
 
-void false_color_legend(Controls& c, const Session& s) {
+void false_color_legend(Controls& c, const Session& s, const PlanScene& scene) {
     const float em = ImGui::GetFontSize(), x = float(s.window.free.left) + em,
                 y = float(s.window.free.top + s.window.free.height) - 2 * em;
     if (s.settings.show == Show::sources)
         plate(c, x, y, 0, tr("each color is a photo, outlined in the same color in the strip"));
     if (s.settings.show != Show::coverage) return;
     const std::string most = std::to_string(s.drawn.report.photos);
-    const std::string before = tr("photos that show the surface: 0 ");
+    const auto all = std::ranges::count_if(scene.photos, [&](const package::PhotoRecord& p) {
+        return p.levels && is_shown(s.settings.image_sets, p);
+    });
+    const std::string before =
+        formatted(tr("blended photos (of %zu) that show the surface: 0 "), std::size_t(all));
     plate(c, x, y, 0, before + std::string(24, ' ') + " " + most);
     const float from = x + ImGui::CalcTextSize(before.c_str()).x,
                 width = ImGui::CalcTextSize(std::string(24, ' ').c_str()).x;

@@ -13,6 +13,6 @@ void comparison(Controls& controls, Session& session, const PlanScene& scene, co
 void toggle_comparison(Session& session, const PlanScene& scene, const View& view, double now);
 
 /// Legend of the picture's false colors.
-void false_color_legend(Controls& controls, const Session& session);
+void false_color_legend(Controls& controls, const Session& session, const PlanScene& scene);
 
 }  // namespace vantage
