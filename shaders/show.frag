@@ -1,5 +1,5 @@
 // Shows the accumulated samples, averaged in linear light and encoded as sRGB, with their coverage in alpha.
-// Optionally compares them with a photo: side by side, with a swipe, or as a difference.
+// Optionally compares them with a photo, within its outline: side by side, with a swipe, or as a difference.
 #include "photos.glsl"
 #include "background.glsl"
 #include "srgb.glsl"
@@ -36,12 +36,12 @@ vec4 veil_of(ivec2 at, float share) {
 }
 #endif
 
-// The photo's color at a frame pixel; alpha is 0 outside the photo.
-vec4 photo_at(vec2 frame_pixel) {
+// The photo's color at a frame pixel; alpha is 0 outside the photo, and if none of its tiles is loaded.
+vec4 photo_at(vec2 frame_pixel, out bool inside) {
     vec3 h = photo_from_frame * vec3(frame_pixel, 1.0);
     vec2 pixel = h.xy / h.z;
     vec2 size = photos[0].size_weight.xy;
-    bool inside = h.z > 0.0 && all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, size));
+    inside = h.z > 0.0 && all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, size));
 #ifdef PHOTO_LENS
     LensPlace lens = lens_place(0u, pixel);
     inside = inside && lens.inside;
@@ -138,15 +138,18 @@ void main() {
     if (flip && compare == compare_nothing) light.rgb *= light.a;  // a window shows black behind transparent pixels
 #endif
     float share = compare == compare_nothing ? edge_share(at, size, soft_edges) : 1.0;
-    if (edges_opaque) light.rgb = mix(plain_background_at(plain_background, plain_background_bottom, at.y, size.y), light.rgb, share);
+    vec3 behind = plain_background_at(plain_background, plain_background_bottom, at.y, size.y);
+    if (edges_opaque) light.rgb = mix(behind, light.rgb, share);
     else light.a *= share;
     vec3 color = clamp(encode(clamp(light.rgb, 0.0, 1.0)), 0.0, 1.0);
     float seen = light.a;
     if (compare != compare_nothing) {
-        vec4 photo = photo_at(vec2(at) + 0.5);
+        bool in_photo;
+        vec4 photo = photo_at(vec2(at) + 0.5, in_photo);
         vec3 taken = photo.a > 0.0 ? encode(photo.rgb / photo.a) : vec3(0.0);
         if (photo_side) color = taken;
         if (compare == compare_difference) color = photo.a > 0.0 ? abs(color - taken) * 2.0 : vec3(0.0);
+        if (!in_photo) color = encode(behind);
         seen = 1.0;
         bool divider = compare == compare_side_by_side ? abs(int(gl_FragCoord.x) - size.x / 2) < 2
                                      : compare == compare_swipe && abs(float(at.x) - swipe * float(size.x)) < 1.5;

@@ -23,7 +23,8 @@ enum class Blend { average, lumigraph, best, count };
 enum class Coordinates { automatic, vertex, fragment, count };
 /// False colors: photo index, or number of photos. Values as in shaders/contract.glsl.
 enum class Show { colors, sources, coverage, count };
-/// Comparison with a photo. Values as in shaders/contract.glsl.
+/// Comparison of a photo with the model, which is blended from the other photos. Values as in
+/// shaders/contract.glsl.
 enum class Compare { nothing, side_by_side, swipe, difference, count };
 /// The photographed background, if the package has one.
 enum class ShowBackground { on, dimmed, off, count };

@@ -138,3 +138,13 @@ TEST_F(WindowNavigation, AViewReadFromTextIsThatOfThePhoto) {
     w.wait(1);
     told_where_one_stands(w);
 }
+
+TEST_F(WindowNavigation, AComparedPhotoIsNotBlendedUntilTheComparisonEnds) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    w.key(GLFW_KEY_C);
+    w.wait(1);
+    EXPECT_NE(shown_text().find("model without this photo"), std::string::npos) << shown_text();
+    EXPECT_EQ(told_where_one_stands(w).find("blended"), std::string::npos) << shown_text();
+    w.key(GLFW_KEY_C);
+    EXPECT_NE(told_where_one_stands(w).find("blended"), std::string::npos) << shown_text();
+}

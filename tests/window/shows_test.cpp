@@ -8,6 +8,7 @@
 #include "base/text/translation.h"
 #include "player/interface/help_panel.h"
 #include "player/render/passes/blend_table.h"
+#include "player/render/picture.h"
 #include "tests/generated_table.h"
 #include "tests/window/shown_text.h"
 #include "tests/window/window_test.h"
@@ -65,6 +66,70 @@ TEST_F(WindowShows, FalseColorsSayWhichPhotosTheyCount) {
     w.key(GLFW_KEY_V), w.key(GLFW_KEY_V);
     EXPECT_NE(shown_text().find("blended photos (of 5) that show the surface: 0"), std::string::npos)
         << shown_text();
+}
+
+TEST_F(WindowShows, AComparisonLeavesThePhotoOutOfTheModelAndIsCroppedToIt) {
+    const HeadlessWindow w(package_of(WindowScene::tiny));
+    Renderer renderer(w.package(), {});
+    const View own = view_of_photo(w.package().photos()[2], 1);
+    const int width = own.intrinsics.width, margin = width / 2;
+    const View view = widened(own, margin);
+    const std::vector<std::uint32_t> all{0, 1, 2, 3, 4}, others{0, 1, 3, 4};
+    const Picture with = take_picture(renderer, view, {}, all, 1),
+                  without = take_picture(renderer, view, {}, others, 1);
+    RenderSettings s;
+    s.swipe = 2;  // the whole frame shows the model, without the line
+    s.compare_photo = 2;
+    for (const Compare compare : {Compare::swipe, Compare::difference}) {
+        s.compare = compare;
+        const Picture p = take_picture(renderer, view, s, all, 1);
+        const auto same = [](const Picture& a, std::size_t at, const Picture& b, std::size_t in_b) {
+            return std::equal(&a.rgba[at], &a.rgba[at] + 3, &b.rgba[in_b]);
+        };
+        std::size_t inside = 0, model = 0, blended = 0, beside = 0;
+        for (int y = 0; y < p.height; ++y)
+            for (int x = 0; x < p.width; ++x) {
+                const std::size_t at = 4 * (std::size_t(y) * std::size_t(p.width) + std::size_t(x));
+                const bool in_photo =
+                    x >= margin && x < margin + width && y >= margin && y < p.height - margin;
+                if (!in_photo && !same(p, at, p, 0)) ++beside;
+                if (!in_photo) continue;
+                ++inside;
+                model += same(p, at, without, at);
+                blended += same(p, at, with, at);
+            }
+        EXPECT_EQ(beside, 0u) << "something is shown beside the photo";
+        if (compare != Compare::swipe) continue;
+        EXPECT_EQ(model, inside);
+        EXPECT_LT(blended, inside);
+    }
+}
+
+TEST_F(WindowShows, AComparisonReadsNothingAgain) {
+    const HeadlessWindow w(package_of(WindowScene::tiny));
+    Renderer renderer(w.package(), {});
+    const View view = view_of_photo(w.package().photos()[2], 1);
+    const std::vector<std::uint32_t> all{0, 1, 2, 3, 4};
+    RenderSettings s;
+    s.photos = 4;
+    double now = 0;
+    const auto draw = [&](Compare compare, Loading loading) {
+        s.compare = compare, s.loading = loading;
+        return renderer.draw(view, s, all, {}, now += 1);
+    };
+    const auto settle = [&](Compare compare) {
+        FrameReport report;
+        for (int i = 0; i < 10 && !report.settled; ++i) report = draw(compare, Loading::repeatable);
+        EXPECT_TRUE(report.settled);
+    };
+    s.compare_photo = 2;
+    settle(Compare::nothing);
+    EXPECT_GE(draw(Compare::side_by_side, Loading::streamed).photos, 3u) << "the other photos remain";
+    settle(Compare::side_by_side);
+    const std::uint64_t read = renderer.resources().store.streamed().bytes;
+    EXPECT_GE(draw(Compare::nothing, Loading::streamed).photos, 4u) << "the photo is back at once";
+    settle(Compare::nothing);
+    EXPECT_EQ(renderer.resources().store.streamed().bytes, read);
 }
 
 TEST_F(WindowShows, EveryLanguageIsThatOfItsCatalog) {

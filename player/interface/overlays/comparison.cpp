@@ -83,7 +83,7 @@ void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& fra
     const float em = ImGui::GetFontSize(), y = float(s.window.free.top) + em;
     const auto both = [&](double line) {
         const float x = float(line * frame.width);
-        plate(c, x - 1.5f * em, y, 1, tr("model"));
+        plate(c, x - 1.5f * em, y, 1, tr("model without this photo"));
         plate(c, x + 1.5f * em, y, 0, photo);
     };
     switch (r.compare) {

@@ -53,7 +53,9 @@ void comparison_controls(Controls& c, Session& s, const Renderer& renderer) {
                                            marked("swipe"), marked("difference")};
     choice(c, MARKED_IN("setting", "Compare"), r.compare, compares);
     ImGui::EndDisabled();
-    c.explain("Compares the model with the photo you flew to last. Drag the line in the picture.");
+    c.explain(
+        "Compares the photo you flew to last with the model as blended from the other photos. Drag the line "
+        "in the picture.");
     if (r.compare != Compare::nothing) r.image_sets.how = ImageSetView::mix;  // one comparison at a time
 }
 

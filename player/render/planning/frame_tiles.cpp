@@ -39,6 +39,13 @@ TileNeeds FrameTiles::comparison_needs(const View& view, const RenderSettings& s
                              view.intrinsics.fx / resources_->scene.intrinsics[photo].fx);
 }
 
+/// Requests the tiles of a comparison's photo, which is not among the photos of the plan. Returns the number
+/// of tiles that are not resident.
+std::size_t FrameTiles::need_comparison(std::uint32_t photo, const TileNeeds& needs) {
+    if (needs.tiles() > 0) resources_->store.need_base(photo, false);
+    return resources_->store.need(photo, needs);
+}
+
 void FrameTiles::need_bases(const PlannedFrame& frame) {
     for (const PlannedEye& eye : frame.eyes)
         for (const ImageSetFrame& image_set : eye.image_sets) {
@@ -69,8 +76,7 @@ void FrameTiles::stream(const PlannedFrame& frame, std::span<const PlannedPhoto>
         if (!known) report.tiles_to_come += p.needs.tiles();
     });
     const TileNeeds comparison = comparison_needs(view, settings);
-    if (comparison.tiles() > 0) resources_->store.need_base(settings.compare_photo, false);
-    report.tiles_missing += resources_->store.need(settings.compare_photo, comparison);
+    report.tiles_missing += need_comparison(settings.compare_photo, comparison);
     for (const std::uint32_t p : wanted_thumbnails_)
         if (resources_->scene.photos[p].levels) resources_->store.need_thumbnail(p);
     wanted_thumbnails_.clear();
@@ -107,7 +113,7 @@ void FrameTiles::load(Pass pass, const DrawnView& drawn, double now, FrameReport
         resources_->store.need(p->photo, p->needs);
         report.tiles += p->needs.tiles();
     }
-    resources_->store.need(drawn.settings.compare_photo, comparison_needs(drawn.view, drawn.settings));
+    need_comparison(drawn.settings.compare_photo, comparison_needs(drawn.view, drawn.settings));
     resources_->store.load();
     for (const PlannedPhoto* p : pass) report.tiles_missing += resources_->store.missing(p->photo, p->needs);
 }

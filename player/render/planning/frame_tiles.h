@@ -43,6 +43,7 @@ class FrameTiles {
         return !resources_->photos.per_fragment(settings);
     }
     void need_bases(const PlannedFrame& frame);
+    std::size_t need_comparison(std::uint32_t photo, const TileNeeds& needs);
     TileNeeds comparison_needs(const View& view, const RenderSettings& settings) const;
 
     FrameResources* resources_;

@@ -37,8 +37,10 @@ void ImageSetPlans::find_frames(const RenderSettings& settings, std::span<const 
         frame.settings = settings;
         choose_image_set(frame.settings, image_set, *scene_);
         frame.photos.clear();
+        const bool compares = settings.compare != Compare::nothing;
         for (const std::uint32_t p : photos)
-            if (scene_->photos[p].image_set == image_set) frame.photos.push_back(p);
+            if (scene_->photos[p].image_set == image_set && !(compares && p == settings.compare_photo))
+                frame.photos.push_back(p);
     }
 }
 
