@@ -7,7 +7,7 @@ namespace vantage {
 namespace {
 
 // Sizes of the areas, in multiples of the text height.
-constexpr double menu_height = 1.3, bar_height = 2.9, strip_height = 6.8, sidebar_width = 23;
+constexpr double menu_height = 1.3, bar_height = 2.9, strip_height = 5.6, sidebar_width = 23;
 constexpr double least_height_with_strip = 24;
 
 }  // namespace

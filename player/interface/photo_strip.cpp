@@ -121,8 +121,8 @@ void PhotoStrip::thumbnail(Renderer& renderer, std::uint32_t photo, ImVec2 low, 
 void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const View& view, const Area& area,
                       double now) {
     const PlanScene& scene = renderer.scene();
-    const float em = ImGui::GetFontSize(), height = 4.6f * em;
-    begin_docked("##photos", area, ImVec2(0.5f * em, 0.5f * em),
+    const float margin = 0.5f * ImGui::GetFontSize(), height = float(area.height) - 2 * margin;
+    begin_docked("##photos", area, ImVec2(margin, margin),
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_HorizontalScrollbar |
                      ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing);
     rank(s, scene, view, now);

@@ -57,7 +57,9 @@ TEST_F(WindowSizes, FitInEveryLanguageAndTextScale) {
                     EXPECT_EQ(w.session.window.panels.expert, expert);
                     EXPECT_EQ(misplaced(w, float(width), float(height)), "") << fmt::format(
                         "{} x {}, text {}, {}, expert {}", width, height, scale, language, expert);
-                    EXPECT_TRUE(w.there("Bar Home") && w.there("Photo 1"));
+                    ASSERT_TRUE(w.there("Bar Home") && w.there("Photo 1"));
+                    EXPECT_LT(w.find("Bar Home")->low.y - w.find("Photo 1")->high.y, 1.5 * 14 * scale)
+                        << "an empty strip between the photos and the bar";
                 }
             }
         }
