@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 #include "base/text/translation.h"
 #include "player/interface/help_panel.h"
@@ -251,6 +253,26 @@ TEST_F(WindowShows, PointsAndComparisonsAreInPerspective) {
     w.key(GLFW_KEY_C);
     EXPECT_TRUE(w.there("Swipe"));
     EXPECT_FALSE(w.session.viewpoint.orthographic);
+}
+
+TEST_F(WindowShows, TheRadarShowsTheModelWithoutItsBackground) {
+    HeadlessWindow w(package_of(WindowScene::garden));
+    w.key(GLFW_KEY_F6);
+    const Controls::Place map = *w.find("Radar map");
+    float left = map.high.x, right = map.low.x;  // of what is drawn in translucent gray
+    const ImDrawData& drawn = *ImGui::GetDrawData();
+    for (int n = 0; n < drawn.CmdListsCount; ++n) {
+        const ImDrawList& list = *drawn.CmdLists[n];
+        if (!std::string_view(list._OwnerName).starts_with("Radar")) continue;
+        for (const ImDrawVert& v : list.VtxBuffer) {
+            const ImVec4 c = ImGui::ColorConvertU32ToFloat4(v.col);
+            if (c.w == 0 || c.w == 1 || c.x < 0.4f || std::abs(c.x - c.z) > 0.15f) continue;
+            left = std::min(left, v.pos.x), right = std::max(right, v.pos.x);
+        }
+    }
+    const float share = (right - left) / (map.high.x - map.low.x);
+    EXPECT_GT(share, 0.1) << "no model";
+    EXPECT_LT(share, 0.9) << "the model, with its background, covers the map";
 }
 
 TEST_F(WindowShows, TheHelpHasEveryKey) {

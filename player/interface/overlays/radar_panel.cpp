@@ -10,8 +10,22 @@
 #include "base/text/translation.h"
 #include "player/interface/overlays/weight_color.h"
 #include "player/interface/sections/image_set_section.h"
+#include "player/plan/triangle_corners.h"
 
 namespace vantage {
+namespace {
+
+/// Draws the model from above, without its background: its triangles or, if there are many, some of them.
+template <class Place>
+void draw_model(ImDrawList& list, const PlanScene& scene, std::uint64_t triangles, const Place& place) {
+    constexpr std::uint64_t most = 2000;
+    for (std::uint64_t t = 0; t < triangles; t += triangles / most + 1)
+        if (const auto c = corners_of(scene, std::uint32_t(t)))
+            list.AddTriangle(place((*c)[0]), place((*c)[1]), place((*c)[2]), IM_COL32(170, 180, 195, 110),
+                             1.5f);
+}
+
+}  // namespace
 
 void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const View& view, double now) {
     const float em = ImGui::GetFontSize();
@@ -35,15 +49,7 @@ void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const
                       low.y + side / 2 - float(p.dot(north)) * scale);
     };
     list.AddRectFilled(low, ImVec2(low.x + side, low.y + side), IM_COL32(20, 24, 30, 255), 4);
-    for (const ClusterTree::Node& node : scene.tree.nodes)
-        if (node.count <= 8) {
-            const Eigen::Vector3d middle = (node.low + node.high) / 2, half = (node.high - node.low) / 2;
-            const auto w = float(east.cwiseAbs().dot(half)) * scale,
-                       h = float(north.cwiseAbs().dot(half)) * scale;
-            const ImVec2 c = place(middle);
-            list.AddRectFilled(ImVec2(c.x - w, c.y - h), ImVec2(c.x + w, c.y + h),
-                               IM_COL32(120, 130, 145, 26));
-        }
+    draw_model(list, scene, renderer.package().scene().triangles, place);
     const ViewWeights weights = view_weights(view, scene.photos, s.settings.weights);
     const auto arrow = [&](const Pose& pose, ImU32 color, float size) {
         const ImVec2 at = place(pose.center());
