@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include "base/text/translation.h"
 
@@ -13,7 +15,9 @@ std::string own_name(const std::string& code) {
     struct Name {
         const char *code, *name;
     };
-    constexpr Name names[] = {{"de", "Deutsch"}, {"en", "English"}, {"fr", "Français"}};
+    constexpr Name names[] = {{"de", "Deutsch"},  {"en", "English"},  {"es", "Español"},
+                              {"fr", "Français"}, {"it", "Italiano"}, {"nl", "Nederlands"},
+                              {"pt", "Português"}};
     const auto at = std::ranges::find(names, code, &Name::code);
     return at == std::end(names) ? code : at->name;
 }
@@ -21,10 +25,13 @@ std::string own_name(const std::string& code) {
 }  // namespace
 
 void language_items(Controls& c, WindowState& window) {
-    for (const std::string& code : languages_of_window()) {
-        const bool used = window.language.substr(0, window.language.find('-')) == code;
-        if (c.menu_item(own_name(code).c_str(), nullptr, used)) window.language = code;
-    }
+    std::vector<std::string> codes = languages_of_window();
+    for (const std::string& code : window.story_languages)
+        if (!std::ranges::count(codes, code)) codes.push_back(code);
+    std::string used = window.language;
+    if (!std::ranges::count(codes, used)) used = used.substr(0, used.find('-'));
+    for (const std::string& code : codes)
+        if (c.menu_item(own_name(code).c_str(), nullptr, code == used)) window.language = code;
 }
 
 }  // namespace vantage

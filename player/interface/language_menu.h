@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// Menu items for the available languages; selecting one changes the window's language.
+/// Menu items for the languages of the window and of the story; selecting one changes the window's language.
 void language_items(Controls& controls, WindowState& window);
 
 }  // namespace vantage

@@ -86,6 +86,7 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
 
 void begin_in_scene(Session& s, const PackageReader& package, const ActiveStory& active,
                     const ShowOptions& o) {
+    s.window.story_languages = languages_of(active.story);
     s.photos = photos_in_use(package, o.package);
     s.photo_list.errors = photo_errors(package);
     const bool view_given = !o.package.photos.empty() || !o.pictures.view.empty();

@@ -5,6 +5,7 @@
 
 #include "player/render/picture.h"
 #include "scene/story/story_file.h"
+#include "tests/window/shown_text.h"
 #include "tests/window/window_test.h"
 
 using namespace vantage;
@@ -169,6 +170,9 @@ TEST_F(WindowStories, AnIdleKioskShowsItsLoopAndAnInvitation) {
 
 TEST_F(WindowStories, AKioskShowsAndDoesNotEditThem) {
     write_five_notes();
+    Story story = saved();
+    set_text(story, story.notes[1].title, "it", "Porta");
+    write_story(story_file_of(package), story);
     const std::string text = slurp(story_file_of(package));
     ShowOptions options;
     options.window.kiosk = true;
@@ -176,6 +180,9 @@ TEST_F(WindowStories, AKioskShowsAndDoesNotEditThem) {
     ASSERT_TRUE(w.there("Note 2"));
     w.press("Note 2"), w.wait(2);
     EXPECT_TRUE(w.there("Next note"));
+    EXPECT_FALSE(w.there("Language")) << "the bar has the only choice of a language";
+    w.choose("Bar Language", "Italiano");
+    EXPECT_NE(shown_text().find("Porta"), std::string::npos) << shown_text();
     w.key(GLFW_KEY_E, KeyPress::With::control);
     EXPECT_FALSE(w.there("Save the story"));
     EXPECT_EQ(slurp(story_file_of(package)), text);

@@ -58,7 +58,7 @@ std::string note_label(const ActiveStory& active, std::size_t note) {
 }
 
 void story_content(Controls& c, ActiveStory& active, Session& s, double now) {
-    language_choice(c, active, s);
+    if (!s.window.kiosk) language_choice(c, active, s);  // a kiosk's bar has the choice
     for (std::size_t i = 0; i < active.story.notes.size(); ++i) {
         ImGui::PushID(int(i));
         if (ImGui::Selectable(note_label(active, i).c_str(), active.open == i))
