@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <epoxy/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -92,6 +93,10 @@ GlfwWindow::GlfwWindow(FrameSize size, const std::string& title, bool debug) {
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     watch_mouse();  // again: new_frame() reports the position
     ImGui_ImplOpenGL3_Init("#version 450");
+    // Mesa keeps the size of the window's buffers until they are swapped, so that a first picture in full
+    // screen would be displaced by the difference of the heights.
+    glClear(GL_COLOR_BUFFER_BIT);
+    glfwSwapBuffers(window_);
 }
 
 namespace {
@@ -112,13 +117,25 @@ GLFWmonitor* monitor_of(GLFWwindow* window) {
     return glfwGetPrimaryMonitor();
 }
 
+/// Waits until the window manager has given the window this size, so that no frame is drawn for the former
+/// one. It may choose another size.
+void await_size(GLFWwindow* window, int width, int height) {
+    constexpr double longest = 0.5;  // seconds
+    const double end = glfwGetTime() + longest;
+    for (int w = 0, h = 0; glfwGetTime() < end; glfwWaitEventsTimeout(longest / 10)) {
+        glfwGetWindowSize(window, &w, &h);
+        if (w == width && h == height) return;
+    }
+}
+
 }  // namespace
 
 void GlfwWindow::fill_screen(bool whole) {
     if (whole == windowed_.has_value()) return;
     if (!whole) {
         const Place p = *std::exchange(windowed_, std::nullopt);
-        return glfwSetWindowMonitor(window_, nullptr, p.x, p.y, p.width, p.height, GLFW_DONT_CARE);
+        glfwSetWindowMonitor(window_, nullptr, p.x, p.y, p.width, p.height, GLFW_DONT_CARE);
+        return await_size(window_, p.width, p.height);
     }
     GLFWmonitor* monitor = monitor_of(window_);
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
@@ -127,6 +144,7 @@ void GlfwWindow::fill_screen(bool whole) {
     glfwGetWindowPos(window_, &p.x, &p.y);
     glfwGetWindowSize(window_, &p.width, &p.height);
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    await_size(window_, mode->width, mode->height);
 }
 
 float GlfwWindow::fitting_text_scale() const {

@@ -111,6 +111,14 @@ finger() {
 # screenshot FILE.ppm [LEFT TOP WIDTH HEIGHT]: uses the libraries of the system's Python
 screenshot() { /usr/bin/python3 "$source_of_tests/screenshot.py" "$@" || exit 1; }
 
+# alike FILE.ppm FILE.ppm: equal, except that a busy processor may draw fewer samples per pixel
+alike() {
+  /usr/bin/python3 -c '
+import sys
+a, b = (open(name, "rb").read() for name in sys.argv[1:])
+sys.exit(len(a) != len(b) or sum(abs(x - y) for x, y in zip(a, b)) > 2 * len(a))' "$1" "$2"
+}
+
 # Waits for up to a second until a file is moved to the folder. Conditions passed to within() must not call this function.
 changed() {
   read -r -t 1 -u "$changes" _ || return 0

@@ -23,14 +23,6 @@ settled() {  # settled FILE.ppm: the picture, once it is final
   fail "the picture $1 never settles"
 }
 
-# alike FILE.ppm FILE.ppm: equal, except that a busy processor may draw fewer samples per pixel
-alike() {
-  /usr/bin/python3 -c '
-import sys
-a, b = (open(name, "rb").read() for name in sys.argv[1:])
-sys.exit(len(a) != len(b) or sum(abs(x - y) for x, y in zip(a, b)) > 2 * len(a))' "$1" "$2"
-}
-
 # On the start page, a damaged package that is dropped is refused, and a valid one is shown.
 start_page
 /usr/bin/python3 "$source_of_tests/drop_files.py" "$window" cut.vantage || fail "the start page does not accept files"
