@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "base/values/rgba_image.h"
 #include "scene/package/package_reader.h"
 
 namespace vantage {
@@ -10,5 +11,9 @@ namespace vantage {
 /// scene has no first view, it is the first photo with pixels. Returns the number of photos if none has
 /// pixels.
 std::uint32_t first_photo(const PackageReader& package, std::uint32_t image_set = 0);
+
+/// The thumbnail of the first image set's first photo. Throws Error(input) if there is no such photo, and
+/// Error(damaged) if the thumbnail is damaged.
+RgbaImage first_thumbnail(const PackageReader& package);
 
 }  // namespace vantage
