@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/text/translation.h"
+#include "player/interface/recent_packages.h"
 #include "player/interface/sections/open_dialog.h"
 #include "player/window/input/system_chooser.h"
 #include "player/window/new_frame.h"
@@ -19,22 +20,21 @@
 namespace vantage {
 namespace {
 
-/// Lists packages by name, with their folders; a click opens one of them.
-void recent_packages(Controls& c, UserCommands& commands, std::span<const std::string> recent) {
-    if (recent.empty()) return;
-    ImGui::TextDisabled("%s", tr("Recent"));
-    for (const std::string& file : recent) {
-        const std::filesystem::path path = file;
-        if (c.button((path.filename().string() + "##" + file).c_str())) commands.push_back(OpenFile{file});
-        ImGui::SameLine();
-        ImGui::TextDisabled("%s", path.parent_path().c_str());
-    }
+/// Shows an error message: the reason on one line, and the error itself, in English, below it.
+void show_trouble(Controls& c, const std::string& trouble, float width) {
+    if (trouble.empty()) return;
+    const std::size_t end = std::min(trouble.find('\n'), trouble.size());
+    ImGui::PushTextWrapPos(width);
+    ImGui::TextColored(ImVec4(1, 0.5f, 0.4f, 1), "%s", trouble.substr(0, end).c_str());
+    c.note("Message");
+    if (end < trouble.size()) ImGui::TextDisabled("%s", trouble.c_str() + end + 1);
+    ImGui::PopTextWrapPos();
     ImGui::Spacing();
 }
 
-void page(Controls& c, UserCommands& commands, std::span<const std::string> recent,
-          const std::string& trouble) {
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+void page(Controls& c, UserCommands& commands, const RecentPackages& recent, const std::string& trouble) {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize, room(screen.x - 4 * em, screen.y - 14 * em);
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     ImGui::Begin("##start", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
@@ -44,16 +44,12 @@ void page(Controls& c, UserCommands& commands, std::span<const std::string> rece
     ImGui::SetWindowFontScale(1);
     ImGui::TextUnformatted(tr("Shows a scanned object through its own photographs."));
     ImGui::Spacing();
-    recent_packages(c, commands, recent);
+    show_trouble(c, trouble, std::min(60 * em, room.x));
+    recent.show(c, commands, room);
     if (c.button("Open a package...")) commands.push_back(ChooseFile{});
     ImGui::SameLine();
     ImGui::TextUnformatted(tr("or drop one here"));
     ImGui::TextDisabled("%s", tr("Packages are made by: vantage prepare SCAN -o NAME.vantage"));
-    if (!trouble.empty()) {
-        ImGui::PushTextWrapPos(40 * ImGui::GetFontSize());
-        ImGui::TextColored(ImVec4(1, 0.5f, 0.4f, 1), "%s", trouble.c_str());
-        ImGui::PopTextWrapPos();
-    }
     ImGui::End();
 }
 
@@ -80,12 +76,13 @@ void draw(GLFWwindow* window) {
 }  // namespace
 
 std::string start_page(GlfwWindow& window, WindowState& state, Controls& c,
-                       std::span<const std::string> recent, const std::string& trouble,
+                       std::span<const std::string> files, const std::string& trouble,
                        const std::string& places) {
     constexpr double blink_seconds = 0.3;  // blinking interval of a text field's cursor
     Message message;
     OpenDialog dialog(".");
     SystemChooser chooser;
+    RecentPackages recent(files);
     for (int lively = 3; !glfwWindowShouldClose(window.get());) {
         WindowEvents events = window.events(lively > 0 ? 0 : blink_seconds);
         lively = events.any || !places.empty() ? 3 : std::max(0, lively - 1);
@@ -100,6 +97,7 @@ std::string start_page(GlfwWindow& window, WindowState& state, Controls& c,
         chooser.attend(state.commands, message, std::filesystem::current_path(), glfwGetTime());
         dialog.show(c, state);
         draw(window.get());
+        if (recent.load_next()) lively = std::max(lively, 1);
         if (!places.empty()) c.write_places(places);
         if (const auto command = take_one_of<OpenFile, Quit>(state.commands)) {
             const OpenFile* const open = std::get_if<OpenFile>(&*command);
