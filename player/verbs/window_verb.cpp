@@ -12,9 +12,10 @@ int open_window(const ShowOptions& o) {
     if (!o.window.screenshot.empty() && lower_extension(o.window.screenshot) != ".png")
         throw Error(Exit::usage,
                     "--screenshot: " + o.window.screenshot + ": expected a name that ends with .png");
-    if (!o.package.file.empty()) return run_window(o, named_objects(o.package, o.objects));
-    if (!o.objects.added.empty()) throw Error(Exit::usage, "--add: expected a package: vantage-player FILE");
-    return run_window(o, {});
+    if (o.package.file.empty() && !o.objects.added.empty())
+        throw Error(Exit::usage, "--add: expected a package: vantage-player FILE");
+    const bool in_window = o.package.file.empty() || o.window.errors_in_window;
+    return run_window(o, in_window ? std::vector<SceneObject>{} : named_objects(o.package, o.objects));
 }
 
 int open_kiosk(const ShowOptions& given) {
@@ -48,6 +49,10 @@ void add_window(const Command& program) {
     add_package_argument(program, o->package, "; without a file, the window lists recent packages");
     program.quiet();
     add_shown_options(program, *o);
+    program
+        .flag("--errors-in-window", o->window.errors_in_window,
+              "if FILE cannot be opened, show the start page with the reason, as file managers need it")
+        .group("Window");
     program.common({"--help", "--help-all", "--version", "--photo", "--view", "--size", "--add",
                     "--no-saved-settings", "--graphics-memory", "--language"});
     program.notes(

@@ -90,13 +90,23 @@ void read_enum(const nlohmann::json& j, const char* name, Enum& value) {
     if (number >= 0 && number < int(Enum::count)) value = Enum(number);
 }
 
+nlohmann::json saved_settings(const std::filesystem::path& folder) {
+    std::ifstream in(folder / "player.json");
+    return json_of(std::string(std::istreambuf_iterator<char>(in), {}));
+}
+
+void write_json(const std::filesystem::path& folder, const nlohmann::json& settings) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    replace_file(folder / "player.json", json_text(settings) + '\n');
+}
+
 }  // namespace
 
 std::filesystem::path settings_folder() { return xdg_folder("XDG_CONFIG_HOME", ".config"); }
 
 Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
-    std::ifstream in(folder / "player.json");
-    const nlohmann::json j = json_of(std::string(std::istreambuf_iterator<char>(in), {}));
+    const nlohmann::json j = saved_settings(folder);
     if (!j.is_object()) return r;
     for_fields(r, [&](const char* name, auto& value) { read(j, name, value); });
     for_choices(r, [&](const char* name, auto& value) { read_enum(j, name, value); });
@@ -114,24 +124,28 @@ Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
     return r;
 }
 
-void remember_opened(Remembered& r, const std::string& file) {
+void remember_opened(const std::filesystem::path& folder, const std::string& file) {
     constexpr std::size_t most = 8;
     std::error_code error;
     const std::string path = is_url(file) ? file : std::filesystem::absolute(file, error).string();
-    if (path.empty()) return;
-    std::erase(r.recent, path);
-    r.recent.insert(r.recent.begin(), path);
-    if (r.recent.size() > most) r.recent.resize(most);
+    if (folder.empty() || path.empty()) return;
+    nlohmann::json j = saved_settings(folder);
+    if (!j.is_object()) j = nlohmann::json::object();
+    std::vector<std::string> files;
+    read(j, "recent", files);
+    std::erase(files, path);
+    files.insert(files.begin(), path);
+    if (files.size() > most) files.resize(most);
+    j["recent"] = files;
+    write_json(folder, j);
 }
 
 void write_settings(const std::filesystem::path& folder, const Remembered& r) {
     if (folder.empty()) return;
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
     nlohmann::json j;
     for_fields(r, [&](const char* name, const auto& value) { j[name] = value; });
     for_choices(r, [&](const char* name, const auto& value) { j[name] = int(value); });
-    replace_file(folder / "player.json", json_text(j) + '\n');
+    write_json(folder, j);
 }
 
 }  // namespace vantage

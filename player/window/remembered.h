@@ -24,8 +24,9 @@ struct Remembered {
 };
 /// The settings in the folder's player.json; missing or invalid settings are taken from `otherwise`.
 Remembered read_settings(const std::filesystem::path& folder, Remembered otherwise);
-/// Records that a package or scene file was opened.
-void remember_opened(Remembered& remembered, const std::string& file);
+/// Adds an opened package or scene file to the recent files in player.json, and changes nothing else there.
+/// Throws Error(storage).
+void remember_opened(const std::filesystem::path& folder, const std::string& file);
 /// Writes player.json. Throws Error(storage).
 void write_settings(const std::filesystem::path& folder, const Remembered& remembered);
 

@@ -49,9 +49,10 @@ void remember(const Session& session, const PackageReader& package, Remembered& 
     r.other_image_set = shown.other ? image_sets[*shown.other].name : "";
 }
 
-/// Options for another package, without those that name parts of the first package.
+/// Options for another package, without those that name parts of the first package or more packages.
 ShowOptions options_for(ShowOptions o, const std::string& file) {
     o.package.file = file;
+    o.objects.added.clear();
     o.package.photos.clear();
     o.pictures.view.clear();
     o.field.name.clear();
@@ -59,9 +60,24 @@ ShowOptions options_for(ShowOptions o, const std::string& file) {
     return o;
 }
 
+/// The folder of saved settings; empty if they are neither read nor written.
+std::filesystem::path folder_of(const ShowOptions& o) {
+    return o.window.fresh ? std::filesystem::path() : settings_folder();
+}
+
 /// Settings of the window, independent of the package.
-Remembered remembered_window(const ShowOptions& o, const std::filesystem::path& folder) {
-    return o.window.fresh ? Remembered{} : read_settings(folder, {});
+Remembered remembered_window(const std::filesystem::path& folder) {
+    return folder.empty() ? Remembered{} : read_settings(folder, {});
+}
+
+/// Runs a function that saves settings. The window works without saved settings, so errors are only reported.
+template <class Save>
+void try_to_save(const Save& save) {
+    try {
+        save();
+    } catch (const Error& e) {
+        std::fprintf(stderr, "settings cannot be saved: %s\n", e.what());
+    }
 }
 
 float text_scale(const ShowOptions& o, const Remembered& remembered, const GlfwWindow& window) {
@@ -71,53 +87,65 @@ float text_scale(const ShowOptions& o, const Remembered& remembered, const GlfwW
 
 /// A package to show, and when it was requested.
 struct Requested {
-    std::string file;  ///< a package or a scene file
+    ShowOptions options;
     std::vector<SceneObject> objects;
-    PackageReader package;  ///< package of the first object
-    double at;              ///< seconds
+    PackageReader package;   ///< package of the first object
+    double at = 0;           ///< seconds
+    bool in_window = false;  ///< opened in the window, which reports errors
 };
 
-/// Opens a package, or the first package of a scene file. Throws Error.
-Requested open_requested(GlfwWindow& window, const std::string& file, const MemoryOptions& memory,
-                         double now) {
-    std::vector<SceneObject> objects =
-        is_scene_file(file)
-            ? read_scene_file(file, SceneUse::show)
-            : std::vector{SceneObject{std::filesystem::path(file).stem().string(), file, {}, true}};
-    PackageReader package = open_in_window(window, objects.front().package, memory);
+/// Opens the package or the scene file of the options in the window. Throws Error.
+Requested open_requested(GlfwWindow& window, const ShowOptions& o, double now) {
+    std::vector<SceneObject> objects = named_objects(o.package, o.objects);
+    PackageReader package = open_in_window(window, objects.front().package, o.memory);
     expect_shape(package);
     expect_content(package);
-    for (std::size_t i = 1; i < objects.size(); ++i) open_in_window(window, objects[i].package, memory);
-    return Requested{file, std::move(objects), std::move(package), now};
+    for (std::size_t i = 1; i < objects.size(); ++i) open_in_window(window, objects[i].package, o.memory);
+    return {o, std::move(objects), std::move(package), now, true};
 }
 
-std::string cannot_open(const std::string& file) {
-    return formatted(tr("%s cannot be opened."), std::filesystem::path(file).filename().c_str());
+std::string cannot_open(const std::string& file, const Error& error) {
+    return failure_text(formatted(tr("%s cannot be opened."), std::filesystem::path(file).filename().c_str()),
+                        error);
 }
 
 /// Opens a package; empty, with a message, if it cannot be shown.
-std::optional<Requested> requested(GlfwWindow& window, Session& session, const std::string& file,
-                                   const MemoryOptions& memory, double now) {
+std::optional<Requested> requested(GlfwWindow& window, Session& session, const ShowOptions& o, double now) {
     try {
-        return open_requested(window, file, memory, now);
+        return open_requested(window, o, now);
     } catch (const Error& e) {
-        say(session.message, failure_text(cannot_open(file), e),
+        say(session.message, cannot_open(o.package.file, e),
             glfwGetTime());  // opening may take long, e.g. from a server
         return {};
     }
 }
 
-/// Asks the user to choose a package; empty if the window was closed.
+/// Asks the user to choose a package; empty if the window was closed. `o`: options for the package, without
+/// its file. `trouble`: the reason why the last one cannot be opened, or empty.
 std::optional<Requested> ask_for_package(GlfwWindow& window, WindowState& state, Controls& controls,
-                                         const ShowOptions& o, std::span<const std::string> recent) {
+                                         ShowOptions o, std::string trouble) {
     glfwSetWindowTitle(window.get(), "Vantage");
-    for (std::string trouble, file;;) try {
-            file = start_page(window, state, controls, recent, trouble, o.window.controls);
+    for (std::string& file = o.package.file;;) try {
+            file = start_page(window, state, controls, remembered_window(folder_of(o)).recent, trouble,
+                              o.window.controls);
             if (file.empty()) return {};
-            return open_requested(window, file, o.memory, glfwGetTime());
+            return open_requested(window, o, glfwGetTime());
         } catch (const Error& e) {
-            trouble = failure_text(cannot_open(file), e);
+            trouble = cannot_open(file, e);
         }
+}
+
+/// Opens the package of the options in the window, or asks for one if there is none or it cannot be opened.
+std::optional<Requested> open_or_ask(GlfwWindow& window, WindowState& state, Controls& controls,
+                                     const ShowOptions& o, double started) {
+    if (o.package.file.empty()) return ask_for_package(window, state, controls, o, "");
+    std::string trouble;
+    try {
+        return open_requested(window, o, started);
+    } catch (const Error& e) {
+        trouble = cannot_open(o.package.file, e);
+    }
+    return ask_for_package(window, state, controls, options_for(o, ""), trouble);
 }
 
 /// Sends a heartbeat to the kiosk's supervisor.
@@ -154,12 +182,23 @@ bool take_events(GlfwWindow& window, WindowState& state, const ShownScene& scene
     return !rests || events.any || glfwGetTime() >= scene.wakes_at();
 }
 
-/// Shows one package, requested at `requested_at` seconds, until the window closes or another package is
-/// requested. Returns that other package, if any.
-std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, ShownScene& scene,
-                                      Controls& controls, const ShowOptions& o, double requested_at) {
+/// A package in the window.
+struct ShownPackage {
+    ShownPackage(const Requested& r, const Remembered& remembered, WindowState& state, Controls& controls)
+        : session(start_session(r.package, r.options, remembered, state)),
+          scene(r.package, r.objects, r.options, session, controls) {}
+    Session session;
+    ShownScene scene;
+};
+
+/// Shows a package until the window closes or another package is requested. Returns that other package, if
+/// any.
+std::optional<Requested> show_package(GlfwWindow& shown_in, ShownPackage& shown, Controls& controls,
+                                      const Requested& package) {
     GLFWwindow* window = shown_in.get();
+    auto& [session, scene] = shown;
     WindowState& state = session.window;
+    const ShowOptions& o = package.options;
     const bool may_rest = o.window.frames == 0 && o.window.controls.empty();  // otherwise frames are counted
     int lively = frames_after_event;
     for (int frame = 0; state.kiosk || !glfwWindowShouldClose(window);) {
@@ -189,28 +228,58 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
         if (!o.window.controls.empty())
             controls.write_places(o.window.controls, is_idle(state, scene, lively));
         if (frame == 1 && output_form() != OutputForm::none)
-            std::fprintf(stderr, "first picture after %.0f ms\n", 1000 * (glfwGetTime() - requested_at));
+            std::fprintf(stderr, "first picture after %.0f ms\n", 1000 * (glfwGetTime() - package.at));
+        if (frame == 1) try_to_save([&] { remember_opened(folder_of(o), o.package.file); });
         while (const auto command = take_one_of<OpenFile, Quit>(state.commands)) {
             const OpenFile* const open = std::get_if<OpenFile>(&*command);
             if (!open) return {};
-            if (auto other = requested(shown_in, session, open->file, o.memory, now)) return other;
+            if (auto other = requested(shown_in, session, options_for(o, open->file), now)) return other;
         }
         if (ends) break;
     }
     return {};
 }
 
+/// Shows packages, one after the other, until the window closes. Returns whether a damaged tile was found.
+bool show_packages(GlfwWindow& window, WindowState& state, Controls& controls, Requested package,
+                   Remembered& remembered) {
+    for (bool damaged = false;;) {
+        std::optional<Requested> next;
+        std::optional<ShownPackage> shown;
+        glfwSetWindowTitle(window.get(), (package.package.path().filename().string() + " - Vantage").c_str());
+        std::string trouble;
+        try {
+            shown.emplace(package, remembered, state, controls);
+        } catch (const Error& e) {
+            if (!package.in_window) throw;
+            trouble = cannot_open(package.options.package.file, e);
+        }
+        if (!shown) {
+            next = ask_for_package(window, state, controls, options_for(package.options, ""), trouble);
+        } else {
+            next = show_package(window, *shown, controls, package);
+            shown->scene.stop_recording(glfwGetTime());
+            damaged |= shown->session.drawn.report.tiles_damaged > 0;
+            remember(shown->session, package.package, remembered);
+        }
+        if (!next) return damaged;
+        shown.reset();
+        package = std::move(*next);
+    }
+}
+
 }  // namespace
 
 int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
-    const std::filesystem::path folder = o.window.fresh ? std::filesystem::path() : settings_folder();
-    std::optional<PackageReader> first;
-    Remembered remembered = remembered_window(o, folder);
+    const std::filesystem::path folder = folder_of(o);
+    Remembered remembered = remembered_window(folder);
     const std::string language = chosen_language(o, remembered);
     use_language(language);
+    std::optional<Requested> first;
     const auto start = [&](PackageReader package) {
-        expect_content(first.emplace(std::move(package)));
-        remembered = start_settings(*first, o, folder);
+        first = Requested{o, objects, std::move(package)};
+        expect_content(first->package);
+        remembered = start_settings(first->package, o, folder);
     };
     // Errors in a file or an option are reported without a window.
     if (!objects.empty() && !is_url(objects.front().package.native()))
@@ -221,49 +290,25 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     state.language = language;
     state.text_scale = text_scale(o, remembered, window);
     Controls controls;
-    ShowOptions options = o;  // for the package that is shown
-    std::optional<Requested> other, next;
-    double requested_at = glfwGetTime() - seconds_since_start();
+    const double started = glfwGetTime() - seconds_since_start();
     if (objects.empty()) {
         window.set_text_scale(state.text_scale);
-        other = ask_for_package(window, state, controls, o, remembered.recent);
-        if (!other) return int(Exit::ok);
-        remembered = start_settings(other->package, o, folder);
-        requested_at = other->at;
-        options.package.file = other->file;
-    } else if (!first) {
-        start(open_in_window(window, objects.front().package, o.memory));
+        first = open_or_ask(window, state, controls, o, started);
+        if (!first) return int(Exit::ok);
+        remembered = start_settings(first->package, o, folder);
+    } else {
+        if (!first) start(open_in_window(window, objects.front().package, o.memory));
+        first->at = started;
     }
-    const PackageReader* package = other ? &other->package : &*first;
     state.panels = remembered.panels;
-    bool damaged = false;
-    for (;;) {
-        glfwSetWindowTitle(window.get(), (package->path().filename().string() + " - Vantage").c_str());
-        Session session = start_session(*package, options, remembered, state);
-        {
-            ShownScene scene(*package, other ? other->objects : objects, options, session, controls);
-            remember_opened(remembered, options.package.file);
-            next = show_package(window, session, scene, controls, o, requested_at);
-            scene.stop_recording(glfwGetTime());
-        }
-        damaged |= session.drawn.report.tiles_damaged > 0;
-        remember(session, *package, remembered);
-        if (!next) break;
-        const Requested& opened = other.emplace(std::move(*next));
-        package = &opened.package;
-        requested_at = opened.at;
-        options = options_for(o, opened.file);
-    }
+    const bool damaged = show_packages(window, state, controls, std::move(*first), remembered);
     window.fill_screen(false);
     glfwGetWindowSize(window.get(), &remembered.window.width, &remembered.window.height);
     remembered.panels = state.panels;
     if (state.text_scale != window.fitting_text_scale()) remembered.text_scale = double(state.text_scale);
     if (state.language != language && !o.window.kiosk) remembered.language = state.language;
-    try {
-        write_settings(folder, remembered);
-    } catch (const Error& e) {  // the window works without settings
-        std::fprintf(stderr, "settings cannot be saved: %s\n", e.what());
-    }
+    remembered.recent = remembered_window(folder).recent;
+    try_to_save([&] { write_settings(folder, remembered); });
     return damaged ? int(Exit::damaged) : int(Exit::ok);
 }
 

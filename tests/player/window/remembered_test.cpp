@@ -45,6 +45,20 @@ TEST_F(RememberedSettings, AreWholeWhileTwoPlayersWriteThem) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(dir), {}), 1) << "no temporary files remain";
 }
 
+TEST_F(RememberedSettings, KeepTheRestWhenAFileIsOpened) {
+    Remembered r = with_recent(3);
+    r.window.width = 1234;
+    write_settings(dir, r);
+    for (const char* file : {"/scans/one.vantage", "/scans/two.vantage", "/scans/one.vantage"})
+        remember_opened(dir, file);
+    r = read_settings(dir, {});
+    EXPECT_EQ(r.window.width, 1234);
+    ASSERT_EQ(r.recent.size(), 8u);
+    EXPECT_EQ(r.recent[0], "/scans/one.vantage");
+    EXPECT_EQ(r.recent[1], "/scans/two.vantage");
+    EXPECT_EQ(r.recent[2], "aaa");
+}
+
 TEST_F(RememberedSettings, ThatCannotBeWrittenAreAnError) {
     std::ofstream(dir / "file");
     EXPECT_THROW(write_settings(dir / "file", {}), Error);
