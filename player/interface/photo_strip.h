@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "player/interface/photo_marks.h"
+#include "player/interface/overlays/photo_marks.h"
 #include "player/interface/sections/controls.h"
 #include "player/interface/state/session.h"
 #include "player/render/renderer.h"

@@ -1,4 +1,4 @@
-#include "player/interface/photo_marks.h"
+#include "player/interface/overlays/photo_marks.h"
 
 #include <algorithm>
 
