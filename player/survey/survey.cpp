@@ -24,7 +24,8 @@ std::string points_text(const Measurement& m) {
     for (const SurveyPoint& p : m.points) {
         if (!out.empty()) out += "; ";
         for (int axis = 0; axis < 3; ++axis)
-            out.append(axis ? " " : "").append(number_text(p.position[axis], all_digits));
+            out.append(axis ? " " : "")
+                .append(number_text(p.position[axis], all_digits, p.position.cwiseAbs().maxCoeff()));
     }
     return out;
 }

@@ -44,7 +44,7 @@ bool SurveySaver::busy() const {
 
 bool SurveySaver::exists() const {
     const std::lock_guard lock(mutex_);
-    return exists_;
+    return exists_ || next_ || writing_;
 }
 
 void SurveySaver::write_until(const std::stop_token& stop) {

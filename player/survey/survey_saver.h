@@ -25,7 +25,7 @@ class SurveySaver {
     std::string take_trouble();
     /// Whether a survey is pending, or whether an error has not been taken.
     bool busy() const;
-    /// Whether the file existed when it was last read or written.
+    /// Whether the file existed when it was last read or written, or is about to be written.
     bool exists() const;
     const std::filesystem::path& path() const { return path_; }
 
