@@ -121,7 +121,8 @@ TEST_F(WindowCommands, AWrittenFileIsBesideThePackageAndItsMessageLeadsThere) {
     const Eigen::Vector2d copy = w.place("Copy path"), measure = w.place("Measure");
     ASSERT_LT((copy - measure).norm(), 300) << "the panel is at the same place";
     w.press("Copy path");
-    EXPECT_EQ(ImGui::GetClipboardText(), file.string()) << "the message is above the panel";
+    const char* const copied = ImGui::GetClipboardText();
+    EXPECT_EQ(copied ? copied : "", file.string()) << "the message is above the panel";
     const std::string path = std::getenv("PATH");
     ::setenv("PATH", (dir / "programs").c_str(), 1);
     w.press("Show the file");
