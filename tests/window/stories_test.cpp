@@ -218,6 +218,7 @@ TEST_F(WindowStories, ANoteIsPlacedAndMovedWithTheMouse) {
     w.point_at(w.place("Note 1"));
     const Eigen::Vector2d by = pixel_of(high) - w.place("Note 1");
     w.drag(0, by.x(), by.y());
+    EXPECT_FALSE(w.session.viewpoint.flight) << "the end of a drag is not a click";
     EXPECT_LT((saved_anchor() - high).norm(), 0.02);
     EXPECT_LT((stands_at(w) - eye).norm(), 1e-9) << "dragging a mark is neither a click nor an orbit";
     w.press("Move its mark");
