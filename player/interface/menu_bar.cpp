@@ -17,7 +17,7 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
         if (c.menu_item(name, key, shown)) shown = !shown;
     };
     if (c.menu_item("Home", "H")) fly_home(s, now);
-    side_views_menu(c, s.viewpoint, renderer.package(), now);
+    side_views_menu(c, s, renderer.package(), now);
     toggle("Orthographic", "", s.viewpoint.orthographic);
     c.explain("Without perspective: equal lengths appear equal at any distance.");
     ImGui::Separator();

@@ -171,6 +171,7 @@ TEST_F(WindowControls, OfMenus) {
     EXPECT_GT(w.session.window.text_scale, 1);
     w.choose("View", "Smaller text");
     EXPECT_FLOAT_EQ(w.session.window.text_scale, 1);
+    w.session.steering.near_photos = false;
     for (const char* side :
          {"From the front", "From the back", "From the left", "From the right", "From the top"}) {
         const Eigen::Vector3d eye = w.session.viewpoint.camera.eye;

@@ -24,7 +24,6 @@ class WindowEventsTest : public WindowTest {
     static double distance(const HeadlessWindow& w) {
         return (w.session.viewpoint.camera.eye - w.session.viewpoint.camera.target).norm();
     }
-    /// A point's position in the window.
     static Eigen::Vector2d pixel_of(const HeadlessWindow& w, const Eigen::Vector3d& point) {
         return project(w.view().intrinsics, w.view().cam_from_origin, point)->pixel;
     }
@@ -35,6 +34,7 @@ class WindowEventsTest : public WindowTest {
         return hit ? hit->position : Eigen::Vector3d(0, 0, 0);
     }
     static void step_back(HeadlessWindow& w) {
+        w.session.steering.near_photos = false;
         w.point_at({500, 400});
         w.wheel(-10);
     }
@@ -190,6 +190,7 @@ TEST_F(WindowEventsTest, ADragTurnsHalfATurnPerWidthOfTheWindow) {
 
 TEST_F(WindowEventsTest, WhatIsUnderThePointerStaysThere) {
     HeadlessWindow w(package_of(WindowScene::tiny));
+    w.session.steering.near_photos = false;
     const Eigen::Vector2d at(430, 300);
     Eigen::Vector3d point = point_at(w, at);
     for (const std::size_t button : {1, 2}) {
@@ -253,6 +254,7 @@ TEST_F(WindowEventsTest, WhatIsLetGoInMotionMovesOn) {
 
 TEST_F(WindowEventsTest, FingersOrbitPinchAndTap) {
     HeadlessWindow w(package_of(WindowScene::tiny));
+    w.session.steering.near_photos = false;
     w.touch(What::begin, 1, 450, 180), w.touch(What::move, 1, 450, 200), w.frames(2);  // no longer a tap
     const double before = elevation(w);
     for (int i = 1; i <= 6; ++i) w.touch(What::move, 1, 450, 200 + 10 * i), w.frames();

@@ -14,7 +14,7 @@ namespace vantage {
 /// Angle in radians from the photos' directions beyond which hardly any photo shows the side.
 constexpr double most_angle = 1.2;
 
-void side_views_menu(Controls& c, Viewpoint& viewpoint, const PackageReader& package, double now) {
+void side_views_menu(Controls& c, Session& s, const PackageReader& package, double now) {
     struct Side {
         const char *label, *plane;
     };
@@ -25,12 +25,13 @@ void side_views_menu(Controls& c, Viewpoint& viewpoint, const PackageReader& pac
                               {marked("From the top"), "top"}};
     for (const auto& [label, plane] : sides) {
         const PicturePlane side = parse_plane(plane, up_of(package.scene()));
-        ImGui::BeginDisabled(angle_from_photos(package.photos(), side.up.cross(side.right)) > most_angle);
+        const double angle = angle_from_photos(package.photos(), side.up.cross(side.right));
+        ImGui::BeginDisabled(s.steering.near_photos && angle > most_angle);
         const bool chosen = c.menu_item(label, "");
         ImGui::EndDisabled();
         if (!chosen) continue;
-        start_flight(viewpoint, stand_beside(package.scene(), side.right, side.up, viewpoint.camera.up), now,
-                     0.7);
+        start_flight(s.viewpoint, stand_beside(package.scene(), side.right, side.up, s.viewpoint.camera.up),
+                     now, 0.7);
     }
 }
 

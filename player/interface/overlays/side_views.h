@@ -1,10 +1,10 @@
 #pragma once
 #include "player/interface/sections/controls.h"
-#include "player/interface/state/viewpoint.h"
+#include "player/interface/state/session.h"
 
 namespace vantage {
 
 /// Menu entries that fly to views of the whole model from a side: front, back, left, right, top.
-void side_views_menu(Controls& controls, Viewpoint& viewpoint, const PackageReader& package, double now);
+void side_views_menu(Controls& controls, Session& session, const PackageReader& package, double now);
 
 }  // namespace vantage

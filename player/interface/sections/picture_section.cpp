@@ -115,7 +115,7 @@ void picture_section(Controls& c, Session& s, const Renderer& renderer) {
     c.explain("Speed for the keys W A S D, Q and E. Shift is four times as fast.");
     c.checkbox("Inertia", &s.steering.inertia);
     c.explain("If you release a drag while moving, the view glides on for a moment.");
-    c.checkbox("Stay near the photos", &s.steering.near_photos);
+    c.checkbox("Stay near photos", &s.steering.near_photos);
     c.explain(
         "Orbits return to the directions of the photos, and zooming out ends while the model is still "
         "visible.");
