@@ -162,7 +162,8 @@ void ShownScene::interface(const View& view, double now) {
     if (s.window.panels.bar) visitor_bar(controls_, s, scene_.renderer, view, layout_.bar, now);
     if (!picture_.drawn()) return;  // the rest would delay the first picture
     const bool overlays = !picture_.in_parts();
-    if ((s.window.panels.frusta || s.steering.inside) && overlays) frusta(s, scene_.renderer, strip_, view, now);
+    if ((s.window.panels.frusta || s.steering.inside) && overlays)
+        frusta(s, scene_.renderer, strip_, view, now);
     pick_listed_point(s, scene_.plan(), view);
     const Intrinsics& frame = view.intrinsics;
     comparison(controls_, s, scene_.plan(), {0, 0, double(frame.width), double(frame.height)});
