@@ -251,15 +251,8 @@ class Measurement {
         }
     }
 
-    /// Measures the times of the defaults again, to estimate the noise, and adds the recommendations.
+    /// Adds the recommendations, and measures those that differ from all trials.
     ScanCosts finished(bool complete) {
-        TrialCosts& defaults = costs_.trials.front();
-        if (defaults.frame_ms.size() < 2) {
-            run_.report(fmt::format("{:3.0f} s  the defaults once more", elapsed()));
-            Fold& fold = folds_.front();
-            if (prepares_) take(programs_.prepare(input_, fold.package, fold.hold_out), defaults);
-            defaults.frame_ms.push_back(programs_.frame_ms(default_package(fold), show_options(CostTrial{})));
-        }
         costs_.recipes = recipes(costs_, input_);
         for (Recipe& r : costs_.recipes) {
             if (const auto same = std::ranges::find_if(costs_.trials,
