@@ -68,11 +68,14 @@ std::string recommendation(std::span<const ScanCosts> scans, std::size_t purpose
 
 }  // namespace
 
+bool changes_nothing(const CostTrial& trial) { return trial.prepare.empty() && trial.show.empty(); }
+
 std::string settings_in_words(const Recipe& recipe) {
+    if (changes_nothing(recipe.costs.trial)) return "the defaults";
     std::string out;
     for (const auto* options : {&recipe.costs.trial.prepare, &recipe.costs.trial.show})
         for (const std::string& o : *options) out += (out.empty() ? "`" : " ") + o;
-    return out.empty() ? "the defaults" : out + "`";
+    return out + "`";
 }
 
 std::string frame_in_words(const std::vector<double>& ms) {

@@ -11,6 +11,9 @@ namespace vantage {
 /// results are. Option names are between backticks.
 std::vector<std::string> cost_answers(std::span<const ScanCosts> scans);
 
+/// Whether a trial or a recommendation keeps all defaults.
+bool changes_nothing(const CostTrial& trial);
+
 /// "`--max-photo-size 708`", or "the defaults".
 std::string settings_in_words(const Recipe& recipe);
 

@@ -35,7 +35,7 @@ std::string costs_in_words(const TrialCosts& c, const TrialCosts& defaults, cons
     const auto add = [&](const char* name, const std::string& change) {
         if (!change.empty()) out += fmt::format("{}{}: {}", out.empty() ? "" : ", ", name, change);
     };
-    if (c.trial.prepare.empty() && c.trial.show.empty()) return "these are the defaults";
+    if (changes_nothing(c.trial)) return "these are the defaults";
     add("preparing", change_text(seconds_ratio(c, defaults), noise.seconds));
     add("package", change_text(bytes_ratio(c, defaults), 0));
     add("frame", change_text(frame_ratio(c, defaults), noise.frame));
@@ -51,12 +51,11 @@ TextTable recipe_table(const Costs& costs) {
             if (r >= s.recipes.size()) continue;
             const Recipe& recipe = s.recipes[r];
             const TrialCosts& defaults = s.trials.front();
-            const bool same = recipe.costs.trial.prepare.empty() && recipe.costs.trial.show.empty();
-            out.rows.push_back({&s == &costs.scans.front() ? recipe.purpose + ": " + recipe.reason : "",
-                                s.name, settings_in_words(recipe),
-                                change_text(bytes_ratio(recipe.costs, defaults), 0),
-                                frame_in_words(recipe.costs.frame_ms),
-                                same ? "" : gain_text(estimate(recipe.costs.psnr), false)});
+            out.rows.push_back(
+                {&s == &costs.scans.front() ? recipe.purpose + ": " + recipe.reason : "", s.name,
+                 settings_in_words(recipe), change_text(bytes_ratio(recipe.costs, defaults), 0),
+                 frame_in_words(recipe.costs.frame_ms),
+                 changes_nothing(recipe.costs.trial) ? "" : gain_text(estimate(recipe.costs.psnr), false)});
         }
     return out;
 }
