@@ -39,12 +39,6 @@ void restore(ActiveStory& active, const Story& story) {
 
 }  // namespace
 
-UndoHistory::Settings UndoHistory::settings_of(const Session& s) {
-    Settings out{s.settings, s.photos};
-    copy_transient({}, out.render);
-    return out;
-}
-
 template <class T>
 void UndoHistory::record(T& last, const T& now, bool is_change) {
     if (last == now) return;
@@ -63,7 +57,10 @@ void UndoHistory::record(const Session& s, const ActiveStory& active, const Meas
     record(story_, active.story, settled);
     record(survey_, measure.survey(), settled && !read);
     record(cut_, s.cut, settled);
-    record(settings_, settings_of(s), settled);
+    RenderSettings render = s.settings;
+    copy_transient({}, render);
+    if (render == settings_.render && s.photos == settings_.photos) return;  // no copy in an idle frame
+    record(settings_, {std::move(render), s.photos}, settled);
 }
 
 void UndoHistory::move(Session& s, ActiveStory& active, MeasurePanel& measure, bool back, double now) {

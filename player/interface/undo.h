@@ -28,7 +28,6 @@ class UndoHistory {
     };
     static constexpr std::size_t most_steps = 200;
 
-    static Settings settings_of(const Session& session);
     void record(const Session& session, const ActiveStory& active, const MeasurePanel& measure);
     template <class T>
     void record(T& last, const T& now, bool is_change);
