@@ -93,10 +93,6 @@ GlfwWindow::GlfwWindow(FrameSize size, const std::string& title, bool debug) {
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     watch_mouse();  // again: new_frame() reports the position
     ImGui_ImplOpenGL3_Init("#version 450");
-    // Mesa keeps the size of the window's buffers until they are swapped, so that a first picture in full
-    // screen would be displaced by the difference of the heights.
-    glClear(GL_COLOR_BUFFER_BIT);
-    glfwSwapBuffers(window_);
 }
 
 namespace {
@@ -145,6 +141,10 @@ void GlfwWindow::fill_screen(bool whole) {
     glfwGetWindowSize(window_, &p.width, &p.height);
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
     await_size(window_, mode->width, mode->height);
+    // Mesa keeps the size of the window's buffers until they are swapped, so that the next picture would be
+    // displaced by the difference of the heights.
+    glClear(GL_COLOR_BUFFER_BIT);
+    glfwSwapBuffers(window_);
 }
 
 float GlfwWindow::fitting_text_scale() const {
