@@ -26,7 +26,7 @@ class Composition {
               const ShowTarget& target);
 
     /// Depth of the nearest object with an opacity above 0 at each pixel of the last frame shown: 32-bit
-    /// values `near / z`, top row first, 0 where there is no surface. `near` is in scene units; surfaces
+    /// values `near / z`, top row first, 0 beside the surfaces. `near` is in scene units; surfaces
     /// nearer than `near` have values above 1.
     const gl::Texture& nearest_depth(double near);
 

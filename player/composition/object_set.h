@@ -13,7 +13,7 @@
 namespace vantage {
 
 /// Depths of the drawn picture, top row first: a + b / z, where a and b are the `terms` and z is in scene
-/// units; 0 where there is no surface.
+/// units; 0 beside the surfaces.
 struct DrawnDepth {
     GLuint texture;
     Eigen::Vector2d terms;

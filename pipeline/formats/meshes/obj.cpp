@@ -126,7 +126,7 @@ class ObjReader {
         colored_ |= colored;
         for (std::size_t c = 0; c < 3; ++c) colors_[c].push_back(colored ? real(words[4 + c]) : no_color);
     }
-    /// The element that a corner's index refers to; `no_vertex` if there is no such element. Indices count
+    /// The element that a corner's index refers to; `no_vertex` if the index is out of range. Indices count
     /// from 1 (the element may be defined later) or, if negative, backward from the last of `count` elements.
     std::uint32_t element(std::string_view index, std::size_t count) const {
         std::int64_t i = 0;

@@ -81,8 +81,7 @@ void picture_content(Controls& c, Session& s, const Renderer& renderer) {
     choice(c, "Show", r.show, shows);
     c.explain(
         "The photos, or false colors: the photo with the largest weight, or the number of blended photos "
-        "that "
-        "see each point.");
+        "that see each point.");
     exposure_controls(c, s, renderer);
     if (renderer.scene().has_background()) {
         static const char* const background[] = {MARKED_IN("background", "shown"),

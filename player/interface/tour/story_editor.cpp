@@ -56,7 +56,7 @@ void StoryEditor::add(ActiveStory& active, const Session& s, const SurfaceAt& su
 void StoryEditor::take_click(ActiveStory& active, Session& s, const SurfaceAt& surface, double now) {
     if (!s.window.places_note || ImGui::GetIO().WantCaptureMouse || s.window.input.clicks.empty()) return;
     const Eigen::Vector2d pixel(s.window.input.clicks.front().x, s.window.input.clicks.front().y);
-    if (!surface || !surface(pixel)) return say(s.message, tr("There is no surface here"), now);
+    if (!surface || !surface(pixel)) return say(s.message, tr("Only the model can be clicked"), now);
     if (moves_ && active.open)
         place_note(active, *active.open, s, surface, pixel);
     else

@@ -9,8 +9,8 @@
 
 namespace vantage {
 
-/// Moves a note's anchor to the surface at a pixel. Returns false if there is no surface. `surface` may be
-/// empty, here and below, if no surface can be clicked.
+/// Moves a note's anchor to the surface at a pixel. Returns false if the pixel does not show the model.
+/// `surface` may be empty, here and below, if no surface can be clicked.
 bool place_note(ActiveStory& active, std::size_t note, const Session& session, const SurfaceAt& surface,
                 const Eigen::Vector2d& pixel);
 
