@@ -105,7 +105,7 @@ void expect_points(const fs::path& file, const Header& h) {
     const std::uint64_t bytes = fs::file_size(file),
                         there = bytes > h.first ? (bytes - h.first) / h.record : 0;
     if (there < h.points)
-        throw wrong(file, "is cut off: its header counts " + std::to_string(h.points) +
+        throw wrong(file, "is cut off: its header says " + std::to_string(h.points) +
                               " points, but the file has " + std::to_string(there));
 }
 

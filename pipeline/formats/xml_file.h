@@ -27,7 +27,7 @@ class XmlFile {
     double attribute(pugi::xml_node element, const char* name) const;
     /// The numbers in a string from an element; throws unless there are `count` of them.
     std::vector<double> numbers(pugi::xml_node element, const std::string& text, std::size_t count) const;
-    /// The width or height of a photo. Throws unless the number is whole and from 1 to 2^20.
+    /// The width or height of a photo. Throws unless the number is an integer from 1 to 2^20.
     int size(pugi::xml_node element, double value) const;
 
   private:

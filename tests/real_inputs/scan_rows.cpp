@@ -257,7 +257,7 @@ std::vector<Row> scan_rows() {
         {"meshes", "glTF with compressed buffers", [](Scan& s) { GltfFile box = box_gltf(); box.more = ", \"extensionsRequired\": [\"EXT_meshopt_compression\"]"; s.remove("mesh.ply"); s["mesh.glb"] = box.glb(); }, Exit::input, Says{"mesh.glb: needs the glTF extension EXT_meshopt_compression, which is not supported"}},
         {"meshes", "GLB", with_mesh("mesh.glb", box_gltf().glb())},
         {"meshes", "GLB with a name in capitals: MESH.GLB", with_mesh("MESH.GLB", box_gltf().glb())},
-        {"meshes", "a truncated GLB", with_mesh("mesh.glb", box_gltf().glb().substr(0, 700)), Exit::input, Says{"mesh.glb: is cut off: its header counts"}},
+        {"meshes", "a truncated GLB", with_mesh("mesh.glb", box_gltf().glb().substr(0, 700)), Exit::input, Says{"mesh.glb: is cut off: its header says"}},
         {"meshes", "a GLB next to a PLY", with_file("mesh.glb", box_gltf({.scale = 0.5}).glb())},
         {"meshes", "a GLB whose node has a transform", [](Scan& s) { GltfFile box = box_gltf({.x = 8}); box.nodes = ""; box.add_node("\"mesh\": 0, \"scale\": [0.5, 0.5, 0.5], \"translation\": [-4, 0, 0]"); s.remove("mesh.ply"); s["mesh.glb"] = box.glb(); }, Holds{"A.jpg=red B.jpg=green C.jpg=blue; 1 x 1 x 1, area 6"}},
         {"meshes", "FBX", with_mesh("mesh.fbx", box_fbx()), Says{"mesh.fbx: says that its unit is 1 cm; its coordinates are used as written"}},

@@ -80,7 +80,7 @@ CameraSet read_matchmover(const std::filesystem::path& path) {
     CameraSet set{"MatchMover", {}, {}};
     for (const pugi::xml_node shot : root.children("SHOT")) read_shot(file, shot, set);
     if (set.entries.empty())
-        throw NoCamera(path.string() + ": expected a SHOT with a CFRM, the camera of a frame, found none");
+        throw NoCamera(path.string() + ": expected a SHOT with a CFRM (the camera of a frame), found none");
     return set;
 }
 

@@ -36,7 +36,7 @@ std::string json_of_glb(const fs::path& file) {
         fail(file, "is not a GLB file: expected glTF at its beginning");
     if (header.version != 2) fail(file, "glTF version " + std::to_string(header.version) + ", expected 2");
     if (header.length > fs::file_size(file) || header.chunk_length > header.length)
-        fail(file, "is cut off: its header counts " + std::to_string(header.length) +
+        fail(file, "is cut off: its header says " + std::to_string(header.length) +
                        " bytes, but the file has " + std::to_string(fs::file_size(file)));
     if (header.chunk_type != std::array{'J', 'S', 'O', 'N'}) fail(file, "does not begin with a JSON chunk");
     const std::vector<std::byte> bytes = read_file(file, sizeof header + header.chunk_length);

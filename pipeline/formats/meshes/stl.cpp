@@ -98,7 +98,7 @@ Mesh read_binary(const fs::path& file) {
         count < there && std::all_of(bytes.begin() + std::ptrdiff_t(header_bytes + count * triangle_bytes),
                                      bytes.end(), [](std::byte b) { return b == std::byte(0); });
     if (count != there && !padded)
-        fail((count > there ? "is cut off: its header counts " : "is damaged: its header counts ") +
+        fail((count > there ? "is cut off: its header says " : "is damaged: its header says ") +
              std::to_string(count) + " triangles, but the file has " + std::to_string(there));
     Mesh mesh;
     for (std::size_t i = 0; i < count; ++i) {

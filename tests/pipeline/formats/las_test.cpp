@@ -115,8 +115,8 @@ TEST_F(Las, DamagedFilesAreRefusedWithAReason) {
     says(complaint(""), "is not a LAS file");
     says(complaint("PLY\n" + valid), "is not a LAS file");
     says(complaint(valid.substr(0, 150)), "cut off in its header");
-    says(complaint(valid.substr(0, valid.size() - 1)), "counts 10 points, but the file has 9");
-    says(complaint(valid.substr(0, 240)), "counts 10 points, but the file has 0");
+    says(complaint(valid.substr(0, valid.size() - 1)), "says 10 points, but the file has 9");
+    says(complaint(valid.substr(0, 240)), "says 10 points, but the file has 0");
     says(with(107, std::uint32_t(0)), "has no points");
     says(with(107, std::uint32_t(0xffffffff)), "expected at most");
     says(with(104, std::uint8_t(11)), "point format 11");

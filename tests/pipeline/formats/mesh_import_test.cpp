@@ -281,9 +281,9 @@ TEST_F(Import, StlIsWholeOrRefused) {
     EXPECT_EQ(read(binary("solid", 1, "")), "3 1");
     EXPECT_EQ(read(binary("solid", 1, "end")), "3 1");
     EXPECT_EQ(read(binary("", 1, std::string(428, '\0'))), "3 1") << "padded to 512 bytes";
-    EXPECT_EQ(read(binary("", 2, "end")), ": is cut off: its header counts 2 triangles, but the file has 1");
+    EXPECT_EQ(read(binary("", 2, "end")), ": is cut off: its header says 2 triangles, but the file has 1");
     EXPECT_EQ(read(binary("", ~0u, "")),
-              ": is cut off: its header counts 4294967295 triangles, but the file has 1");
-    EXPECT_EQ(read(binary("", 0, "")), ": is damaged: its header counts 0 triangles, but the file has 1");
+              ": is cut off: its header says 4294967295 triangles, but the file has 1");
+    EXPECT_EQ(read(binary("", 0, "")), ": is damaged: its header says 0 triangles, but the file has 1");
     EXPECT_EQ(read(std::string(83, '\0')), ": is cut off: expected a header of 84 bytes");
 }
