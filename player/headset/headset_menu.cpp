@@ -71,7 +71,7 @@ void page_buttons(Controls& c, const MenuContent& m) {
     }
 }
 
-/// Original size of the model, if its unit is known.
+/// Controls for the model's unit and size, with a button that restores its usual scale.
 void size_controls(Controls& c, Session& s, const MenuContent& m) {
     Locomotion& w = m.locomotion;
     int unit = 0;
@@ -90,7 +90,7 @@ void size_controls(Controls& c, Session& s, const MenuContent& m) {
         "1: true size, or at arm's length if the unit is unknown. You can also scale the model with two "
         "hands.");
     ImGui::BeginDisabled(w.stance.scale == w.usual_scale);
-    if (c.button("Own size")) w.stance = rescaled(w.stance, s.viewpoint.camera.eye, w.usual_scale);
+    if (c.button("True size")) w.stance = rescaled(w.stance, s.viewpoint.camera.eye, w.usual_scale);
     ImGui::EndDisabled();
 }
 
