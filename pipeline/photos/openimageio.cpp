@@ -56,7 +56,7 @@ void expect_readable(const OIIO::ImageSpec& spec, const std::string& format,
     if (!is_tiff_of(spec, format, separated)) return;
     if (spec.tile_width > 0) fail(file, "its CMYK colors are in tiles, expected strips, or RGB");
     if (spec.nchannels < 3 || spec.channelnames[0] != "R")
-        fail(file, "its inks are not cyan, magenta, yellow and black alone, expected RGB");
+        fail(file, "its inks are not exactly cyan, magenta, yellow and black; expected CMYK or RGB");
 }
 
 /// Throws Error(input); for formats that need an additional library, the message contains advice.

@@ -17,9 +17,9 @@ constexpr std::size_t max_rows = 24;
 std::string transient_part(std::span<const package::PhotoRecord> photos, const TransientMasks& c) {
     std::string out =
         "<h2>Transient masking</h2>\n<p>" + sentence(c.decision.evidence) +
-        (c.decision.on
-             ? " Other photos are shown in these places, which have the color of \"contradicted\" below."
-             : " No photo is masked.") +
+        (c.decision.on ? " Where a photo is contradicted, other photos are shown instead; the weight maps "
+                         "below mark these areas in the color labeled \"contradicted\"."
+                       : " No photo is masked.") +
         "</p>\n";
     std::vector<std::size_t> order(photos.size());
     std::iota(order.begin(), order.end(), 0u);

@@ -79,10 +79,9 @@ void compare_on(const char* set) {
     const gl::HeadlessContext context(gl::Debug::on);
     const std::vector<Borders> all = borders_of(input);
     const Accuracy a = measure(all);
-    std::printf(
-        "%-12s %.5f %% wrong, largest error %.3f px, in the border weight %d/255, %.0f ms per photo\n", set,
-        100 * double(a.wrong) / double(a.pixels), a.worst, a.worst_weight,
-        1000 * a.seconds / double(all.size()));
+    std::printf("%-12s %.5f %% wrong, largest error %.3f px (border weight: %d/255), %.0f ms per photo\n",
+                set, 100 * double(a.wrong) / double(a.pixels), a.worst, a.worst_weight,
+                1000 * a.seconds / double(all.size()));
     EXPECT_LT(double(a.wrong), 0.01 * double(a.pixels));
     EXPECT_LE(a.worst_weight, 2);
 }

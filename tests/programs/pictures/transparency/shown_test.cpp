@@ -56,7 +56,7 @@ TEST_F(Transparent, AWhollyTransparentMeshIsShownWithNothingBehind) {
                 << "the quad should have its own alpha, and the quad with alpha 0 should be invisible";
             for (std::size_t c = 0; c < 3; ++c)
                 EXPECT_NEAR(p.rgba[middle + c], own[c], 1)
-                    << "the color should not be premultiplied; the surface faces the viewer";
+                    << "the color should not be premultiplied, nor shaded, as the surface faces the viewer";
             EXPECT_EQ(p.rgba[3], 0) << "empty";
         }
     const Picture off = taken(renderer, view, shown_as(Transparency::off));
