@@ -16,8 +16,8 @@ class EveryOperation : public WrittenPackage {
     std::string fault(int n, const std::string& how) const {
         return "FAULT=any:" + std::to_string(n) + ":" + how + " FAULT_FOLDER=" + dir.string();
     }
-    /// The number of file operations of the undisturbed command; if `how` is "BAD_PAGE", the number of pages
-    /// that it maps.
+    /// The number of file operations of the command without faults; if `how` is "BAD_PAGE", the number of
+    /// pages that it maps.
     int operations_of(const WritingCommand& c, const std::string& how = "SHORT_ONCE") const {
         start(c);
         const fs::path count = fs::temp_directory_path() / (dir.filename().string() + ".count");

@@ -5,7 +5,7 @@
 
 Each package has its own inputs. The test changes the inputs (photos are exchanged, truncated, repaired, added and removed) and
 the package (it is damaged, truncated or deleted). It also runs commands on the package: prepare (with several settings, killed
-at a random time, with little memory or with little disk space, and then again undisturbed), check, check --against, refine,
+at a random time, with little memory or with little disk space, and then again without faults), check, check --against, refine,
 extract, and the player, which renders a view from a photo's camera. The expected verdict follows from the changes. While one
 worker changes a package, others read it; they may see either the old package or the new one.
 

@@ -22,11 +22,11 @@ class WrittenPackage : public Overnight {
     /// Restores the output folder to its state before the command.
     void start(const WritingCommand& c) const;
     /// Runs the command with `fault`, which sets the environment variables that faulty_disk.cpp reads. If
-    /// `fault` is empty, the command runs undisturbed.
+    /// `fault` is empty, the command runs without faults.
     Outcome run_command(const WritingCommand& c, const std::string& fault = "") const;
     /// Expects the old or the new package; the package may be missing only if there was none before.
     void expect_old_or_new(const WritingCommand& c, const std::string& when) const;
-    /// Runs the command again, undisturbed, and expects the new package.
+    /// Runs the command again, without faults, and expects the new package.
     void expect_finished_by_next_run(const WritingCommand& c, const std::string& when) const;
 
     std::vector<WritingCommand> commands;

@@ -48,7 +48,7 @@ class Overnight : public TemporaryFolder {
     Outcome with_fault(const std::string& fault, const std::string& options = "") const {
         return prepare_program(options, "FAULT=" + fault + " LD_PRELOAD=" FAULTY_DISK);
     }
-    /// The bytes of the package that an undisturbed run writes.
+    /// The bytes of the package that an uninterrupted run writes.
     std::string undisturbed(const PrepareSettings& settings = {}) const {
         const fs::path other = dir / "undisturbed.vantage";
         copy_package(scene, settings, other);
@@ -64,7 +64,7 @@ class Overnight : public TemporaryFolder {
         return all;
     }
     void expect_whole(const std::string& bytes, const std::string& after) const {
-        EXPECT_TRUE(slurp(file) == bytes) << after << ": differs from an undisturbed run";
+        EXPECT_TRUE(slurp(file) == bytes) << after << ": differs from an uninterrupted run";
         EXPECT_FALSE(fs::exists(part_of(file))) << after;
         EXPECT_FALSE(fs::exists(displaced_part_of(file))) << after;
     }

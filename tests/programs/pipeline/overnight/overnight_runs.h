@@ -21,7 +21,7 @@ inline constexpr package::Stage every_stage[] = {package::Stage::thumbnail, pack
 
 class OvernightRuns : public Overnight {
   protected:
-    /// For each fault, kills a run and expects that the next run writes the same bytes as an undisturbed run.
+    /// For each fault, kills a run and expects the next run to write the same bytes as an uninterrupted run.
     void expect_resumes_after(const std::vector<std::string>& faults) const {
         const std::string bytes = undisturbed();
         for (const std::string& fault : faults) {
